@@ -1,0 +1,18 @@
+# The rooms of the library, lowest first, and which rooms each one may include. This is the only
+# place that says so: the libraries are linked from it, and tests/architecture holds the includes
+# to it. A room's headers are include/changeover/<room>/, its sources src/<room>/.
+
+set(CHANGEOVER_ROOMS core verify bounds construct io paper)
+
+set(CHANGEOVER_KNOWS_core)
+set(CHANGEOVER_KNOWS_verify core)
+set(CHANGEOVER_KNOWS_bounds core)
+set(CHANGEOVER_KNOWS_construct core bounds)
+set(CHANGEOVER_KNOWS_io core verify bounds)
+set(CHANGEOVER_KNOWS_paper core verify bounds construct io)
+
+# Third-party libraries, always used in sources only: no public header includes one.
+foreach(room IN LISTS CHANGEOVER_ROOMS)
+  set(CHANGEOVER_LIBRARIES_${room} fmt::fmt)
+endforeach()
+list(APPEND CHANGEOVER_LIBRARIES_io nlohmann_json::nlohmann_json)

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# check_rooms.sh ROOT ROOM:KNOWN,KNOWN...
+# Fails with one line for each include by which a room reaches a room that it may not know, for
+# each include of apps/ from a room, for each folder that is no room, and for each include of ours
+# in the independent checker.
+set -euo pipefail
+
+root=$1
+shift
+declare -A known
+for entry in "$@"; do
+  known[${entry%%:*}]=,${entry#*:},
+done
+
+faults=0
+fault() {
+  printf '%s\n' "$*"
+  faults=$((faults + 1))
+}
+
+# Prints FILE:LINE:PATH for each include in the given folder or file.
+includes_in() {
+  [[ -e $1 ]] || return 0
+  grep -rHnE '^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"]' "$1" |
+    sed -E 's|^([^:]*:[0-9]+):[^<"]*[<"]([^>"]*)[>"].*|\1:\2|' || true
+}
+
+cd "$root"
+for folder in include/changeover/*/ src/*/; do
+  [[ -d $folder ]] || continue
+  room=$(basename "$folder")
+  if [[ -z ${known[$room]+set} ]]; then
+    fault "$folder: no such room; rooms are listed in cmake/rooms.cmake"
+    continue
+  fi
+  while IFS= read -r found; do
+    [[ -n $found ]] || continue
+    path=${found##*:}
+    # "changeover/room/x.hpp" names a room; so do "../room/x.hpp" and "room/x.hpp" (src/ is on the
+    # private include path).
+    other=$path
+    while [[ $other == ../* ]]; do other=${other#../}; done
+    other=${other#changeover/}
+    if [[ $other == apps/* || $other == tests/* ]]; then
+      fault "${found%:*}: a room includes $path"
+      continue
+    fi
+    [[ $other == */* ]] || continue
+    other=${other%%/*}
+    if [[ $path != changeover/* && -z ${known[$other]+set} ]]; then
+      continue  # another library, or a subfolder of the room itself
+    fi
+    [[ $other == "$room" ]] && continue
+    if [[ ${known[$room]} != *",$other,"* ]]; then
+      fault "${found%:*}: $room may not know $other, but includes $path"
+    fi
+  done < <(includes_in "$folder")
+done
+
+while IFS= read -r found; do
+  [[ -n $found ]] || continue
+  path=${found##*:}
+  if [[ $path == *changeover* || $path == ../* ]]; then
+    fault "${found%:*}: the independent checker includes $path"
+  fi
+done < <(includes_in apps/checkdesign)
+
+[[ $faults -eq 0 ]]

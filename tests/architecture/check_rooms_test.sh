@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# check_rooms_test.sh SCRIPT: proves that the check of the rooms passes a good tree and fails each
+# of several trees with one fault.
+set -euo pipefail
+
+script=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+tree=$work/tree
+
+# Runs the check on a tree in which FILE holds LINE.
+check_with() {
+  rm -rf "$tree"
+  mkdir -p "$tree"/include/changeover/{core,io} "$tree"/src/{core,io} "$tree/apps/checkdesign"
+  echo '#include "changeover/core/block.hpp"' >"$tree/src/io/text.cpp"
+  echo '#include <fmt/format.h>' >"$tree/src/core/block.cpp"
+  mkdir -p "$tree/$(dirname "$1")"
+  echo "$2" >"$tree/$1"
+  bash "$script" "$tree" core: io:core
+}
+
+must_pass() {
+  check_with "$@" || { echo "wrongly refused: $1 with $2"; exit 1; }
+}
+
+must_fail() {
+  if check_with "$@" >"$work/output"; then
+    echo "wrongly accepted: $1 with $2"
+    exit 1
+  fi
+  [[ $(wc -l <"$work/output") -eq 1 ]] || { echo "expected one fault:"; cat "$work/output"; exit 1; }
+}
+
+must_pass src/io/more.cpp '#include "changeover/core/design.hpp"'
+must_pass src/io/more.cpp '#include "detail/rows.hpp"'
+must_pass src/core/more.cpp '// #include "changeover/io/text.hpp"'
+must_fail src/core/more.cpp '#include "changeover/io/text.hpp"'
+must_fail include/changeover/core/deep/more.hpp '#  include <changeover/io/text.hpp>  // oh'
+must_fail src/core/more.cpp '#include "../io/rows.hpp"'
+must_fail src/core/more.cpp '#include "io/rows.hpp"'
+must_fail src/core/more.cpp '#include "changeover/unheard/of.hpp"'
+must_fail src/io/more.cpp '#include "../../apps/changeover/main.hpp"'
+must_fail src/attic/more.cpp '#include <vector>'
+must_fail apps/checkdesign/checkdesign.c '#include "changeover/core/block.hpp"'
