@@ -1,0 +1,51 @@
+// Faults, told apart by whose they are.
+//
+// "No such design", "unknown" and "limit reached" are values and never thrown. What is thrown derives
+// from Error, and its class says whose fault it is:
+//
+//     try {
+//       run(...);
+//     } catch (const changeover::BadInput& fault) {  // the file or the number that was given
+//       std::cerr << fault.what() << '\n';           // one line: what, where, how to mend it
+//     }
+//
+// The library never prints, exits or aborts.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace changeover {
+
+/// Base of every fault; catch it, but throw one of its subclasses.
+class Error : public std::runtime_error {
+ protected:
+  using std::runtime_error::runtime_error;
+};
+
+/// What was given (a file, a block list, an argument) is malformed. The message is one line that says
+/// what is wrong, where, and how to mend it.
+class BadInput : public Error {
+ public:
+  using Error::Error;
+};
+
+/// No design, factorization, … with these parameters can exist, or they exceed what is supported.
+class ImpossibleParameters : public Error {
+ public:
+  using Error::Error;
+};
+
+/// Something outside is missing: memory, disk space, a file, a permission.
+class MissingResource : public Error {
+ public:
+  using Error::Error;
+};
+
+/// A bug of this library: a result failed its own verification, an invariant broke.
+class InternalError : public Error {
+ public:
+  using Error::Error;
+};
+
+}  // namespace changeover

@@ -1,0 +1,97 @@
+// A set of unordered pairs {x,y} of elements, one bit each.
+//
+//     PairSet covered(v);
+//     covered.insert(3, 7);
+//     covered.missing();                       // how many of the C(v,2) pairs are not in the set
+//     covered.for_each_missing(20, print);     // twenty of them, those of the smallest elements first
+//
+// Memory: C(v,2) bits, 268 MB at v = 65,535.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/checked.hpp"
+
+namespace changeover {
+
+/// Pairs of distinct elements below v.
+class PairSet {
+ public:
+  explicit PairSet(std::uint64_t v)
+      : v_(v), words_(static_cast<std::size_t>(ceil_div(binomial(v, 2), 64)), 0) {}
+
+  [[nodiscard]] std::uint64_t v() const { return v_; }
+
+  /// The place of {x,y} among the C(v,2) pairs: the pairs below a larger element come first. x ≠ y.
+  [[nodiscard]] static constexpr std::uint64_t rank(Element x, Element y) {
+    const std::uint64_t low = x < y ? x : y;
+    const std::uint64_t high = x < y ? y : x;
+    return high * (high - 1) / 2 + low;
+  }
+
+  /// Adds {x,y}; x ≠ y, both below v.
+  void insert(Element x, Element y) {
+    const std::uint64_t r = rank(x, y);
+    words_[static_cast<std::size_t>(r >> 6)] |= std::uint64_t{1} << (r & 63);
+  }
+
+  [[nodiscard]] bool contains(Element x, Element y) const {
+    const std::uint64_t r = rank(x, y);
+    return (words_[static_cast<std::size_t>(r >> 6)] >> (r & 63) & 1) != 0;
+  }
+
+  /// The number of pairs in the set. O(v²/64).
+  [[nodiscard]] std::uint64_t size() const {
+    std::uint64_t count = 0;
+    for (const std::uint64_t word : words_) {
+      count += static_cast<std::uint64_t>(std::popcount(word));
+    }
+    return count;
+  }
+
+  /// The number of the C(v,2) pairs that are not in the set. O(v²/64).
+  [[nodiscard]] std::uint64_t missing() const { return binomial(v_, 2) - size(); }
+
+  /// Calls visit(x, y), x < y, for up to `limit` pairs that are not in the set, ordered by y and then
+  /// by x. O(v²/64 + pairs visited).
+  template <typename Visit>
+  void for_each_missing(std::uint64_t limit, Visit&& visit) const {
+    scan(~std::uint64_t{0}, limit, visit);
+  }
+
+  /// The same for the pairs that are in the set.
+  template <typename Visit>
+  void for_each(std::uint64_t limit, Visit&& visit) const {
+    scan(0, limit, visit);
+  }
+
+ private:
+  // Visits the bits of the words after an exclusive or with `flip`.
+  template <typename Visit>
+  void scan(std::uint64_t flip, std::uint64_t limit, Visit&& visit) const {
+    const std::uint64_t total = binomial(v_, 2);
+    Element high = 1;
+    std::uint64_t row = 0;  // rank of {0, high}
+    for (std::size_t w = 0; w < words_.size() && limit > 0; ++w) {
+      for (std::uint64_t bits = words_[w] ^ flip; bits != 0 && limit > 0; bits &= bits - 1) {
+        const std::uint64_t r = w * 64 + static_cast<std::uint64_t>(std::countr_zero(bits));
+        if (r >= total) {
+          return;
+        }
+        while (r >= row + high) {
+          row += high++;
+        }
+        visit(static_cast<Element>(r - row), high);
+        --limit;
+      }
+    }
+  }
+
+  std::uint64_t v_;
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace changeover

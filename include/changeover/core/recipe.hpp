@@ -1,0 +1,33 @@
+// How a design is made: a small tree of named constructions, data and not code.
+//
+// A recipe is deterministic: whoever builds it gets the same blocks, and can verify them anew.
+//
+//     expansion of cyclic(c=1, k=3):
+//     Recipe{"expansion", {.v = 15, .k = 3, .kind = Kind::circular}, {{"w", 8}},
+//            {Recipe{"cyclic-paper", {.v = 7, .k = 3, .kind = Kind::circular}, {{"c", 1}}, {}}}}
+//
+// The registry (construct/registry.hpp) turns it into blocks.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/parameters.hpp"
+
+namespace changeover {
+
+/// One construction with its arguments and the designs that it starts from.
+struct Recipe {
+  std::string construction;                       ///< name in the registry
+  Parameters parameters;                          ///< of the design that it makes
+  std::map<std::string, std::int64_t> arguments;  ///< whole numbers, by name
+  std::vector<Recipe> inputs;                     ///< recipes of the designs that it works on
+  std::vector<Block> blocks;                      ///< of a literal recipe; empty otherwise
+
+  bool operator==(const Recipe&) const = default;
+};
+
+}  // namespace changeover

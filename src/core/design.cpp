@@ -1,0 +1,109 @@
+#include "changeover/core/design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+
+Design::Design(const Parameters& parameters) : parameters_(parameters) {
+  check(parameters);
+  if (parameters.v > max_elements_in_memory) {
+    throw ImpossibleParameters(fmt::format("v = {} exceeds the {} elements of a design in memory",
+                                           parameters.v, max_elements_in_memory));
+  }
+}
+
+Design::Design(const Parameters& parameters, std::span<const Block> blocks) : Design(parameters) {
+  reserve(blocks.size());
+  for (const Block& block : blocks) {
+    append(block);
+  }
+}
+
+void Design::append(std::span<const Element> block) {
+  const std::size_t number = block_count() + 1;
+  if (block.size() != parameters_.k) {
+    throw BadInput(
+        fmt::format("block {} has {} elements, not k = {}", number, block.size(), parameters_.k));
+  }
+  if (last_seen_.empty()) {
+    last_seen_.resize(static_cast<std::size_t>(parameters_.v), 0);
+  }
+  // A refused block's number is used again by the next one, so its marks must go.
+  for (const Element element : block) {
+    if (element >= parameters_.v) {
+      last_seen_.clear();
+      throw BadInput(
+          fmt::format("block {}: element {} is not below v = {}", number, element, parameters_.v));
+    }
+    if (last_seen_[element] == number) {
+      last_seen_.clear();
+      throw BadInput(fmt::format("block {} repeats the element {}", number, label(element)));
+    }
+    last_seen_[element] = number;
+  }
+  elements_.insert(elements_.end(), block.begin(), block.end());
+}
+
+std::string Design::label(Element element) const {
+  return labels_.empty() ? std::to_string(element) : labels_[element];
+}
+
+void Design::set_labels(std::vector<std::string> labels) {
+  bool plain = true;
+  for (std::size_t i = 0; i < labels.size() && plain; ++i) {
+    plain = labels[i] == std::to_string(i);
+  }
+  if (labels.empty() || (plain && labels.size() == parameters_.v)) {
+    labels_.clear();
+    return;
+  }
+  if (labels.size() != parameters_.v) {
+    throw BadInput(
+        fmt::format("{} labels for v = {} elements: give one each", labels.size(), parameters_.v));
+  }
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& label : labels) {
+    const bool bad = label.empty() || std::any_of(label.begin(), label.end(), [](char c) {
+                       const auto byte = static_cast<unsigned char>(c);
+                       return byte <= 0x20 || byte == 0x7f || c == ',' || c == '"' || c == '#';
+                     });
+    if (bad) {
+      throw BadInput(fmt::format(
+          "the label '{}' is empty or holds a blank, comma, quote, '#' or control character",
+          label));
+    }
+    if (!seen.insert(label).second) {
+      throw BadInput(fmt::format("the label '{}' names two elements", label));
+    }
+  }
+  labels_ = std::move(labels);
+}
+
+bool DesignSource::next(std::span<Element> block) {
+  if (position_ >= design_->block_count()) {
+    return false;
+  }
+  const std::span<const Element> from = design_->block(position_++);
+  std::copy(from.begin(), from.end(), block.begin());
+  return true;
+}
+
+Design read_all(BlockSource& source) {
+  Design design(source.parameters());
+  if (const auto count = source.block_count()) {
+    // A claim from outside must not make us reserve memory that it does not fill.
+    design.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(*count, 1U << 20)));
+  }
+  Block block(source.parameters().k);
+  while (source.next(block)) {
+    design.append(block);
+  }
+  return design;
+}
+
+}  // namespace changeover
