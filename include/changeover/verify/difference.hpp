@@ -1,0 +1,44 @@
+// Difference certificates: designs developed from base blocks over Z_v, verified without developing.
+//
+// Base blocks B₀, …, B_{c−1} over Z_v stand for the circular list B₀, …, B_{c−1}, B₀+1, …, B_{c−1}+1, …,
+// B_{c−1}+(v−1) of cv blocks. It is an m-change covering design if and only if
+//   - consecutive base blocks, and B_{c−1} and B₀ + 1 (the *link*), differ in exactly m elements;
+//   - every difference 1, …, ⌊v/2⌋ is, up to sign, a difference of two elements of some base block;
+// and it is tight if and only if the differences newly covered in each base block, after its
+// predecessor, are each of 1, …, (v−1)/2 exactly once (v odd) [ChafeeStevens2025, Section 3.2].
+//
+//     DifferenceVerdict verdict = verify_differences({{.v = 11, .k = 4}, {{0, 1, 2, 5}}});
+//     verdict.valid() && verdict.tight;       // the tight circular DCCD(11,4,11)
+//
+// The link condition is the one that is forgotten: without it all pairs are covered and the change
+// property is broken once every c blocks.
+//
+// Complexity: O(ck·m) time and v bits of memory, against O(cv·k) for the developed list.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "changeover/core/developed.hpp"
+
+namespace changeover {
+
+/// What holds of the developed design.
+struct DifferenceVerdict {
+  std::uint64_t b = 0;          ///< blocks of the developed design
+  std::uint64_t bad_steps = 0;  ///< steps B₀→B₁, …, link, that do not change m elements
+  std::optional<std::uint64_t> first_bad_step;  ///< 1-based; c is the link
+  std::uint64_t uncovered = 0;                  ///< differences 1..⌊v/2⌋ that no base block has
+  std::vector<std::uint64_t> uncovered_examples;  ///< the first twenty
+  std::uint64_t excess = 0;                       ///< of the developed design, in pairs
+  bool tight = false;
+
+  [[nodiscard]] bool valid() const { return b > 0 && bad_steps == 0 && uncovered == 0; }
+};
+
+/// Decides the developed design by its differences. @throws BadInput if a base block is not k distinct
+/// elements below v; ImpossibleParameters as check().
+[[nodiscard]] DifferenceVerdict verify_differences(const BaseBlocks& base);
+
+}  // namespace changeover

@@ -1,0 +1,109 @@
+// The verdict on a list of blocks: is it an m-change covering design, and how good is it.
+//
+//     DesignSource source(design);
+//     Verdict verdict = verify(source);
+//     if (!verdict.valid()) {
+//       verdict.bad_steps;            // how many steps do not change exactly m elements, and which
+//       verdict.uncovered;            // how many pairs are in no block, and which
+//     }
+//
+// Contract. Blocks are all that is read: nothing that made them is trusted, and nothing here includes a
+// header of constructions, search or files. A pair S is *covered* (newly) in Bᵢ if S ⊂ Bᵢ and
+// S ⊄ Bᵢ₋₁ [ChafeeStevens2025, Section 1]; in the first block of a linear design every pair is. A pair
+// that is in *every* block of a circular design occurs but is never newly covered; the design is valid
+// all the same, for "every pair occurs in some block" is the definition, and such pairs are counted
+// apart. A single block (b = 1, v = k) is valid in both kinds: it has no step, and all its pairs count
+// as newly covered.
+//
+// Bound by: one pass over the blocks, O(k) a block plus one bit set per newly covered t-subset, and
+// C(v,t) bits of memory.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/core/parameters.hpp"
+
+namespace changeover {
+
+struct VerifyOptions {
+  std::uint64_t examples = 20;  ///< how many bad steps and uncovered subsets to list
+  /// Count the distinct unchanged subsets: 16 bytes of memory a block, and a sort at the end.
+  bool unchanged = false;
+};
+
+/// A step whose blocks differ in the wrong number of elements; blocks numbered from 1, and the step
+/// back from the last block of a circular design has to = 1.
+struct BadStep {
+  std::uint64_t from = 0;
+  std::uint64_t to = 0;
+  std::uint64_t changes = 0;
+
+  bool operator==(const BadStep&) const = default;
+};
+
+/// What the list does to one element.
+struct ElementCount {
+  std::uint64_t introductions = 0;  ///< i_x: blocks in which it is introduced
+  std::uint64_t blocks = 0;         ///< r_x: blocks that contain it
+  std::uint64_t covered = 0;        ///< newly covered pairs that contain it, with repetition
+  std::uint64_t excess = 0;         ///< e_x: `covered` less the distinct pairs among them
+
+  bool operator==(const ElementCount&) const = default;
+};
+
+struct Verdict {
+  Parameters parameters;
+  std::uint64_t b = 0;  ///< number of blocks
+
+  std::uint64_t bad_steps = 0;
+  std::vector<BadStep> bad_step_examples;
+
+  std::uint64_t subsets = 0;    ///< C(v,t): what must occur
+  std::uint64_t uncovered = 0;  ///< t-subsets that are in no block
+  std::vector<Block> uncovered_examples;
+
+  std::uint64_t covered = 0;  ///< newly covered t-subsets, with repetition
+  std::uint64_t never_newly_covered =
+      0;                     ///< t-subsets that are in every block of a circular design
+  std::uint64_t excess = 0;  ///< `covered` less the distinct t-subsets among them
+
+  std::vector<Element> fixed;          ///< elements that are in every block
+  std::vector<ElementCount> elements;  ///< by element; `covered` and `excess` for strength 2 only
+  /// i_x(k−1) + m(r_x − i_x) = v − 1 + e_x for every x, less the f − 1 pairs that are never newly
+  /// covered at each of f ≥ 2 fixed elements, and Σe_x is twice the excess, which is counted from the
+  /// pairs. Strength 2 only; false for an invalid list.
+  bool degree_identity = false;
+
+  std::optional<std::uint64_t> unchanged_subsets;  ///< distinct unchanged subsets, if asked for
+  std::vector<Element> never_unchanged;  ///< elements that are in no unchanged subset Bᵢ ∩ Bᵢ₊₁
+
+  /// ⌈g₁⌉ or ⌈g₂⌉ of [ChafeeStevens2025, Theorem 1], for any m and t: linear
+  /// ⌈(C(v,t) − C(k,t)) / p⌉ + 1, circular ⌈C(v,t) / p⌉, p = C(k,t) − C(k−m,t); 1 if v = k. A circular
+  /// design with two or more fixed elements may have fewer blocks.
+  std::uint64_t counting_bound = 0;
+
+  /// It is a change covering design with these parameters.
+  [[nodiscard]] bool valid() const { return b > 0 && bad_steps == 0 && uncovered == 0; }
+  /// Valid, and every t-subset is newly covered exactly once.
+  [[nodiscard]] bool tight() const { return valid() && excess == 0 && never_newly_covered == 0; }
+  /// Valid, with exactly counting_bound blocks.
+  [[nodiscard]] bool economical() const { return valid() && b == counting_bound; }
+
+  bool operator==(const Verdict&) const = default;
+};
+
+/// Reads the stream to its end and says what is true of it.
+/// @throws BadInput if a block has a repeated element or one that is not below v;
+/// ImpossibleParameters as check(); MissingResource if v exceeds max_elements_in_memory or C(v,t)
+/// bits exceed 4 GiB.
+[[nodiscard]] Verdict verify(BlockSource& source, const VerifyOptions& options = {});
+
+/// The same for a design in memory.
+[[nodiscard]] Verdict verify(const Design& design, const VerifyOptions& options = {});
+
+}  // namespace changeover
