@@ -1,0 +1,47 @@
+// Lower bounds on the number of blocks, each with its reason.
+//
+//     for (const Bound& bound : lower_bounds({.v = 8, .k = 5, .kind = Kind::circular})) {
+//       std::cout << bound.blocks << "  " << bound.reason << '\n';   // plain mathematics, one line each
+//     }
+//     lower_bound(p).blocks;                                          // the largest
+//
+// With p = C(k,t) − C(k−m,t), the t-subsets that a block can newly cover, v > k and t = 2 unless said:
+//   counting  linear ⌈(C(v,t) − C(k,t)) / p⌉ + 1, circular ⌈C(v,t) / p⌉ [ChafeeStevens2025, Theorem 1].
+//             Pairs of elements that are in every block of a circular design occur but are never newly
+//             covered, so the circular bound is the least over the number f of such fixed elements of
+//             max(⌈(C(v,2) − C(f,2)) / p⌉, ⌈C(v−f,2) / p(k−f,m)⌉, ⌈(v−f)/m⌉, 3).
+//   degree    i_x(k−1) + m(r_x − i_x) = v − 1 + e_x forces every excess e_x up to the least residue of
+//             −(v−1) modulo gcd(k−1, m); for m = 2, k odd, v even it gives linear
+//             C(k,2) + (b−1)(2k−3) ≥ v²/2. It is taken into the counting bound.
+//   end to end  b ≥ 2⌈(v−k)/m⌉ + 1: with p = ⌈(v−k)/m⌉, some x is in none of the first p blocks and some
+//             y in none of the last p, so b ≤ 2p would leave {x,y} uncovered.
+//
+// Deliberately not done here: anything that needs search.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "changeover/core/parameters.hpp"
+
+namespace changeover {
+
+/// A number of blocks that no design with certain parameters can go below.
+struct Bound {
+  std::uint64_t blocks = 0;
+  std::string name;    ///< "counting", "degree", "end to end", "trivial"
+  std::string reason;  ///< one line of plain mathematics with the numbers filled in
+
+  bool operator==(const Bound&) const = default;
+};
+
+/// Every bound that applies, largest first. Nothing is claimed about existence; see impossibility().
+/// @throws ImpossibleParameters as check(), or if a count exceeds 64 bits. At most 2²⁰ values of f
+/// are tried.
+[[nodiscard]] std::vector<Bound> lower_bounds(const Parameters& p);
+
+/// The largest of them.
+[[nodiscard]] Bound lower_bound(const Parameters& p);
+
+}  // namespace changeover

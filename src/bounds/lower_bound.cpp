@@ -1,0 +1,174 @@
+#include "changeover/bounds/lower_bound.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "changeover/core/checked.hpp"
+
+namespace changeover {
+namespace {
+
+/// The least e ≥ 0 with pairs + e ≡ 0 modulo n.
+std::uint64_t least_excess(std::uint64_t pairs, std::uint64_t n) { return (n - pairs % n) % n; }
+
+/// What the degree identity forces: each e_x ≥ each, so total excess ≥ total.
+struct ForcedExcess {
+  std::uint64_t modulus = 1;
+  std::uint64_t each = 0;
+  std::uint64_t total = 0;
+};
+
+// i_x(k−1−m) + m·r_x = v − 1 + e_x, so e_x ≡ −(v−1) modulo gcd(k−1−m, m) = gcd(k−1, m).
+ForcedExcess forced_excess(const Parameters& p) {
+  ForcedExcess forced;
+  forced.modulus = std::gcd(p.k - 1, p.change);
+  forced.each = least_excess(p.v - 1, forced.modulus);
+  forced.total = ceil_div(checked_multiply(p.v, forced.each), 2);
+  return forced;
+}
+
+Bound linear_counting(const Parameters& p) {
+  const std::uint64_t most = newly_covered_at_most(p);
+  const std::uint64_t all = binomial(p.v, p.strength);
+  const std::uint64_t first = binomial(p.k, p.strength);
+  const std::uint64_t b = ceil_div(all - first, most) + 1;
+  return {
+      b, "counting",
+      fmt::format("the first block covers C({0},{1}) = {2} of C({3},{1}) = {4} {5}, each later one "
+                  "newly covers at most {6}: b >= ceil(({4} - {2}) / {6}) + 1 = {7}",
+                  p.k, p.strength, first, p.v, all,
+                  p.strength == 2 ? "pairs" : fmt::format("{}-subsets", p.strength), most, b)};
+}
+
+Bound linear_degree(const Parameters& p, const ForcedExcess& forced) {
+  const std::uint64_t most = newly_covered_at_most(p);
+  const std::uint64_t all = checked_add(binomial(p.v, 2), forced.total);
+  const std::uint64_t first = binomial(p.k, 2);
+  const std::uint64_t b = ceil_div(all - first, most) + 1;
+  return {b, "degree",
+          fmt::format(
+              "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= {} (modulo gcd(k-1,m) = {}), "
+              "so {} pairs are covered with repetition: b >= ceil(({} - {}) / {}) + 1 = {}",
+              forced.each, forced.modulus, all, all, first, most, b)};
+}
+
+struct CircularMinimum {
+  std::uint64_t b = 0;
+  std::uint64_t fixed = 0;
+};
+
+// The least number of blocks that counting allows, over the number f of elements in every block.
+// `forced` adds the excess that degrees force at the v − f other elements; each of the f fixed elements
+// meets m elements newly in each block, m·b = v − f + e_x in all.
+CircularMinimum circular_minimum(const Parameters& p, const ForcedExcess* forced) {
+  // C(v−f,2) / p(k−f,m) grows with f from here on: cross-multiply two neighbours.
+  const std::uint64_t growing = 2 * p.k > p.v + p.change + 1 ? 2 * p.k - p.v - p.change - 1 : 0;
+  constexpr std::uint64_t most_tries = std::uint64_t{1} << 20;
+  if (growing > most_tries) {
+    return {3, 0};  // weak, but "end to end" is what counts for v < 2k
+  }
+  const auto pairs_a_block = [&](std::uint64_t k) {
+    return binomial(k, 2) - binomial(k - p.change, 2);
+  };
+  CircularMinimum best;
+  for (std::uint64_t f = 0; f + p.change <= p.k && f + p.change < p.v; ++f) {
+    if (pairs_a_block(p.k - f) == 0) {
+      break;  // blocks of one element beside the fixed ones: no two others ever meet
+    }
+    const std::uint64_t rest = p.v - f;
+    std::uint64_t all = binomial(p.v, 2) - binomial(f, 2);
+    if (forced != nullptr) {
+      const std::uint64_t at_fixed = f == 0 ? 0 : least_excess(rest, p.change);
+      all += ceil_div(checked_add(checked_multiply(rest, forced->each), f * at_fixed), 2);
+    }
+    const std::uint64_t of_rest = ceil_div(binomial(rest, 2), pairs_a_block(p.k - f));
+    const std::uint64_t b = std::max(
+        {ceil_div(all, pairs_a_block(p.k)), of_rest, ceil_div(rest, p.change), std::uint64_t{3}});
+    if (best.b == 0 || b < best.b) {
+      best = {b, f};
+    }
+    if (best.b == 3 || (f >= growing && of_rest >= best.b)) {
+      break;
+    }
+  }
+  return best;
+}
+
+void circular_bounds(const Parameters& p, std::vector<Bound>& bounds) {
+  const std::uint64_t most = newly_covered_at_most(p);
+  const std::uint64_t all = binomial(p.v, p.strength);
+  if (p.strength != 2) {
+    // A t-subset that is in every block is never newly covered: only the pairs' proviso is worked out,
+    // so for t > 2 the first block is granted all its subsets, as in a linear design.
+    Bound bound = linear_counting(p);
+    bound.reason += " (a circular design is also a linear one)";
+    bounds.push_back(std::move(bound));
+    return;
+  }
+  const CircularMinimum plain = circular_minimum(p, nullptr);
+  const std::uint64_t g2 = ceil_div(all, most);
+  if (plain.b == g2) {
+    bounds.push_back(
+        {g2, "counting",
+         fmt::format("each block newly covers at most {0} of C({1},2) = {2} pairs: "
+                     "b >= ceil({2} / {0}) = {3}; pairs of elements that are in every block "
+                     "are never newly covered, but allow no fewer blocks",
+                     most, p.v, all, g2)});
+  } else {
+    bounds.push_back(
+        {plain.b, "counting",
+         fmt::format(
+             "ceil(C({0},2) / {1}) = {2} counts pairs of elements that are in every block; over "
+             "the number f of those, max(ceil((C({0},2) - C(f,2)) / {1}), "
+             "ceil(C({0}-f,2) / p({3}-f)), ceil(({0}-f) / {4}), 3) is least at f = {5}: b >= {6}",
+             p.v, most, g2, p.k, p.change, plain.fixed, plain.b)});
+  }
+  const ForcedExcess forced = forced_excess(p);
+  if (forced.each > 0) {
+    const CircularMinimum minimum = circular_minimum(p, &forced);
+    bounds.push_back(
+        {minimum.b, "degree",
+         fmt::format(
+             "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= {} (modulo gcd(k-1,m) = {}); "
+             "counting with this excess, least at {} elements in every block, gives b >= {}",
+             forced.each, forced.modulus, minimum.fixed, minimum.b)});
+  }
+}
+
+}  // namespace
+
+std::vector<Bound> lower_bounds(const Parameters& p) {
+  check(p);
+  std::vector<Bound> bounds;
+  if (p.v == p.k) {
+    bounds.push_back({1, "trivial", "one block holds all elements"});
+    return bounds;
+  }
+  if (p.kind == Kind::circular) {
+    circular_bounds(p, bounds);
+  } else {
+    bounds.push_back(linear_counting(p));
+    if (p.strength == 2) {
+      const ForcedExcess forced = forced_excess(p);
+      if (forced.each > 0) {
+        bounds.push_back(linear_degree(p, forced));
+      }
+    }
+  }
+  const std::uint64_t reach = ceil_div(p.v - p.k, p.change);
+  bounds.push_back(
+      {2 * reach + 1, "end to end",
+       fmt::format("at most {0} elements enter a step, so some x is in none of the first "
+                   "ceil(({1}-{2})/{0}) = {3} blocks and some y in none of the last {3}: b >= "
+                   "2*{3} + 1 = {4}",
+                   p.change, p.v, p.k, reach, 2 * reach + 1)});
+  std::stable_sort(bounds.begin(), bounds.end(),
+                   [](const Bound& a, const Bound& b) { return a.blocks > b.blocks; });
+  return bounds;
+}
+
+Bound lower_bound(const Parameters& p) { return lower_bounds(p).front(); }
+
+}  // namespace changeover
