@@ -56,9 +56,8 @@ std::optional<std::string> impossibility(const Parameters& p) {
         "a change of {} elements needs {} elements outside a block, so v >= k + m = {}", p.change,
         p.change, p.k + p.change);
   }
-  if (p.v == 4 && p.k == 2 && p.change == 2) {
-    return "a block {x,y} can be followed only by its complement, so just two of the six pairs "
-           "occur";
+  if (p.v == 2 * p.k && p.change == p.k) {
+    return "a block can be followed only by its complement, so just two blocks ever occur";
   }
   return std::nullopt;
 }

@@ -51,7 +51,8 @@ void check(const Parameters& p);
 
 /// Why no design with these parameters exists, in one line, when a short argument shows it; nullopt
 /// otherwise, which claims nothing. v = k needs one block; otherwise a change needs m elements outside
-/// a block, so v ≥ k + m; and no DCCD(4,2) exists. @throws as check().
+/// a block, so v ≥ k + m; and with v = 2k and m = k only a block and its complement occur, so no DCCD(4,2)
+/// exists. @throws as check().
 [[nodiscard]] std::optional<std::string> impossibility(const Parameters& p);
 
 /// "DCCD(61,4)", "circular SCCD(9,4)", "linear 3-change covering design (20,6)", with ", t = 3" if the

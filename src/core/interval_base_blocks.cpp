@@ -1,0 +1,118 @@
+#include "changeover/core/interval_base_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+void check_interval(const Parameters& p, std::uint64_t start, std::uint64_t length) {
+  check(p);
+  if (start >= p.v) {
+    throw BadInput(fmt::format("the interval starts at {}, not below v = {}", start, p.v));
+  }
+  if (length >= p.k) {
+    throw BadInput(fmt::format("an interval of {} elements leaves no point in a block of k = {}",
+                               length, p.k));
+  }
+}
+
+// Writes {first, …, first+n−1} modulo v, n = interval.size().
+void write_interval(std::uint64_t first, std::uint64_t v, std::span<Element> interval) {
+  const auto up_to_v = interval.begin() + static_cast<std::ptrdiff_t>(
+                                              std::min<std::uint64_t>(interval.size(), v - first));
+  std::iota(interval.begin(), up_to_v, static_cast<Element>(first));
+  std::iota(up_to_v, interval.end(), Element{0});
+}
+
+}  // namespace
+
+std::uint64_t IntervalBaseBlocks::block_count() const {
+  return checked_multiply(base_block_count(), parameters.v);
+}
+
+BaseBlocks IntervalBaseBlocks::written_out() const {
+  check_shape(*this);
+  const auto n = static_cast<std::size_t>(length);
+  BaseBlocks base{parameters, {}};
+  base.blocks.reserve(base_block_count());
+  for (std::size_t i = 0; i < base_block_count(); ++i) {
+    const std::span<const Element> extra = points_of(i);
+    Block block(n + extra.size());
+    write_interval(start, parameters.v, std::span(block).first(n));
+    std::copy(extra.begin(), extra.end(), block.begin() + static_cast<std::ptrdiff_t>(n));
+    base.blocks.push_back(std::move(block));
+  }
+  return base;
+}
+
+void check_shape(const IntervalBaseBlocks& base) {
+  const Parameters& p = base.parameters;
+  check_interval(p, base.start, base.length);
+  const std::uint64_t each = base.points_per_block();
+  if (base.points.empty() || base.points.size() % each != 0) {
+    throw BadInput(fmt::format("{} points cannot be shared out among base blocks: each takes {}",
+                               base.points.size(), each));
+  }
+  for (std::size_t i = 0; i < base.points.size(); ++i) {
+    if (base.points[i] >= p.v) {
+      throw BadInput(fmt::format("base block {}: element {} is not below v = {}", i / each + 1,
+                                 base.points[i], p.v));
+    }
+  }
+}
+
+IntervalDevelopedSource::IntervalDevelopedSource(const Parameters& parameters, std::uint64_t start,
+                                                 std::uint64_t length, std::uint64_t base_blocks,
+                                                 Points points)
+    : parameters_(parameters),
+      start_(start),
+      length_(length),
+      base_blocks_(base_blocks),
+      points_(std::move(points)) {
+  check_interval(parameters, start, length);
+  if (base_blocks == 0) {
+    throw BadInput("no base blocks: give at least one");
+  }
+  (void)checked_multiply(base_blocks, parameters.v);
+}
+
+IntervalDevelopedSource::IntervalDevelopedSource(IntervalBaseBlocks base)
+    : parameters_(base.parameters), start_(base.start), length_(base.length), base_blocks_(0) {
+  check_shape(base);
+  base_blocks_ = base.base_block_count();
+  (void)base.block_count();
+  points_ = [kept = std::make_shared<const IntervalBaseBlocks>(std::move(base))](
+                std::uint64_t which, std::span<Element> points) {
+    std::ranges::copy(kept->points_of(static_cast<std::size_t>(which)), points.begin());
+  };
+}
+
+bool IntervalDevelopedSource::next(std::span<Element> block) {
+  const std::uint64_t v = parameters_.v;
+  if (shift_ == v) {
+    return false;
+  }
+  const auto modulo_v = [v](std::uint64_t sum) { return sum >= v ? sum - v : sum; };
+  const auto n = static_cast<std::size_t>(length_);
+  write_interval(modulo_v(start_ + shift_), v, block.first(n));
+  const std::span<Element> points = block.subspan(n, static_cast<std::size_t>(parameters_.k) - n);
+  points_(which_, points);
+  for (Element& x : points) {
+    x = static_cast<Element>(modulo_v(x + shift_));
+  }
+  if (++which_ == base_blocks_) {
+    which_ = 0;
+    ++shift_;
+  }
+  return true;
+}
+
+}  // namespace changeover
