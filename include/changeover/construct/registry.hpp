@@ -1,0 +1,165 @@
+// What can be constructed, by whom it was found, and what it guarantees.
+//
+// Each construction is one file in src/construct/entries that defines a subclass of Construction
+// and hands it out; the build collects them. A construction says what it can serve and how many
+// blocks the result has *without* building it, so a table over thousands of parameters costs no
+// blocks.
+//
+//     const Registry& registry = Registry::standard();
+//     if (auto offer = registry.best({.v = 61, .k = 4, .kind = Kind::circular})) {
+//       offer->b;                                          // 366
+//       auto blocks = registry.build(offer->recipe);       // a stream; verify it before showing it
+//     }
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/core/developed.hpp"
+#include "changeover/core/interval_base_blocks.hpp"
+#include "changeover/core/recipe.hpp"
+#include "changeover/core/transitions.hpp"
+
+namespace changeover {
+
+class Registry;
+
+/// Where a construction comes from: a key of docs/references.bib and a place in it.
+struct Citation {
+  std::string key;    ///< e.g. "ChafeeStevens2025"
+  std::string place;  ///< e.g. "Theorem 2"; may be empty
+
+  /// "[ChafeeStevens2025, Theorem 2]".
+  [[nodiscard]] std::string to_string() const;
+};
+
+/// What a construction promises for certain parameters.
+struct Offer {
+  Recipe recipe;
+  std::uint64_t b = 0;         ///< number of blocks
+  bool tight = false;          ///< every pair is newly covered exactly once, by theorem
+  bool economical = false;     ///< b is the counting bound, by theorem; tight implies it
+  bool expansion_set = false;  ///< an expansion set is known in closed form or was found
+};
+
+/// One way of making designs. Stateless; thread-safe.
+class Construction {
+ public:
+  virtual ~Construction() = default;
+
+  /// A short unique word, e.g. "cyclic-paper"; lower case, digits and hyphens.
+  [[nodiscard]] virtual std::string_view name() const = 0;
+  /// One line: what it does.
+  [[nodiscard]] virtual std::string_view summary() const = 0;
+  /// One line: for which parameters it works, in the notation of the field.
+  [[nodiscard]] virtual std::string_view preconditions() const = 0;
+  /// One line: what is promised of the result.
+  [[nodiscard]] virtual std::string_view guarantee() const = 0;
+  [[nodiscard]] virtual Citation citation() const = 0;
+
+  /// Whether exactly these parameters, kind included, can be served, and with what promise. Cheap:
+  /// no blocks are built. Strength 2 only, unless said otherwise.
+  [[nodiscard]] virtual std::optional<Offer> offer(const Parameters& p,
+                                                   const Registry& registry) const = 0;
+
+  /// The blocks of a recipe of this construction. Deterministic.
+  /// @throws BadInput if the recipe's arguments, inputs or parameters do not fit this construction.
+  [[nodiscard]] virtual std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                                           const Registry& registry) const = 0;
+
+  /// An expansion set of the design that the recipe makes, one unchanged subset for each of its
+  /// members in order of position, if one is known; see construct/expansion.hpp.
+  [[nodiscard]] virtual std::optional<std::vector<UnchangedSubset>> expansion_set(
+      const Recipe& recipe, const Registry& registry) const;
+
+  /// The base blocks over Z_v of which the recipe's design is the development, if it is one: its
+  /// differences then certify it (verify/difference.hpp).
+  [[nodiscard]] virtual std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const;
+
+  /// The same where base blocks share an interval, without writing it out
+  /// (verify/interval_difference.hpp).
+  [[nodiscard]] virtual std::optional<IntervalBaseBlocks> interval_base_blocks(
+      const Recipe& recipe) const;
+
+  /// How many unchanged subsets unchanged_cover() gives for the design that is offered for p, if it
+  /// gives any. O(1).
+  [[nodiscard]] virtual std::optional<std::uint64_t> unchanged_cover_size(
+      const Parameters& p) const;
+
+  /// Unchanged subsets at distinct positions, in order of position, that together cover all elements;
+  /// they may overlap (construct/partial_expansion.hpp).
+  [[nodiscard]] virtual std::optional<std::vector<UnchangedSubset>> unchanged_cover(
+      const Recipe& recipe, const Registry& registry) const;
+
+  /// How this recipe makes its blocks, in one or two sentences with its numbers filled in, without
+  /// its inputs: "Develop the base block {0,1,2,5} over Z_11."
+  [[nodiscard]] virtual std::string explain(const Recipe& recipe) const;
+
+  /// Names for the elements where numbers would say less (∞_s, 0_l, …); empty otherwise. Those of
+  /// the inputs are carried on, hence the registry.
+  [[nodiscard]] virtual std::vector<std::string> labels(const Recipe& recipe,
+                                                        const Registry& registry) const;
+};
+
+/// How deep a recipe's inputs may be nested: far beyond any recipe of use, and safe to recurse
+/// into.
+inline constexpr std::size_t max_recipe_depth = 64;
+
+/// A set of constructions, by name.
+class Registry {
+ public:
+  /// The constructions of this library.
+  [[nodiscard]] static const Registry& standard();
+
+  /// A registry of some constructions only, which must outlive it. @throws BadInput if two have the
+  /// same name.
+  explicit Registry(std::vector<const Construction*> constructions);
+
+  [[nodiscard]] std::span<const Construction* const> constructions() const {
+    return constructions_;
+  }
+
+  /// The construction of that name, or nullptr.
+  [[nodiscard]] const Construction* find(std::string_view name) const;
+
+  /// The construction that a recipe names. @throws BadInput if there is none of that name, or if
+  /// the recipe's inputs are nested deeper than max_recipe_depth.
+  [[nodiscard]] const Construction& construction_of(const Recipe& recipe) const;
+
+  /// Every offer for exactly these parameters, fewest blocks first, ties in the order of names;
+  /// none if impossibility() rules them out. @throws as check().
+  [[nodiscard]] std::vector<Offer> offers(const Parameters& p) const;
+
+  /// The first of offers(); nullopt if no construction serves these parameters. @throws as check().
+  [[nodiscard]] std::optional<Offer> best(const Parameters& p) const;
+
+  /// The blocks of a recipe. @throws BadInput if a construction is unknown or its arguments, inputs
+  /// or parameters do not fit.
+  [[nodiscard]] std::unique_ptr<BlockSource> build(const Recipe& recipe) const;
+
+  /// The blocks of a recipe in memory, with labels and recipe. @throws as build() and read_all().
+  [[nodiscard]] Design build_design(const Recipe& recipe) const;
+
+  /// The parameters (v′, k′) nearest to (v, k), by |v−v′| + |k−k′|, with the same change and kind
+  /// that some construction serves, nearest first and then by v′: the best offer for each of up to
+  /// `limit` of them, v′ and k′ within `radius` of the asked ones. @throws as check(). O(radius²)
+  /// offers.
+  [[nodiscard]] std::vector<Offer> nearest(const Parameters& p, std::size_t limit,
+                                           std::uint64_t radius) const;
+
+ private:
+  std::vector<const Construction*> constructions_;
+};
+
+/// The constructions in src/construct/entries; this function is written by the build.
+[[nodiscard]] std::vector<const Construction*> registry_entries();
+
+}  // namespace changeover

@@ -1,0 +1,134 @@
+#include "changeover/construct/entry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+std::string arguments_text(const Recipe& recipe) {
+  if (recipe.arguments.empty()) {
+    return "no arguments";
+  }
+  std::string text = recipe.arguments.size() == 1 ? "the argument" : "the arguments";
+  for (const auto& [name, value] : recipe.arguments) {
+    text += fmt::format(" {} = {}", name, value);
+  }
+  return text;
+}
+
+std::string inputs_text(const Recipe& recipe) {
+  if (recipe.inputs.empty()) {
+    return "no input";
+  }
+  const Recipe& input = recipe.inputs.front();
+  return fmt::format("the one input {} of {}, as offered", input.construction,
+                     name(input.parameters));
+}
+
+}  // namespace
+
+bool asks_for_pairs(const Parameters& p, std::uint64_t change) {
+  return p.strength == 2 && p.change == change && p.change >= 1 && p.k >= 2 && p.change <= p.k &&
+         p.k <= p.v && p.v <= std::numeric_limits<std::uint32_t>::max();
+}
+
+void require_recipe(const Recipe& recipe, const Construction& construction,
+                    const std::optional<Recipe>& expected) {
+  if (recipe.construction != construction.name()) {
+    throw BadInput(fmt::format("a recipe of '{}' cannot be built by '{}'", recipe.construction,
+                               construction.name()));
+  }
+  const std::string asked = name(recipe.parameters);
+  if (!expected) {
+    throw BadInput(fmt::format("{} does not make {}; it needs: {}", construction.name(), asked,
+                               construction.preconditions()));
+  }
+  std::string needs;
+  if (recipe.arguments != expected->arguments) {
+    needs = arguments_text(*expected);
+  } else if (recipe.inputs != expected->inputs) {
+    needs = inputs_text(*expected);
+  } else if (recipe.blocks != expected->blocks) {
+    needs = expected->blocks.empty() ? "no blocks" : "its own blocks (others: use 'literal')";
+  } else {
+    return;
+  }
+  throw BadInput(fmt::format("{} of {} takes {}", construction.name(), asked, needs));
+}
+
+std::size_t recipe_size(const Recipe& recipe) {
+  std::size_t size = 1;
+  for (const Recipe& input : recipe.inputs) {
+    size += recipe_size(input);
+  }
+  return size;
+}
+
+std::optional<Offer> best_input(const Parameters& p, Need need, const Construction& asking,
+                                const Registry& registry) {
+  const auto rank = [](const Offer& offer) {
+    return std::tuple(offer.b, !offer.tight, !offer.expansion_set, recipe_size(offer.recipe));
+  };
+  std::optional<Offer> best;
+  for (const Construction* construction : registry.constructions()) {
+    if (construction == &asking) {
+      continue;
+    }
+    std::optional<Offer> offer = construction->offer(p, registry);
+    if (offer && (need == Need::blocks || offer->expansion_set) &&
+        (!best || rank(*offer) < rank(*best))) {
+      best = std::move(offer);
+    }
+  }
+  return best;
+}
+
+std::string first_elements(std::uint64_t count) {
+  if (count > 6) {
+    return fmt::format("0,…,{}", count - 1);
+  }
+  std::string text;
+  for (std::uint64_t x = 0; x < count; ++x) {
+    text += fmt::format("{}{}", x == 0 ? "" : ",", x);
+  }
+  return text;
+}
+
+BlockListSource::BlockListSource(const Parameters& parameters, std::vector<Block> blocks)
+    : parameters_(parameters), blocks_(std::move(blocks)) {
+  try {
+    check(parameters_);
+  } catch (const ImpossibleParameters& fault) {
+    throw BadInput(fault.what());
+  }
+  if (blocks_.empty()) {
+    throw BadInput("a list of blocks needs at least one block");
+  }
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    Block sorted = blocks_[i];
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted.size() != parameters_.k || sorted.back() >= parameters_.v ||
+        std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) {
+      throw BadInput(fmt::format("block {} does not have k = {} distinct elements below v = {}",
+                                 i + 1, parameters_.k, parameters_.v));
+    }
+  }
+}
+
+bool BlockListSource::next(std::span<Element> block) {
+  if (position_ == blocks_.size()) {
+    return false;
+  }
+  const Block& from = blocks_[position_++];
+  std::copy(from.begin(), from.end(), block.begin());
+  return true;
+}
+
+}  // namespace changeover

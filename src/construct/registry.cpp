@@ -1,0 +1,161 @@
+#include "changeover/construct/registry.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+bool nested_deeper(const Recipe& recipe, std::size_t depth) {
+  return depth == 0 || std::any_of(recipe.inputs.begin(), recipe.inputs.end(),
+                                   [&](const Recipe& in) { return nested_deeper(in, depth - 1); });
+}
+
+// Whether check() would accept p, without the cost of an exception.
+bool can_be_written_down(const Parameters& p) {
+  return p.k >= 1 && p.k <= p.v && p.v <= std::numeric_limits<std::uint32_t>::max() &&
+         p.change <= p.k && p.strength <= p.k;
+}
+
+}  // namespace
+
+std::string Citation::to_string() const {
+  return place.empty() ? fmt::format("[{}]", key) : fmt::format("[{}, {}]", key, place);
+}
+
+std::optional<std::vector<UnchangedSubset>> Construction::expansion_set(const Recipe&,
+                                                                        const Registry&) const {
+  return std::nullopt;
+}
+
+std::optional<BaseBlocks> Construction::base_blocks(const Recipe&) const { return std::nullopt; }
+
+std::optional<IntervalBaseBlocks> Construction::interval_base_blocks(const Recipe&) const {
+  return std::nullopt;
+}
+
+std::optional<std::uint64_t> Construction::unchanged_cover_size(const Parameters&) const {
+  return std::nullopt;
+}
+
+std::optional<std::vector<UnchangedSubset>> Construction::unchanged_cover(const Recipe&,
+                                                                          const Registry&) const {
+  return std::nullopt;
+}
+
+std::string Construction::explain(const Recipe&) const { return std::string(summary()); }
+
+std::vector<std::string> Construction::labels(const Recipe&, const Registry&) const { return {}; }
+
+const Registry& Registry::standard() {
+  static const Registry registry(registry_entries());
+  return registry;
+}
+
+Registry::Registry(std::vector<const Construction*> constructions)
+    : constructions_(std::move(constructions)) {
+  std::sort(constructions_.begin(), constructions_.end(),
+            [](const auto* a, const auto* b) { return a->name() < b->name(); });
+  const auto twin =
+      std::adjacent_find(constructions_.begin(), constructions_.end(),
+                         [](const auto* a, const auto* b) { return a->name() == b->name(); });
+  if (twin != constructions_.end()) {
+    throw BadInput(fmt::format("two constructions are named '{}'", (*twin)->name()));
+  }
+}
+
+const Construction* Registry::find(std::string_view name) const {
+  const auto place = std::lower_bound(
+      constructions_.begin(), constructions_.end(), name,
+      [](const auto* construction, auto key) { return construction->name() < key; });
+  return place != constructions_.end() && (*place)->name() == name ? *place : nullptr;
+}
+
+const Construction& Registry::construction_of(const Recipe& recipe) const {
+  if (nested_deeper(recipe, max_recipe_depth)) {
+    throw BadInput(fmt::format("the recipe is nested deeper than {}", max_recipe_depth));
+  }
+  if (const Construction* construction = find(recipe.construction)) {
+    return *construction;
+  }
+  std::string known;
+  for (const Construction* construction : constructions_) {
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", construction->name());
+  }
+  throw BadInput(
+      fmt::format("no construction is named '{}'; there are: {}", recipe.construction, known));
+}
+
+std::vector<Offer> Registry::offers(const Parameters& p) const {
+  if (impossibility(p)) {
+    return {};
+  }
+  std::vector<Offer> offers;
+  for (const Construction* construction : constructions_) {
+    if (std::optional<Offer> offer = construction->offer(p, *this)) {
+      offers.push_back(*std::move(offer));
+    }
+  }
+  std::stable_sort(offers.begin(), offers.end(),
+                   [](const Offer& a, const Offer& b) { return a.b < b.b; });
+  return offers;
+}
+
+std::optional<Offer> Registry::best(const Parameters& p) const {
+  std::vector<Offer> all = offers(p);
+  return all.empty() ? std::nullopt : std::optional<Offer>(std::move(all.front()));
+}
+
+std::unique_ptr<BlockSource> Registry::build(const Recipe& recipe) const {
+  return construction_of(recipe).build(recipe, *this);
+}
+
+Design Registry::build_design(const Recipe& recipe) const {
+  const Construction& construction = construction_of(recipe);
+  const std::unique_ptr<BlockSource> source = construction.build(recipe, *this);
+  Design design = read_all(*source);
+  design.set_labels(construction.labels(recipe, *this));
+  design.recipe = recipe;
+  return design;
+}
+
+std::vector<Offer> Registry::nearest(const Parameters& p, std::size_t limit,
+                                     std::uint64_t radius) const {
+  check(p);
+  radius = std::min<std::uint64_t>(radius, std::numeric_limits<std::uint32_t>::max());
+  std::vector<Offer> found;
+  // Rings of growing distance; in each, v′ from the smallest. Sums stay below 2³⁴.
+  for (std::uint64_t distance = 0; distance <= 2 * radius && found.size() < limit; ++distance) {
+    const std::uint64_t reach = std::min(distance, radius);
+    for (std::uint64_t v = p.v > reach ? p.v - reach : 0; v <= p.v + reach && found.size() < limit;
+         ++v) {
+      const std::uint64_t rest = distance - (v > p.v ? v - p.v : p.v - v);
+      if (rest > radius) {
+        continue;
+      }
+      for (const bool above : {false, true}) {
+        if ((above && rest == 0) || (!above && rest > p.k) || found.size() == limit) {
+          continue;
+        }
+        Parameters near = p;
+        near.v = v;
+        near.k = above ? p.k + rest : p.k - rest;
+        if (!can_be_written_down(near)) {
+          continue;
+        }
+        if (std::optional<Offer> offer = best(near)) {
+          found.push_back(*std::move(offer));
+        }
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace changeover

@@ -1,0 +1,165 @@
+// What the tests of constructions share: a promise held against the verifier and, on small designs,
+// against the definition; recipes spoilt in every way.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/construct/expansion.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/verify/difference.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "naive_verdict.hpp"
+
+namespace changeover::test {
+
+inline const Registry& standard() { return Registry::standard(); }
+
+inline const Construction& construction(std::string_view name) {
+  const Construction* found = standard().find(name);
+  if (found == nullptr) {
+    throw InternalError("the registry lacks " + std::string(name));
+  }
+  return *found;
+}
+
+inline std::optional<Offer> offer_of(std::string_view name, const Parameters& p) {
+  return construction(name).offer(p, standard());
+}
+
+inline std::vector<Block> blocks_of(BlockSource& source) {
+  std::vector<Block> blocks;
+  Block block(static_cast<std::size_t>(source.parameters().k));
+  while (source.next(block)) {
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+inline std::vector<Block> blocks_of(const Design& design) {
+  DesignSource source(design);
+  return blocks_of(source);
+}
+
+inline std::string one_line_fault(const Recipe& recipe) {
+  try {
+    (void)standard().build(recipe);
+  } catch (const BadInput& fault) {
+    const std::string line = fault.what();
+    return line.find('\n') == std::string::npos && !line.empty() ? "" : "not one line: " + line;
+  }
+  return "not refused";
+}
+
+/// Expects that building refuses the recipe with BadInput and a message of one line.
+inline void expect_refused(const Recipe& recipe, const std::string& how) {
+  EXPECT_EQ(one_line_fault(recipe), "")
+      << recipe.construction << " " << name(recipe.parameters) << ": " << how;
+}
+
+/// Spoils the recipe in one place at a time; `same_argument` names an argument of free choice, and
+/// the kind is changed only if `one_kind`.
+inline void expect_spoilt_recipes_refused(const Recipe& recipe,
+                                          const std::string& same_argument = "",
+                                          bool one_kind = true) {
+  const auto spoil = [&](const std::string& how, const auto& change) {
+    Recipe spoilt = recipe;
+    change(spoilt);
+    expect_refused(spoilt, how);
+  };
+  spoil("v + 1", [](Recipe& r) { ++r.parameters.v; });
+  spoil("v - 1", [](Recipe& r) { --r.parameters.v; });
+  spoil("k + 1", [](Recipe& r) { ++r.parameters.k; });
+  spoil("k - 1", [](Recipe& r) { --r.parameters.k; });
+  spoil("v, k huge", [](Recipe& r) { r.parameters.v = r.parameters.k = ~std::uint64_t{0}; });
+  spoil("v = k = 0", [](Recipe& r) { r.parameters.v = r.parameters.k = 0; });
+  spoil("m + 1", [](Recipe& r) { ++r.parameters.change; });
+  spoil("m = 0", [](Recipe& r) { r.parameters.change = 0; });
+  spoil("t = 3", [](Recipe& r) { r.parameters.strength = 3; });
+  if (one_kind) {
+    spoil("other kind", [](Recipe& r) {
+      r.parameters.kind = r.parameters.kind == Kind::linear ? Kind::circular : Kind::linear;
+    });
+  }
+  spoil("unknown argument", [](Recipe& r) { r.arguments["nonsense"] = 1; });
+  spoil("one more input",
+        [](Recipe& r) { r.inputs.push_back(r.inputs.empty() ? r : r.inputs[0]); });
+  spoil("another block", [](Recipe& r) { r.blocks.push_back({0, 1}); });
+  spoil("no construction", [](Recipe& r) { r.construction = ""; });
+  for (const auto& [argument, value] : recipe.arguments) {
+    spoil("no " + argument, [&key = argument](Recipe& r) { r.arguments.erase(key); });
+    spoil(argument + " < 0", [&key = argument](Recipe& r) { r.arguments[key] = -1; });
+    if (argument != same_argument) {
+      spoil(argument + " + 1", [&key = argument](Recipe& r) { ++r.arguments[key]; });
+      spoil(argument + " - 1", [&key = argument](Recipe& r) { --r.arguments[key]; });
+    }
+  }
+  if (!recipe.inputs.empty()) {
+    spoil("no input", [](Recipe& r) { r.inputs.clear(); });
+    spoil("unknown input", [](Recipe& r) { r.inputs[0].construction = "nonsense"; });
+    spoil("input of other v", [](Recipe& r) { ++r.inputs[0].parameters.v; });
+    spoil("input of other kind", [](Recipe& r) {
+      Kind& kind = r.inputs[0].parameters.kind;
+      kind = kind == Kind::linear ? Kind::circular : Kind::linear;
+    });
+  }
+}
+
+/// Builds the offer and holds everything that it promises against the verifier.
+inline void expect_as_promised(const Offer& offer) {
+  const Recipe& recipe = offer.recipe;
+  const Parameters& p = recipe.parameters;
+  SCOPED_TRACE(recipe.construction + " " + name(p));
+  const Construction& maker = standard().construction_of(recipe);
+
+  const std::unique_ptr<BlockSource> source = standard().build(recipe);
+  ASSERT_EQ(source->parameters(), p);
+  ASSERT_EQ(source->block_count(), offer.b);
+  const Verdict verdict = verify(*source);
+  EXPECT_TRUE(verdict.valid());
+  EXPECT_EQ(verdict.bad_steps, 0U);
+  EXPECT_EQ(verdict.b, offer.b);
+  EXPECT_TRUE(verdict.tight() || !offer.tight);
+  EXPECT_TRUE(verdict.economical() || !offer.economical);
+
+  Block block(static_cast<std::size_t>(p.k));
+  EXPECT_FALSE(source->next(block));
+  ASSERT_TRUE(source->rewind());
+  const Design design = standard().build_design(recipe);
+  EXPECT_EQ(blocks_of(*source), blocks_of(design));
+  EXPECT_EQ(design.recipe, recipe);
+  if (p.v <= 12 && offer.b <= 40) {
+    const NaiveVerdict naive = naive_verdict(design);
+    EXPECT_TRUE(naive.valid);
+    EXPECT_TRUE((naive.excess == 0 && naive.never_newly_covered == 0) || !offer.tight);
+  }
+
+  const auto set = maker.expansion_set(recipe, standard());
+  ASSERT_EQ(set.has_value(), offer.expansion_set);
+  if (set) {
+    EXPECT_EQ(expansion_set_defect(design, *set), std::nullopt);
+  }
+  if (const auto base = maker.base_blocks(recipe)) {
+    DevelopedSource developed(*base);
+    EXPECT_EQ(blocks_of(developed), blocks_of(design));
+    const DifferenceVerdict differences = verify_differences(*base);
+    EXPECT_TRUE(differences.valid());
+    EXPECT_TRUE(differences.tight || !offer.tight);
+  }
+  EXPECT_FALSE(maker.explain(recipe).empty());
+}
+
+/// The same, and that the design is not better than promised.
+inline void expect_exactly_as_promised(const Offer& offer) {
+  expect_as_promised(offer);
+  const Verdict verdict = verify(*standard().build(offer.recipe));
+  EXPECT_EQ(verdict.tight(), offer.tight);
+  EXPECT_EQ(verdict.economical(), offer.economical);
+}
+
+}  // namespace changeover::test
