@@ -1,0 +1,86 @@
+// JSON text, key by key, in the order in which it is said.
+//
+//     JsonWriter json;
+//     json.begin_object().key("b").value(366).key("kind").value("circular").end_object();
+//     json.text();                               // {"b":366,"kind":"circular"}
+//
+// Compact, one line. Strings are escaped; bytes that are not UTF-8 become U+FFFD. Commas and colons
+// come by themselves; that keys and ends are balanced is the caller's part.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace changeover {
+
+/// Appends `text` to `out` as a JSON string with its quotes.
+void append_json_string(std::string& out, std::string_view text);
+
+/// Writes one JSON value.
+class JsonWriter {
+ public:
+  JsonWriter& begin_object() { return open('{'); }
+  JsonWriter& end_object() { return close('}'); }
+  JsonWriter& begin_array() { return open('['); }
+  JsonWriter& end_array() { return close(']'); }
+
+  JsonWriter& key(std::string_view name);
+
+  JsonWriter& value(std::string_view text);
+  JsonWriter& value(const char* text) { return value(std::string_view(text)); }
+  JsonWriter& value(bool truth);
+  JsonWriter& value(double number);  ///< shortest form that reads back the same; null if not finite
+  JsonWriter& null();
+
+  template <std::unsigned_integral T>
+    requires(!std::same_as<T, bool> && !std::same_as<T, char>)
+  JsonWriter& value(T number) {
+    return unsigned_value(number);
+  }
+  template <std::signed_integral T>
+    requires(!std::same_as<T, char>)
+  JsonWriter& value(T number) {
+    return signed_value(number);
+  }
+
+  /// null for nothing.
+  template <typename T>
+  JsonWriter& value(const std::optional<T>& maybe) {
+    return maybe ? value(*maybe) : null();
+  }
+
+  /// An array of the members of a range: numbers, strings, truth values or ranges of them.
+  template <std::ranges::input_range Range>
+    requires(!std::convertible_to<Range, std::string_view>)
+  JsonWriter& value(Range&& range) {
+    begin_array();
+    for (auto&& member : range) {
+      value(member);
+    }
+    return end_array();
+  }
+
+  /// Text that is JSON already.
+  JsonWriter& raw(std::string_view json);
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  /// Hands over what was written so far: a long document can be written in pieces.
+  [[nodiscard]] std::string take();
+
+ private:
+  JsonWriter& open(char bracket);
+  JsonWriter& close(char bracket);
+  JsonWriter& unsigned_value(std::uint64_t number);
+  JsonWriter& signed_value(std::int64_t number);
+  void separate();
+
+  std::string text_;
+  bool first_ = true;  // nothing has been said at this level yet, or a key was just said
+};
+
+}  // namespace changeover

@@ -1,0 +1,61 @@
+// A file that appears whole or not at all.
+//
+//     OutputFile file("mine.json");          // "" or "-": standard output
+//     write_json(design, file);
+//     file.commit();                         // only now does mine.json change
+//
+// The bytes go to a temporary file beside the target, which is renamed onto it by commit(); without
+// commit() the destructor removes the temporary and an old file stays as it was. A new file gets the
+// usual permissions, a replaced one keeps those it had; a symbolic link keeps pointing to its target,
+// and the target is replaced. What is not a regular file (/dev/null, a FIFO, standard output) is
+// written directly, so bytes that left the buffer stay written.
+//
+// A process that is killed cannot run destructors: call remove_unfinished_outputs() in your own
+// handler, or remove_unfinished_outputs_on_signals() once in main().
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "changeover/io/sink.hpp"
+
+namespace changeover {
+
+/// A buffered output file; not copyable, not shared between threads.
+class OutputFile final : public Sink {
+ public:
+  /// Opens `path` for writing; "" and "-" are standard output.
+  /// @throws MissingResource with one line: the path, what the system says, how to mend it.
+  explicit OutputFile(const std::string& path);
+  ~OutputFile() override;
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// @throws MissingResource if the disk is full, the pipe closed, …
+  void write(std::string_view bytes) override;
+
+  /// Hands what is buffered to the system. For a regular file it stays invisible until commit().
+  void flush();
+
+  /// Flushes, makes the bytes durable and puts the file in place; nothing may be written afterwards.
+  /// @throws MissingResource as write(); the old file is then intact.
+  void commit();
+
+  /// Whether the bytes go to standard output.
+  [[nodiscard]] bool is_standard_output() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Removes the temporaries of all OutputFiles that are open. Async-signal-safe.
+void remove_unfinished_outputs() noexcept;
+
+/// Makes SIGINT, SIGTERM and SIGHUP remove the temporaries and then end the process as they would
+/// have. A signal that is ignored or already handled is left alone.
+void remove_unfinished_outputs_on_signals();
+
+}  // namespace changeover

@@ -1,0 +1,80 @@
+// Blocks as text, fast: the words of the elements are made once and then copied.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/io/sink.hpp"
+
+namespace changeover::io_detail {
+
+/// Gathers text for a sink. Elements are written as "word separator word … word last".
+class ElementText {
+ public:
+  /// `labels` is empty, for decimal numbers, or has v members; they must outlive this.
+  ElementText(Sink& sink, std::uint64_t v, std::uint64_t k, const std::vector<std::string>& labels,
+              char separator);
+
+  void put(std::string_view text);
+  void put(char c) {
+    make_room(1);
+    *p_++ = c;
+  }
+  void put_number(std::uint64_t number) {
+    make_room(20);
+    p_ = std::to_chars(p_, p_ + 20, number).ptr;
+  }
+
+  /// The elements of a block with `last` after them.
+  void elements(std::span<const Element> block, char last) {
+    if (slots_.empty()) {
+      elements_slowly(block, last);
+      return;
+    }
+    make_room(block.size() * sizeof(std::uint64_t));
+    const std::uint64_t* const slots = slots_.data();
+    char* p = p_;
+#pragma GCC unroll 4
+    for (const Element x : block) {
+      const std::uint64_t slot = slots[x];
+      std::memcpy(p, &slot, sizeof slot);
+      p += length(slot);
+    }
+    p[-1] = last;
+    p_ = p;
+  }
+
+  /// Hands all text to the sink.
+  void flush();
+
+ private:
+  // The last byte of a slot in memory is the length of its text; to find it by a shift, slots are
+  // little-endian numbers, and on other machines there are none.
+  static constexpr std::size_t longest = 7;
+  static std::size_t length(std::uint64_t slot) { return static_cast<std::size_t>(slot >> 56); }
+
+  void make_room(std::size_t bytes) {
+    if (static_cast<std::size_t>(end_ - p_) < bytes) [[unlikely]] {
+      flush_for(bytes);
+    }
+  }
+  void flush_for(std::size_t bytes);
+  void elements_slowly(std::span<const Element> block, char last);
+
+  Sink* sink_;
+  const std::vector<std::string>* labels_;
+  char separator_;
+  std::vector<std::uint64_t> slots_;  // by element: its word and the separator; empty if too long
+  std::vector<char> buffer_;
+  char* p_;
+  char* end_;
+};
+
+}  // namespace changeover::io_detail

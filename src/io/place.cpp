@@ -1,0 +1,37 @@
+#include "io/place.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover::io_detail {
+
+Place place_of(std::string_view text, std::size_t offset) {
+  const std::string_view before = text.substr(0, offset);
+  const std::size_t newline = before.rfind('\n');
+  const std::size_t start = newline == std::string_view::npos ? 0 : newline + 1;
+  return {static_cast<std::uint64_t>(std::count(before.begin(), before.end(), '\n')) + 1,
+          before.size() - start + 1};
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+void fail(const std::string& name, Place place, std::string_view what) {
+  throw BadInput(fmt::format("{}:{}:{}: {}", name, place.line, place.column, what));
+}
+
+std::string shown(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  std::string text = "'";
+  for (const char c : word.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += byte < 0x20 || byte == 0x7f ? '?' : c;
+  }
+  return text + (word.size() > longest ? "…'" : "'");
+}
+
+}  // namespace changeover::io_detail
