@@ -1,0 +1,201 @@
+// Abstract and Section 1.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/core/pair_set.hpp"
+#include "changeover/core/transitions.hpp"
+#include "changeover/paper/checking.hpp"
+#include "changeover/paper/checks.hpp"
+#include "changeover/paper/enumeration.hpp"
+
+namespace changeover {
+namespace {
+
+PaperItem check_count_in_abstract(const Paper& paper) {
+  Check check("Abstract", "the number of designs that the recursion gives from the cyclic families",
+              "counts");
+  check.expect(paper.count_in_abstract == paper.eleven.size(), [&] {
+    return PaperFinding{
+        fmt::format("{} additional minimum DCCDs from members of these infinite families",
+                    paper.count_in_abstract),
+        fmt::format(
+            "{}: that many are listed in Corollary 15, which says {}, and Section 4 says {}",
+            paper.eleven.size(), paper.count_in_corollary, paper.count_in_conclusion),
+        "Theorem 2 applies to a design of Theorem 10 exactly when k-2 divides 2c+1. (The "
+        "DCCD(10,4,9) of Table 7 would make twelve, but it comes from Theorem 3.)"};
+  });
+  return std::move(check).finish();
+}
+
+// The three places write the recursion with different fractions; all must give what Theorem 2
+// builds.
+PaperItem check_recursion_formulas(const Paper& paper) {
+  Check check("Abstract",
+              "v* and b* of the recursion, as the abstract, Theorem 2 and Section 4 write them",
+              "values");
+  for (const PrintedRecursion& printed : paper.recursion) {
+    for (std::uint64_t k = 3; k <= 20; ++k) {
+      for (std::uint64_t subsets = 3; subsets <= 25; subsets += 2) {
+        // ℓ unchanged subsets, one factor of K_{ℓ+1} each: ℓ+1 elements and ℓ·(ℓ+1)/2 blocks more.
+        const std::uint64_t v = subsets * (k - 2);
+        const std::uint64_t elements = v + subsets + printed.added_elements;
+        const std::uint64_t edges = subsets * (subsets + printed.added_edges);
+        check.expect(elements == v + subsets + 1 && edges == subsets * (subsets + 1), [&] {
+          return PaperFinding{
+              fmt::format("{}: v* = {}, b* = b + {}/2 for v = {}, k = {}", printed.place, elements,
+                          edges, v, k),
+              fmt::format("v* = {}, b* = b + {}/2", v + subsets + 1, subsets * (subsets + 1)),
+              fmt::format("{} factors of K_{}", subsets, subsets + 1)};
+        });
+      }
+    }
+  }
+  return std::move(check).finish();
+}
+
+PaperItem check_covered_example(const Paper& paper) {
+  const PrintedCovered& printed = paper.covered;
+  Check check("Section 1",
+              fmt::format("where {{{},{}}} is covered in {}", printed.x, printed.y, printed.table),
+              "blocks");
+  const PrintedTable& table = table_at(paper, printed.table);
+  const ParsedTable parsed = parse(table);
+  const Design design = printed_design(table, table.parameters.kind);
+  DesignSource source(design);
+  for (Transitions steps(source); steps.next();) {
+    const std::string& block = parsed.blocks[static_cast<std::size_t>(steps.index())].name;
+    const auto holds = [&](std::span<const Element> elements, const std::string& name) {
+      return std::any_of(elements.begin(), elements.end(),
+                         [&](Element e) { return design.label(e) == name; });
+    };
+    const bool covered =
+        holds(steps.block(), printed.x) && holds(steps.block(), printed.y) &&
+        (holds(steps.introduced(), printed.x) || holds(steps.introduced(), printed.y));
+    const auto named = [&](const std::vector<std::string>& names) {
+      return std::find(names.begin(), names.end(), block) != names.end();
+    };
+    if (named(printed.covered) || named(printed.not_covered)) {
+      check.expect(named(printed.covered) == covered, [&] {
+        return PaperFinding{fmt::format("{}covered in {}", covered ? "not " : "", block),
+                            fmt::format("{}covered", covered ? "" : "not "),
+                            braces(steps.block(), design)};
+      });
+    }
+  }
+  return std::move(check).finish();
+}
+
+// Changes of a list run in order; the first block counts as k changes.
+std::uint64_t changes(const std::vector<Block>& blocks) {
+  std::uint64_t total = blocks.empty() ? 0 : blocks.front().size();
+  for (std::size_t i = 1; i < blocks.size(); ++i) {
+    total += difference(blocks[i], blocks[i - 1]).size();
+  }
+  return total;
+}
+
+// The most changes in any order: steps between disjoint blocks form paths in the graph of
+// disjointness, which cannot leave a component, so at least (components − 1) steps share an
+// element.
+std::uint64_t most_changes(const std::vector<Block>& blocks) {
+  std::vector<std::size_t> component(blocks.size());
+  std::iota(component.begin(), component.end(), std::size_t{0});
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (intersection(blocks[i], blocks[j]).empty()) {
+        std::replace(component.begin(), component.end(), component[i], component[j]);
+      }
+    }
+  }
+  std::sort(component.begin(), component.end());
+  const auto components = static_cast<std::uint64_t>(
+      std::unique(component.begin(), component.end()) - component.begin());
+  const std::uint64_t k = blocks.front().size();
+  return k * blocks.size() - (components - 1);
+}
+
+std::vector<Block> blocks_of(const Design& design) {
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    blocks.emplace_back(design.block(i).begin(), design.block(i).end());
+  }
+  return blocks;
+}
+
+PaperItem check_costs(const Paper& paper) {
+  Check check("Section 1", "costs of testing nine components three at a time, six figures",
+              "figures");
+  const std::vector<Block> covering = blocks_in(paper.covering);
+  PairSet pairs(10);
+  for (const Block& block : covering) {
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        pairs.insert(block[i], block[j]);
+      }
+    }
+  }
+  check.expect(
+      pairs.size() == 36 && covering.size() * 3 == 36,
+      [&] {
+        return PaperFinding{
+            "an optimal covering design with 12 blocks",
+            fmt::format("{} blocks cover {} of 36 pairs", covering.size(), pairs.size()),
+            "counted"};
+      },
+      0);
+  const Enumeration single = enumerate({.v = 9, .k = 3, .change = 1, .kind = Kind::linear}, 18);
+  check.expect(
+      single.found > 0 &&
+          lower_bound({.v = 9, .k = 3, .change = 1, .kind = Kind::linear}).blocks == 18,
+      [&] {
+        return PaperFinding{"a minimum SCCD(9,3,18)", "none was found", "by exhaustion"};
+      },
+      0);
+  const PrintedTable& table = table_at(paper, "Table 1");
+  const std::vector<Block> twice = blocks_of(printed_design(table, Kind::linear));
+  if (single.designs.empty()) {
+    return std::move(check).finish();
+  }
+  const std::vector<Block> once = blocks_of(single.designs.front());
+  for (const PrintedCosts& printed : paper.costs) {
+    const auto compare = [&](std::uint64_t dollars, const std::vector<Block>& blocks,
+                             const std::string& what) {
+      const std::uint64_t cost = blocks.size() * printed.test + changes(blocks) * printed.change;
+      check.expect(cost == dollars, [&] {
+        return PaperFinding{
+            fmt::format("${} for {} at ${} a test and ${} a change", dollars, what, printed.test,
+                        printed.change),
+            fmt::format("${}", cost),
+            fmt::format("{} tests and {} changes, the first block counting as three", blocks.size(),
+                        changes(blocks))};
+      });
+    };
+    compare(printed.covering, covering, "the covering design as listed");
+    compare(printed.single, once, "a minimum SCCD(9,3,18)");
+    compare(printed.twice, twice, "a minimum DCCD(9,3,12)");
+  }
+  check.expect(
+      changes(covering) == most_changes(covering),
+      [&] {
+        return PaperFinding{"the order shown is the worst case",
+                            fmt::format("{} changes; another order may have {}", changes(covering),
+                                        most_changes(covering)),
+                            "consecutive blocks are disjoint only within a parallel class"};
+      },
+      0);
+  check.note(fmt::format("{}, {} and {} changes; no order of the covering design has more",
+                         changes(covering), changes(once), changes(twice)));
+  return std::move(check).finish();
+}
+
+}  // namespace
+
+std::vector<PaperItem> check_introduction(const PaperContext& context) {
+  return {check_count_in_abstract(context.paper), check_recursion_formulas(context.paper),
+          check_covered_example(context.paper), check_costs(context.paper)};
+}
+
+}  // namespace changeover

@@ -1,0 +1,269 @@
+// Section 2.2: the bound, Table 2 with its unchanged subsets, the two 1-factorizations.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/expansion.hpp"
+#include "changeover/construct/one_factorization.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/transitions.hpp"
+#include "changeover/paper/checking.hpp"
+#include "changeover/paper/checks.hpp"
+
+namespace changeover {
+namespace {
+
+std::string all_blocks(const Design& design) {
+  std::string text;
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    text += (i == 0 ? "" : ", ") + braces(design.block(i));
+  }
+  return text;
+}
+
+PaperItem check_bound(const PaperContext& context, Kind kind) {
+  const bool circular = kind == Kind::circular;
+  Check check("Theorem 1",
+              circular
+                  ? "a circular DCCD(v,k,b) has at least g2 = C(v,2)/(2k-3) blocks"
+                  : "a linear DCCD(v,k,b) has at least g1 = (C(v,2) - C(k,2))/(2k-3) + 1 blocks",
+              "designs");
+  std::size_t below = 0;
+  std::size_t with_fixed = 0;
+  for (const Design& design : designs_to_try(context.registry, kind)) {
+    const Verdict verdict = verify(design);
+    const std::uint64_t bound = printed_bound(design.v(), design.k(), kind);
+    const bool holds = verdict.b >= bound;
+    check.expect(holds || below > 0, [&] {  // one finding says it for all
+      return PaperFinding{
+          fmt::format("a circular DCCD({},{},b) has b >= ceil(g2) = {}", design.v(), design.k(),
+                      bound),
+          fmt::format("{} is one with {} blocks", all_blocks(design), verdict.b),
+          fmt::format(
+              "the elements of {} are in every block: none of them is ever introduced, so a pair "
+              "of them occurs and is not covered in the paper's sense, while the proof counts "
+              "all C(v,2) pairs as covered. With at most one such element the bound stands",
+              braces(verdict.fixed))};
+    });
+    if (!holds) {
+      ++below;
+      with_fixed += verdict.fixed.size() >= 2 ? 1U : 0U;
+    }
+  }
+  if (below > 0) {
+    check.note(
+        fmt::format("{} of the designs are below, {} of them with two or more elements in every "
+                    "block; so for circular designs \"economical\" does not yet prove \"minimum\"",
+                    below, with_fixed));
+  }
+  check.note(
+      circular
+          ? "designs of the paper with 3 <= k <= 8 and v <= 24, also with up to three elements "
+            "added to every block"
+          : "designs of the paper with 3 <= k <= 8 and v <= 24, read as linear");
+  return std::move(check).finish();
+}
+
+// "In a tight DCCD every pair is covered exactly once; in an economical one less than 2k−3 more."
+PaperItem check_excess(const PaperContext& context) {
+  Check check(
+      "Section 2.2",
+      "tight: every pair is covered exactly once; economical: fewer than 2k-3 covered pairs "
+      "more than pairs",
+      "designs");
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    for (const Design& design : designs_to_try(context.registry, kind)) {
+      const Verdict verdict = verify(design);
+      const std::uint64_t most = 2 * design.k() - 3;
+      if (!verdict.economical() || verdict.never_newly_covered > 0) {
+        continue;
+      }
+      const std::uint64_t pairs = binomial(design.v(), 2);
+      const std::uint64_t numerator =
+          kind == Kind::circular ? pairs : pairs - binomial(design.k(), 2);
+      const bool integral = numerator % most == 0;
+      check.expect(verdict.excess < most && integral == (verdict.excess == 0), [&] {
+        return PaperFinding{fmt::format("an economical {}", name(design.parameters())),
+                            in_words(verdict), "verified"};
+      });
+    }
+  }
+  check.note("the same designs, where no pair is in every block");
+  return std::move(check).finish();
+}
+
+PaperItem check_k3() {
+  Check check("Section 2.2", "g1 = g2 when k = 3", "values");
+  for (std::uint64_t v = 5; v <= 200; ++v) {
+    // Multiplied by 2k − 3 = 3.
+    const std::uint64_t g1 = binomial(v, 2) - binomial(3, 2) + 3;
+    check.expect(g1 == binomial(v, 2), [&] {
+      return PaperFinding{"g1 = g2", fmt::format("{}/3 and {}/3", g1, binomial(v, 2)), "computed"};
+    });
+  }
+  return std::move(check).finish();
+}
+
+PaperItem check_steiner(const PrintedTable& table) {
+  Check check(table.place, "the blocks are those of an STS(7)", "pairs");
+  std::map<std::pair<Element, Element>, int> blocks_with;
+  const Design design = printed_design(table, Kind::circular);
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    for (const Element y : design.block(i)) {
+      for (const Element x : design.block(i)) {
+        if (x < y) {
+          ++blocks_with[{x, y}];
+        }
+      }
+    }
+  }
+  for (Element y = 1; y < design.v(); ++y) {
+    for (Element x = 0; x < y; ++x) {
+      check.expect(blocks_with[{x, y}] == 1, [&] {
+        return PaperFinding{"every pair is in one block",
+                            fmt::format("{{{},{}}} is in {}", x, y, blocks_with[{x, y}]),
+                            "counted"};
+      });
+    }
+  }
+  return std::move(check).finish();
+}
+
+PaperItem check_unchanged_row(const Paper& paper, const PrintedTable& table) {
+  Check check(table.place, "unchanged subsets, in the table and in the text", "subsets");
+  const Design design = printed_design(table, Kind::circular);
+  const std::vector<UnchangedSubset> between = unchanged_subsets(design);
+  const ParsedTable parsed = parse(table);
+  const auto label_set = [&](std::span<const Element> block) {
+    std::set<std::string> labels;
+    for (const Element x : block) {
+      labels.insert(design.label(x));
+    }
+    return labels;
+  };
+  const auto compare = [&](const std::vector<std::string>& printed, std::span<const Element> truth,
+                           const std::string& what) {
+    check.expect(std::set<std::string>(printed.begin(), printed.end()) == label_set(truth), [&] {
+      return PaperFinding{fmt::format("{} = {}", what, braces(printed)), braces(truth, design),
+                          "intersection of consecutive blocks"};
+    });
+  };
+  const std::size_t b = between.size();
+  for (std::size_t i = 0; i < parsed.unchanged.size(); ++i) {
+    const auto& printed = parsed.unchanged[i].elements;
+    if (printed.empty()) {
+      continue;
+    }
+    if (i >= 1 && i < b) {
+      compare(printed, between[i - 1].elements, fmt::format("U_{} of the table", i));
+    } else {
+      // A free end: any (k−2)-subset of the first or the last block.
+      const auto inside = label_set(design.block(i == 0 ? 0 : b - 1));
+      check.expect(printed.size() == table.parameters.k - 2 && i <= b &&
+                       std::all_of(printed.begin(), printed.end(),
+                                   [&](const auto& x) { return inside.contains(x); }),
+                   [&] {
+                     return PaperFinding{fmt::format("U_{} = {}", i, braces(printed)),
+                                         "no subset of the block beside it", "linear design"};
+                   });
+    }
+  }
+  const PrintedUnchangedText& text = paper.unchanged;
+  for (std::size_t i = 0; i < text.between.size() && i < b; ++i) {
+    compare({text.between[i]}, between[i].elements, fmt::format("U_{} of the text", i + 1));
+  }
+  compare(text.first, design.block(0), "the choices of U_0 in the text");
+  compare(text.last, design.block(b - 1), "the choices of U_7 in the text");
+  compare({text.closing}, between[b - 1].elements, "U_0 = U_7 of the circular design in the text");
+  return std::move(check).finish();
+}
+
+PaperItem check_no_expansion_set(const Paper& paper, const PrintedTable& table) {
+  Check check(
+      table.place,
+      fmt::format("the circular design has no expansion set, for {} is in no unchanged subset; "
+                  "the linear one has",
+                  paper.unchanged.missing),
+      "searches");
+  const Design circular = printed_design(table, Kind::circular);
+  const Verdict verdict = verify(circular);
+  check.expect(
+      verdict.never_unchanged.size() == 1 &&
+          circular.label(verdict.never_unchanged.front()) == paper.unchanged.missing,
+      [&] {
+        return PaperFinding{
+            fmt::format("{} is in no unchanged subset", paper.unchanged.missing),
+            fmt::format("the elements in none are {}", braces(verdict.never_unchanged, circular)),
+            "counted"};
+      });
+  const ExpansionSearch none = find_expansion_sets(circular, {.how_many = 1, .limits = {}});
+  check.expect(none.sets.empty() && none.complete, [] {
+    return PaperFinding{"no expansion set", "there is one", "exact cover"};
+  });
+  const ExpansionSearch some =
+      find_expansion_sets(printed_design(table, Kind::linear), {.how_many = 1, .limits = {}});
+  check.expect(!some.sets.empty(), [] {
+    return PaperFinding{"an expansion set of the linear design", "there is none", "exact cover"};
+  });
+  return std::move(check).finish();
+}
+
+PaperItem check_factorization(const PrintedFactorization& printed) {
+  const OneFactorization factorization = parse(printed);
+  Check check(printed.place,
+              fmt::format("each colour is a 1-factor, all together a 1-factorization of K_{}",
+                          factorization.order),
+              "edges");
+  const auto defect = factorization_defect(factorization);
+  check.expect(
+      !defect.has_value(),
+      [&] {
+        return PaperFinding{"a 1-factorization", "it is none", *defect};
+      },
+      factorization.order * (factorization.order - 1) / 2);
+  return std::move(check).finish();
+}
+
+PaperItem check_all_even_orders() {
+  Check check("Section 2.2", "cited: a 1-factorization of K_n exists for all even n", "orders");
+  for (std::uint32_t n = 2; n <= 80; n += 2) {
+    const auto defect = factorization_defect(one_factorization(n));
+    check.expect(!defect.has_value(), [&] {
+      return PaperFinding{fmt::format("a 1-factorization of K_{}", n), "ours is none", *defect};
+    });
+  }
+  check.note("constructed for n <= 80");
+  return std::move(check).finish();
+}
+
+}  // namespace
+
+std::vector<PaperItem> check_preliminaries(const PaperContext& context) {
+  const PrintedTable& table = table_at(context.paper, "Table 2");
+  std::vector<PaperItem> items{check_bound(context, Kind::linear),
+                               check_bound(context, Kind::circular), check_excess(context),
+                               check_k3()};
+  if (const auto rebuilt = construct(context.registry, "printed", table.parameters)) {
+    items.push_back(check_blocks(table, *rebuilt, "compared with a second copy of it"));
+  } else {
+    Check check(table.place, table.caption, "blocks");
+    check.lacks("printed");
+    items.push_back(std::move(check).finish());
+  }
+  items.push_back(check_marks(table));
+  items.push_back(check_steiner(table));
+  items.push_back(check_unchanged_row(context.paper, table));
+  items.push_back(check_no_expansion_set(context.paper, table));
+  for (const PrintedFactorization& printed : context.paper.factorizations) {
+    if (printed.place.starts_with("Figure")) {
+      items.push_back(check_factorization(printed));
+    }
+  }
+  items.push_back(check_all_even_orders());
+  return items;
+}
+
+}  // namespace changeover

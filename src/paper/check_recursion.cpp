@@ -1,0 +1,247 @@
+// Section 3.1: the recursion by expansion sets and 1-factorizations.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/construct/expansion.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/paper/checking.hpp"
+#include "changeover/paper/checks.hpp"
+
+namespace changeover {
+namespace {
+
+struct WithSet {
+  Design design;
+  ExpansionSet set;
+};
+
+// Designs with expansion sets: those of Tables 2 and 4, those of Theorem 10, and the circular ones
+// read as linear too.
+std::vector<WithSet> designs_with_sets(const PaperContext& context) {
+  std::vector<WithSet> designs;
+  const PrintedTable& table_2 = table_at(context.paper, "Table 2");
+  designs.push_back({printed_design(table_2, Kind::linear), marked_expansion_set(table_2)});
+  const PrintedTable& table_4 = table_at(context.paper, "Table 4 (right)");
+  designs.push_back({printed_design(table_4, Kind::circular), marked_expansion_set(table_4)});
+  for (CyclicWithSet& cyclic :
+       cyclic_with_sets(context.registry, context.paper.cyclic_up_to, context.options.largest_k)) {
+    designs.push_back({std::move(cyclic.design), std::move(cyclic.set)});
+  }
+  const std::size_t count = designs.size();
+  for (std::size_t i = 1; i < count; ++i) {
+    WithSet linear = designs[i];
+    linear.design.set_kind(Kind::linear);
+    designs.push_back(std::move(linear));
+  }
+  return designs;
+}
+
+const PrintedRecursion& printed_recursion(const Paper& paper) {
+  for (const PrintedRecursion& printed : paper.recursion) {
+    if (printed.place == "Theorem 2") {
+      return printed;
+    }
+  }
+  throw BadInput("the print lacks the parameters of Theorem 2");
+}
+
+PaperItem check_theorem(const PaperContext& context, const std::vector<WithSet>& designs) {
+  Check check("Theorem 2", claim_at(context.paper, "Theorem 2"), "designs");
+  const PrintedRecursion& printed = printed_recursion(context.paper);
+  std::size_t tight = 0;
+  std::size_t economical = 0;
+  for (const auto& [design, set] : designs) {
+    const auto subsets = static_cast<std::uint32_t>(set.size());
+    const auto defect = expansion_set_defect(design, set);
+    if (!check.expect(
+            !defect.has_value(),
+            [&] {
+              return PaperFinding{
+                  fmt::format("an expansion set of the {}", name(design.parameters())),
+                  "it is none", *defect};
+            },
+            0)) {
+      continue;
+    }
+    const Verdict before = verify(design);
+    for (const FactorizationKind kind : {FactorizationKind::circle, FactorizationKind::doubled}) {
+      OneFactorization factors = one_factorization(subsets + 1, kind);
+      if (kind == FactorizationKind::doubled) {  // "in any order"
+        for (OneFactor& factor : factors.factors) {
+          std::reverse(factor.begin(), factor.end());
+        }
+      }
+      const Design larger = expand(design, set, factors);
+      const Verdict after = verify(larger);
+      const std::uint64_t v = design.v() + subsets + printed.added_elements;
+      const std::uint64_t b = before.b + subsets * (subsets + printed.added_edges) / 2;
+      check.expect(
+          larger.v() == v && after.b == b && after.valid() &&
+              after.parameters.kind == before.parameters.kind && before.tight() == after.tight() &&
+              before.economical() == after.economical() && before.excess == after.excess,
+          [&] {
+            return PaperFinding{
+                fmt::format("{} gives a {} {}", name(design.parameters()),
+                            to_string(design.parameters().kind), dccd(v, design.k(), b)),
+                fmt::format("v = {}, {}", larger.v(), in_words(after)), "built and verified"};
+          });
+      tight += after.tight() ? 1U : 0U;
+      economical += after.economical() && !after.tight() ? 1U : 0U;
+    }
+  }
+  check.note(fmt::format("{} of them tight, {} economical and not tight; two 1-factorizations each",
+                         tight, economical));
+  return std::move(check).finish();
+}
+
+std::optional<Design> rebuilt_table_3(const Paper& paper) {
+  const PrintedTable& small = table_at(paper, "Table 2");
+  for (const PrintedFactorization& printed : paper.factorizations) {
+    if (printed.place == "Figure 2") {
+      try {
+        Design design = expand(printed_design(small, Kind::linear), marked_expansion_set(small),
+                               parse(printed));
+        design.set_labels({});
+        return design;
+      } catch (const BadInput&) {
+        return std::nullopt;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+PaperItem check_table_3(const Paper& paper, const PrintedTable& table) {
+  if (const auto rebuilt = rebuilt_table_3(paper)) {
+    return check_blocks(table, *rebuilt,
+                        "expanded from Table 2 with the colours of Figure 2 in their order");
+  }
+  Check check(table.place, table.caption, "blocks");
+  check.expect(false, [] {
+    return PaperFinding{"Table 2 expanded with the 1-factors of Figure 2", "that cannot be done",
+                        "the carets mark no expansion set, or the colours are no 1-factorization"};
+  });
+  return std::move(check).finish();
+}
+
+// Each coloured pair of Table 3 is an edge of the 1-factor of that colour.
+PaperItem check_colours(const Paper& paper, const PrintedTable& table) {
+  Check check(table.place, "colours of the inserted elements against the 1-factors of Figure 2",
+              "cells");
+  const ParsedTable parsed = parse(table);
+  for (const PrintedFactorization& printed : paper.factorizations) {
+    if (printed.place != "Figure 2") {
+      continue;
+    }
+    const OneFactorization factors = parse(printed);
+    for (const PrintedBlock& block : parsed.blocks) {
+      for (const PrintedCell& cell : block.cells) {
+        const auto vertex =
+            std::find(printed.vertices.begin(), printed.vertices.end(), cell.element);
+        bool holds = (vertex == printed.vertices.end()) == (cell.colour == 0);
+        if (holds && cell.colour != 0) {
+          const auto x = static_cast<std::uint32_t>(vertex - printed.vertices.begin());
+          const auto& factor =
+              factors.factors.at(std::min<std::size_t>(cell.colour, factors.factors.size()) - 1);
+          holds = cell.colour <= factors.factors.size() &&
+                  std::any_of(factor.begin(), factor.end(), [&](const Edge& edge) {
+                    if (edge.a != x && edge.b != x) {
+                      return false;
+                    }
+                    const std::string& other = printed.vertices[edge.a == x ? edge.b : edge.a];
+                    return std::any_of(block.cells.begin(), block.cells.end(),
+                                       [&](const PrintedCell& c) {
+                                         return c.element == other && c.colour == cell.colour;
+                                       });
+                  });
+        }
+        check.expect(holds, [&] {
+          return PaperFinding{
+              fmt::format("{}: {} in colour {}", block.name, cell.element, cell.colour),
+              "no edge of that colour in this block", "Figure 2"};
+        });
+      }
+    }
+  }
+  return std::move(check).finish();
+}
+
+PaperItem check_never_again(const std::vector<WithSet>& designs) {
+  Check check("Section 3.1", "the expanded design never has an expansion set", "designs");
+  for (const auto& [design, set] : designs) {
+    if (expansion_set_defect(design, set)) {
+      continue;
+    }
+    const Design larger =
+        expand(design, set, one_factorization(static_cast<std::uint32_t>(set.size()) + 1));
+    if (larger.v() > 64) {
+      continue;
+    }
+    const ExpansionSearch search = find_expansion_sets(larger, {.how_many = 1, .limits = {}});
+    check.expect(search.sets.empty() && search.complete, [&] {
+      return PaperFinding{"no expansion set",
+                          fmt::format("the {} has one", name(larger.parameters())), "exact cover"};
+    });
+  }
+  check.note("by exact cover, v <= 64");
+  return std::move(check).finish();
+}
+
+PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& designs) {
+  Check check("Section 3.1", "a new element of Theorem 2 is never in an unchanged subset",
+              "designs");
+  for (const auto& [design, set] : designs) {
+    if (expansion_set_defect(design, set)) {
+      continue;
+    }
+    const Design larger =
+        expand(design, set, one_factorization(static_cast<std::uint32_t>(set.size()) + 1));
+    const std::vector<UnchangedSubset> between = unchanged_subsets(larger);
+    check.expect(
+        std::none_of(
+            between.begin(), between.end(),
+            [&](const UnchangedSubset& subset) { return subset.elements.back() >= design.v(); }),
+        [&] {
+          return PaperFinding{"a new element is never in an unchanged subset",
+                              "one is kept from a block to the next", name(larger.parameters())};
+        });
+  }
+  // By Section 2.2 the ends of a linear design have unchanged subsets too: U_0 and U_b.
+  const PrintedTable& table = table_at(paper, "Table 3");
+  const Design linear = printed_design(table, Kind::linear);
+  const std::uint64_t old_elements = table_at(paper, "Table 2").parameters.v;
+  for (const std::size_t end : {std::size_t{0}, linear.block_count() - 1}) {
+    const auto block = linear.block(end);
+    const auto fresh =
+        std::find_if(block.begin(), block.end(), [&](Element x) { return x >= old_elements; });
+    check.expect(fresh == block.end(), [&] {
+      return PaperFinding{"a new element is never in an unchanged subset",
+                          fmt::format("in Table 3 the {} block is {}, so U_{} = {{{}}} is one",
+                                      end == 0 ? "first" : "last", braces(block, linear),
+                                      end == 0 ? 0 : linear.block_count(), linear.label(*fresh)),
+                          "by Section 2.2 every (k-2)-subset of the first and of the last block of "
+                          "a linear design is "
+                          "an unchanged subset. True of all others; and what is concluded, that "
+                          "there is no expansion "
+                          "set, holds all the same"};
+    });
+  }
+  return std::move(check).finish();
+}
+
+}  // namespace
+
+std::vector<PaperItem> check_recursion(const PaperContext& context) {
+  const PrintedTable& table = table_at(context.paper, "Table 3");
+  const std::vector<WithSet> designs = designs_with_sets(context);
+  return {check_theorem(context, designs),
+          check_table_3(context.paper, table),
+          check_marks(table),
+          check_colours(context.paper, table),
+          check_kind(table),
+          check_never_again(designs),
+          check_new_elements(context.paper, designs)};
+}
+
+}  // namespace changeover

@@ -1,0 +1,85 @@
+#include "changeover/paper/figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/core/error.hpp"
+#include "changeover/io/figures.hpp"
+
+namespace changeover {
+namespace {
+
+// "Figure 4a" becomes "figure-4a".
+std::string file_name(const std::string& place, std::string_view extension) {
+  const std::size_t blank = std::min(place.find(' '), place.size() - 1);
+  return fmt::format("figure-{}.{}", place.substr(blank + 1), extension);
+}
+
+template <typename Figure>
+void add(std::vector<PaperFigure>& figures, const std::string& place, const Figure& figure) {
+  figures.push_back({file_name(place, "svg"), to_svg(figure)});
+  figures.push_back({file_name(place, "tex"), to_tikz(figure)});
+}
+
+FactorFigure factor_figure(const PrintedFactorization& printed) {
+  const OneFactorization factorization = parse(printed);
+  FactorFigure figure{
+      .order = factorization.order,
+      .names = printed.vertices,
+      .title = fmt::format("{}: 1-factorization of K_{}", printed.place, factorization.order)};
+  for (const OneFactor& factor : factorization.factors) {
+    auto& edges = figure.factors.emplace_back();
+    for (const Edge& edge : factor) {
+      edges.emplace_back(edge.a, edge.b);
+    }
+  }
+  if (factorization.order == 8) {
+    figure.centre = 7;  // the paper draws 15 in the middle
+  }
+  return figure;
+}
+
+// The place of a block in a table.
+std::uint64_t index_of(const Design& design, Block block, const std::string& place) {
+  std::sort(block.begin(), block.end());
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    if (std::is_permutation(block.begin(), block.end(), design.block(i).begin(),
+                            design.block(i).end())) {
+      return i;
+    }
+  }
+  throw BadInput(fmt::format("{}: its first block is not in the table", place));
+}
+
+CircleFigure drawn_circle(const Paper& paper, const PrintedCircle& printed) {
+  for (const PrintedTable& table : paper.tables) {
+    const std::vector<Block> first = blocks_in(printed.first);
+    if (table.parameters.v != printed.v || first.empty()) {
+      continue;
+    }
+    const Design design = printed_design(table, Kind::circular);
+    CircleFigure figure = circle_figure(design, index_of(design, first.front(), printed.place), 2);
+    figure.title =
+        fmt::format("{}: two consecutive blocks of the {}", printed.place, name(table.parameters));
+    return figure;
+  }
+  throw BadInput(fmt::format("{}: no table over Z_{}", printed.place, printed.v));
+}
+
+}  // namespace
+
+std::vector<PaperFigure> paper_figures(const Paper& paper) {
+  std::vector<PaperFigure> figures;
+  for (const PrintedFactorization& printed : paper.factorizations) {
+    if (printed.place.starts_with("Figure")) {
+      add(figures, printed.place, factor_figure(printed));
+    }
+  }
+  for (const PrintedCircle& printed : paper.circles) {
+    add(figures, printed.place, drawn_circle(paper, printed));
+  }
+  return figures;
+}
+
+}  // namespace changeover

@@ -1,0 +1,194 @@
+// The rest of the paper as data: statements, figures, base blocks, claims and the example of costs.
+#include "changeover/paper/printed.hpp"
+
+namespace changeover {
+namespace {
+
+std::vector<PrintedStatement> statements() {
+  return {
+      {"Theorem 1",
+       "A linear DCCD(v,k,b) has at least g1 = (C(v,2) - C(k,2))/(2k-3) + 1 blocks, a circular one "
+       "at least g2 = C(v,2)/(2k-3)."},
+      {"Theorem 2",
+       "If v is an odd multiple of k-2 and a DCCD(v,k,b) has an expansion set, then a "
+       "DCCD(v*,k,b*) "
+       "exists with v* = v + v/(k-2) + 1 and b* = b + (1/2)(v/(k-2))(v/(k-2) + 1); tight, "
+       "economical "
+       "or circular if the given one is."},
+      {"Theorem 3",
+       "A tight circular DCCD(2k-2,k,k-1) exists for all k >= 2 if and only if k is even."},
+      {"Theorem 4", "A minimum circular DCCD(2k-2,k,k) exists for all odd k >= 5."},
+      {"Example 5", "A minimum circular DCCD(8,5,5) by Theorem 4."},
+      {"Example 6", "A minimum circular DCCD(12,7,7) by Theorem 4."},
+      {"Proposition 7",
+       "A tight circular DCCD(2k-2,k,k-1) has an expansion set if and only if k = 4."},
+      {"Theorem 8", "A tight circular DCCD(2k-3,k,k-2) exists for all odd k >= 3."},
+      {"Example 9", "A tight circular DCCD(11,4,11) from one base block."},
+      {"Theorem 10",
+       "A tight circular DCCD(c(4k-6)+1,k,c^2(4k-6)+c) exists for all k >= 3 when 1 <= c <= 5."},
+      {"Example 11", "The tight circular DCCD(21,4,42) of Theorem 10 with c = 2."},
+      {"Example 12", "The tight circular DCCD(13,3,26) of Theorem 10 with c = 2."},
+      {"Proposition 13", "If k-2 divides 2c+1, a design of Theorem 10 has an expansion set."},
+      {"Corollary 14",
+       "If l = (2c+1)/(k-2) is odd, a tight circular DCCD(4ck-2c+l+2, k, "
+       "4kc^2+2c^2+4cl+3c+(l^2+l)/2) exists."},
+      {"Corollary 15", "Eleven tight circular DCCDs exist."},
+      {"Proposition 16", "A tight circular DCCD(61,4,366) exists."},
+  };
+}
+
+std::vector<PrintedFactorization> factorizations() {
+  return {
+      {.place = "Figure 1", .vertices = {"a", "b", "c", "d", "e", "f"}, .factors = R"(
+b-e c-a d-f
+c-e b-d f-a
+d-e c-f b-a
+f-e b-c d-a
+a-e b-f c-d
+)"},
+      {.place = "Figure 2",
+       .vertices = {"8", "9", "10", "11", "12", "13", "14", "15"},
+       .factors = R"(
+8-9   10-14 11-13 12-15
+8-10  11-14 12-13 9-15
+8-11  9-10  12-14 13-15
+8-15  9-14  10-13 11-12
+8-12  13-14 9-11  10-15
+8-13  9-12  10-11 14-15
+8-14  9-13  10-12 11-15
+)"},
+      // Not drawn: the text before Table 7 speaks of the 1-factorization of K_4 on {a,b,c,d}.
+      {.place = "K_4 of Table 7", .vertices = {"a", "b", "c", "d"}, .factors = R"(
+a-b c-d
+a-c b-d
+a-d b-c
+)"},
+  };
+}
+
+std::vector<PrintedCircle> circles() {
+  return {
+      {.place = "Figure 3",
+       .v = 11,
+       .first = "0 1 2 5",
+       .second = "1 2 3 6",
+       .first_edges = "0-2 0-5 1-2 1-5 2-5",
+       .second_edges = "1-3 1-6 2-3 2-6 3-6",
+       .black = "1 2",
+       .first_only = "0 5",
+       .second_only = "3 6"},
+      {.place = "Figure 4a",
+       .v = 13,
+       .first = "0 1 4",
+       .second = "0 2 7",
+       .first_edges = "0-1 0-4 1-4",
+       .second_edges = "0-2 0-7 2-7",
+       .black = "0",
+       .first_only = "1 4",
+       .second_only = "2 7"},
+      {.place = "Figure 4b",
+       .v = 13,
+       .first = "0 2 7",
+       .second = "1 2 5",
+       .first_edges = "0-2 0-7 2-7",
+       .second_edges = "1-2 1-5 2-5",
+       .black = "2",
+       .first_only = "0 7",
+       .second_only = "1 5"},
+  };
+}
+
+std::vector<PrintedBaseBlocks> cyclic_base_blocks() {
+  return {
+      {"Table 9", 1, {"k-2,2(k-2)+1"}},
+      {"Table 9", 2, {"2(k-2),5(k-2)+2", "k-2,3(k-2)+1"}},
+      {"Table 9", 3, {"2(k-2),7(k-2)+3", "3(k-2)+1,5(k-2)+2", "k-2,4(k-2)+2"}},
+      {"Table 9", 4, {"2(k-2),8(k-2)+4", "3(k-2)+1,5(k-2)+2", "4(k-2)+2,7(k-2)+4", "k-2,6(k-2)+3"}},
+      {"Table 9",
+       5,
+       {"2(k-2),6(k-2)+3", "3(k-2),9(k-2)+4", "4(k-2)+2,7(k-2)+4", "5(k-2)+3,8(k-2)+4",
+        "k-2,10(k-2)+5"}},
+  };
+}
+
+Paper make_paper() {
+  Paper paper;
+  paper.statements = statements();
+  paper.tables = printed_tables();
+  paper.factorizations = factorizations();
+  paper.circles = circles();
+  paper.cyclic = cyclic_base_blocks();
+  paper.six_base_blocks = {"Table 12", 6, {"4,19", "6,22", "8,25", "10,48", "12,32", "2,28"}};
+  paper.cyclic_up_to = 5;
+  paper.families = {
+      {.place = "Theorem 3",
+       .v_k = 2,
+       .v_0 = -2,
+       .b_k = 1,
+       .b_0 = -1,
+       .smallest_k = 2,
+       .even = true},
+      {.place = "Theorem 4",
+       .v_k = 2,
+       .v_0 = -2,
+       .b_k = 1,
+       .b_0 = 0,
+       .smallest_k = 5,
+       .even = false},
+      {.place = "Theorem 8",
+       .v_k = 2,
+       .v_0 = -3,
+       .b_k = 1,
+       .b_0 = -2,
+       .smallest_k = 3,
+       .even = false},
+  };
+  paper.expanded = {
+      .v_ck = 4, .v_c = -2, .v_l = 1, .v_0 = 2, .b_ckk = 4, .b_cc = 2, .b_cl = 4, .b_c = 3};
+  paper.eleven = {{15, 3, 35},    {21, 5, 30},   {27, 3, 117},   {55, 7, 135},
+                  {39, 3, 247},   {105, 9, 364}, {67, 3, 489},   {77, 5, 418},
+                  {161, 11, 640}, {63, 3, 651},  {253, 13, 1386}};
+  paper.count_in_abstract = 12;
+  paper.count_in_corollary = 11;
+  paper.count_in_conclusion = 11;
+  paper.covering = R"(
+1 2 3
+4 5 6
+7 8 9
+1 4 7
+2 5 8
+3 6 9
+1 5 9
+2 6 7
+3 4 8
+1 6 8
+2 4 9
+3 5 7
+)";
+  paper.costs = {{.test = 1, .change = 5, .covering = 177, .single = 118, .twice = 137},
+                 {.test = 10, .change = 1, .covering = 153, .single = 200, .twice = 145}};
+  paper.recursion = {{"Abstract", 1, 1}, {"Theorem 2", 1, 1}, {"Section 4", 1, 1}};
+  paper.covered = {
+      .table = "Table 7", .x = "0", .y = "1", .covered = {"B7"}, .not_covered = {"B8", "B9", "B1"}};
+  paper.unchanged = {.between = {"0", "4", "3", "6", "6", "5"},
+                     .first = {"0", "1", "2"},
+                     .last = {"1", "3", "5"},
+                     .closing = "1",
+                     .missing = "2"};
+  paper.base_blocks_in_example = R"(
+0 1 4
+0 2 7
+)";
+  paper.range_short_by = 1;
+  paper.added_for_k4 = 0;
+  return paper;
+}
+
+}  // namespace
+
+const Paper& printed_paper() {
+  static const Paper paper = make_paper();
+  return paper;
+}
+
+}  // namespace changeover

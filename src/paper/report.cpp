@@ -1,0 +1,178 @@
+#include "changeover/paper/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/io/json_writer.hpp"
+#include "changeover/paper/checks.hpp"
+
+namespace changeover {
+namespace {
+
+// "105 marks", "1 count".
+std::string counted(const PaperItem& item) {
+  std::string_view unit = item.unit;
+  if (item.checked == 1 && unit.ends_with('s')) {
+    unit.remove_suffix(1);
+  }
+  return fmt::format("{} {}", item.checked, unit);
+}
+
+std::string summary(const PaperReport& report) {
+  return fmt::format("{} items: {} reproduced, {} differ, {} out of scope", report.items.size(),
+                     report.count(PaperStatus::reproduced), report.count(PaperStatus::differs),
+                     report.count(PaperStatus::out_of_scope));
+}
+
+// Characters on a terminal, all of width one here.
+std::size_t width(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+// Breaks a line at blanks so that it fits into 100 columns after an indent.
+void append_wrapped(std::string& out, std::string_view first, std::string_view indent,
+                    std::string_view text) {
+  constexpr std::size_t columns = 100;
+  std::string line(first);
+  bool empty = true;
+  while (!text.empty()) {
+    const std::size_t blank = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, blank);
+    text.remove_prefix(std::min(blank + 1, text.size()));
+    if (!empty && width(line) + 1 + width(word) > columns) {
+      out += line + '\n';
+      line = indent;
+      empty = true;
+    }
+    line += fmt::format("{}{}", empty ? "" : " ", word);
+    empty = false;
+  }
+  out += line + '\n';
+}
+
+// A table cell of Markdown.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '|' || c == '*' || c == '_' || c == '\\' || c == '<' || c == '[' || c == '`') {
+      out += '\\';
+    }
+    out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string_view to_string(PaperStatus status) {
+  switch (status) {
+    case PaperStatus::reproduced:
+      return "reproduced";
+    case PaperStatus::differs:
+      return "differs";
+    case PaperStatus::out_of_scope:
+      return "out of scope";
+  }
+  return "out of scope";
+}
+
+std::size_t PaperReport::count(PaperStatus status) const {
+  return static_cast<std::size_t>(
+      std::count_if(items.begin(), items.end(),
+                    [status](const PaperItem& item) { return item.status == status; }));
+}
+
+PaperReport run_paper_report(const Registry& registry, const PaperReportOptions& options,
+                             const Paper& paper) {
+  const PaperContext context{paper, registry, options};
+  PaperReport report;
+  for (const auto& section :
+       {check_introduction, check_history, check_preliminaries, check_recursion, check_doubling,
+        check_cyclic, check_corollaries, check_conclusion}) {
+    std::vector<PaperItem> items = section(context);
+    std::move(items.begin(), items.end(), std::back_inserter(report.items));
+  }
+  return report;
+}
+
+std::string render_text(const PaperReport& report) {
+  std::string out;
+  for (const PaperItem& item : report.items) {
+    const std::string checked = item.checked > 0 ? fmt::format(" [{}]", counted(item)) : "";
+    append_wrapped(out, fmt::format("{:<13} {:<16} ", to_string(item.status), item.place),
+                   std::string(31, ' '), item.what + checked);
+    for (const PaperFinding& finding : item.findings) {
+      append_wrapped(out, "    printed: ", "             ", finding.printed);
+      append_wrapped(out, "    true:    ", "             ", finding.truth);
+      append_wrapped(out, "    why:     ", "             ", finding.why);
+    }
+    for (const std::string& note : item.notes) {
+      append_wrapped(out, "    ", "    ", note);
+    }
+  }
+  out += '\n' + summary(report) + '\n';
+  return out;
+}
+
+std::string render_markdown(const PaperReport& report) {
+  std::string out =
+      "# The source paper, rebuilt\n\n"
+      "Each claim of [ChafeeStevens2025] and what the library finds of it. *Reproduced*: rebuilt "
+      "or\n"
+      "recomputed, equal in every comparison. *Differs*: print and computation part. *Out of "
+      "scope*:\n"
+      "cited from other works, or a question.\n\n";
+  out += summary(report) + ".\n\n## Where the print differs\n";
+  for (const PaperItem& item : report.items) {
+    if (item.status != PaperStatus::differs) {
+      continue;
+    }
+    out += fmt::format("\n### {}: {}\n\n", item.place, escaped(item.what));
+    for (const PaperFinding& finding : item.findings) {
+      out += fmt::format("- printed: {}  \n  true: {}  \n  why: {}\n", escaped(finding.printed),
+                         escaped(finding.truth), escaped(finding.why));
+    }
+    for (const std::string& note : item.notes) {
+      out += fmt::format("- {}\n", escaped(note));
+    }
+  }
+  out +=
+      "\n## Every item\n\n| place | claim | status | compared | remarks |\n|---|---|---|---|---|\n";
+  for (const PaperItem& item : report.items) {
+    std::string notes;
+    if (item.status != PaperStatus::differs) {
+      for (const std::string& note : item.notes) {
+        notes += (notes.empty() ? "" : "; ") + escaped(note);
+      }
+    }
+    out += fmt::format("| {} | {} | {} | {} | {} |\n", escaped(item.place), escaped(item.what),
+                       to_string(item.status), item.checked > 0 ? counted(item) : "", notes);
+  }
+  return out;
+}
+
+std::string render_json(const PaperReport& report) {
+  JsonWriter json;
+  json.begin_object().key("format").value("changeover-paper/1");
+  json.key("reproduced").value(report.count(PaperStatus::reproduced));
+  json.key("differs").value(report.count(PaperStatus::differs));
+  json.key("out_of_scope").value(report.count(PaperStatus::out_of_scope));
+  json.key("items").begin_array();
+  for (const PaperItem& item : report.items) {
+    json.begin_object().key("place").value(item.place).key("what").value(item.what);
+    json.key("status").value(to_string(item.status));
+    json.key("checked").value(item.checked).key("unit").value(item.unit);
+    json.key("findings").begin_array();
+    for (const PaperFinding& finding : item.findings) {
+      json.begin_object().key("printed").value(finding.printed).key("truth").value(finding.truth);
+      json.key("why").value(finding.why).end_object();
+    }
+    json.end_array().key("notes").value(item.notes).end_object();
+  }
+  json.end_array().end_object();
+  return json.take();
+}
+
+}  // namespace changeover
