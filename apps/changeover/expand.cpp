@@ -1,0 +1,217 @@
+// changeover expand FILE: the recursion with expansion sets, applied to a design of the user's own.
+#include "changeover/construct/expansion.hpp"
+
+#include <fmt/format.h>
+
+#include "changeover/core/error.hpp"
+#include "changeover/io/json_writer.hpp"
+#include "changeover/io/read_design.hpp"
+#include "show_design.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct ExpandRequest {
+  std::string path;
+  bool circular = false;
+  bool linear = false;
+  std::string factorization = "circle";
+  std::optional<std::uint64_t> which;
+  std::optional<std::uint64_t> list;
+  bool count = false;
+  bool partial = false;
+  std::optional<std::uint64_t> nodes;
+  OutputRequest output;
+};
+
+std::string members(const Design& design, const ExpansionSet& set) {
+  std::string text;
+  for (const UnchangedSubset& subset : set) {
+    text += fmt::format("{}U_{} = {{", text.empty() ? "" : ", ", subset.position);
+    for (std::size_t i = 0; i < subset.elements.size(); ++i) {
+      text += (i == 0 ? "" : ",") + design.label(subset.elements[i]);
+    }
+    text += "}";
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::size_t elements_in(const ExpansionSet& set) {
+  std::size_t count = 0;
+  for (const UnchangedSubset& subset : set) {
+    count += subset.elements.size();
+  }
+  return count;
+}
+
+void add_set(const Design& design, const ExpansionSet& set, JsonWriter& json) {
+  json.begin_array();
+  for (const UnchangedSubset& subset : set) {
+    json.begin_object().key("position").value(subset.position).key("elements").begin_array();
+    for (const Element x : subset.elements) {
+      if (design.labels().empty()) {
+        json.value(x);
+      } else {
+        json.value(design.label(x));
+      }
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
+std::string no_more(const ExpansionSearch& search) {
+  if (!search.complete) {
+    return "the search stopped at its limit";
+  }
+  return search.reason.empty() ? "every exact cover was tried" : search.reason;
+}
+
+// --list, --count, --partial: what there is, without expanding.
+int report(const ExpandRequest& request, const Design& design) {
+  ExpansionSearchOptions options;
+  options.how_many = request.list.value_or(request.count ? 0 : 1);
+  options.count = request.count;
+  options.partial = request.partial;
+  options.limits.nodes = request.nodes;
+  const ExpansionSearch search = find_expansion_sets(design, options);
+  std::optional<PartialExpansion> largest;
+  if (request.partial) {
+    largest = largest_partial_expansion_set(design, options.limits);
+  }
+  std::string text;
+  if (request.output.chosen() == "json") {
+    JsonWriter json;
+    json.begin_object().key("complete").value(search.complete).key("reason").value(search.reason);
+    json.key("count")
+        .value(search.count)
+        .key("partial")
+        .value(request.partial)
+        .key("sets")
+        .begin_array();
+    for (const ExpansionSet& set : search.sets) {
+      add_set(design, set, json);
+    }
+    json.end_array();
+    if (largest) {
+      json.key("largest");
+      add_set(design, largest->set, json);
+      json.key("largest_is_optimal").value(largest->optimal);
+    }
+    json.end_object();
+    text = json.take() + "\n";
+  } else {
+    if (largest) {
+      text += fmt::format("largest partial expansion set: {} of {} elements{}\n  {}\n",
+                          elements_in(largest->set), design.v(),
+                          largest->optimal ? ", proved" : ", the best so far",
+                          members(design, largest->set));
+    }
+    for (const ExpansionSet& set : search.sets) {
+      text += members(design, set) + "\n";
+    }
+    if (request.count) {
+      text += search.count ? fmt::format("{}{}\n", *search.count,
+                                         *search.count == 1 ? " expansion set" : " expansion sets")
+                           : fmt::format("not counted: {}\n", no_more(search));
+    } else if (search.sets.empty() && !request.partial) {
+      text += fmt::format("no expansion set found: {}\n", no_more(search));
+    }
+  }
+  OutputFile out(request.output.path);
+  out.write(text);
+  out.commit();
+  return exit_code::done;
+}
+
+int run(const ExpandRequest& request) {
+  if (request.circular && request.linear) {
+    throw UsageError{"--circular and --linear exclude each other"};
+  }
+  ReadOptions reading;
+  if (request.circular || request.linear) {
+    reading.kind = request.circular ? Kind::circular : Kind::linear;
+  }
+  const Design design = read_design(request.path, reading);
+  const Verdict given = verify(design);
+  if (!given.valid()) {
+    throw BadInput(fmt::format("{}: not a valid {}; changeover verify {} says where", request.path,
+                               name(design.parameters()), request.path));
+  }
+  if (request.list || request.count || request.partial) {
+    return report(request, design);
+  }
+  if (design.parameters().change != 2) {
+    throw BadInput(
+        fmt::format("{}: change = {}; the recursion works on double-change designs (change 2)",
+                    request.path, design.parameters().change));
+  }
+  ExpansionSearchOptions options;
+  options.how_many = request.which.value_or(1);
+  options.limits.nodes = request.nodes;
+  if (options.how_many == 0) {
+    throw UsageError{"--set counts from 1"};
+  }
+  const ExpansionSearch search = find_expansion_sets(design, options);
+  if (search.sets.size() < options.how_many) {
+    const PartialExpansion largest =
+        largest_partial_expansion_set(design, {.nodes = 1'000'000, .stop = {}});
+    throw MissingResource(
+        search.sets.empty()
+            ? fmt::format(
+                  "{}: no expansion set: {}; the largest partial one holds {} of {} elements",
+                  request.path, no_more(search), elements_in(largest.set), design.v())
+            : fmt::format("{}: only {} expansion sets", request.path, search.sets.size()));
+  }
+  const ExpansionSet& set = search.sets[static_cast<std::size_t>(options.how_many - 1)];
+  if (set.size() % 2 == 0) {
+    throw MissingResource(
+        fmt::format("{}: the expansion set has {} members; the recursion needs an odd number, v an "
+                    "odd multiple of k - 2",
+                    request.path, set.size()));
+  }
+  const auto kind = factorization_kind_from_string(request.factorization);
+  const Design larger = expand(
+      design, set, one_factorization(static_cast<std::uint32_t>(set.size() + 1), kind.value()));
+
+  Exhibit exhibit;
+  exhibit.judgement = judge(verify(larger));
+  if (!exhibit.judgement.verdict.valid) {
+    throw InternalError("the expanded design is not valid");
+  }
+  exhibit.header = {larger.labels(), larger.recipe};
+  exhibit.title = fmt::format("{}, {}: {}\nexpanded from {} with {} at {}\nverified: {}",
+                              name(larger.parameters()), count_of(larger.block_count(), "block"),
+                              quality(exhibit.judgement), name(design.parameters()),
+                              count_of(design.block_count(), "block"), members(design, set),
+                              exhibit.judgement.certificate);
+  DesignSource source(larger);
+  show_design(source, exhibit, request.output);
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_expand(Program& program) {
+  auto request = std::make_shared<ExpandRequest>();
+  Verb& verb =
+      program.add("expand", "the recursion with expansion sets, applied to your own design");
+  verb.positional("FILE", request->path, "text, JSON or CSV; - is standard input");
+  verb.flag("--circular", request->circular, "take it as circular, whatever the file says");
+  verb.flag("--linear", request->linear, "take it as linear");
+  verb.choice("--factorization", request->factorization, {"circle", "doubled"},
+              "the 1-factorization of the new elements (default circle)");
+  verb.option("--set", request->which, "N", "use the N-th expansion set found (default 1)");
+  verb.option("--list", request->list, "N", "list up to N expansion sets instead");
+  verb.flag("--count", request->count, "count all expansion sets instead");
+  verb.flag("--partial", request->partial,
+            "list inclusion-maximal partial ones, and the largest, instead");
+  verb.option("--nodes", request->nodes, "N", "give up after N nodes of the search");
+  request->output.add_to(verb, design_formats());
+  verb.examples({"changeover design 7 3 --linear --json | changeover expand -",
+                 "changeover design 21 5 --json -o d.json && changeover expand d.json --count"});
+  verb.run([request] { return run(*request); });
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,16 @@
+#include "verbs.hpp"
+
+int main(int argc, char** argv) {
+  using namespace changeover::cli;
+  Program program;
+  add_design(program);
+  add_verify(program);
+  add_bounds(program);
+  add_explain(program);
+  add_expand(program);
+  add_factorize(program);
+  add_constructions(program);
+  add_paper(program);
+  add_completion(program);
+  return program.run(argc, argv);
+}

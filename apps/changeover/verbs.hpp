@@ -1,0 +1,18 @@
+// The verbs, one file each.
+#pragma once
+
+#include "cli.hpp"
+
+namespace changeover::cli {
+
+void add_design(Program& program);
+void add_verify(Program& program);
+void add_bounds(Program& program);
+void add_explain(Program& program);
+void add_expand(Program& program);
+void add_factorize(Program& program);
+void add_constructions(Program& program);
+void add_paper(Program& program);
+void add_completion(Program& program);
+
+}  // namespace changeover::cli

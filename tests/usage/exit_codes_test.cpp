@@ -1,0 +1,199 @@
+// Exit codes and the one clear line, as a table: what is documented is what happens.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "run_program.hpp"
+
+namespace changeover::test {
+namespace {
+
+struct Case {
+  std::string command;
+  int code = 0;
+  std::string says;  ///< on stderr, or on stdout if the code is 0, 1 or the command asks for it
+};
+
+void prepare(const TemporaryFolder& folder) {
+  spit(folder.file("good.txt"),
+       "# changeover design v=6 k=4 change=2 kind=circular\n0 1 2 3\n4 5 2 3\n4 5 0 1\n");
+  spit(folder.file("labelled.txt"), "∞_s 0_l a b\nc d a b\nc d ∞_s 0_l\n");
+  spit(folder.file("broken-link.txt"),
+       "# changeover design v=6 k=3 kind=circular\n0 1 2\n0 3 4\n3 1 5\n1 2 4\n");
+  spit(folder.file("missing-pair.txt"),
+       "# changeover design v=6 k=4 change=2 kind=linear\n0 1 2 3\n4 5 2 3\n");
+  spit(folder.file("empty.txt"), "");
+  spit(folder.file("comments.txt"), "# nothing here\n\n");
+  spit(folder.file("ragged.txt"), "0 1 2 3\n4 5 2\n");
+  spit(folder.file("repeated.txt"), "0 1 2 3\n4 5 4 3\n");
+  spit(folder.file("too-large.txt"), "# changeover design v=6 k=4\n0 1 2 3\n4 6 2 3\n");
+  spit(folder.file("huge.txt"), "0 1 2 3\n4 99999999999999999999999999 2 3\n");
+  spit(folder.file("junk.bin"), std::string("\x7f"
+                                            "ELF\x01\x00\x02\xff\xfe\x00\x00",
+                                            11));
+  spit(folder.file("bad.json"),
+       "{\"format\":\"changeover-design/1\",\"v\":6,\n\"blocks\":[[0,1,2,3],[4,5,2]]}");
+  spit(folder.file("cut.json"), "{\"v\":6,\"k\":4,\"blocks\":[[0,1,2,3],");
+  spit(folder.file("declared.txt"), "# changeover design v=70000 k=4\n0 1 2 3\n");
+  spit(folder.file("k-over-v.txt"), "# changeover design v=3 k=4\n0 1 2 3\n");
+  spit(folder.file("old.json"), "precious\n");
+}
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      // 0: done, or valid
+      {"$changeover --help", 0, "Exit codes"},
+      {"$changeover --version", 0, "changeover 0."},
+      {"$changeover design --help", 0, "Examples"},
+      {"$changeover design 61 4 --circular", 0, "366 blocks"},
+      {"$changeover design 61 4 --json", 0, "\"minimum\":\"proved\""},
+      {"$changeover design 8 5 --leaving", 0, "∞_s"},
+      {"$changeover design 9 5 --change 1", 0, "SCCD(9,5)"},
+      {"$changeover design 7 3 --format csv", 0, "block,element_1"},
+      {"$changeover design 7 3 --format latex", 0, "\\begin{tabular}"},
+      {"$changeover design 105 9 --json | $changeover verify -", 0, "valid"},
+      {"$changeover design 105 9 --format text | $checkdesign -", 0, "valid"},
+      {"$changeover verify good.txt", 0, "tight"},
+      {"$changeover verify labelled.txt --circular", 0, "tight"},
+      {"$changeover verify good.txt --json", 0, "\"valid\":true"},
+      {"$changeover bounds 20 5", 0, "b >="},
+      {"$changeover bounds 4 2", 0, "impossible"},
+      {"$changeover explain 253 13", 0, "Theorem"},
+      {"$changeover expand good.txt", 0, "DCCD(10,4)"},
+      {"$changeover expand good.txt --count", 0, "1 expansion set"},
+      {"$changeover factorize 8", 0, ""},
+      {"$changeover constructions", 0, "cyclic-paper"},
+      {"$changeover completion bash", 0, "complete -F"},
+      // 1: the claim was refuted
+      {"$changeover verify broken-link.txt", 1, "the circle closes"},
+      {"$changeover verify missing-pair.txt", 1, "in no block"},
+      {"$changeover verify good.txt --change 1", 1, "INVALID"},
+      {"$checkdesign broken-link.txt", 1, "invalid"},
+      // 2: usage
+      {"$changeover", 2, "VERB"},
+      {"$changeover nonsense", 2, "changeover"},
+      {"$changeover design", 2, "V is required"},
+      {"$changeover design 61", 2, "K is required"},
+      {"$changeover design x 4", 2, "--help"},
+      {"$changeover design 61 4 --nonsense", 2, "--nonsense"},
+      {"$changeover design 61 4 --circular --linear", 2, "exclude each other"},
+      {"$changeover design 61 4 --format yaml", 2, "is not one of"},
+      {"$changeover design 61 4 --construction nonsense", 2, "no construction is called"},
+      {"$changeover design 4 61", 2, "k = 61 exceeds v = 4"},
+      {"$changeover design 5000000000 4", 2, "v = 5000000000"},
+      {"$changeover design 99999999999999999999999 4", 2, "99999999999999999999999"},
+      {"$changeover design -5 4", 2, ""},
+      {"$changeover design 61 4 --change 5", 2, "change = 5"},
+      {"$changeover verify good.txt --strength 9", 2, "--strength 9"},
+      {"$changeover factorize 7", 2, "7"},
+      {"$changeover completion fish", 2, "is not one of"},
+      // 3: bad input
+      {"$changeover verify empty.txt", 3, "empty.txt:1:1"},
+      {"$changeover verify comments.txt", 3, "comments.txt"},
+      {"$changeover verify ragged.txt", 3, "ragged.txt:2"},
+      {"$changeover verify repeated.txt", 3, "repeated.txt:2:5"},
+      {"$changeover verify too-large.txt", 3, "too-large.txt:3:3"},
+      {"$changeover verify huge.txt", 3, "huge.txt:2:3"},
+      {"$changeover verify junk.bin", 3, "junk.bin:1"},
+      {"$changeover verify bad.json", 3, "bad.json:2"},
+      {"$changeover verify cut.json", 3, "cut.json:1"},
+      {"$changeover verify declared.txt", 3, "65535"},
+      {"$changeover verify k-over-v.txt", 3, "k-over-v.txt"},
+      {"$changeover design 61 4 | $changeover verify -", 3, "--format text"},
+      {"head -c 100000000 /dev/zero | tr '\\0' 7 | $changeover verify -", 3, ":1:1"},
+      {"$changeover expand missing-pair.txt", 3, "not a valid"},
+      {"$checkdesign ragged.txt", 3, "ragged.txt:2"},
+      // 4: nothing serves, or something is missing
+      {"$changeover design 20 5 >&2", 4, "No construction"},
+      {"$changeover design 4 2 >&2", 4, "No circular DCCD(4,2) exists"},
+      {"$changeover design 61 4 --construction doubling >&2", 4, "doubling"},
+      {"$changeover verify nowhere.txt", 4, "nowhere.txt"},
+      {"$changeover verify .", 4, "directory"},
+      {"$changeover design 61 4 -o nowhere/out.txt", 4, "nowhere"},
+      {"$changeover design 61 4 >/dev/full", 4, "No space left"},
+      {"$changeover design 61 4 -o /dev/full", 4, "No space left"},
+      {"$changeover --help >/dev/full", 4, "No space left"},
+      {"$changeover design 7 3 --circular --construction printed --json | $changeover expand -", 4,
+       "no expansion set"},
+  };
+  return all;
+}
+
+TEST(ExitCodes, AreThoseOfTheTable) {
+  const TemporaryFolder folder;
+  prepare(folder);
+  for (const Case& each : cases()) {
+    const Outcome outcome = run(each.command, folder.path());
+    EXPECT_EQ(outcome.code, each.code) << each.command << "\n"
+                                       << outcome.out.substr(0, 500) << outcome.err;
+    const std::string& said = each.code <= 1 ? outcome.out : outcome.err;
+    EXPECT_NE(said.find(each.says), std::string::npos)
+        << each.command << " should say '" << each.says << "' but says\n"
+        << said.substr(0, 1000);
+    if (each.code <= 1) {
+      EXPECT_EQ(outcome.err, "") << each.command;
+    }
+    if (each.code >= 2 && each.command.find(">&2") == std::string::npos &&
+        each.command != "$changeover") {
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1)
+          << each.command << " should say one line but says\n"
+          << outcome.err;
+      EXPECT_EQ(outcome.out, "") << each.command;
+    }
+  }
+}
+
+TEST(Output, LeavesTheOldFileIntactAfterAnyFailure) {
+  const TemporaryFolder folder;
+  prepare(folder);
+  // The input is read before the output is touched, and a full disk strikes only the temporary file.
+  EXPECT_EQ(run("$changeover expand ragged.txt -o old.json", folder.path()).code, 3);
+  EXPECT_EQ(slurp(folder.file("old.json")), "precious\n");
+  EXPECT_EQ(run("$changeover design 20 5 -o old.json", folder.path()).code, 4);
+  EXPECT_EQ(slurp(folder.file("old.json")), "precious\n");
+  EXPECT_EQ(
+      run("trap '' XFSZ; ulimit -f 8; $changeover design 253 13 --json -o old.json", folder.path())
+          .code,
+      4);
+  EXPECT_EQ(slurp(folder.file("old.json")), "precious\n");
+  EXPECT_EQ(run("ls -A | grep -c tmp", folder.path()).out, "0\n");
+  EXPECT_EQ(run("$changeover design 253 13 --json -o old.json", folder.path()).code, 0);
+  EXPECT_EQ(run("$changeover verify old.json", folder.path()).code, 0);
+}
+
+TEST(Output, EndsQuietlyWhenItsReaderDoes) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run("$changeover design 253 13 --format text | head -n 1", folder.path());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out.rfind("# changeover design v=253", 0), 0U);
+}
+
+TEST(Output, HasNoColourUnlessATerminalAsksForIt) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(run("$changeover design 7 3", folder.path()).out.find('\x1b'), std::string::npos);
+  const std::string script = "script -qec \"$changeover design 7 3\" /dev/null";
+  if (run("command -v script", folder.path()).code == 0) {
+    EXPECT_NE(run("unset NO_COLOR; " + script, folder.path()).out.find('\x1b'), std::string::npos);
+    EXPECT_EQ(run("export NO_COLOR=1; " + script, folder.path()).out.find('\x1b'),
+              std::string::npos);
+  }
+}
+
+TEST(Completion, IsAScriptThatBashReadsAndThatKnowsTheVerbs) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run("source <($changeover completion bash); COMP_WORDS=(changeover des); COMP_CWORD=1; "
+          "_changeover; "
+          "echo ${COMPREPLY[@]}; COMP_WORDS=(changeover design 7 3 --format l); COMP_CWORD=5; "
+          "_changeover; "
+          "echo ${COMPREPLY[@]}; COMP_WORDS=(changeover verify --st); COMP_CWORD=2; _changeover; "
+          "echo ${COMPREPLY[@]}",
+          folder.path());
+  EXPECT_EQ(outcome.out, "design\nlatex\n--strength\n") << outcome.err;
+}
+
+}  // namespace
+}  // namespace changeover::test
