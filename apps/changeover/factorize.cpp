@@ -107,7 +107,10 @@ int run(const FactorizeRequest& request) {
     if (request.near || order > most_drawn) {
       throw UsageError{fmt::format("only 1-factorizations of K_2 to K_{} are drawn", most_drawn)};
     }
-    const FactorFigure figure{.order = order, .factors = found.edges};
+    FactorFigure figure{.order = order, .factors = found.edges};
+    if (request.kind == "circle" && order > 2) {
+      figure.centre = order - 1;  // the vertex that the rotation fixes
+    }
     text = format == "svg" ? to_svg(figure) : to_tikz(figure);
   } else {
     text = as_text(found);

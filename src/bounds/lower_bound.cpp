@@ -113,8 +113,7 @@ void circular_bounds(const Parameters& p, std::vector<Bound>& bounds) {
     bounds.push_back(
         {g2, "counting",
          fmt::format("each block newly covers at most {0} of C({1},2) = {2} pairs: "
-                     "b >= ceil({2} / {0}) = {3}; pairs of elements that are in every block "
-                     "are never newly covered, but allow no fewer blocks",
+                     "b >= ceil({2} / {0}) = {3} (elements in every block do not help)",
                      most, p.v, all, g2)});
   } else {
     bounds.push_back(
