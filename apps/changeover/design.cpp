@@ -97,7 +97,7 @@ int run(const DesignRequest& request) {
   const auto base = construction.base_blocks(offer->recipe);
 
   Exhibit exhibit;
-  exhibit.judgement = judge(*source, *offer, base);
+  exhibit.judgement = judge(*source, *offer);
   exhibit.header.labels = construction.labels(offer->recipe, registry);
   exhibit.header.recipe = offer->recipe;
   exhibit.leaving = request.leaving;

@@ -29,7 +29,7 @@ Step step(const Recipe& recipe) {
   Offer promise;
   promise.recipe = recipe;
   promise.b = source->block_count().value_or(0);
-  step.judgement = judge(*source, promise, step.construction->base_blocks(recipe));
+  step.judgement = judge(*source, promise);
   return step;
 }
 

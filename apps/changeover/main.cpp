@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
   add_verify(program);
   add_bounds(program);
   add_explain(program);
+  add_table(program);
   add_expand(program);
   add_factorize(program);
   add_constructions(program);

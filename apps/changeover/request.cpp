@@ -11,6 +11,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
+#include "changeover/verify/interval_difference.hpp"
 
 namespace changeover::cli {
 
@@ -82,20 +83,32 @@ Judgement judge(const Verdict& verdict) {
   return judgement;
 }
 
-Judgement judge(BlockSource& source, const Offer& promise, const std::optional<BaseBlocks>& base) {
+// The certificate of a development over Z_v, if the recipe has one.
+static std::optional<DifferenceVerdict> certificate(const Recipe& recipe) {
+  const Construction& construction = Registry::standard().construction_of(recipe);
+  if (const auto base = construction.interval_base_blocks(recipe)) {
+    return verify_differences(*base);
+  }
+  if (const auto base = construction.base_blocks(recipe)) {
+    return verify_differences(*base);
+  }
+  return std::nullopt;
+}
+
+Judgement judge(BlockSource& source, const Offer& promise) {
   const Parameters& p = source.parameters();
-  constexpr std::uint64_t many_elements = 100'000'000;
+  constexpr std::uint64_t many_elements = 20'000'000;
   const bool is_long = p.v > max_elements_in_memory || promise.b > many_elements / p.k;
   Judgement judgement;
-  if (base && is_long) {
-    const DifferenceVerdict differences = verify_differences(*base);
+  const auto differences = is_long ? certificate(promise.recipe) : std::nullopt;
+  if (differences) {
     judgement.bound = lower_bound(p);
-    judgement.verdict = {.valid = differences.valid(),
-                         .tight = differences.tight,
-                         .economical = differences.tight,
-                         .b = differences.b,
+    judgement.verdict = {.valid = differences->valid(),
+                         .tight = differences->tight,
+                         .economical = differences->tight,
+                         .b = differences->b,
                          .lower_bound = judgement.bound.blocks,
-                         .minimum_proved = differences.b == judgement.bound.blocks};
+                         .minimum_proved = differences->b == judgement.bound.blocks};
     judgement.certificate = "differences of the base blocks";
   } else {
     judgement = judge(verify(source));

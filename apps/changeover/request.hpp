@@ -57,10 +57,9 @@ struct Judgement {
   std::string certificate;  ///< how it was verified, in a few words
 };
 
-/// Verifies a stream of blocks and rewinds it. If `base` is given and the list is long, its differences
-/// are checked instead of its blocks. @throws InternalError if what was promised does not hold.
-[[nodiscard]] Judgement judge(BlockSource& source, const Offer& promise,
-                              const std::optional<BaseBlocks>& base);
+/// Verifies a stream of blocks and rewinds it. If the list is long and is the development of base blocks
+/// over Z_v, their differences are checked instead. @throws InternalError if what was promised does not hold.
+[[nodiscard]] Judgement judge(BlockSource& source, const Offer& promise);
 
 /// The same for a design without a promise, e.g. a user's; it need not be valid.
 [[nodiscard]] Judgement judge(const Verdict& verdict);

@@ -9,6 +9,7 @@ void add_design(Program& program);
 void add_verify(Program& program);
 void add_bounds(Program& program);
 void add_explain(Program& program);
+void add_table(Program& program);
 void add_expand(Program& program);
 void add_factorize(Program& program);
 void add_constructions(Program& program);

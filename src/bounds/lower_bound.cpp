@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "bounds/degree_program.hpp"
 #include "changeover/core/checked.hpp"
 
 namespace changeover {
@@ -163,6 +164,18 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
                    "ceil(({1}-{2})/{0}) = {3} blocks and some y in none of the last {3}: b >= "
                    "2*{3} + 1 = {4}",
                    p.change, p.v, p.k, reach, 2 * reach + 1)});
+  const auto largest =
+      std::max_element(bounds.begin(), bounds.end(),
+                       [](const Bound& a, const Bound& b) { return a.blocks < b.blocks; });
+  const std::uint64_t known = largest->blocks;
+  const std::optional<std::uint64_t> program = degree_program(p, known);
+  if (program && *program > known) {
+    bounds.push_back(
+        {*program, "degree program",
+         fmt::format("no whole numbers i_x, r_x have the sums of {} or fewer blocks and "
+                     "i_x(k-1) + m(r_x-i_x) >= v-1 = {} for every x: b >= {}",
+                     *program - 1, p.v - 1, *program)});
+  }
   std::stable_sort(bounds.begin(), bounds.end(),
                    [](const Bound& a, const Bound& b) { return a.blocks > b.blocks; });
   return bounds;

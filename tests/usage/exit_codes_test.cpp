@@ -64,6 +64,8 @@ const std::vector<Case>& cases() {
       {"$changeover expand good.txt", 0, "DCCD(10,4)"},
       {"$changeover expand good.txt --count", 0, "1 expansion set"},
       {"$changeover factorize 8", 0, ""},
+      {"$changeover table --k 3..5 --v 5..12", 0, "mean of b / lower bound"},
+      {"$changeover table --k 3 --v ..9 --linear --json", 0, "\"status\":\"minimum\""},
       {"$changeover constructions", 0, "cyclic-paper"},
       {"$changeover completion bash", 0, "complete -F"},
       // 1: the claim was refuted
@@ -88,6 +90,9 @@ const std::vector<Case>& cases() {
       {"$changeover design 61 4 --change 5", 2, "change = 5"},
       {"$changeover verify good.txt --strength 9", 2, "--strength 9"},
       {"$changeover factorize 7", 2, "7"},
+      {"$changeover table --k 9..3", 2, "the range is empty"},
+      {"$changeover table --v x", 2, "whole numbers"},
+      {"$changeover table --v ..5000", 2, "v = 5008"},
       {"$changeover completion fish", 2, "is not one of"},
       // 3: bad input
       {"$changeover verify empty.txt", 3, "empty.txt:1:1"},
@@ -106,8 +111,9 @@ const std::vector<Case>& cases() {
       {"$changeover expand missing-pair.txt", 3, "not a valid"},
       {"$checkdesign ragged.txt", 3, "ragged.txt:2"},
       // 4: nothing serves, or something is missing
-      {"$changeover design 20 5 >&2", 4, "No construction"},
+      {"$changeover design 20 3 --change 3 >&2", 4, "No construction"},
       {"$changeover design 4 2 >&2", 4, "No circular DCCD(4,2) exists"},
+      {"$changeover design 20 5 --construction cyclic >&2", 4, "cyclic does not serve"},
       {"$changeover design 61 4 --construction doubling >&2", 4, "doubling"},
       {"$changeover verify nowhere.txt", 4, "nowhere.txt"},
       {"$changeover verify .", 4, "directory"},
@@ -151,7 +157,7 @@ TEST(Output, LeavesTheOldFileIntactAfterAnyFailure) {
   // The input is read before the output is touched, and a full disk strikes only the temporary file.
   EXPECT_EQ(run("$changeover expand ragged.txt -o old.json", folder.path()).code, 3);
   EXPECT_EQ(slurp(folder.file("old.json")), "precious\n");
-  EXPECT_EQ(run("$changeover design 20 5 -o old.json", folder.path()).code, 4);
+  EXPECT_EQ(run("$changeover design 4 2 -o old.json", folder.path()).code, 4);
   EXPECT_EQ(slurp(folder.file("old.json")), "precious\n");
   EXPECT_EQ(
       run("trap '' XFSZ; ulimit -f 8; $changeover design 253 13 --json -o old.json", folder.path())

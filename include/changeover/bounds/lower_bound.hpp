@@ -13,6 +13,9 @@
 //   degree    i_x(k−1) + m(r_x − i_x) = v − 1 + e_x forces every excess e_x up to the least residue of
 //             −(v−1) modulo gcd(k−1, m); for m = 2, k odd, v even it gives linear
 //             C(k,2) + (b−1)(2k−3) ≥ v²/2. It is taken into the counting bound.
+//   degree program  the least b for which whole numbers i_x, r_x with the right sums satisfy
+//             i_x(k−1) + m(r_x − i_x) ≥ v − 1 at every x (m ≤ 3, v ≤ 2000); for k = 3, m = 2 this is
+//             ⌈v/3·⌈(v−1)/2⌉⌉, the covering bound of Fort and Hedlund.
 //   end to end  b ≥ 2⌈(v−k)/m⌉ + 1: with p = ⌈(v−k)/m⌉, some x is in none of the first p blocks and some
 //             y in none of the last p, so b ≤ 2p would leave {x,y} uncovered.
 //
@@ -30,7 +33,7 @@ namespace changeover {
 /// A number of blocks that no design with certain parameters can go below.
 struct Bound {
   std::uint64_t blocks = 0;
-  std::string name;    ///< "counting", "degree", "end to end", "trivial"
+  std::string name;    ///< "counting", "degree", "degree program", "end to end", "trivial"
   std::string reason;  ///< one line of plain mathematics with the numbers filled in
 
   bool operator==(const Bound&) const = default;
