@@ -1,5 +1,7 @@
 #include "changeover/construct/entry.hpp"
 
+#include "changeover/construct/closure.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,6 +87,32 @@ std::optional<Offer> best_input(const Parameters& p, Need need, const Constructi
     if (offer && (need == Need::blocks || offer->expansion_set) &&
         (!best || rank(*offer) < rank(*best))) {
       best = std::move(offer);
+    }
+  }
+  return best;
+}
+
+std::optional<Offer> best_leaf(const Parameters& p, const Registry& registry) {
+  std::optional<Offer> best;
+  const auto consider = [&](const Parameters& asked) {
+    for (const Construction* construction : registry.constructions()) {
+      if (construction->asks_registry()) {
+        continue;
+      }
+      std::optional<Offer> offer = construction->offer(asked, registry);
+      if (offer && (!best || offer->b < best->b)) {
+        best = std::move(offer);
+      }
+    }
+  };
+  consider(p);
+  if (p.kind == Kind::linear) {
+    Parameters circular = p;
+    circular.kind = Kind::circular;
+    consider(circular);
+    if (best && best->recipe.parameters.kind == Kind::circular) {
+      best->recipe = cut_recipe(std::move(best->recipe));
+      best->tight = false;
     }
   }
   return best;

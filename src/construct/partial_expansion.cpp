@@ -8,7 +8,8 @@
 //           odd there is one more pair {x,y}, x new and in no edge, y old and not in U. It is disjoint
 //           from the edges, of which there is at least one. If y is not in B the pair comes first: its
 //           neighbours are B and an edge. If y is in B it is not in B′, and comes last.
-//   m = 1   see partial_expansion_sweep.cpp; elsewhere the others are distinct new elements.
+//   m = 1   elsewhere than at the sweep the others are distinct new elements.
+// For the sweep see partial_expansion_sweep.cpp.
 #include "changeover/construct/partial_expansion.hpp"
 
 #include <fmt/format.h>
@@ -106,9 +107,9 @@ std::optional<std::string> left_out_defect(const Parameters& p, const UnchangedC
     return std::nullopt;
   }
   if (p.change == 1) {
-    return rest.size() == 1 && w > 1 ? std::nullopt
-                                     : std::optional(fmt::format(
-                                           "element {} is in no subset of the cover", rest.back()));
+    return rest.size() == 1 && w > 1
+               ? std::nullopt
+               : std::optional(fmt::format("element {} is in no subset of the cover", rest.back()));
   }
   // The unmatched element at the i-th position depends on i mod w; for w < m all of X is there.
   const std::uint64_t classes = has_unmatched(p, w) ? w : 1;
@@ -204,13 +205,13 @@ class PartiallyExpandedSource final : public BlockSource {
         small_(source_->parameters()),
         parameters_(small_) {
     parameters_.v += w;
-    const Block rest = small_.change == 1
-                           ? detail::left_out_elements(small_.v, cover_.subsets)
-                           : Block{};
+    const Block rest =
+        small_.change == 1 ? detail::left_out_elements(small_.v, cover_.subsets) : Block{};
     if (!rest.empty()) {
       left_out_ = rest.front();
     }
     added_ = blocks_added(small_, cover_.subsets.size(), w, left_out_.has_value());
+    sweeps_ = detail::takes_sweep(small_, cover_.subsets.size(), w);
   }
 
   [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
@@ -301,6 +302,8 @@ class PartiallyExpandedSource final : public BlockSource {
     }
     if (w_ <= small_.change) {
       insert_all_new(subset.elements, beside, after);
+    } else if (small_.change == 2 && sweeps_ && index == cover_.sweep) {
+      insert_double_sweep(subset.elements, after);
     } else if (small_.change == 2) {
       insert_factor(index, beside);
     } else {
@@ -357,6 +360,25 @@ class PartiallyExpandedSource final : public BlockSource {
     }
   }
 
+  // With w odd an old element of neither block makes the number even.
+  void insert_double_sweep(const Block& kept, std::span<const Element> after) {
+    Block added = new_elements();
+    for (Element y = 0; added.size() % 2 != 0; ++y) {
+      if (!is_in(before_, y) && !is_in(after, y)) {
+        added.push_back(y);
+      }
+    }
+    inserted_ = detail::double_sweep(kept, added);
+  }
+
+  [[nodiscard]] Block new_elements() const {
+    Block added;
+    for (std::uint64_t i = 0; i < w_; ++i) {
+      added.push_back(new_element(i));
+    }
+    return added;
+  }
+
   // U ∪ {x} for all new x, or the sweep.
   void insert_stream(std::size_t index) {
     const Block& kept = cover_.subsets[index].elements;
@@ -366,11 +388,7 @@ class PartiallyExpandedSource final : public BlockSource {
       }
       return;
     }
-    Block added;
-    for (std::uint64_t i = 0; i < w_; ++i) {
-      added.push_back(new_element(i));
-    }
-    inserted_ = detail::sweep(kept, left_out_, added);
+    inserted_ = detail::sweep(kept, left_out_, new_elements());
   }
 
   std::unique_ptr<BlockSource> source_;
@@ -381,6 +399,7 @@ class PartiallyExpandedSource final : public BlockSource {
   Parameters parameters_;
   std::optional<Element> left_out_;  // m = 1 only
   std::uint64_t added_ = 0;
+  bool sweeps_ = false;
 
   bool started_ = false;
   Block first_;                 // of the source
@@ -420,9 +439,28 @@ Block detail::left_out_elements(std::uint64_t v, const std::vector<UnchangedSubs
   return rest;
 }
 
+std::uint64_t detail::positions_for_factors(const Parameters& p, std::uint64_t w) {
+  return p.change != 2 || w <= 2 ? 1 : w % 2 == 0 ? w - 1 : w;
+}
+
+bool detail::takes_sweep(const Parameters& p, std::uint64_t subsets, std::uint64_t w) {
+  return w > p.change && (p.change == 1 || subsets < positions_for_factors(p, w));
+}
+
+std::optional<std::uint64_t> detail::best_positions(const Parameters& p, std::uint64_t subsets,
+                                                    std::uint64_t available, std::uint64_t w) {
+  const std::uint64_t more = std::max(subsets, positions_for_factors(p, w));
+  const bool few = least_positions(p, w) <= subsets;
+  if (few && (more > available || blocks_added(p, subsets, w) <= blocks_added(p, more, w))) {
+    return subsets;
+  }
+  return more <= available ? std::optional(more) : std::nullopt;
+}
+
 std::uint64_t least_positions(const Parameters& p, std::uint64_t w) {
   check_fit(p, w);
-  return p.change != 2 || w == 1 ? 1 : w % 2 == 0 ? w - 1 : w;
+  const bool can_sweep = p.k >= 4 && (w % 2 == 0 || p.v >= p.k + 3);
+  return can_sweep ? 1 : detail::positions_for_factors(p, w);
 }
 
 std::uint64_t may_be_left_out(const Parameters& p, std::uint64_t subsets, std::uint64_t w) {
@@ -435,16 +473,17 @@ std::uint64_t may_be_left_out(const Parameters& p, std::uint64_t subsets, std::u
 
 std::uint64_t blocks_added(const Parameters& p, std::uint64_t subsets, std::uint64_t w,
                            bool left_out) {
-  check_fit(p, w);
+  const std::uint64_t positions = std::max(subsets, least_positions(p, w));
   if (w <= p.change) {
-    return subsets;
+    return positions;
   }
-  if (p.change == 2) {
-    return checked_multiply(subsets, w / 2 + w % 2);
+  const std::uint64_t at_each = p.change == 2 ? w / 2 + w % 2 : w;
+  if (!detail::takes_sweep(p, positions, w)) {
+    return checked_multiply(positions, at_each);
   }
-  return subsets == 0 ? 0
-                      : checked_add(checked_multiply(subsets - 1, w),
-                                    detail::sweep_length(p.k - 1, w, left_out));
+  const std::uint64_t kept = p.change == 2 ? p.k / 2 - 1 : p.k - 1;
+  return checked_add(checked_multiply(positions - 1, at_each),
+                     detail::sweep_length(kept, at_each, left_out && p.change == 1));
 }
 
 std::optional<std::string> cover_defect(const Design& design, const UnchangedCover& cover,
@@ -455,8 +494,7 @@ std::optional<std::string> cover_defect(const Design& design, const UnchangedCov
   }
   const std::size_t b = design.block_count();
   const bool circular = p.kind == Kind::circular;
-  const Block rest =
-      p.change == 1 ? detail::left_out_elements(p.v, cover.subsets) : Block{};
+  const Block rest = p.change == 1 ? detail::left_out_elements(p.v, cover.subsets) : Block{};
   for (std::size_t i = 0; i < cover.subsets.size(); ++i) {
     const UnchangedSubset& subset = cover.subsets[i];
     const std::size_t position = subset.position;
@@ -464,8 +502,8 @@ std::optional<std::string> cover_defect(const Design& design, const UnchangedCov
       return fmt::format("the design has no position {}", position);
     }
     const auto before = position > 0 ? design.block(position - 1) : std::span<const Element>{};
-    const auto after = position < b || circular ? design.block(position % b)
-                                                : std::span<const Element>{};
+    const auto after =
+        position < b || circular ? design.block(position % b) : std::span<const Element>{};
     const Block* beside = cover.beside.empty() ? nullptr : &cover.beside[i];
     if (auto defect = place_defect(p, subset, beside, before, after, w)) {
       return defect;

@@ -74,11 +74,14 @@ std::optional<IntervalCoverSize> interval_cover_size(const Parameters& p, std::u
     }
     return size;
   }
-  size.subsets = std::max(fewest(p, w), least_positions(p, w));
-  size.left_out = size.subsets * n < p.v;
-  if (size.subsets / c > p.v || (size.subsets / c == p.v && size.subsets % c != 0)) {
+  const std::uint64_t positions = p.v > std::numeric_limits<std::uint64_t>::max() / c
+                                      ? std::numeric_limits<std::uint64_t>::max()
+                                      : c * p.v;
+  const auto count = detail::best_positions(p, fewest(p, w), positions, w);
+  if (!count || *count > positions) {
     return std::nullopt;
   }
+  size = {*count, *count * n < p.v};
   return size;
 }
 
@@ -97,8 +100,8 @@ UnchangedCover interval_cover(const Parameters& p, std::uint64_t c, std::uint64_
   UnchangedCover cover;
   const auto add = [&](std::uint64_t shift, std::uint64_t place) {
     const std::uint64_t position = shift * c + place;
-    cover.subsets.push_back({static_cast<std::size_t>(position == 0 ? c * p.v : position),
-                             interval(shift, n, p.v)});
+    cover.subsets.push_back(
+        {static_cast<std::size_t>(position == 0 ? c * p.v : position), interval(shift, n, p.v)});
   };
   const auto sort = [&] {
     std::sort(cover.subsets.begin(), cover.subsets.end(),
@@ -142,6 +145,76 @@ UnchangedCover interval_cover(const Parameters& p, std::uint64_t c, std::uint64_
     }
   }
   cover.minimum = true;
+  return cover;
+}
+
+std::optional<std::uint64_t> interval_cover_for_one_more_size(const Parameters& p, std::uint64_t c,
+                                                              std::uint64_t w) {
+  if (p.change != 2 || w % 2 != 0 || (w == 2 && c == 1)) {
+    return std::nullopt;
+  }
+  const auto inner = interval_cover_size(p, c, w);
+  Parameters larger = p;
+  larger.v += w;
+  if (!inner || detail::takes_sweep(p, inner->subsets, w) || !fits(larger, 1)) {
+    return std::nullopt;
+  }
+  const std::uint64_t n = p.k - 2;
+  const std::uint64_t count = std::max(w, ceil_div(p.v + w, n + 1));
+  return count <= ceil_div(p.v, n) ? std::optional(count) : std::nullopt;
+}
+
+// At a position of the inner cover there are w/2 blocks U ∪ e between B and B′, and U is what is kept at
+// each of the w/2 + 1 steps. For w ≥ 4 an old element can come beside x between the first two edges, and
+// a new one before the first edge or after the last, not both of which hold it. For w = 2 there is one
+// edge, of both new elements: they come beside x at the next position, at which U is kept too, and an old
+// one comes before the edge or after it, as it is not in both B and B′.
+UnchangedCover interval_cover_for_one_more(const Parameters& p, std::uint64_t c, std::uint64_t w,
+                                           const IntervalDevelopedSource::Points& points) {
+  const auto count = interval_cover_for_one_more_size(p, c, w);
+  if (!count) {
+    throw BadInput(
+        fmt::format("no intervals cover {} with {} new elements for one more", name(p), w));
+  }
+  const std::uint64_t n = p.k - 2;
+  const UnchangedCover inner = interval_cover(p, c, w, points);
+  const std::uint64_t edges = w / 2;
+  Block last(2);
+  points(c - 1, last);
+  Block rest;  // new elements first, as they have to have a place
+  for (std::uint64_t x = 0; x < w; ++x) {
+    rest.push_back(static_cast<Element>(p.v + x));
+  }
+  for (std::uint64_t x = *count * n; x < p.v; ++x) {
+    rest.push_back(static_cast<Element>(x));
+  }
+  UnchangedCover cover;
+  cover.minimum = true;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < inner.subsets.size(); ++i) {
+    const auto& [position, elements] = inner.subsets[i];
+    const std::uint64_t shift = position / c % p.v;
+    if (position % c != 0 || shift % n != 0 || shift / n >= *count) {
+      continue;  // a further position, or not needed
+    }
+    std::uint64_t step = 0;  // how many of the inserted blocks come before x
+    Block beside;
+    if (used < rest.size()) {
+      const Element y = rest[used++];
+      beside.push_back(y);
+      if (y >= p.v) {
+        const OneFactor factor =
+            circle_factor(static_cast<std::uint32_t>(w), static_cast<std::uint32_t>(i % (w - 1)));
+        const Element x = y - static_cast<Element>(p.v);
+        const bool in_first = factor.front().a == x || factor.front().b == x;
+        step = !in_first ? 0 : edges == 1 ? edges + 1 : edges;
+      } else if (edges > 1 || holds(p, last, shift + p.v - 1, y)) {
+        step = 1;
+      }
+    }
+    cover.subsets.push_back({static_cast<std::size_t>(position + edges * i + step), elements});
+    cover.beside.push_back(std::move(beside));
+  }
   return cover;
 }
 

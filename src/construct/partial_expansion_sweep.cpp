@@ -15,13 +15,20 @@
 //              Slide: y₁, …, y_N and again y₁, …, y_{N−k} enter, the one that is in longest leaving: each
 //              block holds k consecutive ones of the circle Y, so all pairs meet, N < 2k. U returns;
 //              y₁, …, y_{N−k} meet all of it as for N ≤ k; the other k are streamed. 2N + k − 1 blocks.
-//   N ≥ 2k     Y is cut into groups of ⌊k/2⌋; every two of them make one list of the first sort.
+//   N ≥ 2k     Rounds: y₁, …, y_k enter; the others follow in the place of one another, k − 1 being held.
+//              The r = N − k + 1 from y_k on do the same, as all the others have met everything: the one
+//              that entered last and k − 2 more are held, in the places of those held before. So on
+//              until at most k are left, which come together. A round takes r − 1 steps. U returns, and
+//              all are streamed, but the first and the last one, which have stood with all of U.
 //
-// Every list begins with U ∪ {y₁} and ends with U ∪ {y} for some y, so lists can follow one another, a
-// repeated block being left out. If a is left out elsewhere it is made y₁: the block before the sweep is
-// then its first block already, and a itself need not be streamed.
+// Every list begins with U ∪ {y₁}. If a is left out elsewhere it is made y₁: the block before the sweep
+// is then that block already, and a itself need not be streamed.
+//
+// For m = 2 the same with pairs of elements for elements, ⌊k/2⌋ for k, and, if k is odd, one element of
+// U that stays all the time.
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "construct/partial_expansion_parts.hpp"
 
@@ -40,15 +47,7 @@ class Sweep {
     if (list.size() <= k_) {
       gather(list);
     } else if (list.size() >= 2 * k_) {
-      const std::size_t group = std::max<std::size_t>(k_ / 2, 1);
-      for (std::size_t i = group; i < list.size(); i += group) {
-        for (std::size_t j = 0; j < i; j += group) {
-          Block two(part(list, j, group));
-          const Block second = part(list, i, group);
-          two.insert(two.end(), second.begin(), second.end());
-          gather(two);
-        }
-      }
+      rounds(list);
     } else if (hold_is_shorter(list.size(), k_)) {
       hold(list);
     } else {
@@ -140,6 +139,36 @@ class Sweep {
     }
   }
 
+  void rounds(const Block& list) {
+    rise(list);
+    Block in = part(list, 0, k_);  // the block, the one that entered last at its end
+    const auto enter = [&](Element x, std::size_t place) {
+      step(x, in[place]);
+      in.erase(in.begin() + static_cast<std::ptrdiff_t>(place));
+      in.push_back(x);
+    };
+    for (std::size_t i = k_; i < list.size(); ++i) {
+      enter(list[i], k_ - 1);
+    }
+    for (Block left = part(list, k_ - 1, list.size()); left.size() > 1;) {
+      // The last of `left` is in, at the end; the others of the block have met everything.
+      const std::size_t held = std::min(left.size() - 1, k_ - 1);
+      for (std::size_t i = 0; i < held; ++i) {
+        enter(left[i], 0);
+      }
+      for (std::size_t i = held; i + 1 < left.size(); ++i) {
+        enter(left[i], k_ - 1);
+      }
+      left = left.size() > k_ ? part(left, k_ - 2, left.size() - (k_ - 1)) : Block{};
+    }
+    fall(in);
+    for (std::size_t i = 1; i < list.size(); ++i) {
+      if (list[i] != in.back()) {
+        stream(list[i]);
+      }
+    }
+  }
+
   const Block& kept_;
   std::size_t k_;
   std::optional<Element> tail_;
@@ -149,8 +178,7 @@ class Sweep {
 
 }  // namespace
 
-std::vector<Element> sweep(const Block& kept, std::optional<Element> left_out,
-                           const Block& added) {
+std::vector<Element> sweep(const Block& kept, std::optional<Element> left_out, const Block& added) {
   Block list;
   if (left_out) {
     list.push_back(*left_out);
@@ -171,13 +199,34 @@ std::uint64_t sweep_length(std::uint64_t kept, std::uint64_t added, bool left_ou
   if (count < 2 * k) {
     return (hold_is_shorter(count, k) ? 4 * count - 2 * k : 2 * count + k - 1) - less;
   }
-  // The lists of two groups of ⌊k/2⌋, the last one of which may be smaller; the second list of two that
-  // follow one another begins with another element than that with which the first one ends.
-  const std::uint64_t group = std::max<std::uint64_t>(k / 2, 1);
-  const std::uint64_t groups = (count + group - 1) / group;
-  const std::uint64_t last = count - (groups - 1) * group;
-  const std::uint64_t full = (groups - 1) * (groups - 2) / 2;
-  return full * (4 * group - 1) + (groups - 1) * (2 * (group + last) - 1) - less;
+  std::uint64_t length = 2 * count + k - 3 - less;
+  for (std::uint64_t left = count; left > k;) {
+    left -= k - 1;
+    length += left - 1;
+  }
+  return length;
+}
+
+std::vector<Element> double_sweep(const Block& kept, const Block& added) {
+  const std::size_t old_pairs = kept.size() / 2;
+  Block old_numbers(old_pairs);
+  std::iota(old_numbers.begin(), old_numbers.end(), Element{0});
+  Block new_numbers(added.size() / 2);
+  std::iota(new_numbers.begin(), new_numbers.end(), static_cast<Element>(old_pairs));
+  const std::vector<Element> numbers = sweep(old_numbers, std::nullopt, new_numbers);
+  std::vector<Element> result;
+  result.reserve(numbers.size() / (old_pairs + 1) * (kept.size() + 2));
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const bool is_old = numbers[i] < old_pairs;
+    const auto first = 2 * (is_old ? numbers[i] : numbers[i] - old_pairs);
+    const Block& from = is_old ? kept : added;
+    result.push_back(from[first]);
+    result.push_back(from[first + 1]);
+    if ((i + 1) % (old_pairs + 1) == 0 && kept.size() % 2 != 0) {
+      result.push_back(kept.back());
+    }
+  }
+  return result;
 }
 
 }  // namespace changeover::detail

@@ -26,6 +26,9 @@ bool can_be_written_down(const Parameters& p) {
 }  // namespace
 
 std::string Citation::to_string() const {
+  if (key.empty()) {
+    return place.empty() ? "[elementary]" : fmt::format("[{}]", place);
+  }
   return place.empty() ? fmt::format("[{}]", key) : fmt::format("[{}, {}]", key, place);
 }
 

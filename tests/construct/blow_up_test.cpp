@@ -33,6 +33,16 @@ TEST(BlowUp, MultipliesTheChange) {
   EXPECT_EQ(verdict.b, 3U);
 }
 
+TEST(BlowUp, AndFixMakeTheExampleOfTheHeader) {
+  const Parameters p{.v = 5, .k = 3, .change = 1, .kind = Kind::circular};
+  const Recipe core{"mcsorley-circular", p, {}, {}, {}};
+  const Recipe larger = fix_recipe(blow_up_recipe(core, 3), 2);
+  EXPECT_EQ(larger.parameters, (Parameters{17, 11, 3, Kind::circular, 2}));
+  const Verdict verdict = verify(*standard().build(larger));
+  EXPECT_TRUE(verdict.valid());
+  EXPECT_EQ(verdict.b, 5U);
+}
+
 TEST(BlowUp, IntoOneCopyIsTheInput) {
   const Recipe input = best({11, 4, 2, Kind::circular, 2});
   EXPECT_EQ(blow_up_recipe(input, 1), input);

@@ -79,9 +79,9 @@ TEST(SmallV, IsMinimumForManyChanges) {
 }
 
 TEST(SmallV, IsMinimumForLargeBlocks) {
-  for (const std::uint64_t m : {1, 2, 3, 7}) {
-    for (const std::uint64_t s : {0, 1, 2, 3, 7}) {
-      for (const std::uint64_t k : {201, 202, 203}) {
+  for (const std::uint64_t m : {1U, 2U, 3U, 7U}) {
+    for (const std::uint64_t s : {0U, 1U, 2U, 3U, 7U}) {
+      for (const std::uint64_t k : {201U, 202U, 203U}) {
         expect_minimum({2 * k - s, k, m, Kind::circular, 2});
         expect_minimum({2 * k - s, k, m, Kind::linear, 2});
       }
@@ -150,7 +150,7 @@ TEST(SmallV, NeedsItsConstructionsInTheRegistry) {
 
 TEST(SmallV, ServesTheLargestParametersWithoutWrapping) {
   constexpr std::uint64_t huge = 0xffff'ffff;
-  for (const std::uint64_t m : {1, 2, 3, 65'536}) {
+  for (const std::uint64_t m : {1U, 2U, 3U, 65'536U}) {
     for (const std::uint64_t k : {huge / 2 + 1, huge / 2 + 2, huge - 70'000, huge - 65'536}) {
       for (const Kind kind : {Kind::linear, Kind::circular}) {
         const Parameters p{huge, k, m, kind, 2};
@@ -197,10 +197,24 @@ TEST(SmallV, ExplainsItself) {
   const auto explanation = [](const Parameters& p) {
     return construction("small-v").explain(offer_of("small-v", p)->recipe);
   };
+  EXPECT_EQ(explanation({9, 7, 2, Kind::circular, 2}),
+            "No design has fewer blocks: some element is absent from the first block, some other "
+            "from the last block, and they meet in one more.");
   EXPECT_EQ(
-      explanation({9, 7, 2, Kind::circular, 2}),
-      "Take this design: with 2 blocks or fewer, some element is in none of the first 1, some "
-      "other in none of the last 1, and they do not meet.");
+      explanation({12, 9, 2, Kind::linear, 2}),
+      "No design has fewer blocks: some element is absent from the first 2 blocks, some other "
+      "from the last 2 blocks, and they meet in one more.");
+  EXPECT_EQ(
+      explanation({12, 6, 1, Kind::linear, 2}),
+      "Keep 5 elements up to block 7 while 6 others pass one by one, then let them go one by one "
+      "while those come back; from block 3 to 7 put one more in place of one of the 5, and keep "
+      "it up to block 12.");
+  EXPECT_EQ(explanation({7, 4, 2, Kind::circular, 2}),
+            "The 5 blocks {0,1,3,4}, {0,2,3,5}, {0,2,4,6}, {1,2,5,6}, {3,4,5,6}.");
+  EXPECT_EQ(
+      explanation({26, 14, 5, Kind::circular, 2}),
+      "Write side by side, 7 blocks each: a circular SCCD(7,4) with 2 copies of every element "
+      "and a circular SCCD(4,2) with 3 copies of every element.");
   EXPECT_EQ(
       explanation({10, 5, 2, Kind::linear, 2}),
       "Write side by side, 7 blocks each: a linear SCCD(6,3) with one copy of every element and a "

@@ -3,31 +3,50 @@
 // A rule keeps what makes a change covering design, whatever its input, its change number m and its
 // kind, so rules may be composed freely. Recipes are written down here and nothing is built:
 //
-//     Recipe core{"mcsorley-circular", {.v = 5, .k = 3, .change = 1, .kind = Kind::circular}, {}, {}, {}};
-//     Recipe larger = fix_recipe(blow_up_recipe(core, 3), 2);  // a circular 3-change design (17,11)
+//     Parameters p{.v = 5, .k = 3, .change = 1, .kind = Kind::circular};
+//     Recipe core{"mcsorley-circular", p, {}, {}, {}};
+//     Recipe larger = fix_recipe(blow_up_recipe(core, 3), 2);  // circular, 3-change, on (17,11)
 //     Registry::standard().build(larger);                      // 5 blocks, as many as the core has
 //
-// A rule says nothing about quality: a minimum design may become one that is not. Choosing inputs is
+// A rule says nothing of quality: a minimum design may become one that is not. Choosing inputs is
 // left to those who compose; the constructions "fix" and "blow-up" make no offers of their own.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/recipe.hpp"
 
 namespace changeover {
 
-/// *Fix*: f new elements v, …, v+f−1 in every block. An m-change covering design on (v,k) becomes one
-/// on (v+f, k+f), of the same kind and with as many blocks: steps change what they changed, and a new
-/// element meets every other. Pairs of new elements are never newly covered in a circular design, so
-/// it is not tight if f ≥ 2. The input itself if f = 0.
+/// *Fix*: f new elements v, …, v+f−1 in every block. An m-change covering design on (v,k) becomes
+/// one on (v+f, k+f), of the same kind and with as many blocks: steps change what they changed, and
+/// a new element meets every other. Pairs of new elements are never newly covered in a circular
+/// design, so it is not tight if f ≥ 2. The input itself if f = 0.
 /// @throws ImpossibleParameters if v + f exceeds 64 bits.
 [[nodiscard]] Recipe fix_recipe(const Recipe& input, std::uint64_t f);
 
-/// *Blow up*: s copies sx, …, sx+s−1 of every element x. An m-change covering design on (v,k) becomes
-/// an sm-change covering design on (sv, sk), of the same kind and with as many blocks: copies come and
-/// go with their element, and copies of x and y meet where x and y do. The input itself if s = 1.
+/// *Blow up*: s copies sx, …, sx+s−1 of every element x. An m-change covering design on (v,k)
+/// becomes an sm-change covering design on (sv, sk), of the same kind and with as many blocks:
+/// copies come and go with their element, and copies of x and y meet where x and y do. The input
+/// itself if s = 1.
 /// @throws ImpossibleParameters if sv exceeds 64 bits; BadInput if s = 0.
 [[nodiscard]] Recipe blow_up_recipe(const Recipe& input, std::uint64_t s);
+
+/// *Cut*: a circular design read as a linear one that begins after block `at`. As many blocks.
+/// @throws BadInput if the input is not circular.
+[[nodiscard]] Recipe cut_recipe(Recipe input, std::uint64_t at = 0);
+
+/// *Truncate*: delete the largest element that can go: in each run of blocks that hold it some other
+/// element must be free to take its place. As many blocks; nullopt if no element can go. `design` is what
+/// the input builds. O(v·bk).
+[[nodiscard]] std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design);
+
+/// *Drop*: leave out blocks that are not needed, one after another, while any can go.
+[[nodiscard]] Recipe drop_recipe(const Recipe& input);
+
+/// How many blocks drop_recipe() would leave of this design. O(bk²) a round, few rounds; 4·C(v,2) bytes.
+[[nodiscard]] std::uint64_t needed_block_count(const Design& design);
 
 }  // namespace changeover

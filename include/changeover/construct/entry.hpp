@@ -44,6 +44,10 @@ enum class Need : std::uint8_t { blocks, expansion_set };
 [[nodiscard]] std::optional<Offer> best_input(const Parameters& p, Need need,
                                               const Construction& asking, const Registry& registry);
 
+/// The offer with the fewest blocks of the constructions that do not ask the registry; a circular
+/// design serves as a linear one, cut open.
+[[nodiscard]] std::optional<Offer> best_leaf(const Parameters& p, const Registry& registry);
+
 /// "0,1,2", or "0,…,9" when there are many; for explanations.
 [[nodiscard]] std::string first_elements(std::uint64_t count);
 

@@ -12,24 +12,25 @@
 //     std::optional<UnchangedCover> cover = find_cover(design, {.new_elements = 4});
 //     Design larger = expand_by(design, *cover, 4);        // a circular DCCD(19,5,25), economical
 //
-// What is offered for other m and w. Each block inserted beside U_j is U_j with m further elements.
+// What is offered for other m, w and ℓ. Each inserted block is U_j with m further elements, but for
+// those of the sweep.
 //   w ≤ m         one block a position, U_j ∪ X with m − w old elements that are in neither block
 //                 beside it: b + ℓ blocks. For m = 1, w = 1 see [PreeceEtAl1995].
 //   m = 2, w odd  (w+1)/2 blocks a position: the edges of a near-1-factor of K_w, and its unmatched
-//                 element beside an old one; ℓ ≥ w, each of the w near-1-factors is used.
-//   m = 1, w > 1  U_j ∪ {x} for every x in X at every position; at one of them, the *sweep*, the
-//                 blocks wander through X so that its pairs are covered too; see blocks_added().
+//                 element beside an old one. With ℓ ≥ w each of the w near-1-factors is used.
+//   m = 2, few ℓ  if ℓ is too small for all factors and k ≥ 4, the blocks at one position wander off
+//                 through X, so that its pairs are covered too: the *sweep*.
+//   m = 1, w > 1  U_j ∪ {x} for every x in X at every position, and a sweep.
 //   m ≥ 3, w > m  not offered.
 //
 // *Elements left out.* The old elements that come beside unmatched new ones can do the work of
-// unchanged subsets: an element r of V that is in no U_j is served all the same if it stands beside
-// each new element once. So with w odd the ℓ subsets may leave out ⌊ℓ/w⌋ elements (for w < m,
+// unchanged subsets: an element of V that is in no U_j is served all the same if it stands beside
+// each new element once. So with w odd, ℓ ≥ w subsets may leave out ⌊ℓ/w⌋ elements (for w < m,
 // (m−w)ℓ of them). For m = 1 one element may be left out, the one that leaves at the sweep, for it
 // can wander along: that saves a position for one block more.
 //
-// Deliberately not done: pairs of X by blocks within X when w is far above ℓ (then further positions
-// are used, at one new pair a block), and inserting where a subset of k−m elements of an inner block
-// is not unchanged.
+// Deliberately not done: a least sweep (it is hold-and-stream, some 10-20 % over what pairs of X would
+// take at least), and inserting where a subset of k−m elements of an inner block is not unchanged.
 #pragma once
 
 #include <cstddef>
@@ -57,9 +58,9 @@ struct UnchangedCover {
   /// w < m, at most one if m = 2 and w is odd. What is not said is chosen when expanding, and so is
   /// everything if this is empty. Increasing.
   std::vector<Block> beside;
-  /// For m = 1, w > 1: the index of the subset at whose position the pairs of X are covered.
+  /// The index of the subset at whose position there is a sweep, if there is one.
   std::size_t sweep = 0;
-  /// Proved: no fewer subsets do.
+  /// Proved: no fewer subsets do, but for positions that were added because w is large.
   bool minimum = false;
 
   bool operator==(const UnchangedCover&) const = default;
@@ -76,8 +77,8 @@ struct CoverOptions {
 /// The fewest unchanged subsets that serve w new elements: an exact cover where there is one, else a
 /// least set cover by branch and bound (from a greedy one; each subset covers at most k − m of what
 /// is uncovered), else, when a limit strikes, the best so far. In a linear design the ends offer any
-/// (k−m)-subset of the first and of the last block, one each. If w needs more positions than the
-/// cover has, further ones are added. nullopt: there is none, because elements are in no unchanged
+/// (k−m)-subset of the first and of the last block, one each. Further positions are added if w takes
+/// them, or if they cost less than a sweep. nullopt: there is none, because elements are in no unchanged
 /// subset and cannot be left out, or there are too few positions.
 /// @throws ImpossibleParameters if w does not fit; see blocks_added().
 [[nodiscard]] std::optional<UnchangedCover> find_cover(const Design& design,
@@ -93,14 +94,17 @@ struct CoverOptions {
 [[nodiscard]] std::uint64_t may_be_left_out(const Parameters& p, std::uint64_t subsets,
                                             std::uint64_t w);
 
-/// The number of positions that w takes at least: w − 1 if m = 2 and w is even, w if m = 2 and w is
-/// odd, else 1. @throws as blocks_added().
+/// The number of positions that w takes at least: 1, unless m = 2, w > 2 and there can be no sweep
+/// (k = 3, or w is odd and v < k + 3); then w − 1 if w is even and w if w is odd.
+/// @throws as blocks_added().
 [[nodiscard]] std::uint64_t least_positions(const Parameters& p, std::uint64_t w);
 
-/// The number of blocks that expand_by() adds: ℓ⌈w/2⌉ for m = 2, ℓ for w ≤ m. For m = 1, w > 1 it is
-/// (ℓ−1)w and the sweep, which is 2N − 1 for N ≤ k, min(4N − 2k, 2N + k − 1) for k < N < 2k, and longer
-/// beyond; N = w, or N = w + 1 if an element is left out, and then the sweep is one block shorter.
+/// The number of blocks that expand_by() adds: ℓ for w ≤ m, and ℓ⌈w/2⌉ for m = 2, ℓ ≥ w − 1 (w odd:
+/// ℓ ≥ w). With a sweep one of the ℓ positions takes, for m = 1 and N = w, 2N − 1 blocks if N ≤ k,
+/// min(4N − 2k, 2N + k − 1) if k < N < 2k, about N²/2(k−1) + 2N beyond; for m = 2 the same with N = ⌈w/2⌉
+/// and ⌊k/2⌋ for k. For m = 1 with an element left out N = w + 1, and it is one block shorter.
 /// @param p of the smaller design.
+/// @param subsets ℓ; fewer than least_positions() count as so many.
 /// @throws ImpossibleParameters if w = 0, t ≠ 2, m = k, m ≥ 3 and w > m, v + w exceeds the limit of
 /// check(), or w < m and v < k + 2m − w, for then there is nothing to put beside.
 [[nodiscard]] std::uint64_t blocks_added(const Parameters& p, std::uint64_t subsets,
@@ -133,8 +137,8 @@ struct NewElements {
 /// The w of from, …, to with the least b / lower_bound, the smallest such w; nullopt if none of them
 /// can be added. One cover search for all even w and one for each odd w ≤ ℓ.
 /// @throws BadInput unless 1 ≤ from ≤ to.
-[[nodiscard]] std::optional<NewElements> best_new_elements(const Design& design,
-                                                           std::uint64_t from, std::uint64_t to,
+[[nodiscard]] std::optional<NewElements> best_new_elements(const Design& design, std::uint64_t from,
+                                                           std::uint64_t to,
                                                            const CoverOptions& options = {});
 
 /// The size of interval_cover(), without making it.
@@ -159,5 +163,19 @@ struct IntervalCoverSize {
 /// @throws BadInput if the points do not suit, or interval_cover_size() has no answer.
 [[nodiscard]] UnchangedCover interval_cover(const Parameters& p, std::uint64_t c, std::uint64_t w,
                                             const IntervalDevelopedSource::Points& points);
+
+/// The size of interval_cover_for_one_more(), without making it; nullopt if there is none. O(1).
+[[nodiscard]] std::optional<std::uint64_t> interval_cover_for_one_more_size(const Parameters& p,
+                                                                            std::uint64_t c,
+                                                                            std::uint64_t w);
+
+/// For m = 2, w even: a cover of the design that expand_by() makes with interval_cover(p, c, w), for
+/// one more element x. The w new elements are in no unchanged subset, but as x comes with another
+/// element in each of its blocks, they can be left out. ⌈(v+w)/(k−1)⌉ blocks are thus enough for x, if
+/// they are not fewer than w; w + 1 new elements at once would take ⌈v/(k−2)⌉ blocks more than w.
+/// @throws BadInput if interval_cover_for_one_more_size() has no answer. O(v).
+[[nodiscard]] UnchangedCover interval_cover_for_one_more(
+    const Parameters& p, std::uint64_t c, std::uint64_t w,
+    const IntervalDevelopedSource::Points& points);
 
 }  // namespace changeover

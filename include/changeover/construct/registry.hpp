@@ -37,7 +37,7 @@ struct Citation {
   std::string key;    ///< e.g. "ChafeeStevens2025"
   std::string place;  ///< e.g. "Theorem 2"; may be empty
 
-  /// "[ChafeeStevens2025, Theorem 2]".
+  /// "[ChafeeStevens2025, Theorem 2]"; "[elementary]" if neither key nor place is given.
   [[nodiscard]] std::string to_string() const;
 };
 
@@ -64,6 +64,10 @@ class Construction {
   /// One line: what is promised of the result.
   [[nodiscard]] virtual std::string_view guarantee() const = 0;
   [[nodiscard]] virtual Citation citation() const = 0;
+
+  /// Whether offer() asks the registry for designs to work on. Such a construction asks only those
+  /// that do not, or it says why its questions end.
+  [[nodiscard]] virtual bool asks_registry() const { return false; }
 
   /// Whether exactly these parameters, kind included, can be served, and with what promise. Cheap:
   /// no blocks are built. Strength 2 only, unless said otherwise.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "changeover/construct/closure.hpp"
 #include "changeover/construct/entry.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
@@ -95,6 +96,8 @@ class Cut final : public Construction {
   std::string_view guarantee() const override { return "as many blocks as the circular design"; }
   Citation citation() const override { return {}; }
 
+  bool asks_registry() const override { return true; }
+
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     if (p.kind != Kind::linear || !asks_for_pairs(p, p.change)) {
       return std::nullopt;
@@ -106,7 +109,7 @@ class Cut final : public Construction {
     const std::uint64_t b = input->b;
     const bool tight = input->tight && (p.k - p.change <= 1 || b == 1);
     const bool economical = b == linear_counting_bound(p);
-    return Offer{cut(p, 0, std::move(input->recipe)), b, tight, economical, input->expansion_set};
+    return Offer{cut_recipe(std::move(input->recipe)), b, tight, economical, input->expansion_set};
   }
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
@@ -152,10 +155,6 @@ class Cut final : public Construction {
   }
 
  private:
-  Recipe cut(const Parameters& p, std::int64_t at, Recipe input) const {
-    return {std::string(name()), p, {{"at", at}}, {std::move(input)}, {}};
-  }
-
   // The argument `at`, when the rest of the recipe fits too.
   std::uint64_t place(const Recipe& recipe) const {
     if (recipe.parameters.kind != Kind::linear) {
@@ -169,12 +168,22 @@ class Cut final : public Construction {
     }
     const auto at = recipe.arguments.find("at");
     const std::int64_t value = at != recipe.arguments.end() && at->second > 0 ? at->second : 0;
-    require_recipe(recipe, *this, cut(recipe.parameters, value, recipe.inputs.front()));
+    require_recipe(recipe, *this,
+                   cut_recipe(recipe.inputs.front(), static_cast<std::uint64_t>(value)));
     return static_cast<std::uint64_t>(value);
   }
 };
 
 }  // namespace
+
+Recipe cut_recipe(Recipe input, std::uint64_t at) {
+  if (input.parameters.kind != Kind::circular) {
+    throw BadInput("cut: only a circular design can be cut open");
+  }
+  Parameters linear = input.parameters;
+  linear.kind = Kind::linear;
+  return {"cut", linear, {{"at", static_cast<std::int64_t>(at)}}, {std::move(input)}, {}};
+}
 
 const Construction& cut_construction() {
   static const Cut construction;

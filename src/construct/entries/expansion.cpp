@@ -44,6 +44,8 @@ class Expansion final : public Construction {
   }
   Citation citation() const override { return {"ChafeeStevens2025", "Theorem 2"}; }
 
+  bool asks_registry() const override { return true; }
+
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     const std::optional<Parameters> smaller = input_parameters(p);
     if (!smaller) {

@@ -1,36 +1,42 @@
-// Minimum m-change covering designs for small v: b = 2p + 1 blocks, p = ⌈(v−k)/m⌉, which no design goes
-// below ("end to end" in bounds/lower_bound.hpp). Let d = v − k, r = mp − d and s = 2k − v, so 0 ≤ r < m.
+// Minimum m-change covering designs for small v: b = 2p+1 blocks, p = ⌈(v−k)/m⌉, which no design
+// goes below ("end to end" in bounds/lower_bound.hpp). With d = v − k = mp − r, 0 ≤ r < m,
+// and s = 2k − v:
 //
-//   circular  p = 1: s ≥ m;  p = 2: s ≥ max(m−r, r), or m if r = 0;  p ≥ 3: s ≥ m − r
-//   linear    as circular, and p = 2: s ≥ max(m−r, ⌈m/2⌉) if r ≥ 1;  p ≥ 3: s ≥ 0, that is v ≤ 2k
+//   circular  s ≥ m; if r ≥ 1 also p = 2, s ≥ max(m−r, r) and p ≥ 3, s ≥ m−r
+//   linear    as circular; also p = 2, r ≥ 1, s ≥ max(m−r, ⌈m/2⌉) and p ≥ 3, s ≥ 0, that is v ≤ 2k
 //
-// In particular all k + m ≤ v ≤ 2k − m; linear v ≤ 2k for p ≥ 3. Designs with the least s are *cores*;
-// fixing s′ elements raises s to s + s′ with the same d, and a circular core may be cut. For m | d and
-// circular the core is McSorley's SCCD(2p+1,p+1,2p+1) with m copies of every element. Other cores are
-// written by *layers*: designs with different m and 2p + 1 blocks each, side by side, several copies of
-// each. What remains to show is that elements meet, of one layer and of two. An element is given by its
-// runs of consecutive blocks, numbered from 0, modulo b if circular.
+// In particular all k+m ≤ v ≤ 2k−m. Designs with the least s are *cores*: f fixed elements raise s
+// by f and leave d, and a circular design may be cut. For r = 0 the circular core is McSorley's
+// SCCD(2p+1,p+1,2p+1) with m copies of every element, and the linear one `held` below. Other cores
+// are *layers* side by side: designs with 2p+1 blocks each, several copies of each. Their m add up,
+// so all that remains to be shown is that elements meet, within a layer and across two. Blocks are
+// numbered from 0, modulo b if circular.
 //
-// Circular, p ≥ 3: m − r copies of `windows`, McSorley's SCCD, and r of `fewer_windows`, an
-// SCCD(2p−2,p−1,2p+1). No element is absent from more than p blocks in succession. So one with a single
-// absence, and in `windows` all are such, meets all others: two absences of p blocks do not fill 2p + 1,
-// and one holds no element's blocks. The absences of `fewer_windows` come from those of `windows`, p
-// blocks from t on: that from 0 ends where that from p+2 did, that from p+2 where that from 3 did, that
-// from 3 where that from 0 did, p > 3. These three have 1, 1 and p−3 blocks now. Each makes one element
-// with another absence, that from 2, p+4, p+1; and these three elements meet in blocks 1, p, p+3.
+// Circular, p ≥ 3: m−r copies of `windows`, McSorley's SCCD, and r of `fewer_windows`, an
+// SCCD(2p−2,p−1,2p+1). No absence is longer than p blocks. So an element that is absent once, as
+// all in `windows` are, meets every other: two absences do not fill 2p+1 blocks, nor does one hold
+// all blocks of an element. To make `fewer_windows` (p ≥ 4) take the absences of `windows`, p
+// blocks from each t on, and exchange the ends of three: 0 gets that of p+2, which gets that of 3,
+// which gets that of 0. They last 1, 1 and p−3 blocks now. Make one element of the absences from 0
+// and 2, one of those from p+2 and p+4, one of those from 3 and p+1: these three meet in blocks 1,
+// p and p+3. The list for p = 3 is of the same kind.
 //
-// Linear, p ≥ 3: m − r copies of `held`, an SCCD(2p,p,2p+1), and r of `fewer_held`, an
-// SCCD(2p−2,p−1,2p+1). Most of a block is held up to block p, the rest passes one by one; then what is
-// held goes one by one and the rest comes back. All that is held from block 0 to p meets everything. In
-// `held`, one that is held makes way early, comes back in block p+1 and goes last; the element that
-// replaces it in block 2 stays until block 2p−1. They meet all that pass early or late, for only two of
-// those come back in the last two blocks; and the last one met the one that it replaces. In
-// `fewer_held` the last to come back went out two blocks ago.
+// Linear, p ≥ 3: m−r copies of `held`, an SCCD(2p,p,2p+1), and r of `fewer_held`, an
+// SCCD(2p−2,p−1,2p+1). All but one place is held up to block p while the rest pass through it, and
+// meet what is held; then what is held goes one by one and the rest come back, and meet in the
+// last block, 2p.
+//   - In `held` one of those held makes way in block 2, comes back in block p+1 and goes last,
+//     after block 2p−2; its replacement stays until block 2p−1. Of those that pass, those of blocks
+//     0 and 1 are the last to come back, in blocks 2p−1 and 2p: they met the former, and the very
+//     last was in block 2 with the replacement. All others come back early enough to meet both.
+//   - In `fewer_held` that of block 2 is back from block p+1, makes way in block 2p−1 for that of
+//     block 0, and returns in block 2p for that of block 1, which was there from block p on and so
+//     misses only the last to come back in `held`; those two meet in block 1.
 //
-// p = 2: five blocks. Elements of the layers are in three or four blocks, not in just 1, 2, 4, except one
-// of `seven`, which is in just 0 and 3; so all meet. If 2r ≤ m, m − 2r copies of `windows` and r of `seven`,
-// a circular DCCD(7,4,5). If 2r > m, m − r of `seven` and, circular, 2r − m of `three`, an SCCD(3,2,5); linear,
-// half as many of `five`, a linear DCCD(5,3,5), and one of `three` if 2r − m is odd.
+// p = 2: five blocks. If 2r ≤ m, m−2r copies of `windows` and r of `seven`, a DCCD(7,4,5). If
+// 2r > m, m−r of `seven` and, circular, 2r−m of `three`, an SCCD(3,2,5); linear, half as many of
+// `five`, a DCCD(5,3,5), and one of `three` if 2r−m is odd. Every element is in three or more
+// blocks, but one of `seven` in just 0 and 3; and none is in just 1, 2 and 4, so all meet.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -237,7 +243,7 @@ Recipe layered(const Shape& shape, std::uint64_t s, Kind kind) {
   return {std::string(own_name), {2 * shape.d + s, shape.d + s, shape.m, kind, 2}, {}, {}, {}};
 }
 
-// A circular core with at most this s, from constructions that are known for themselves if there is one.
+// A circular core with at most this s, from constructions of their own name where there are some.
 Recipe circular_core(const Shape& shape, std::uint64_t s) {
   const Parameters single{2 * shape.p + 1, shape.p + 1, 1, Kind::circular, 2};
   const Parameters twice{2 * shape.d + 2, shape.d + 2, 2, Kind::circular, 2};
@@ -265,7 +271,7 @@ bool known(const Recipe& recipe, const Registry& registry) {
                      [&](const Recipe& input) { return known(input, registry); });
 }
 
-// The recipe for these parameters: a layered core without inputs, or one input that makes the design.
+// The recipe for these parameters: a layered core without inputs, or one input that makes it.
 std::optional<Recipe> recipe_for(const Parameters& p) {
   if (!asks_for_pairs(p, p.change) || p.v - p.k < p.change || p.v - p.k > p.k) {
     return std::nullopt;
@@ -405,17 +411,20 @@ class SmallV final : public Construction {
     const Parameters& p = recipe.parameters;
     const Shape shape = shape_of(p);
     if (!recipe.inputs.empty()) {
+      const std::string ends = shape.p == 1 ? "block" : fmt::format("{} blocks", shape.p);
       return fmt::format(
-          "Take this design: with {0} blocks or fewer, some element is in none of the first "
-          "{1}, some other in none of the last {1}, and they do not meet.",
-          2 * shape.p, shape.p);
+          "No design has fewer blocks: some element is absent from the first {0}, some "
+          "other from the last {0}, and they meet in one more.",
+          ends);
     }
     if (p.change == 1) {
       return fmt::format(
-          "Keep {0} elements up to block {1} while {1} others pass one by one, then let them go "
+          "Keep {0} elements up to block {2} while {1} others pass one by one, then let them go "
           "one by one "
-          "while those come back; one of the {0} makes way in block 3 and comes back in block {2}.",
-          p.k - 1, p.k + 1, p.k + 2);
+          "while those come back; from block 3 to {2} put one more in place of one of the {0}, and "
+          "keep "
+          "it up to block {3}.",
+          p.k - 1, p.k, p.k + 1, 2 * p.k);
     }
     const std::vector<Layer> layers = layers_of(shape, p.kind);
     std::string list;

@@ -1,0 +1,77 @@
+// The best known recipe for every (v, k, kind) of a range at once.
+//
+//     Plan plan = plan_range(registry, {.v_from = 5, .v_to = 100, .k_from = 3, .k_to = 12, .change = 2});
+//     const PlannedCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
+//     cell.best->b;  cell.bound.blocks;  cell.status();
+//
+// The registry's constructions promise what they give without building it. On top of them the planner
+// applies the closure rules that act on designs, in the order of the number of blocks, since no rule
+// gives fewer blocks than its input has but *drop*, which keeps v and k:
+//   cut       a circular design is a linear one
+//   fix       (v,k) → (v+1, k+1)
+//   truncate  (v+1,k) → (v,k), where some element can go
+//   drop      blocks that are not needed go, after a cut above all
+// The last two look at blocks, so the designs of the cells in question are built. Every cell's design is
+// built and verified in the end; one that does not keep its promise is an InternalError.
+//
+// Bound by: building and verifying, about a millisecond a cell for v ≤ 100.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/parameters.hpp"
+
+namespace changeover {
+
+struct PlanRange {
+  std::uint64_t v_from = 0;
+  std::uint64_t v_to = 0;
+  std::uint64_t k_from = 0;
+  std::uint64_t k_to = 0;
+  std::uint64_t change = 2;
+};
+
+/// What is known of one set of parameters.
+struct PlannedCell {
+  Parameters parameters;
+  std::optional<std::string> impossible;  ///< why there is no design
+  Bound bound;                            ///< the largest lower bound; of no meaning if impossible
+  std::optional<Offer> best;              ///< nothing if no recipe is known
+
+  /// "impossible", "minimum" (b is the bound), "best-known" or "open" (no recipe).
+  [[nodiscard]] std::string status() const;
+};
+
+class Plan {
+ public:
+  /// Cells with bounds and without recipes; see plan_range().
+  explicit Plan(const PlanRange& range);
+
+  /// All cells, by kind (circular first), k, v.
+  [[nodiscard]] const std::vector<PlannedCell>& cells() const { return cells_; }
+
+  /// The cell of these parameters, or nullptr if it is outside the range.
+  [[nodiscard]] PlannedCell* find(const Parameters& p);
+  /// @throws BadInput if it is outside the range.
+  [[nodiscard]] const PlannedCell& at(const Parameters& p) const;
+
+ private:
+  [[nodiscard]] std::optional<std::size_t> index(const Parameters& p) const;
+
+  PlanRange range_;
+  std::vector<PlannedCell> cells_;
+};
+
+/// Plans a range. `accept` is asked about every design before it is taken: pass a verifier.
+/// @throws ImpossibleParameters if the range is empty, has k < 2 or v > 1000, or more than 10⁶ cells;
+/// InternalError if a construction does not keep its promise.
+[[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range,
+                              const std::function<bool(const Design&)>& accept);
+
+}  // namespace changeover

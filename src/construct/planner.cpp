@@ -1,0 +1,247 @@
+#include "changeover/construct/planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <queue>
+#include <utility>
+
+#include "changeover/construct/closure.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t largest_v = 1000;
+constexpr std::uint64_t most_cells = 1'000'000;
+
+std::uint64_t counting_bound(const Parameters& p) {
+  if (p.v == p.k) {
+    return 1;
+  }
+  const std::uint64_t most = newly_covered_at_most(p);
+  return p.kind == Kind::circular ? ceil_div(binomial(p.v, 2), most)
+                                  : ceil_div(binomial(p.v, 2) - binomial(p.k, 2), most) + 1;
+}
+
+Offer offer_of(Recipe recipe, std::uint64_t b) {
+  Offer offer{std::move(recipe), b, false, false, false};
+  offer.economical = b == counting_bound(offer.recipe.parameters);
+  return offer;
+}
+
+}  // namespace
+
+std::string PlannedCell::status() const {
+  if (impossible) {
+    return "impossible";
+  }
+  if (!best) {
+    return "open";
+  }
+  return best->b == bound.blocks ? "minimum" : "best-known";
+}
+
+Plan::Plan(const PlanRange& range) : range_(range) {
+  for (const Kind kind : {Kind::circular, Kind::linear}) {
+    for (std::uint64_t k = range.k_from; k <= range.k_to; ++k) {
+      for (std::uint64_t v = range.v_from; v <= range.v_to; ++v) {
+        PlannedCell cell;
+        cell.parameters = {.v = v, .k = k, .change = range.change, .kind = kind};
+        if (v < k) {
+          cell.impossible = "a block has at most v elements";
+        } else if (range.change > k) {
+          cell.impossible = "a block has at least m elements";
+        } else {
+          cell.impossible = impossibility(cell.parameters);
+          if (!cell.impossible) {
+            cell.bound = lower_bound(cell.parameters);
+          }
+        }
+        cells_.push_back(std::move(cell));
+      }
+    }
+  }
+}
+
+std::optional<std::size_t> Plan::index(const Parameters& p) const {
+  if (p.v < range_.v_from || p.v > range_.v_to || p.k < range_.k_from || p.k > range_.k_to ||
+      p.change != range_.change || p.strength != 2) {
+    return std::nullopt;
+  }
+  const std::uint64_t vs = range_.v_to - range_.v_from + 1;
+  const std::uint64_t ks = range_.k_to - range_.k_from + 1;
+  const std::uint64_t kind = p.kind == Kind::circular ? 0 : 1;
+  return static_cast<std::size_t>((kind * ks + (p.k - range_.k_from)) * vs + (p.v - range_.v_from));
+}
+
+PlannedCell* Plan::find(const Parameters& p) {
+  const auto at = index(p);
+  return at ? &cells_[*at] : nullptr;
+}
+
+const PlannedCell& Plan::at(const Parameters& p) const {
+  const auto at = index(p);
+  if (!at) {
+    throw BadInput(fmt::format("{} is outside the planned range", name(p)));
+  }
+  return cells_[*at];
+}
+
+namespace {
+
+/// Relaxes cells in the order of their number of blocks.
+class Relaxation {
+ public:
+  Relaxation(const Registry& registry, Plan& plan, const std::function<bool(const Design&)>& accept)
+      : registry_(registry), plan_(plan), accept_(accept) {}
+
+  void run() {
+    for (const PlannedCell& cell : plan_.cells()) {
+      if (!cell.impossible) {
+        if (auto offer = registry_.best(cell.parameters)) {
+          improve(cell.parameters, *std::move(offer));
+        }
+      }
+    }
+    while (!queue_.empty()) {
+      const Entry entry = queue_.top();
+      queue_.pop();
+      PlannedCell& cell = *plan_.find(entry.parameters);
+      if (cell.best && cell.best->b == entry.b) {  // otherwise it was improved since
+        settle(cell);
+      }
+    }
+  }
+
+ private:
+  struct Entry {
+    std::uint64_t b;
+    Parameters parameters;
+
+    bool operator<(const Entry& other) const {  // the queue gives the largest first
+      return std::pair(b, parameters) > std::pair(other.b, other.parameters);
+    }
+  };
+
+  void improve(const Parameters& p, Offer offer) {
+    PlannedCell* cell = plan_.find(p);
+    if (cell == nullptr || cell->impossible || (cell->best && cell->best->b <= offer.b)) {
+      return;
+    }
+    queue_.push({offer.b, p});
+    cell->best = std::move(offer);
+  }
+
+  [[nodiscard]] bool improvable(const Parameters& p, std::uint64_t b) {
+    const PlannedCell* cell = plan_.find(p);
+    return cell != nullptr && !cell->impossible && (!cell->best || b < cell->best->b);
+  }
+
+  Design checked(const Offer& offer) {
+    Design design = registry_.build_design(offer.recipe);
+    if (design.block_count() != offer.b || !accept_(design)) {
+      throw InternalError(fmt::format("the construction {} does not keep its promise for {}",
+                                      offer.recipe.construction, name(offer.recipe.parameters)));
+    }
+    return design;
+  }
+
+  // The design is built once; what the rules make of it is looked at with the blocks at hand.
+  void settle(PlannedCell& cell) {
+    const Offer offer = *cell.best;
+    const Parameters p = cell.parameters;
+    const Design design = checked(offer);
+    if (offer.b > cell.bound.blocks) {
+      const std::uint64_t needed = needed_block_count(design);
+      if (needed < offer.b) {
+        improve(p, offer_of(drop_recipe(offer.recipe), needed));
+        return;  // it comes again, better
+      }
+    }
+    if (p.kind == Kind::circular) {
+      cut_open(offer, design);
+    }
+    Parameters fixed = p;
+    ++fixed.v;
+    ++fixed.k;
+    if (improvable(fixed, offer.b)) {
+      improve(fixed, offer_of(fix_recipe(offer.recipe, 1), offer.b));
+    }
+    Parameters smaller = p;
+    --smaller.v;
+    if (improvable(smaller, offer.b)) {
+      if (auto recipe = truncate_recipe(offer.recipe, design)) {
+        improve(smaller, offer_of(*std::move(recipe), offer.b));
+      }
+    }
+  }
+
+  // The cut that lets most blocks be dropped.
+  void cut_open(const Offer& offer, const Design& design) {
+    Parameters linear = design.parameters();
+    linear.kind = Kind::linear;
+    PlannedCell* cell = plan_.find(linear);
+    if (cell == nullptr || cell->impossible) {
+      return;
+    }
+    if (improvable(linear, offer.b)) {
+      improve(linear, offer_of(cut_recipe(offer.recipe), offer.b));
+    }
+    constexpr std::size_t most_cuts = 64;
+    const std::size_t b = design.block_count();
+    if (cell->best->b < offer.b || cell->best->b == cell->bound.blocks) {
+      return;
+    }
+    std::uint64_t fewest = cell->best->b;
+    std::size_t where = b;
+    for (std::size_t at = 0; at < b && at < most_cuts; ++at) {
+      Design opened(linear);
+      for (std::size_t i = 0; i < b; ++i) {
+        opened.append(design.block((at + i) % b));
+      }
+      const std::uint64_t needed = needed_block_count(opened);
+      if (needed < fewest) {
+        fewest = needed;
+        where = at;
+        if (fewest == cell->bound.blocks) {
+          break;
+        }
+      }
+    }
+    if (where < b) {
+      improve(linear, offer_of(drop_recipe(cut_recipe(offer.recipe, where)), fewest));
+    }
+  }
+
+  const Registry& registry_;
+  Plan& plan_;
+  const std::function<bool(const Design&)>& accept_;
+  std::priority_queue<Entry> queue_;
+};
+
+}  // namespace
+
+Plan plan_range(const Registry& registry, const PlanRange& range,
+                const std::function<bool(const Design&)>& accept) {
+  if (range.v_from > range.v_to || range.k_from > range.k_to || range.k_from < 2) {
+    throw ImpossibleParameters(fmt::format("the range v = {}..{}, k = {}..{} is empty or has k < 2",
+                                           range.v_from, range.v_to, range.k_from, range.k_to));
+  }
+  if (range.v_to > largest_v) {
+    throw ImpossibleParameters(
+        fmt::format("v = {} exceeds {}, the most that is planned at once", range.v_to, largest_v));
+  }
+  if (range.change < 1) {
+    throw ImpossibleParameters("change = 0: consecutive blocks must differ in at least 1 element");
+  }
+  if (2 * (range.v_to - range.v_from + 1) * (range.k_to - range.k_from + 1) > most_cells) {
+    throw ImpossibleParameters(fmt::format("the range has more than {} cells", most_cells));
+  }
+  Plan plan(range);
+  Relaxation(registry, plan, accept).run();
+  return plan;
+}
+
+}  // namespace changeover

@@ -1,0 +1,161 @@
+#include "changeover/construct/planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "changeover/construct/closure.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "naive_verdict.hpp"
+#include "oracle_minima.hpp"
+
+namespace changeover {
+namespace {
+
+bool valid(const Design& design) { return verify(design).valid(); }
+
+const Registry& registry() { return Registry::standard(); }
+
+TEST(Planner, FillsEveryCellWithAValidDesignThatIsNoWorseThanHoldAndStream) {
+  const Construction& fallback = *registry().find("hold-and-stream");
+  for (std::uint64_t m = 1; m <= 2; ++m) {
+    const Plan plan = plan_range(
+        registry(), {.v_from = 3, .v_to = 45, .k_from = 3, .k_to = 8, .change = m}, valid);
+    for (const PlannedCell& cell : plan.cells()) {
+      const Parameters& p = cell.parameters;
+      if (cell.impossible) {
+        EXPECT_TRUE(p.v < p.k || impossibility(p)) << name(p);
+        EXPECT_FALSE(cell.best);
+        continue;
+      }
+      ASSERT_TRUE(cell.best) << name(p);
+      ASSERT_EQ(cell.best->recipe.parameters, p);
+      const Design design = registry().build_design(cell.best->recipe);
+      ASSERT_TRUE(valid(design)) << name(p);
+      ASSERT_EQ(design.block_count(), cell.best->b) << name(p);
+      ASSERT_GE(cell.best->b, cell.bound.blocks) << name(p);
+      if (const auto other = fallback.offer(p, registry())) {
+        ASSERT_LE(cell.best->b, other->b) << name(p);
+      }
+      if (const auto other = registry().best(p)) {
+        ASSERT_LE(cell.best->b, other->b) << name(p);
+      }
+      if (p.v <= 10) {
+        ASSERT_TRUE(test::naive_verdict(design).valid) << name(p);
+      }
+    }
+  }
+}
+
+TEST(Planner, NeverBeatsAKnownMinimumAndSaysMinimumOnlyWhereItIs) {
+  std::size_t met = 0;
+  for (const auto& [p, b] : test::oracle_minima()) {
+    const Plan plan = plan_range(
+        registry(),
+        {.v_from = p.v, .v_to = p.v + 4, .k_from = p.k, .k_to = p.k, .change = p.change}, valid);
+    const PlannedCell& cell = plan.at(p);
+    ASSERT_TRUE(cell.best) << name(p);
+    EXPECT_GE(cell.best->b, b) << name(p);
+    met += cell.best->b == b ? 1U : 0U;
+    if (cell.status() == "minimum") {
+      EXPECT_EQ(cell.best->b, b) << name(p);
+    }
+  }
+  EXPECT_GT(met, 60U);
+}
+
+TEST(Planner, RefusesADesignThatItsVerifierRefuses) {
+  EXPECT_THROW(
+      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2},
+                       [](const Design& design) { return design.v() != 8; }),
+      InternalError);
+}
+
+TEST(Planner, RefusesRangesThatMakeNoSense) {
+  EXPECT_THROW(
+      (void)plan_range(registry(), {.v_from = 9, .v_to = 5, .k_from = 3, .k_to = 4, .change = 2},
+                       valid),
+      ImpossibleParameters);
+  EXPECT_THROW(
+      (void)plan_range(registry(), {.v_from = 5, .v_to = 5000, .k_from = 3, .k_to = 4, .change = 2},
+                       valid),
+      ImpossibleParameters);
+  EXPECT_THROW(
+      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 1, .k_to = 4, .change = 2},
+                       valid),
+      ImpossibleParameters);
+  const Plan plan(PlanRange{.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2});
+  EXPECT_THROW((void)plan.at({.v = 10, .k = 3}), BadInput);
+}
+
+Recipe literal(const Design& design) {
+  Recipe recipe{"literal", design.parameters(), {}, {}, {}};
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    recipe.blocks.emplace_back(design.block(i).begin(), design.block(i).end());
+  }
+  return recipe;
+}
+
+TEST(Truncate, TakesAnElementAwayFromEveryDesignThatAllowsIt) {
+  std::size_t done = 0;
+  for (const Kind kind : {Kind::circular, Kind::linear}) {
+    for (std::uint64_t m = 1; m <= 2; ++m) {
+      for (std::uint64_t k = 3; k <= 6; ++k) {
+        for (std::uint64_t v = k + 2; v <= 30; ++v) {
+          const auto offer = registry().best({.v = v, .k = k, .change = m, .kind = kind});
+          ASSERT_TRUE(offer);
+          const Design design = registry().build_design(offer->recipe);
+          const auto recipe = truncate_recipe(offer->recipe, design);
+          if (!recipe) {
+            continue;
+          }
+          const Design smaller = registry().build_design(*recipe);
+          ++done;
+          ASSERT_EQ(smaller.v(), v - 1);
+          ASSERT_TRUE(valid(smaller)) << name(smaller.parameters());
+          ASSERT_EQ(smaller.block_count(), design.block_count());
+        }
+      }
+    }
+  }
+  EXPECT_GT(done, 300U);
+}
+
+TEST(Truncate, RefusesAnElementThatIsInEveryBlock) {
+  const auto offer =
+      registry().best({.v = 7, .k = 5, .kind = Kind::circular});  // one fixed element
+  ASSERT_TRUE(offer);
+  const Design design = registry().build_design(offer->recipe);
+  const Verdict verdict = verify(design);
+  ASSERT_EQ(verdict.fixed.size(), 1U);
+  Parameters smaller = design.parameters();
+  --smaller.v;
+  const Recipe recipe{
+      "truncate", smaller, {{"element", verdict.fixed.front()}}, {offer->recipe}, {}};
+  EXPECT_THROW((void)registry().build(recipe), BadInput);
+}
+
+TEST(Drop, LeavesOutWhatIsNotNeededAndNothingElse) {
+  // A tight design followed by itself, backwards to its beginning: about half can go.
+  const auto offer = registry().best({.v = 11, .k = 4, .kind = Kind::circular});
+  Design twice({.v = 11, .k = 4, .kind = Kind::linear});
+  const Design once = registry().build_design(offer->recipe);
+  for (std::size_t i = 0; i < 2 * once.block_count(); ++i) {
+    twice.append(once.block(i % once.block_count()));
+  }
+  const Design less = registry().build_design(drop_recipe(literal(twice)));
+  EXPECT_TRUE(valid(less));
+  EXPECT_EQ(less.block_count(), needed_block_count(twice));
+  EXPECT_LE(less.block_count(), once.block_count());
+  // Of a tight circular design nothing can go.
+  EXPECT_EQ(needed_block_count(once), once.block_count());
+}
+
+TEST(Cut, RecipeNeedsACircularDesign) {
+  const auto offer = registry().best({.v = 11, .k = 4, .kind = Kind::linear});
+  EXPECT_THROW((void)cut_recipe(offer->recipe), BadInput);
+}
+
+}  // namespace
+}  // namespace changeover
