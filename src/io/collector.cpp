@@ -11,9 +11,7 @@ namespace {
 
 bool is_quoted(std::string_view word) { return word.starts_with('"'); }
 
-std::string_view unquoted(std::string_view word) {
-  return is_quoted(word) ? word.substr(1) : word;
-}
+std::string_view unquoted(std::string_view word) { return is_quoted(word) ? word.substr(1) : word; }
 
 }  // namespace
 
@@ -56,8 +54,8 @@ void Collector::settle(const Context& context) {
   const std::vector<std::string>& words = table_.words();
   const auto fail_at_word = [&](std::size_t which, const std::string& what) {
     const auto first = std::find(elements_.begin(), elements_.end(), static_cast<Element>(which));
-    fail(context.name,
-         context.place_of_word(static_cast<std::uint64_t>(first - elements_.begin())), what);
+    fail(context.name, context.place_of_word(static_cast<std::uint64_t>(first - elements_.begin())),
+         what);
   };
   std::vector<Element> element_of(words.size());
   const bool numbers = std::all_of(words.begin(), words.end(), [](const std::string& word) {

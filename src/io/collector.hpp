@@ -35,8 +35,8 @@ class Collector {
     ReadOptions declared;
     std::optional<std::vector<std::string>> labels;  ///< valid and distinct
     Place labels_place;
-    Place place;                      ///< where the parameters are, or the beginning
-    bool named = false;               ///< words are labels even if they are numbers
+    Place place;         ///< where the parameters are, or the beginning
+    bool named = false;  ///< words are labels even if they are numbers
     std::function<Place(std::uint64_t word)> place_of_word;  ///< the i-th word of all, from 0
   };
 

@@ -118,7 +118,7 @@ class Records {
   }
 
   void read_quoted(Field& field) {
-    for (++at_;; ) {
+    for (++at_;;) {
       if (at_ >= text_.size()) {
         fail(field.offset, "a quote is opened and not closed; close it");
       }
@@ -203,7 +203,8 @@ class Columns {
       }
     }
     if (elements_.empty()) {
-      records.fail(fields[0].offset, "no columns element_1, element_2, …; name those with elements");
+      records.fail(fields[0].offset,
+                   "no columns element_1, element_2, …; name those with elements");
     }
     named_ = true;
     return true;
@@ -227,8 +228,8 @@ class Columns {
   }
 
   // Compares what the record says of the whole design with what the first one said.
-  void check_constants(const std::vector<Field>& fields, const Records& records,
-                       ReadOptions& found, bool& labels, std::optional<std::size_t>& place) {
+  void check_constants(const std::vector<Field>& fields, const Records& records, ReadOptions& found,
+                       bool& labels, std::optional<std::size_t>& place) {
     for (std::size_t i = 0; i < constants.size(); ++i) {
       const auto column = constant_columns_[i];
       if (!column || *column >= fields.size() || fields[*column].text.empty()) {
@@ -308,27 +309,27 @@ Design read_csv(Input& input, const ReadOptions& options) {
       records.fail(fields.back().offset, *defect);
     }
   }
-  io_detail::Collector::Context context{
-      .name = input.name(),
-      .declared = io_detail::merged(input.name(), options, found),
-      .labels = std::nullopt,
-      .labels_place = {},
-      .place = records.place(place.value_or(0)),
-      .named = labels,
-      .place_of_word = [&](std::uint64_t word) {
-        Records again(text, input.name());
-        std::vector<Field> row;
-        for (std::uint64_t i = 0; i <= word / k + (header ? 1 : 0); ++i) {
-          again.next(row);
-        }
-        return again.place(columns.offset_of(row, word % k));
-      }};
+  io_detail::Collector::Context context{.name = input.name(),
+                                        .declared = io_detail::merged(input.name(), options, found),
+                                        .labels = std::nullopt,
+                                        .labels_place = {},
+                                        .place = records.place(place.value_or(0)),
+                                        .named = labels,
+                                        .place_of_word = [&](std::uint64_t word) {
+                                          Records again(text, input.name());
+                                          std::vector<Field> row;
+                                          for (std::uint64_t i = 0;
+                                               i <= word / k + (header ? 1 : 0); ++i) {
+                                            again.next(row);
+                                          }
+                                          return again.place(columns.offset_of(row, word % k));
+                                        }};
   return collector.finish(context);
 }
 
 std::uint64_t write_csv(BlockSource& source, Sink& sink, const std::vector<std::string>& labels) {
   const Parameters& p = source.parameters();
-  io_detail::ElementText text(sink, p.v, p.k, labels, ',');
+  io_detail::ElementText text(sink, p.v, labels, ',');
   text.put("block,");
   for (std::uint64_t i = 1; i <= p.k; ++i) {
     text.put("element_");

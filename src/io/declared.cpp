@@ -119,8 +119,8 @@ ReadOptions merged(const std::string& name, const ReadOptions& caller, const Rea
 Parameters completed(const std::string& name, Place place, const ReadOptions& declared,
                      std::uint64_t v, std::uint64_t k, std::uint64_t first_change) {
   Parameters p{.v = v, .k = k};
-  p.change = declared.change.value_or(first_change != 0 ? first_change
-                                                        : std::min<std::uint64_t>(2, k));
+  p.change =
+      declared.change.value_or(first_change != 0 ? first_change : std::min<std::uint64_t>(2, k));
   p.kind = declared.kind.value_or(Kind::linear);
   p.strength = declared.strength.value_or(2);
   try {
@@ -197,9 +197,10 @@ std::string surplus_defect(std::uint64_t number, std::uint64_t k, bool declared)
   if (number == 1) {
     return fmt::format("more than {} elements in a block; end each block with a line end", k);
   }
-  return fmt::format("block {} has more than the {} elements of the blocks before; correct one of "
-                     "them",
-                     number, k);
+  return fmt::format(
+      "block {} has more than the {} elements of the blocks before; correct one of "
+      "them",
+      number, k);
 }
 
 std::string repeat_defect(std::uint64_t number, std::string_view word) {
@@ -211,9 +212,10 @@ std::string above_v_defect(std::string_view word, std::uint64_t v) {
 }
 
 std::string too_large_defect(std::string_view word) {
-  return fmt::format("element {} is above {}; number the elements from 0, or list their names as "
-                     "labels",
-                     shown(word), max_elements_in_memory - 1);
+  return fmt::format(
+      "element {} is above {}; number the elements from 0, or list their names as "
+      "labels",
+      shown(word), max_elements_in_memory - 1);
 }
 
 std::string unknown_label_defect(std::string_view word) {

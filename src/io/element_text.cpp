@@ -7,11 +7,9 @@
 
 namespace changeover::io_detail {
 
-ElementText::ElementText(Sink& sink, std::uint64_t v, std::uint64_t k,
-                         const std::vector<std::string>& labels, char separator)
-    : sink_(&sink), labels_(&labels), separator_(separator) {
-  constexpr std::size_t usual = std::size_t{1} << 20;
-  buffer_.resize(usual + static_cast<std::size_t>(std::min<std::uint64_t>(k, 1U << 20)) * 8);
+ElementText::ElementText(Sink& sink, std::uint64_t v, const std::vector<std::string>& labels,
+                         char separator)
+    : sink_(&sink), labels_(&labels), separator_(separator), buffer_(4096) {
   p_ = buffer_.data();
   end_ = p_ + buffer_.size();
   const bool short_words = std::all_of(labels.begin(), labels.end(), [](const std::string& label) {
@@ -53,20 +51,23 @@ void ElementText::flush() {
   p_ = buffer_.data();
 }
 
-// Hands over whole pages only: the system stores them faster.
-void ElementText::flush_for(std::size_t bytes) {
+// The buffer grows to a size that the system writes fast, and is then emptied, but of whole pages only:
+// those are stored faster, too.
+void ElementText::make_room_slowly(std::size_t bytes) {
   constexpr std::size_t page = std::size_t{1} << 16;
-  const auto size = static_cast<std::size_t>(p_ - buffer_.data());
-  const std::size_t given = size / page * page;
-  if (given > 0) {
+  constexpr std::size_t usual = std::size_t{1} << 20;
+  auto size = static_cast<std::size_t>(p_ - buffer_.data());
+  if (buffer_.size() >= usual) {
+    const std::size_t given = size / page * page;
     sink_->write({buffer_.data(), given});
-    std::memmove(buffer_.data(), buffer_.data() + given, size - given);
+    size -= given;
+    std::memmove(buffer_.data(), buffer_.data() + given, size);
   }
-  if (buffer_.size() < size - given + bytes) {
-    buffer_.resize(size - given + bytes);
-    end_ = buffer_.data() + buffer_.size();
+  if (buffer_.size() < size + bytes) {
+    buffer_.resize(std::max(size + bytes, std::min(8 * buffer_.size(), usual)));
   }
-  p_ = buffer_.data() + (size - given);
+  p_ = buffer_.data() + size;
+  end_ = buffer_.data() + buffer_.size();
 }
 
 }  // namespace changeover::io_detail

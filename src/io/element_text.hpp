@@ -19,8 +19,7 @@ namespace changeover::io_detail {
 class ElementText {
  public:
   /// `labels` is empty, for decimal numbers, or has v members; they must outlive this.
-  ElementText(Sink& sink, std::uint64_t v, std::uint64_t k, const std::vector<std::string>& labels,
-              char separator);
+  ElementText(Sink& sink, std::uint64_t v, const std::vector<std::string>& labels, char separator);
 
   void put(std::string_view text);
   void put(char c) {
@@ -41,7 +40,7 @@ class ElementText {
     make_room(block.size() * sizeof(std::uint64_t));
     const std::uint64_t* const slots = slots_.data();
     char* p = p_;
-#pragma GCC unroll 4
+#pragma GCC unroll 4  // blocks are short: 5 % for k = 4
     for (const Element x : block) {
       const std::uint64_t slot = slots[x];
       std::memcpy(p, &slot, sizeof slot);
@@ -62,10 +61,10 @@ class ElementText {
 
   void make_room(std::size_t bytes) {
     if (static_cast<std::size_t>(end_ - p_) < bytes) [[unlikely]] {
-      flush_for(bytes);
+      make_room_slowly(bytes);
     }
   }
-  void flush_for(std::size_t bytes);
+  void make_room_slowly(std::size_t bytes);
   void elements_slowly(std::span<const Element> block, char last);
 
   Sink* sink_;

@@ -84,12 +84,12 @@ Picture picture_of(const FactorFigure& figure) {
     throw BadInput(fmt::format("order {}: a picture has 2 to 1000 vertices", figure.order));
   }
   if (figure.centre.value_or(0) >= figure.order) {
-    throw BadInput(fmt::format("the centre {} is not a vertex of K_{}", *figure.centre,
-                               figure.order));
+    throw BadInput(
+        fmt::format("the centre {} is not a vertex of K_{}", *figure.centre, figure.order));
   }
   Picture picture;
-  picture.title = figure.title.empty() ? fmt::format("1-factorization of K_{}", figure.order)
-                                       : figure.title;
+  picture.title =
+      figure.title.empty() ? fmt::format("1-factorization of K_{}", figure.order) : figure.title;
   picture.description =
       fmt::format("{} vertices on a circle{}; the edges of each of the {} factors have a colour.",
                   figure.order - (figure.centre ? 1U : 0U),
@@ -198,8 +198,8 @@ std::string svg_of(const Picture& picture) {
 
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{0}\" "
-      "viewBox=\"0 0 {0} {0}\" role=\"img\" aria-labelledby=\"title desc\">\n"
-      "<title id=\"title\">{1}</title>\n<desc id=\"desc\">{2}</desc>\n"
+      "viewBox=\"0 0 {0} {0}\" role=\"img\">\n"
+      "<title>{1}</title>\n<desc>{2}</desc>\n"
       "<rect width=\"{0}\" height=\"{0}\" fill=\"#FFFFFF\"/>\n"
       "<g fill=\"none\" stroke-linecap=\"round\" stroke-width=\"{3}\">\n",
       size, xml_escaped(picture.title), xml_escaped(picture.description), width);
@@ -208,9 +208,9 @@ std::string svg_of(const Picture& picture) {
     const Node& to = picture.nodes[line.to];
     const auto [x1, y1] = at(from, from.radius * circle_radius);
     const auto [x2, y2] = at(to, to.radius * circle_radius);
-    const std::string dash =
-        line.dash == 0 ? std::string()
-                       : fmt::format(" stroke-dasharray=\"{0} {0}\"", 4 * line.dash);
+    const std::string dash = line.dash == 0
+                                 ? std::string()
+                                 : fmt::format(" stroke-dasharray=\"{0} {0}\"", 4 * line.dash);
     svg += fmt::format(
         "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" stroke=\"#{}\"{}/>\n", x1,
         y1, x2, y2, palette[line.colour].hex, dash);
@@ -257,15 +257,16 @@ std::string tikz_of(const Picture& picture) {
                         node.radius * circle_radius);
   }
   for (const Line& line : picture.lines) {
-    const std::string dash =
-        line.dash == 0 ? std::string()
-                       : fmt::format(", dash pattern=on {0}pt off {0}pt", 2 * line.dash);
+    const std::string dash = line.dash == 0
+                                 ? std::string()
+                                 : fmt::format(", dash pattern=on {0}pt off {0}pt", 2 * line.dash);
     text += fmt::format("\\draw[line cap=round, line width={}mm, factor{}{}] (p{}) -- (p{});\n",
                         width, line.colour, dash, line.from, line.to);
   }
   for (std::size_t i = 0; i < picture.nodes.size(); ++i) {
     const Node& node = picture.nodes[i];
-    std::string style = fmt::format("circle, draw, inner sep=0pt, minimum size={:.2f}cm", node_size);
+    std::string style =
+        fmt::format("circle, draw, inner sep=0pt, minimum size={:.2f}cm", node_size);
     if (node.fill) {
       style += fmt::format(", fill=factor{}{}", *node.fill,
                            names_inside && palette[*node.fill].dark ? ", text=white" : "");

@@ -66,8 +66,8 @@ class Adapter {
     start_token();
     ++cursor_;
     if (++depth_ > max_json_depth) {
-      source_.fail(start_, fmt::format("nested more than {} deep; this is no design",
-                                       max_json_depth));
+      source_.fail(start_,
+                   fmt::format("nested more than {} deep; this is no design", max_json_depth));
     }
     return emit(type, {});
   }

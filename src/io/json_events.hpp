@@ -12,7 +12,16 @@ namespace changeover::io_detail {
 
 struct JsonEvent {
   enum class Type : std::uint8_t {
-    begin_object, end_object, begin_array, end_array, key, string, natural, other_number, boolean, null
+    begin_object,
+    end_object,
+    begin_array,
+    end_array,
+    key,
+    string,
+    natural,
+    other_number,
+    boolean,
+    null
   };
   Type type = Type::null;
   std::string_view text;      ///< of a key or string, decoded; of a number as it is written

@@ -151,8 +151,9 @@ class DesignHandler final : public JsonHandler {
     }
     if (key_ == "format") {
       if (event.type != Type::string || event.text != "changeover-design/1") {
-        json_->fail(event.offset, "format is not \"changeover-design/1\"; this is another kind of "
-                                  "file, or of a later version");
+        json_->fail(event.offset,
+                    "format is not \"changeover-design/1\"; this is another kind of "
+                    "file, or of a later version");
       }
     } else if (key_ == "v" || key_ == "k" || key_ == "change" || key_ == "strength") {
       if (event.type != Type::natural && event.type != Type::other_number) {

@@ -92,8 +92,8 @@ std::string latex_escaped(std::string_view text) {
 std::string latex_element(std::string_view label, bool introduced, bool leaving) {
   // One underscore with something on both sides makes a subscript.
   const std::size_t under = label.find('_');
-  const bool subscript = under != std::string_view::npos && under > 0 &&
-                         under + 1 < label.size() && label.rfind('_') == under;
+  const bool subscript = under != std::string_view::npos && under > 0 && under + 1 < label.size() &&
+                         label.rfind('_') == under;
   if (!subscript && label.find(infinity) == std::string_view::npos) {
     std::string result = latex_escaped(label);
     if (introduced || leaving) {
@@ -103,8 +103,8 @@ std::string latex_element(std::string_view label, bool introduced, bool leaving)
     return label.starts_with('[') || label.starts_with('*') ? "{" + result + "}" : result;
   }
   const std::string base = in_math(subscript ? label.substr(0, under) : label, false);
-  const std::string below = (subscript ? in_math(label.substr(under + 1), true) : "") +
-                            (leaving ? "*" : "");
+  const std::string below =
+      (subscript ? in_math(label.substr(under + 1), true) : "") + (leaving ? "*" : "");
   return fmt::format("${}{}{}$", base, below.empty() ? "" : "_{" + below + "}",
                      introduced ? "^{*}" : "");
 }

@@ -226,8 +226,8 @@ class TextSource final : public DesignInput {
   void set_labels(std::vector<std::string> labels) {
     // Names that say no more than numbers are no names.
     const io_detail::ElementSet set = io_detail::element_set(labels);
-    const bool plain = set.labels.empty() && std::is_sorted(set.element_of.begin(),
-                                                            set.element_of.end());
+    const bool plain =
+        set.labels.empty() && std::is_sorted(set.element_of.begin(), set.element_of.end());
     labels_ = plain ? std::vector<std::string>() : std::move(labels);
   }
 
@@ -263,10 +263,10 @@ class TextSource final : public DesignInput {
         read_late_comment(size == 0);
       } else if (size > 0) {
         if (k_ != 0 && size != k_) {
-          const Place place = item == TextScanner::Item::end ? scanner_.here()
-                                                             : scanner_.line_end_place();
-          scanner_.fail(place, io_detail::size_defect(blocks_ + 1, size, k_,
-                                                      declared_.k.has_value()));
+          const Place place =
+              item == TextScanner::Item::end ? scanner_.here() : scanner_.line_end_place();
+          scanner_.fail(place,
+                        io_detail::size_defect(blocks_ + 1, size, k_, declared_.k.has_value()));
         }
         ++blocks_;
         return size;
@@ -307,8 +307,8 @@ class TextSource final : public DesignInput {
     TextScanner::CommentWord word;
     if (alone && blocks_ > 0 && scanner_.comment_word(word)) {
       const Place place = word.place;
-      if (word.text == "labels:" || (word.text == "changeover" && scanner_.comment_word(word) &&
-                                     word.text == "design")) {
+      if (word.text == "labels:" ||
+          (word.text == "changeover" && scanner_.comment_word(word) && word.text == "design")) {
         scanner_.fail(place, fmt::format("{} after the first block; move it to the top, one design "
                                          "a file",
                                          word.text == "labels:" ? "labels" : "a header"));
@@ -325,8 +325,7 @@ class TextSource final : public DesignInput {
     if (!declared_.change || rule_ == Rule::survey) {
       read_front_block();
     }
-    const std::uint64_t change =
-        front_.size() < 2 ? 0 : difference(front_[0], front_[1]).size();
+    const std::uint64_t change = front_.size() < 2 ? 0 : difference(front_[0], front_[1]).size();
     if (rule_ != Rule::survey) {
       complete(change);
     } else {
@@ -363,8 +362,9 @@ class TextSource final : public DesignInput {
     block_count_ = blocks_;
     complete(first_change_);
     if (!input_->rewind()) {
-      scanner_.fail(scanner_.here(), "the input cannot be read again; declare v in a first line "
-                                     "'# changeover design v=…'");
+      scanner_.fail(scanner_.here(),
+                    "the input cannot be read again; declare v in a first line "
+                    "'# changeover design v=…'");
     }
     front_.clear();
     restart();
@@ -406,8 +406,8 @@ class TextSource final : public DesignInput {
   std::optional<Recipe> recipe_;
   std::optional<std::uint64_t> block_count_;
 
-  std::vector<Block> front_;  // blocks that were read to learn parameters
-  std::size_t given_ = 0;     // how many of them next() has handed out
+  std::vector<Block> front_;   // blocks that were read to learn parameters
+  std::size_t given_ = 0;      // how many of them next() has handed out
   bool pending_word_ = false;  // the scanner has taken the first block's first word already
   bool ended_ = false;
   std::uint64_t blocks_ = 0;         // finished blocks

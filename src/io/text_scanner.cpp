@@ -7,10 +7,13 @@
 
 namespace changeover::io_detail {
 
-TextScanner::TextScanner(Input& input) : input_(&input), buffer_(buffer_bytes + 1) { restart(); }
+TextScanner::TextScanner(Input& input)
+    : input_(&input), buffer_(std::make_unique_for_overwrite<char[]>(buffer_bytes + 1)) {
+  restart();
+}
 
 void TextScanner::restart() {
-  p_ = end_ = buffer_.data();
+  p_ = end_ = buffer_.get();
   *end_ = '\0';
   at_end_ = false;
   base_ = line_start_ = 0;
@@ -26,11 +29,11 @@ void TextScanner::restart() {
 
 void TextScanner::refill() {
   const auto kept = static_cast<std::size_t>(end_ - p_);
-  base_ += static_cast<std::uint64_t>(p_ - buffer_.data());
-  std::memmove(buffer_.data(), p_, kept);
-  p_ = buffer_.data();
+  base_ += static_cast<std::uint64_t>(p_ - buffer_.get());
+  std::memmove(buffer_.get(), p_, kept);
+  p_ = buffer_.get();
   end_ = p_ + kept;
-  char* const full = buffer_.data() + buffer_bytes;
+  char* const full = buffer_.get() + buffer_bytes;
   while (end_ != full && !at_end_) {
     const std::size_t count = input_->read({end_, full});
     end_ += count;
@@ -67,7 +70,7 @@ TextScanner::Item TextScanner::next_slowly() {
     line_end_ = here();
     ++p_;
     ++line_;
-    line_start_ = base_ + static_cast<std::uint64_t>(p_ - buffer_.data());
+    line_start_ = base_ + static_cast<std::uint64_t>(p_ - buffer_.get());
     return Item::line_end;
   }
   if (*p_ == '#') {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "changeover/io/input.hpp"
 #include "io/place.hpp"
@@ -25,7 +25,9 @@ class TextScanner {
   void restart();
 
   /// What is in the buffer before anything was taken from it: the input's first 256 KiB, or all.
-  [[nodiscard]] std::string_view beginning() const { return {p_, static_cast<std::size_t>(end_ - p_)}; }
+  [[nodiscard]] std::string_view beginning() const {
+    return {p_, static_cast<std::size_t>(end_ - p_)};
+  }
 
   /// Takes the next item. After a comment's `#`, use one of the comment functions.
   /// @throws BadInput for control bytes and for words of more than max_token_bytes.
@@ -64,7 +66,7 @@ class TextScanner {
   static constexpr std::ptrdiff_t ahead = 512;
 
   Place place_of_byte(const char* byte) const {
-    const auto offset = base_ + static_cast<std::uint64_t>(byte - buffer_.data());
+    const auto offset = base_ + static_cast<std::uint64_t>(byte - buffer_.get());
     return {line_, offset - line_start_ + 1};
   }
   static bool ends_word(char c) {
@@ -76,11 +78,11 @@ class TextScanner {
   void check_byte();
 
   Input* input_;
-  std::vector<char> buffer_;
-  char* p_ = nullptr;    // the next byte
-  char* end_ = nullptr;  // holds a NUL
-  bool at_end_ = false;  // nothing follows `end_`
-  std::uint64_t base_ = 0;        // offset of the buffer's first byte in the input
+  std::unique_ptr<char[]> buffer_;  // NOLINT(modernize-avoid-c-arrays): not to be cleared first
+  char* p_ = nullptr;               // the next byte
+  char* end_ = nullptr;             // holds a NUL
+  bool at_end_ = false;             // nothing follows `end_`
+  std::uint64_t base_ = 0;          // offset of the buffer's first byte in the input
   std::uint64_t line_ = 1;
   std::uint64_t line_start_ = 0;  // offset of the line's first byte
   Place line_end_;

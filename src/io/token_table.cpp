@@ -37,7 +37,9 @@ std::optional<std::string> label_defect(std::string_view label) {
     }
     if (c == ',' || c == '"' || c == '#') {
       return fmt::format("a name with {}, which not every format can carry; use another character",
-                         c == ',' ? "a comma" : c == '"' ? "a double quote" : "'#'");
+                         c == ','   ? "a comma"
+                         : c == '"' ? "a double quote"
+                                    : "'#'");
     }
   }
   return std::nullopt;
@@ -45,7 +47,7 @@ std::optional<std::string> label_defect(std::string_view label) {
 
 Element TokenTable::find(std::string_view word) const {
   if (const auto n = plain_number(word); n && *n < not_small) {
-    return by_number_[static_cast<std::size_t>(*n)];
+    return number(static_cast<std::uint32_t>(*n));
   }
   const auto found = by_word_.find(word);
   return found == by_word_.end() ? none : found->second;
@@ -55,7 +57,11 @@ Element TokenTable::add(std::string_view word) {
   const auto element = static_cast<Element>(words_.size());
   words_.emplace_back(word);
   if (const auto n = plain_number(word); n && *n < not_small) {
-    by_number_[static_cast<std::size_t>(*n)] = element;
+    const auto at = static_cast<std::size_t>(*n);
+    if (at >= by_number_.size()) {
+      by_number_.resize(std::max(at + 1, 2 * by_number_.size()), none);
+    }
+    by_number_[at] = element;
   } else {
     by_word_.emplace(std::string(word), element);
   }
@@ -63,7 +69,8 @@ Element TokenTable::add(std::string_view word) {
 }
 
 void TokenTable::add_numbers(std::uint64_t v) {
-  std::iota(by_number_.begin(), by_number_.begin() + static_cast<std::ptrdiff_t>(v), Element{0});
+  by_number_.resize(static_cast<std::size_t>(v));
+  std::iota(by_number_.begin(), by_number_.end(), Element{0});
 }
 
 void TokenTable::renumber(std::span<const Element> elements) {

@@ -31,10 +31,10 @@ class TokenTable {
   static constexpr Element none = 0xFFFFFFFF;
   static constexpr std::uint32_t not_small = 65'535;  ///< no small number: number() is none
 
-  TokenTable() : by_number_(not_small + 1, none) {}
-
   /// What the plain number n ≤ not_small stands for.
-  [[nodiscard]] Element number(std::uint32_t n) const { return by_number_[n]; }
+  [[nodiscard]] Element number(std::uint32_t n) const {
+    return n < by_number_.size() ? by_number_[n] : none;
+  }
 
   /// What `word` stands for, or none.
   [[nodiscard]] Element find(std::string_view word) const;
@@ -59,7 +59,7 @@ class TokenTable {
       return std::hash<std::string_view>()(text);
     }
   };
-  std::vector<Element> by_number_;
+  std::vector<Element> by_number_;  // as long as the largest number needs
   std::unordered_map<std::string, Element, Hash, std::equal_to<>> by_word_;
   std::vector<std::string> words_;
 };

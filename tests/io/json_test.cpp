@@ -72,7 +72,9 @@ TEST(JsonTest, LabelsRecipeAndVerdictFollowTheBlocks) {
 TEST(JsonTest, ForeignFilesAreTaken) {
   EXPECT_EQ(read("[[0,1],[1,2]]").v(), 3U);
   EXPECT_EQ(read("\xEF\xBB\xBF {\"blocks\" : [ [\"b\",\"a\"], [\"a\",\"c\"] ], \"more\":"
-                 "{\"x\":[[{}]]}, \"v\":null}").labels(), (Labels{"b", "a", "c"}));
+                 "{\"x\":[[{}]]}, \"v\":null}")
+                .labels(),
+            (Labels{"b", "a", "c"}));
   EXPECT_EQ(read("[[5,9],[9,11]]").labels(), (Labels{"5", "9", "11"}));
 }
 
@@ -90,9 +92,9 @@ struct Case {
 TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
   const std::vector<Case> cases = {
       {"{}", "f:1:2: no key \"blocks\"; this is no design"},
-      {"{\"blocks\":[]}",
-       "f:1:1: no blocks; give at least one"},
-      {"3", "f:1:1: a number where a design, an object with the key \"blocks\", belongs; correct it"},
+      {"{\"blocks\":[]}", "f:1:1: no blocks; give at least one"},
+      {"3",
+       "f:1:1: a number where a design, an object with the key \"blocks\", belongs; correct it"},
       {"{\"blocks\":[\n[0,1],\n[]\n]}", "f:3:2: block 2 is empty; remove it"},
       {"{\"blocks\":[\n[0,1,2],\n[0,1]\n]}",
        "f:3:5: block 2 has 2 elements, the blocks before have 3; correct one of them"},
@@ -104,12 +106,9 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:3:5: element '2' is twice in block 2; remove or correct one"},
       {"{\"blocks\":[\n[0,1],\n[2, 7]\n],\"v\":3}",
        "f:3:5: element '7' is not below v = 3; count from 0, or correct v"},
-      {"{\"blocks\":[[0,-1]]}",
-       "f:1:15: element '-1' is no whole number from 0 on; correct it"},
-      {"{\"blocks\":[[0,1.5]]}",
-       "f:1:15: element '1.5' is no whole number from 0 on; correct it"},
-      {"{\"blocks\":[[0,1e3]]}",
-       "f:1:15: element '1e3' is no whole number from 0 on; correct it"},
+      {"{\"blocks\":[[0,-1]]}", "f:1:15: element '-1' is no whole number from 0 on; correct it"},
+      {"{\"blocks\":[[0,1.5]]}", "f:1:15: element '1.5' is no whole number from 0 on; correct it"},
+      {"{\"blocks\":[[0,1e3]]}", "f:1:15: element '1e3' is no whole number from 0 on; correct it"},
       {"{\"blocks\":[[0,65535]]}",
        "f:1:15: element '65535' is above 65534; number the elements from 0, or list their names "
        "as labels"},
@@ -132,10 +131,8 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
       {"{\"format\":\"changeover-design/2\"}",
        "f:1:11: format is not \"changeover-design/1\"; this is another kind of file, or of a "
        "later version"},
-      {"{\"blocks\":[[0,1]],\"blocks\":[[0,1]]}",
-       "f:1:19: blocks is given twice; give it once"},
-      {"{\"labels\":[\"a\",\"a\"]}",
-       "f:1:16: label 'a' is listed twice; remove or correct one"},
+      {"{\"blocks\":[[0,1]],\"blocks\":[[0,1]]}", "f:1:19: blocks is given twice; give it once"},
+      {"{\"labels\":[\"a\",\"a\"]}", "f:1:16: label 'a' is listed twice; remove or correct one"},
       {"{\"labels\":[\"a b\"]}",
        "f:1:12: a name with a blank or control character; use '_' or '-' instead"},
       {"{\"labels\":[\"\"]}", "f:1:12: an element has an empty name; name it"},
@@ -150,8 +147,9 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:1:1: change = 3: consecutive blocks must differ in 1 to k = 2 elements"},
       {"{\"recipe\":3}", "f:1:11: a number where the recipe, an object, belongs; correct it"},
       {"{\"recipe\":{\n}}", "f:2:1: the recipe does not say construction; add it"},
-      {"[[0,1]] x", "f:1:9: not JSON: syntax error while parsing value - invalid literal; correct "
-                    "it"},
+      {"[[0,1]] x",
+       "f:1:9: not JSON: syntax error while parsing value - invalid literal; correct "
+       "it"},
   };
   for (const Case& c : cases) {
     EXPECT_EQ(complaint(c.text), c.message) << c.text;
@@ -194,14 +192,12 @@ TEST(JsonTest, RecipesAreReadBackAndTheirFaultsPlaced) {
   EXPECT_EQ(message_of([] { (void)recipe_from_json("{\"construction\":\"x\",\n\"v\":-1}"); }),
             "<recipe>:2:5: a number where the number v, at most 4294967295, belongs; correct the "
             "recipe");
-  EXPECT_EQ(message_of([] {
-              (void)recipe_from_json("{\"arguments\":{\"c\":1.5}}", "g");
-            }),
+  EXPECT_EQ(message_of([] { (void)recipe_from_json("{\"arguments\":{\"c\":1.5}}", "g"); }),
             "g:1:19: argument 'c' = '1.5' is no whole number of 64 bits; correct the recipe");
   EXPECT_NE(message_of([] { (void)recipe_from_json("[]"); }), "");
   EXPECT_NE(message_of([] { (void)recipe_from_json(""); }), "");
-  const Recipe minimal = recipe_from_json(
-      "{\"construction\":\"x\",\"v\":1,\"k\":1,\"change\":1,\"kind\":\"linear\"}");
+  const Recipe minimal =
+      recipe_from_json("{\"construction\":\"x\",\"v\":1,\"k\":1,\"change\":1,\"kind\":\"linear\"}");
   EXPECT_TRUE(minimal.inputs.empty() && minimal.arguments.empty());
 }
 
@@ -224,8 +220,9 @@ TEST(JsonTest, TheFullVerdictSaysEverything) {
       "\"uncovered_examples\":[[\"a\",\"c\"]],\"covered\":0,\"never_newly_covered\":0,\"excess\":0,"
       "\"fixed\":[\"b\"],\"degree_identity\":false,\"unchanged_subsets\":"))
       << json;
-  EXPECT_TRUE(json.ends_with("\"elements\":[{\"element\":\"a\",\"introductions\":1,\"blocks\":2,"
-                             "\"covered\":3,\"excess\":4}]}"))
+  EXPECT_TRUE(
+      json.ends_with("\"elements\":[{\"element\":\"a\",\"introductions\":1,\"blocks\":2,"
+                     "\"covered\":3,\"excess\":4}]}"))
       << json;
   verdict.parameters.strength = 3;
   EXPECT_NE(verdict_to_json(verdict).find("\"degree_identity\":null"), std::string::npos);

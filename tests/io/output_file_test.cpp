@@ -144,8 +144,9 @@ TEST_F(OutputFileTest, LargeAndSmallPiecesArriveInOrder) {
 
 TEST_F(OutputFileTest, FaultsAreOneLineWithPathReasonAndRemedy) {
   EXPECT_EQ(refusal(path("absent/file")),
-            path("absent/file") + ": cannot write: No such file or directory; make the directory "
-                                  "first, or check how the path is spelt");
+            path("absent/file") +
+                ": cannot write: No such file or directory; make the directory "
+                "first, or check how the path is spelt");
   EXPECT_EQ(refusal(folder_.string()),
             folder_.string() + ": cannot write: Is a directory; name a file in it");
   EXPECT_NE(refusal(path("absent/")), "");
@@ -168,8 +169,9 @@ TEST_F(OutputFileTest, AFullDiskIsNoticed) {
   if (!fs::exists("/dev/full")) {
     GTEST_SKIP() << "no /dev/full";
   }
-  EXPECT_EQ(refusal("/dev/full", "x"), "/dev/full: cannot write: No space left on device; free some "
-                                       "space or write elsewhere");
+  EXPECT_EQ(refusal("/dev/full", "x"),
+            "/dev/full: cannot write: No space left on device; free some "
+            "space or write elsewhere");
   EXPECT_NE(refusal("/dev/full", std::string(1 << 20, 'x')), "");
   EXPECT_TRUE(fs::exists("/dev/full"));
 }
@@ -220,6 +222,7 @@ TEST_F(OutputFileTest, ASignalRemovesTheTemporaryAndEndsTheProcess) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     fill(path("old"), "precious");
     const int status = ending_of([&] {
+      ::signal(signal, SIG_DFL);  // whoever started the tests may ignore it
       remove_unfinished_outputs_on_signals();
       OutputFile done(path("done"));
       done.commit();

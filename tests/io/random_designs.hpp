@@ -9,12 +9,15 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {
+
+using namespace std::string_view_literals;
 
 /// What reading `action` throws says; "" if nothing is thrown.
 template <typename Fault = BadInput, typename Action>
@@ -29,8 +32,9 @@ std::string message_of(Action&& action) {
 
 /// Names as people give them: letters, subscripts, numbers, words of other scripts.
 inline std::vector<std::string> random_labels(std::uint64_t v, std::mt19937& random) {
-  const std::vector<std::string> stems = {"a", "∞_s", "x'", "0_l", "Ünïcode", "-", "1.5", "B",
-                                          "a;b", "longer-than-a-slot", "=", "漢", "[", "\\x"};
+  const std::vector<std::string> stems = {"a", "∞_s", "x'", "0_l", "Ünïcode",
+                                          "-", "1.5", "B",  "a;b", "longer-than-a-slot",
+                                          "=", "漢",  "[",  "\\x"};
   const bool only_numbers = random() % 4 == 0;
   std::vector<std::string> labels;
   for (std::uint64_t i = 0; i < v; ++i) {
@@ -56,7 +60,9 @@ inline std::vector<std::string> random_labels(std::uint64_t v, std::mt19937& ran
 inline Recipe random_recipe(std::mt19937& random, int depth = 0) {
   Recipe recipe;
   recipe.construction = random() % 2 == 0 ? "cyclic-paper" : "a \"quoted\"\\ name\n∞";
-  recipe.parameters = {.v = random() % 100, .k = random() % 9, .change = random() % 4,
+  recipe.parameters = {.v = random() % 100,
+                       .k = random() % 9,
+                       .change = random() % 4,
                        .kind = random() % 2 == 0 ? Kind::linear : Kind::circular,
                        .strength = 2 + static_cast<std::uint32_t>(random() % 2)};
   recipe.arguments["c"] = static_cast<std::int64_t>(random());
@@ -96,7 +102,7 @@ inline Design random_design(std::uint32_t seed) {
 
 /// A file with some of its bytes changed, removed, doubled or cut off.
 inline std::string mutated(std::string text, std::mt19937& random) {
-  const std::string odd("\0\n\r\t #,;\"'{}[]:0123456789aB*\\&\x7f\xff\xc3\xe2-+.eE", 44);
+  const std::string_view odd = "\0\n\r\t #,;\"'{}[]:0123456789aB*\\&\x7f\xff\xc3\xe2-+.eE"sv;
   for (auto changes = 1 + random() % 4; changes > 0 && !text.empty(); --changes) {
     const std::size_t at = random() % text.size();
     const std::size_t length = std::min<std::size_t>(1 + random() % 12, text.size() - at);

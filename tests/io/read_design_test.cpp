@@ -53,8 +53,8 @@ TEST(ReadDesignTest, ATableOfThePaperIsReadWithItsNames) {
 }
 
 TEST(ReadDesignTest, StreamsGiveWhatReadersGive) {
-  for (const std::string file : {"dccd_6_4_3.txt", "dccd_6_4_3.json", "dccd_6_4_3.csv",
-                                 "dccd_10_4_9_named.txt"}) {
+  for (const std::string file :
+       {"dccd_6_4_3.txt", "dccd_6_4_3.json", "dccd_6_4_3.csv", "dccd_10_4_9_named.txt"}) {
     const Design design = read_design(data + file);
     const auto stream = open_design(data + file);
     EXPECT_EQ(stream->block_count().value_or(design.block_count()), design.block_count());
@@ -70,8 +70,9 @@ TEST(ReadDesignTest, WhatCannotBeReadGetsOneLine) {
   const auto refusal = [](const std::string& path) {
     return message_of<MissingResource>([&] { (void)read_design(path); });
   };
-  EXPECT_EQ(refusal("/absent/file"), "/absent/file: cannot read: No such file or directory; check "
-                                     "how the path is spelt");
+  EXPECT_EQ(refusal("/absent/file"),
+            "/absent/file: cannot read: No such file or directory; check "
+            "how the path is spelt");
   EXPECT_EQ(refusal("/"), "/: cannot read: Is a directory; name a file in it");
   EXPECT_EQ(refusal(""), "'': cannot read: No such file or directory; check how the path is spelt");
 }
@@ -85,9 +86,8 @@ TEST(ReadDesignTest, StandardInputIsAFileLikeOthers) {
 }
 
 TEST(ReadDesignTest, MoreThanFitsIsRefused) {
-  EXPECT_NE(message_of<MissingResource>([] {
-              (void)read_to_end(*input_from_text(std::string(1 << 20, 'x'), "f"), 1000);
-            }),
+  EXPECT_NE(message_of<MissingResource>(
+                [] { (void)read_to_end(*input_from_text(std::string(1 << 20, 'x'), "f"), 1000); }),
             "");
 }
 

@@ -28,9 +28,10 @@ Design doubled() {
 
 // The circular DCCD(8,5,5) of [ChafeeStevens2025, Table 5].
 Design minimum() {
-  Design design(Parameters{.v = 8, .k = 5, .change = 2, .kind = Kind::circular},
-                std::vector<Block>{{0, 2, 5, 3, 7}, {6, 2, 5, 3, 4}, {6, 2, 0, 1, 4},
-                                   {6, 2, 3, 7, 4}, {5, 1, 3, 7, 4}});
+  Design design(
+      Parameters{.v = 8, .k = 5, .change = 2, .kind = Kind::circular},
+      std::vector<Block>{
+          {0, 2, 5, 3, 7}, {6, 2, 5, 3, 4}, {6, 2, 0, 1, 4}, {6, 2, 3, 7, 4}, {5, 1, 3, 7, 4}});
   design.set_labels({"∞_l", "∞_s", "0_l", "1_l", "2_l", "0_s", "1_s", "2_s"});
   return design;
 }
@@ -151,8 +152,8 @@ TEST(LatexTest, ThePapersConventions) {
             "\\caption{A circular DCCD(6,4,3)}\n"
             "\\label{tab:six}\n"
             "\\end{table}\n");
-  EXPECT_EQ(latex(doubled(), {.columns = 2, .positions = {1}, .names = {.base_blocks = 1},
-                              .caption = ""}),
+  EXPECT_EQ(latex(doubled(),
+                  {.columns = 2, .positions = {1}, .names = {.base_blocks = 1}, .caption = ""}),
             "\\begin{table}[ht!]\n"
             "\\centering\n"
             "\\begin{tabular}{c@{}lc@{}lc@{}}\n"
@@ -221,7 +222,8 @@ void check_latex(const std::string& text) {
 
 RC_GTEST_PROP(LatexProperty, TablesAreBalancedAndTheirRowsFit, (std::uint32_t seed)) {
   const Design design = random_design(seed);
-  check_latex(latex(design, {.columns = seed % 7, .leaving = seed % 2 == 0,
+  check_latex(latex(design, {.columns = seed % 7,
+                             .leaving = seed % 2 == 0,
                              .positions = seed % 3 == 0 ? std::vector<std::uint64_t>{0, 1, 3}
                                                         : std::vector<std::uint64_t>{}}));
 }

@@ -89,7 +89,8 @@ TEST(TextTest, WhatTheFileDoesNotSayIsInferred) {
 
 TEST(TextTest, TheCallerWinsOverTheHeader) {
   const ReadOptions options{.v = 9, .change = 1, .kind = Kind::circular, .strength = 3};
-  const Design design = read("# changeover design v=7 change=2 kind=linear\n0 1 2\n0 3 4\n", options);
+  const Design design =
+      read("# changeover design v=7 change=2 kind=linear\n0 1 2\n0 3 4\n", options);
   EXPECT_EQ(design.parameters(),
             (Parameters{.v = 9, .k = 3, .change = 1, .kind = Kind::circular, .strength = 3}));
 }
@@ -120,8 +121,8 @@ TEST(TextTest, ListedLabelsNameTheElements) {
 }
 
 TEST(TextTest, CommentsBlankLinesTabsCarriageReturnsAndAByteOrderMarkAreTolerated) {
-  const Design design = read(
-      "\xEF\xBB\xBF# changeover design v=5\r\n#\r\n\r\n  0\t1 2 # trailing\r\n\n#x\n0 3 4#y");
+  const Design design =
+      read("\xEF\xBB\xBF# changeover design v=5\r\n#\r\n\r\n  0\t1 2 # trailing\r\n\n#x\n0 3 4#y");
   EXPECT_EQ(design.v(), 5U);
   EXPECT_EQ(blocks_of(design), (std::vector<Block>{{0, 1, 2}, {0, 3, 4}}));
   EXPECT_EQ(read("0 1\n1 2\r").block_count(), 2U);
@@ -147,10 +148,13 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
   const std::string long_word(256, 'x');
   const std::vector<Case> cases = {
       {"", "f:1:1: no blocks; give one block a line, its elements separated by blanks"},
-      {"# only\n\n# comments\n", "f:4:1: no blocks; give one block a line, its elements separated "
-                                 "by blanks"},
-      {"0 1 2\n0 1\n", "f:2:4: block 2 has 2 elements, the blocks before have 3; correct one of them"},
-      {"0 1 2\n0 1", "f:2:4: block 2 has 2 elements, the blocks before have 3; correct one of them"},
+      {"# only\n\n# comments\n",
+       "f:4:1: no blocks; give one block a line, its elements separated "
+       "by blanks"},
+      {"0 1 2\n0 1\n",
+       "f:2:4: block 2 has 2 elements, the blocks before have 3; correct one of them"},
+      {"0 1 2\n0 1",
+       "f:2:4: block 2 has 2 elements, the blocks before have 3; correct one of them"},
       {"0 1 2\n0 1 3 4\n",
        "f:2:7: block 2 has more than the 3 elements of the blocks before; correct one of them"},
       {"# changeover design v=9 k=3\n0 1\n",
@@ -162,13 +166,15 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:3:3: element '3' is not below v = 3; count from 0, or correct v"},
       {"# changeover design v=3\n0 1\n1 99999999999999999999999\n",
        "f:3:3: element '99999999999999999999999' is not below v = 3; count from 0, or correct v"},
-      {"0 65535\n", "f:1:3: element '65535' is above 65534; number the elements from 0, or list "
-                    "their names as labels"},
+      {"0 65535\n",
+       "f:1:3: element '65535' is above 65534; number the elements from 0, or list "
+       "their names as labels"},
       {"0 123456789012345678901234567890\n",
        "f:1:3: element '123456789012345678901234567890' is above 65534; number the elements from "
        "0, or list their names as labels"},
-      {"ab " + long_word + "\n", "f:1:4: a word of more than 255 bytes; elements are separated by "
-                                 "blanks and blocks by line ends"},
+      {"ab " + long_word + "\n",
+       "f:1:4: a word of more than 255 bytes; elements are separated by "
+       "blanks and blocks by line ends"},
       {std::string("0 1\n0\0001\n", 9), "f:2:2: control byte 0x00; the input must be plain text"},
       {"0 1\n\x01\n", "f:2:1: control byte 0x01; the input must be plain text"},
       {"0 a\x7f\n", "f:1:4: control byte 0x7f; the input must be plain text"},
@@ -191,33 +197,39 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:1:14: strength = 3 exceeds k = 2: no block holds that many elements"},
       {"7\n", "f:1:1: strength = 2 exceeds k = 1: no block holds that many elements"},
       {"# labels: a b a\na b\n", "f:1:15: label 'a' is listed twice; remove or correct one"},
-      {"# labels:\na b\n",
-       "f:1:3: no labels; list one for each element, or leave the list away"},
+      {"# labels:\na b\n", "f:1:3: no labels; list one for each element, or leave the list away"},
       {"# labels: a b\n# labels: c\na b\n", "f:2:3: labels are listed twice; list them once"},
       {"# changeover design v=3\n# labels: a b\na b\n",
        "f:2:3: 2 labels for v = 3 elements; give one each"},
-      {"# labels: a b,c\na\n", "f:1:13: a name with a comma, which not every format can carry; use "
-                               "another character"},
+      {"# labels: a b,c\na\n",
+       "f:1:13: a name with a comma, which not every format can carry; use "
+       "another character"},
       {"# labels: a b\na c\n",
        "f:2:3: element 'c' is not in the list of labels; correct one of them"},
       {"# changeover design v=3\na b\nc d\n",
        "f:3:3: element 'd' is one more than v = 3; correct it, or v"},
-      {"a \"b\"\n", "f:1:3: a name with a double quote, which not every format can carry; use "
-                    "another character"},
+      {"a \"b\"\n",
+       "f:1:3: a name with a double quote, which not every format can carry; use "
+       "another character"},
       {"0 1\n# changeover design v=4\n1 2\n",
        "f:2:3: a header after the first block; move it to the top, one design a file"},
       {"0 1\n# labels: a b\n1 2\n",
        "f:2:3: labels after the first block; move it to the top, one design a file"},
-      {"B1  B2\n0   4*\n1   5*\n", "f:1:1: this looks like a table for people: write it with "
-                                   "--format text or --json"},
-      {"B0,0 B1,0\n0 1\n", "f:1:1: this looks like a table for people: write it with --format "
-                           "text or --json"},
-      {"\x1b[1mB1\x1b[0m B2\n", "f:1:1: this looks like a coloured table for people: write it with "
-                                "--format text or --json"},
-      {"\\begin{tabular}{ll}\n", "f:1:1: this looks like LaTeX, a table for people: write it with "
-                                 "--format text or --json"},
-      {"0 & 1\n", "f:1:1: this looks like LaTeX, a table for people: write it with --format text "
-                  "or --json"},
+      {"B1  B2\n0   4*\n1   5*\n",
+       "f:1:1: this looks like a table for people: write it with "
+       "--format text or --json"},
+      {"B0,0 B1,0\n0 1\n",
+       "f:1:1: this looks like a table for people: write it with --format "
+       "text or --json"},
+      {"\x1b[1mB1\x1b[0m B2\n",
+       "f:1:1: this looks like a coloured table for people: write it with "
+       "--format text or --json"},
+      {"\\begin{tabular}{ll}\n",
+       "f:1:1: this looks like LaTeX, a table for people: write it with "
+       "--format text or --json"},
+      {"0 & 1\n",
+       "f:1:1: this looks like LaTeX, a table for people: write it with --format text "
+       "or --json"},
       {"# recipe: {\"construction\":1}\n0 1\n",
        "f:1:27: a number where the name of a construction, a string, belongs; correct the recipe"},
   };
@@ -256,19 +268,21 @@ TEST(TextTest, HugeLinesAreRefusedEarlyAndHugeBlanksSkipped) {
   std::uint64_t taken = 0;
   const auto endless = [&](const std::string& unit) {
     taken = 0;
-    return message_of([&] {
-      (void)open_text(std::make_unique<EndlessInput>(unit, bytes, &taken), {.v = 10});
-    });
+    return message_of(
+        [&] { (void)open_text(std::make_unique<EndlessInput>(unit, bytes, &taken), {.v = 10}); });
   };
-  EXPECT_EQ(endless("1"), "endless:1:1: a word of more than 255 bytes; elements are separated by "
-                          "blanks and blocks by line ends");
+  EXPECT_EQ(endless("1"),
+            "endless:1:1: a word of more than 255 bytes; elements are separated by "
+            "blanks and blocks by line ends");
   EXPECT_LT(taken, 1'000'000U);
   EXPECT_EQ(endless("1 "), "endless:1:3: element '1' is twice in block 1; remove or correct one");
   EXPECT_LT(taken, 1'000'000U);
-  EXPECT_EQ(endless(" "), "endless:1:100000001: no blocks; give one block a line, its elements "
-                          "separated by blanks");
-  EXPECT_EQ(endless("#"), "endless:1:100000001: no blocks; give one block a line, its elements "
-                          "separated by blanks");
+  EXPECT_EQ(endless(" "),
+            "endless:1:100000001: no blocks; give one block a line, its elements "
+            "separated by blanks");
+  EXPECT_EQ(endless("#"),
+            "endless:1:100000001: no blocks; give one block a line, its elements "
+            "separated by blanks");
   EXPECT_EQ(endless(std::string(1, '\0')),
             "endless:1:1: control byte 0x00; the input must be plain text");
 
@@ -276,8 +290,9 @@ TEST(TextTest, HugeLinesAreRefusedEarlyAndHugeBlanksSkipped) {
   for (int i = 0; i < 65'536; ++i) {
     line += "x" + std::to_string(i) + " ";
   }
-  EXPECT_EQ(complaint(line + "\n"), "f:1:447636: element 'x65535' is one more than the 65535 that "
-                                    "can be read; use fewer");
+  EXPECT_EQ(complaint(line + "\n"),
+            "f:1:447636: element 'x65535' is one more than the 65535 that "
+            "can be read; use fewer");
 }
 
 TEST(TextTest, PiecesOfAnySizeGiveTheSameDesign) {
@@ -290,7 +305,8 @@ TEST(TextTest, PiecesOfAnySizeGiveTheSameDesign) {
   const auto stream = open_text(std::make_unique<PipeInput>(foreign));
   EXPECT_EQ(stream->block_count(), 2U);
   EXPECT_TRUE(stream->rewind());
-  const auto declared = open_text(std::make_unique<PipeInput>("# changeover design v=3\n0 1\n1 2\n"));
+  const auto declared =
+      open_text(std::make_unique<PipeInput>("# changeover design v=3\n0 1\n1 2\n"));
   EXPECT_EQ(declared->block_count(), std::nullopt);
   EXPECT_FALSE(declared->rewind());
   EXPECT_EQ(read_all(*declared).block_count(), 2U);

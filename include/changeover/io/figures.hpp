@@ -27,9 +27,9 @@ namespace changeover {
 struct FactorFigure {
   std::uint32_t order = 0;
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> factors = {};
-  std::vector<std::string> names = {};            ///< of the vertices; empty: 0, 1, …
-  std::optional<std::uint32_t> centre = {};       ///< the vertex in the middle, if one shall be there
-  std::string title = {};                         ///< empty: "1-factorization of K_n"
+  std::vector<std::string> names = {};       ///< of the vertices; empty: 0, 1, …
+  std::optional<std::uint32_t> centre = {};  ///< the vertex in the middle, if one shall be there
+  std::string title = {};                    ///< empty: "1-factorization of K_n"
 };
 
 /// A block in a picture, with those of its elements that it introduces.

@@ -38,15 +38,11 @@ class JsonWriter {
   JsonWriter& null();
 
   template <std::unsigned_integral T>
-    requires(!std::same_as<T, bool> && !std::same_as<T, char>)
-  JsonWriter& value(T number) {
+  requires(!std::same_as<T, bool> && !std::same_as<T, char>) JsonWriter& value(T number) {
     return unsigned_value(number);
   }
   template <std::signed_integral T>
-    requires(!std::same_as<T, char>)
-  JsonWriter& value(T number) {
-    return signed_value(number);
-  }
+  requires(!std::same_as<T, char>) JsonWriter& value(T number) { return signed_value(number); }
 
   /// null for nothing.
   template <typename T>
@@ -56,8 +52,7 @@ class JsonWriter {
 
   /// An array of the members of a range: numbers, strings, truth values or ranges of them.
   template <std::ranges::input_range Range>
-    requires(!std::convertible_to<Range, std::string_view>)
-  JsonWriter& value(Range&& range) {
+  requires(!std::convertible_to<Range, std::string_view>) JsonWriter& value(Range&& range) {
     begin_array();
     for (auto&& member : range) {
       value(member);

@@ -33,13 +33,14 @@
 namespace changeover {
 
 struct LatexOptions {
-  std::size_t columns = 12;               ///< blocks in a band, at least 1
-  bool introduced = true;                 ///< mark introduced elements
-  bool leaving = false;                   ///< mark leaving elements
-  std::vector<std::uint64_t> positions = {};  ///< of an expansion set: i is after block i, 0 before all
+  std::size_t columns = 12;  ///< blocks in a band, at least 1
+  bool introduced = true;    ///< mark introduced elements
+  bool leaving = false;      ///< mark leaving elements
+  std::vector<std::uint64_t> positions =
+      {};  ///< of an expansion set: i is after block i, 0 before all
   BlockNames names = {};
   std::optional<std::string> caption = {};  ///< LaTeX; nothing: the design's name, "": no caption
-  std::string label = {};  ///< for \label, or empty
+  std::string label = {};                   ///< for \label, or empty
 };
 
 /// Writes the table. @throws as Sink::write().

@@ -36,8 +36,9 @@ using AlignedBlock = std::vector<MarkedElement>;
 
 /// How the blocks of a table are named.
 struct BlockNames {
-  std::uint64_t first = 1;                   ///< number of the first block
-  std::optional<std::uint64_t> base_blocks = {};  ///< c: name block i as (i mod c, i div c), both from 0
+  std::uint64_t first = 1;  ///< number of the first block
+  std::optional<std::uint64_t> base_blocks =
+      {};  ///< c: name block i as (i mod c, i div c), both from 0
 
   bool operator==(const BlockNames&) const = default;
 };

@@ -24,11 +24,12 @@
 namespace changeover {
 
 struct TableOptions {
-  std::size_t width = 80;                 ///< columns of the terminal; a band has at least one block
-  bool introduced = true;                 ///< mark introduced elements with `*`
-  bool leaving = false;                   ///< mark leaving elements with `.`
-  bool colour = false;                    ///< ANSI colours: introduced green, leaving red, kept dim
-  std::vector<std::uint64_t> positions = {};  ///< of an expansion set: i is after block i, 0 before all
+  std::size_t width = 80;  ///< columns of the terminal; a band has at least one block
+  bool introduced = true;  ///< mark introduced elements with `*`
+  bool leaving = false;    ///< mark leaving elements with `.`
+  bool colour = false;     ///< ANSI colours: introduced green, leaving red, kept dim
+  std::vector<std::uint64_t> positions =
+      {};  ///< of an expansion set: i is after block i, 0 before all
   BlockNames names = {};
 };
 

@@ -17,7 +17,7 @@
 //
 // Bound by: memory bandwidth and the system's read and write. Memory: one buffer of 256 KiB, the names
 // of the elements, two blocks. A source that does not declare v is read twice; if it cannot be rewound
-// (standard input) it is kept in memory as text.
+// (standard input) it is kept in memory as text, up to 4 GiB.
 //
 // Deliberately not done: several designs in one file; a block over several lines.
 #pragma once
