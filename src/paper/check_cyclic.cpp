@@ -116,11 +116,11 @@ PaperItem check_circle(const PrintedCircle& circle, const PrintedTable& table) {
 }
 
 std::string in_words(const std::vector<Block>& blocks) {
-  std::vector<std::string> words;
+  std::string words;
   for (const Block& block : blocks) {
-    words.push_back(braces(sorted(block)));
+    words += (words.empty() ? "" : ", ") + braces(sorted(block));
   }
-  return fmt::format("{}", fmt::join(words, ", "));
+  return words;
 }
 
 bool same_blocks(const std::vector<Block>& a, const std::vector<Block>& b) {

@@ -309,7 +309,7 @@ std::optional<Design> rebuilt_table_7(const Paper& paper) {
                                parse(printed));
         design.set_labels({});
         return design;
-      } catch (const BadInput&) {
+      } catch (const Error&) {
         return std::nullopt;
       }
     }

@@ -65,6 +65,7 @@ PaperItem check_covered_example(const Paper& paper) {
   const ParsedTable parsed = parse(table);
   const Design design = printed_design(table, table.parameters.kind);
   DesignSource source(design);
+  std::size_t found = 0;
   for (Transitions steps(source); steps.next();) {
     const std::string& block = parsed.blocks[static_cast<std::size_t>(steps.index())].name;
     const auto holds = [&](std::span<const Element> elements, const std::string& name) {
@@ -74,17 +75,29 @@ PaperItem check_covered_example(const Paper& paper) {
     const bool covered =
         holds(steps.block(), printed.x) && holds(steps.block(), printed.y) &&
         (holds(steps.introduced(), printed.x) || holds(steps.introduced(), printed.y));
-    const auto named = [&](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), block) != names.end();
-    };
-    if (named(printed.covered) || named(printed.not_covered)) {
-      check.expect(named(printed.covered) == covered, [&] {
-        return PaperFinding{fmt::format("{}covered in {}", covered ? "not " : "", block),
-                            fmt::format("{}covered", covered ? "" : "not "),
-                            braces(steps.block(), design)};
+    const auto compare = [&](const std::vector<std::string>& names, bool said) {
+      if (std::find(names.begin(), names.end(), block) == names.end()) {
+        return;
+      }
+      ++found;
+      check.expect(said == covered, [&] {
+        return PaperFinding{
+            fmt::format("{}covered in {}", said ? "" : "not ",
+                        block_name(parsed, static_cast<std::size_t>(steps.index()))),
+            fmt::format("{}covered there", covered ? "" : "not "), braces(steps.block(), design)};
       });
-    }
+    };
+    compare(printed.covered, true);
+    compare(printed.not_covered, false);
   }
+  const std::size_t named = printed.covered.size() + printed.not_covered.size();
+  check.expect(
+      found == named,
+      [&] {
+        return PaperFinding{fmt::format("{} blocks are named", named),
+                            fmt::format("{} of them are in the table", found), printed.table};
+      },
+      0);
   return std::move(check).finish();
 }
 

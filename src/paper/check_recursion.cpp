@@ -104,7 +104,7 @@ std::optional<Design> rebuilt_table_3(const Paper& paper) {
                                parse(printed));
         design.set_labels({});
         return design;
-      } catch (const BadInput&) {
+      } catch (const Error&) {
         return std::nullopt;
       }
     }

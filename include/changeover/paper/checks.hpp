@@ -3,8 +3,8 @@
 //
 //     Paper falsified = printed_paper();
 //     falsified.eleven[0].b = 36;
-//     auto items = check_corollaries({falsified, Registry::standard(), {}});   // DCCD(15,3,36)
-//     differs
+//     // Now the item on DCCD(15,3,36) differs:
+//     auto items = check_corollaries({falsified, Registry::standard(), {}});
 //
 // Each function returns its items in the order of the paper and reads nothing but its argument.
 #pragma once

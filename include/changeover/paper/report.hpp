@@ -78,8 +78,8 @@ struct PaperReportOptions {
 /// The same as a Markdown page.
 [[nodiscard]] std::string render_markdown(const PaperReport& report);
 
-/// {"format":"changeover-paper/1","reproduced":n,"differs":n,"out_of_scope":n,"items":[{"place","what",
-/// "status","checked","unit","findings":[{"printed","truth","why"}],"notes":[…]}]}
+/// {"format":"changeover-paper/1","reproduced":n,"differs":n,"out_of_scope":n,"items":[{"place",
+/// "what","status","checked","unit","findings":[{"printed","truth","why"}],"notes":[…]}]}. One line.
 [[nodiscard]] std::string render_json(const PaperReport& report);
 
 }  // namespace changeover

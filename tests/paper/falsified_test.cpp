@@ -1,0 +1,474 @@
+// No check that cannot fail: the print is falsified at one place, and the item there must differ.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "changeover/core/error.hpp"
+#include "changeover/paper/checks.hpp"
+
+namespace changeover {
+namespace {
+
+using Section = std::vector<PaperItem> (*)(const PaperContext&);
+
+std::vector<PaperItem> run(Section section, const Paper& paper) {
+  return section({paper, Registry::standard(), {.largest_k = 13}});
+}
+
+// Items that differ, with all that they say of it.
+std::vector<PaperItem> differing(Section section, const Paper& paper) {
+  std::vector<PaperItem> items = run(section, paper);
+  std::erase_if(items, [](const PaperItem& item) { return item.status != PaperStatus::differs; });
+  return items;
+}
+
+std::string places(const std::vector<PaperItem>& items) {
+  std::string text;
+  for (const PaperItem& item : items) {
+    text += item.place + ": " + item.what + '\n';
+  }
+  return text;
+}
+
+// The falsified print must give an item at `place`, about `what`, that differs and does not so otherwise.
+void expect_found(Section section, const std::function<void(Paper&)>& falsify,
+                  const std::string& place, const std::string& what = "") {
+  Paper paper = printed_paper();
+  falsify(paper);
+  const std::vector<PaperItem> before = differing(section, printed_paper());
+  const std::vector<PaperItem> after = differing(section, paper);
+  EXPECT_TRUE(std::any_of(after.begin(), after.end(),
+                          [&](const PaperItem& item) {
+                            return item.place == place &&
+                                   item.what.find(what) != std::string::npos &&
+                                   std::find(before.begin(), before.end(), item) == before.end();
+                          }))
+      << place << ' ' << what << "; differing:\n"
+      << places(after);
+}
+
+PrintedTable& table_in(Paper& paper, const std::string& place) {
+  const auto found = std::find_if(paper.tables.begin(), paper.tables.end(),
+                                  [&](const PrintedTable& table) { return table.place == place; });
+  return *found;
+}
+
+void replace(std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  ASSERT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+}
+
+// A table's layout from its cells.
+std::string layout_of(const ParsedTable& parsed) {
+  std::string layout;
+  for (std::size_t row = 0; row < parsed.blocks.front().cells.size(); ++row) {
+    for (const PrintedBlock& block : parsed.blocks) {
+      const PrintedCell& cell = block.cells[row];
+      layout += cell.element + (cell.introduced ? "*" : "") + (cell.leaving ? "_" : "") +
+                (cell.caret ? "^" : "") + (cell.highlighted ? "!" : "") +
+                (cell.colour > 0 ? ":" + std::to_string(cell.colour) : "") + ' ';
+    }
+    layout += '\n';
+  }
+  if (!parsed.unchanged.empty()) {
+    layout += "U ";
+    for (const PrintedUnchanged& unchanged : parsed.unchanged) {
+      layout += unchanged.elements.empty() ? "." : (unchanged.caret ? "^{" : "{");
+      for (std::size_t i = 0; i < unchanged.elements.size(); ++i) {
+        layout += (i > 0 ? "," : "") + unchanged.elements[i];
+      }
+      layout += unchanged.elements.empty() ? " " : "} ";
+    }
+    layout += '\n';
+  }
+  return layout;
+}
+
+TEST(FalsifiedTable, every_flipped_asterisk_is_found) {
+  for (const PrintedTable& table : printed_paper().tables) {
+    const ParsedTable parsed = parse(table);
+    PrintedTable copy = table;
+    copy.layout = layout_of(parsed);
+    const PaperItem original = check_marks(copy);
+    for (std::size_t i = 0; i < parsed.blocks.size(); ++i) {
+      for (std::size_t row = 0; row < parsed.blocks[i].cells.size(); ++row) {
+        if (parsed.blocks[i].cells[row].colour > 0) {
+          continue;  // a colour marks it
+        }
+        ParsedTable flipped = parsed;
+        flipped.blocks[i].cells[row].introduced = !flipped.blocks[i].cells[row].introduced;
+        copy.layout = layout_of(flipped);
+        const PaperItem item = check_marks(copy);
+        ASSERT_NE(item.findings.size(), original.findings.size())
+            << table.place << " block " << i << " row " << row;
+      }
+    }
+  }
+}
+
+TEST(FalsifiedTable, every_flipped_leaving_mark_highlight_and_colour_is_found) {
+  for (const PrintedTable& table : printed_paper().tables) {
+    const ParsedTable parsed = parse(table);
+    const bool highlighted = table.layout.find('!') != std::string::npos;
+    const bool coloured = table.layout.find(':') != std::string::npos;
+    const std::size_t original = check_marks(table).findings.size();
+    for (std::size_t i = 0; i < parsed.blocks.size(); ++i) {
+      for (std::size_t row = 0; row < parsed.blocks[i].cells.size(); ++row) {
+        ParsedTable flipped = parsed;
+        PrintedCell& cell = flipped.blocks[i].cells[row];
+        if (table.leaving) {
+          cell.leaving = !cell.leaving;
+        } else if (highlighted) {
+          cell.highlighted = !cell.highlighted;
+        } else if (coloured && cell.colour > 0) {
+          cell.colour = 0;
+        } else {
+          continue;
+        }
+        PrintedTable copy = table;
+        copy.layout = layout_of(flipped);
+        ASSERT_GT(check_marks(copy).findings.size(), original)
+            << table.place << " block " << i << " row " << row;
+      }
+    }
+  }
+}
+
+TEST(FalsifiedTable, every_changed_cell_is_found) {
+  for (const PrintedTable& table : printed_paper().tables) {
+    const ParsedTable parsed = parse(table);
+    const Design rebuilt = printed_design(table, table.parameters.kind);
+    ASSERT_EQ(check_blocks(table, rebuilt, "").status, PaperStatus::reproduced) << table.place;
+    for (std::size_t i = 0; i < parsed.blocks.size(); ++i) {
+      for (std::size_t row = 0; row < parsed.blocks[i].cells.size(); ++row) {
+        ParsedTable changed = parsed;
+        auto& cells = changed.blocks[i].cells;
+        const auto absent = [&](const std::string& name) {
+          return std::none_of(cells.begin(), cells.end(),
+                              [&](const PrintedCell& cell) { return cell.element == name; });
+        };
+        Element x = 0;
+        while (!absent(element_name(table, x))) {
+          ++x;
+        }
+        cells[row].element = element_name(table, x);
+        PrintedTable copy = table;
+        copy.layout = layout_of(changed);
+        ASSERT_EQ(check_blocks(copy, rebuilt, "").status, PaperStatus::differs)
+            << table.place << " block " << i << " row " << row;
+      }
+    }
+  }
+}
+
+TEST(FalsifiedTable, exchanged_dropped_and_malformed_blocks_are_found) {
+  for (const PrintedTable& table : printed_paper().tables) {
+    const Design rebuilt = printed_design(table, table.parameters.kind);
+    ParsedTable parsed = parse(table);
+    PrintedTable copy = table;
+    std::swap(parsed.blocks[0], parsed.blocks[1]);
+    copy.layout = layout_of(parsed);
+    EXPECT_EQ(check_blocks(copy, rebuilt, "").status, PaperStatus::differs) << table.place;
+    parsed = parse(table);
+    parsed.blocks.pop_back();
+    copy.layout = layout_of(parsed);
+    EXPECT_EQ(check_blocks(copy, rebuilt, "").status, PaperStatus::differs) << table.place;
+    parsed = parse(table);
+    parsed.blocks[0].cells[1].element = parsed.blocks[0].cells[0].element;
+    copy.layout = layout_of(parsed);
+    EXPECT_EQ(check_blocks(copy, rebuilt, "").status, PaperStatus::differs) << table.place;
+    EXPECT_EQ(check_marks(copy).status, PaperStatus::differs) << table.place;
+  }
+}
+
+TEST(FalsifiedTable, a_wrong_caption_is_found) {
+  for (const PrintedTable& table : printed_paper().tables) {
+    const Design rebuilt = printed_design(table, table.parameters.kind);
+    PrintedTable copy = table;
+    ++copy.b;
+    EXPECT_EQ(check_blocks(copy, rebuilt, "").status, PaperStatus::differs) << table.place;
+    copy = table;
+    copy.parameters.change = 3 - copy.parameters.change;
+    EXPECT_EQ(check_blocks(copy, rebuilt, "").status, PaperStatus::differs) << table.place;
+  }
+  PrintedTable copy = table_at(printed_paper(), "Table 5");
+  copy.tight = true;  // minimum, but not tight
+  EXPECT_EQ(check_blocks(copy, printed_design(copy, Kind::circular), "").status,
+            PaperStatus::differs);
+  copy = table_at(printed_paper(), "Table 3");
+  copy.kinds.push_back(Kind::circular);
+  EXPECT_EQ(check_blocks(copy, printed_design(copy, Kind::linear), "").status,
+            PaperStatus::differs);
+}
+
+TEST(FalsifiedTable, carets_must_mark_an_expansion_set) {
+  PrintedTable copy = table_at(printed_paper(), "Table 4 (right)");
+  replace(copy.layout, "3*^ 3^", "3*^ 3");
+  EXPECT_EQ(check_marks(copy).status, PaperStatus::differs);
+  copy = table_at(printed_paper(), "Table 2");
+  replace(copy.layout, "^{2}", "^{1}");
+  EXPECT_EQ(check_marks(copy).status, PaperStatus::differs);
+  copy = table_at(printed_paper(), "Table 2");
+  replace(copy.layout, "^{6}", "{6}");
+  EXPECT_EQ(check_marks(copy).status, PaperStatus::differs);
+}
+
+TEST(CorrectedTable, corrections_are_accepted) {
+  PrintedTable copy = table_at(printed_paper(), "Table 11");
+  replace(copy.layout, "0*   11*  1*   12*  2*   0    3    1     4     2     5     3     6",
+          "0* 11* 1* 12* 2* 0* 3* 1* 4* 2* 5* 3* 6*");
+  replace(copy.layout, "10*   10*   11*   11    12*   12", "10* 10 11* 11 12* 12");
+  EXPECT_EQ(check_marks(copy).status, PaperStatus::reproduced);
+  copy = table_at(printed_paper(), "Table 3");
+  replace(copy.layout, "2   2    2 ", "2*  2    2 ");
+  EXPECT_EQ(check_marks(copy).status, PaperStatus::reproduced);
+}
+
+TEST(FalsifiedPaper, introduction) {
+  const Section section = check_introduction;
+  expect_found(
+      section, [](Paper& p) { p.count_in_abstract = 13; }, "Abstract", "number");
+  for (std::size_t i = 0; i < 3; ++i) {
+    expect_found(
+        section, [=](Paper& p) { p.recursion[i].added_elements = 2; }, "Abstract", "v*");
+    expect_found(
+        section, [=](Paper& p) { p.recursion[i].added_edges = 2; }, "Abstract", "v*");
+  }
+  expect_found(
+      section, [](Paper& p) { p.covered.covered = {"B6"}; }, "Section 1", "covered");
+  expect_found(
+      section, [](Paper& p) { p.covered.not_covered = {"B7"}; }, "Section 1", "covered");
+  expect_found(
+      section, [](Paper& p) { p.covered.y = "2"; }, "Section 1", "covered");
+  for (std::size_t i = 0; i < 2; ++i) {
+    expect_found(
+        section, [=](Paper& p) { ++p.costs[i].covering; }, "Section 1", "costs");
+    expect_found(
+        section, [=](Paper& p) { ++p.costs[i].single; }, "Section 1", "costs");
+    expect_found(
+        section, [=](Paper& p) { ++p.costs[i].twice; }, "Section 1", "costs");
+    expect_found(
+        section, [=](Paper& p) { ++p.costs[i].change; }, "Section 1", "costs");
+  }
+  expect_found(
+      section, [](Paper& p) { replace(p.covering, "2 4 9", "2 4 8"); }, "Section 1", "costs");
+  Paper right = printed_paper();
+  right.count_in_abstract = 11;
+  EXPECT_TRUE(differing(section, right).empty()) << places(differing(section, right));
+}
+
+TEST(FalsifiedPaper, history) {
+  expect_found(
+      check_history, [](Paper& p) { p.added_for_k4 = 2; }, "Section 2.1", "DCCD(v,4,b)");
+  expect_found(
+      check_history, [](Paper& p) { replace(table_in(p, "Table 1").layout, "2* 4*", "2  4*"); },
+      "Table 1", "asterisks");
+  Paper right = printed_paper();
+  right.added_for_k4 = 1;
+  EXPECT_EQ(differing(check_history, right).size(),
+            differing(check_history, printed_paper()).size() - 1);
+}
+
+TEST(FalsifiedPaper, preliminaries) {
+  const Section section = check_preliminaries;
+  const auto in_table_2 = [](const std::string& from, const std::string& to) {
+    return [=](Paper& p) { replace(table_in(p, "Table 2").layout, from, to); };
+  };
+  expect_found(section, in_table_2("3*   3    4*", "3*   3    5*"), "Table 2", "A tight");
+  expect_found(section, in_table_2("3*   3    4*", "3*   3    5*"), "Table 2", "STS(7)");
+  expect_found(section, in_table_2("^{6}", "^{4}"), "Table 2", "unchanged subsets");
+  expect_found(section, in_table_2("^{2}", "^{5}"), "Table 2", "unchanged subsets");
+  for (std::size_t i = 0; i < 6; ++i) {
+    expect_found(
+        section, [=](Paper& p) { p.unchanged.between[i] = "2"; }, "Table 2", "unchanged subsets");
+  }
+  expect_found(
+      section, [](Paper& p) { p.unchanged.first[0] = "3"; }, "Table 2", "unchanged");
+  expect_found(
+      section, [](Paper& p) { p.unchanged.last[0] = "2"; }, "Table 2", "unchanged");
+  expect_found(
+      section, [](Paper& p) { p.unchanged.closing = "3"; }, "Table 2", "unchanged");
+  expect_found(
+      section, [](Paper& p) { p.unchanged.missing = "1"; }, "Table 2", "no expansion set");
+  expect_found(
+      section, [](Paper& p) { replace(p.factorizations[0].factors, "d-f", "d-e"); }, "Figure 1");
+  expect_found(
+      section, [](Paper& p) { replace(p.factorizations[1].factors, "12-15", "12-14"); },
+      "Figure 2");
+}
+
+TEST(FalsifiedPaper, recursion) {
+  const Section section = check_recursion;
+  expect_found(
+      section, [](Paper& p) { p.recursion[1].added_elements = 0; }, "Theorem 2");
+  expect_found(
+      section, [](Paper& p) { p.recursion[1].added_edges = 3; }, "Theorem 2");
+  const auto in_table_3 = [](const std::string& from, const std::string& to) {
+    return [=](Paper& p) { replace(table_in(p, "Table 3").layout, from, to); };
+  };
+  expect_found(section, in_table_3("14:1", "13:1"), "Table 3", "A linear");
+  expect_found(section, in_table_3("14:1", "14:2"), "Table 3", "colours");
+  expect_found(section, in_table_3("6*  6 ", "6*  6*"), "Table 3", "asterisks");
+  expect_found(
+      section,
+      [](Paper& p) {  // the same factors in another order: the same design, other blocks
+        replace(p.factorizations[1].factors, "8-9   10-14", "10-14 8-9");
+      },
+      "Table 3", "A linear");
+  expect_found(
+      section, [](Paper& p) { replace(p.factorizations[1].factors, "12-15", "12-14"); }, "Table 3",
+      "DCCD(15,3,35)");
+}
+
+TEST(FalsifiedPaper, doubling) {
+  const Section section = check_doubling;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string place = printed_paper().families[i].place;
+    expect_found(
+        section, [=](Paper& p) { ++p.families[i].b_0; }, place);
+    expect_found(
+        section, [=](Paper& p) { --p.families[i].b_0; }, place);
+    expect_found(
+        section, [=](Paper& p) { ++p.families[i].v_0; }, place);
+    expect_found(
+        section, [=](Paper& p) { p.families[i].even = !p.families[i].even; }, place);
+  }
+  expect_found(
+      section, [](Paper& p) { p.families[1].smallest_k = 3; }, "Theorem 4");
+  expect_found(
+      section, [](Paper& p) { p.families[0].b_0 = 0; }, "Theorem 3", "no tight");
+  expect_found(
+      section, [](Paper& p) { replace(table_in(p, "Table 5").layout, "2_l_", "2_l"); }, "Table 5",
+      "asterisks");
+  expect_found(
+      section, [](Paper& p) { replace(table_in(p, "Table 6").layout, "4_s_", "1_s_"); }, "Table 6",
+      "A minimum");
+  expect_found(
+      section, [](Paper& p) { replace(table_in(p, "Table 7").layout, "d*", "c*"); }, "Table 7",
+      "A tight");
+  expect_found(
+      section, [](Paper& p) { replace(p.factorizations[2].factors, "a-c b-d", "a-d b-c"); },
+      "Table 7", "A tight");
+  expect_found(
+      section, [](Paper& p) { replace(table_in(p, "Table 4 (right)").layout, "3^ 1*^", "3 1*^"); },
+      "Table 7", "A tight");
+}
+
+TEST(FalsifiedPaper, cyclic) {
+  const Section section = check_cyclic;
+  for (std::size_t c = 1; c <= 5; ++c) {
+    for (std::size_t i = 0; i < c; ++i) {
+      expect_found(
+          section, [=](Paper& p) { p.cyclic[c - 1].further[i] = "k-2,2(k-2)+3"; }, "Theorem 10",
+          "(Table 9)");
+    }
+  }
+  expect_found(
+      section, [](Paper& p) { p.cyclic[0].further[0] = "k-2,2(k-2)+3"; }, "Theorem 10",
+      "the proof");
+  expect_found(
+      section, [](Paper& p) { p.cyclic[1].further[0] = "2(k-2),5(k-2)+3"; }, "Theorem 10",
+      "the proof");
+  expect_found(
+      section, [](Paper& p) { p.cyclic_up_to = 6; }, "Theorem 10", "(Table 9)");
+  expect_found(
+      section, [](Paper& p) { p.cyclic.pop_back(); }, "Theorem 10", "(Table 9)");
+  // The link condition: without k-2 in the last base block the double change breaks.
+  expect_found(
+      section, [](Paper& p) { std::swap(p.cyclic[2].further[0], p.cyclic[2].further[2]); },
+      "Theorem 10", "(Table 9)");
+  expect_found(
+      section, [](Paper& p) { replace(table_in(p, "Table 8").layout, "0    3*", "6    3*"); },
+      "Table 8");
+  expect_found(
+      section, [](Paper& p) { replace(table_in(p, "Table 10").layout, "19!", "19"); }, "Table 10",
+      "highlights");
+  expect_found(
+      section, [](Paper& p) { replace(p.base_blocks_in_example, "0 2 7", "0 2 8"); }, "Table 11",
+      "DCCD(13,3,26)");
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string place = printed_paper().circles[i].place;
+    expect_found(
+        section, [=](Paper& p) { p.circles[i].black = "3"; }, place);
+    expect_found(
+        section, [=](Paper& p) { p.circles[i].first_only = "0"; }, place);
+    expect_found(
+        section, [=](Paper& p) { p.circles[i].second_only = "3"; }, place);
+    expect_found(
+        section, [=](Paper& p) { p.circles[i].first_edges += " 0-3"; }, place);
+    expect_found(
+        section, [=](Paper& p) { p.circles[i].second_edges += " 0-3"; }, place);
+    expect_found(
+        section, [=](Paper& p) { p.circles[i].first = "0 5 9"; }, place);
+  }
+  Paper right = printed_paper();
+  right.base_blocks_in_example = "0 2 7\n0 1 4\n";
+  const auto items = differing(section, right);
+  EXPECT_TRUE(std::none_of(items.begin(), items.end(),
+                           [](const PaperItem& item) { return item.place == "Example 12"; }));
+  EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](const PaperItem& item) {
+    return item.place == "Table 11" && item.what.find("DCCD(13,3,26)") != std::string::npos;
+  })) << "Table 11 is not in the order of Table 9";
+}
+
+TEST(FalsifiedPaper, corollaries) {
+  const Section section = check_corollaries;
+  for (std::size_t i = 0; i < printed_paper().eleven.size(); ++i) {
+    PrintedTriple triple = printed_paper().eleven[i];
+    ++triple.b;
+    expect_found(
+        section, [=](Paper& p) { p.eleven[i] = triple; }, "Corollary 15", std::to_string(triple.b));
+    --triple.b;
+    ++triple.v;
+    expect_found(
+        section, [=](Paper& p) { p.eleven[i] = triple; }, "Corollary 15", std::to_string(triple.v));
+  }
+  expect_found(
+      section, [](Paper& p) { p.eleven.pop_back(); }, "Corollary 15", "eleven");
+  expect_found(
+      section, [](Paper& p) { p.count_in_corollary = 12; }, "Corollary 15", "eleven");
+  const std::vector<std::int64_t PrintedExpansionFamily::*> coefficients = {
+      &PrintedExpansionFamily::v_ck, &PrintedExpansionFamily::v_c,   &PrintedExpansionFamily::v_l,
+      &PrintedExpansionFamily::v_0,  &PrintedExpansionFamily::b_ckk, &PrintedExpansionFamily::b_cc,
+      &PrintedExpansionFamily::b_cl, &PrintedExpansionFamily::b_c};
+  for (const auto coefficient : coefficients) {
+    expect_found(
+        section, [=](Paper& p) { ++(p.expanded.*coefficient); }, "Corollary 14");
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    expect_found(
+        section, [=](Paper& p) { p.six_base_blocks.further[i] = "3,50"; }, "Proposition 16");
+  }
+  expect_found(
+      section,
+      [](Paper& p) { std::swap(p.six_base_blocks.further[0], p.six_base_blocks.further[5]); },
+      "Proposition 16");
+  expect_found(
+      section, [](Paper& p) { p.range_short_by = 2; }, "Proposition 13", "the proof");
+  Paper right = printed_paper();
+  right.range_short_by = 0;
+  std::replace(right.eleven.begin(), right.eleven.end(), PrintedTriple{67, 3, 489},
+               PrintedTriple{51, 3, 425});
+  std::replace(right.eleven.begin(), right.eleven.end(), PrintedTriple{161, 11, 640},
+               PrintedTriple{171, 11, 765});
+  EXPECT_TRUE(differing(section, right).empty()) << places(differing(section, right));
+}
+
+TEST(FalsifiedPaper, conclusion) {
+  expect_found(
+      check_conclusion, [](Paper& p) { p.count_in_conclusion = 12; }, "Section 4");
+}
+
+TEST(FalsifiedPaper, what_cannot_be_read_is_refused) {
+  Paper paper = printed_paper();
+  paper.six_base_blocks.further[0] = "4;19";
+  EXPECT_THROW((void)run(check_corollaries, paper), BadInput);
+  paper = printed_paper();
+  paper.families.clear();
+  EXPECT_THROW((void)run(check_doubling, paper), BadInput);
+}
+
+}  // namespace
+}  // namespace changeover
