@@ -74,16 +74,17 @@ void text_against_bytes(benchmark::State& state, bool to_file) {
 void text_to_file(benchmark::State& state) { text_against_bytes(state, true); }
 void text_to_null(benchmark::State& state) { text_against_bytes(state, false); }
 
-BENCHMARK(text_to_file)
-    ->ArgNames({"v", "k"})
-    ->Args({991, 51})    // v ≈ 10³
-    ->Args({9991, 501})  // v ≈ 10⁴
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK(text_to_null)
-    ->ArgNames({"v", "k"})
-    ->Args({991, 51})
-    ->Args({9991, 501})
-    ->Unit(benchmark::kMillisecond);
+void sizes(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"v", "k"})
+      ->Args({991, 51})  // v ≈ 10³, large and small blocks
+      ->Args({1001, 4})
+      ->Args({9991, 501})  // v ≈ 10⁴
+      ->Args({10001, 4})
+      ->Unit(benchmark::kMillisecond);
+}
+
+BENCHMARK(text_to_file)->Apply(sizes);
+BENCHMARK(text_to_null)->Apply(sizes);
 
 }  // namespace
 }  // namespace changeover::bench

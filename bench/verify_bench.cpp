@@ -52,8 +52,10 @@ void verify_against_bits(benchmark::State& state) {
 BENCHMARK(verify_against_bits)
     ->ArgNames({"v", "k"})
     ->Args({253, 13})    // the paper's largest: an expanded design
-    ->Args({991, 51})    // five base blocks, v ≈ 10³
-    ->Args({9991, 501})  // five base blocks, v ≈ 10⁴
+    ->Args({991, 51})    // v ≈ 10³, large blocks
+    ->Args({1001, 4})    // v ≈ 10³, small blocks
+    ->Args({9991, 501})  // v ≈ 10⁴
+    ->Args({10001, 4})
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

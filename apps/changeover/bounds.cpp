@@ -34,7 +34,7 @@ Answer answer(const Parameters& p) {
   Answer answer{.parameters = p, .impossible = impossibility(p), .bounds = {}, .best = {}};
   if (!answer.impossible) {
     answer.bounds = lower_bounds(p);
-    answer.best = Registry::standard().best(p);
+    answer.best = best_known(p);
   }
   return answer;
 }

@@ -1,5 +1,6 @@
 // changeover expand FILE: the recursion with expansion sets, applied to a design of the user's own.
 #include "changeover/construct/expansion.hpp"
+#include "changeover/construct/partial_expansion.hpp"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,7 @@ struct ExpandRequest {
   bool count = false;
   bool partial = false;
   std::optional<std::uint64_t> nodes;
+  std::optional<std::uint64_t> new_elements;
   OutputRequest output;
 };
 
@@ -125,6 +127,71 @@ int report(const ExpandRequest& request, const Design& design) {
   return exit_code::done;
 }
 
+/// A larger design and how it came about.
+struct Larger {
+  Design design;
+  std::string how;
+};
+
+// The recursion of the paper: an expansion set with an odd number of members.
+Larger by_expansion_set(const ExpandRequest& request, const Design& design) {
+  if (design.parameters().change != 2) {
+    throw BadInput(
+        fmt::format("{}: change = {}; the recursion works on double-change designs (change 2); "
+                    "--new-elements W "
+                    "may serve",
+                    request.path, design.parameters().change));
+  }
+  ExpansionSearchOptions options;
+  options.how_many = request.which.value_or(1);
+  options.limits.nodes = request.nodes;
+  if (options.how_many == 0) {
+    throw UsageError{"--set counts from 1"};
+  }
+  const ExpansionSearch search = find_expansion_sets(design, options);
+  if (search.sets.size() < options.how_many) {
+    const PartialExpansion largest =
+        largest_partial_expansion_set(design, {.nodes = 1'000'000, .stop = {}});
+    throw MissingResource(
+        search.sets.empty()
+            ? fmt::format(
+                  "{}: no expansion set: {}; the largest partial one holds {} of {} elements; "
+                  "--new-elements W expands at subsets that overlap",
+                  request.path, no_more(search), elements_in(largest.set), design.v())
+            : fmt::format("{}: only {} expansion sets", request.path, search.sets.size()));
+  }
+  const ExpansionSet& set = search.sets[static_cast<std::size_t>(options.how_many - 1)];
+  if (set.size() % 2 == 0) {
+    throw MissingResource(fmt::format(
+        "{}: the expansion set has {} members, an even number; --new-elements {} expands it",
+        request.path, set.size(), set.size()));
+  }
+  const auto kind = factorization_kind_from_string(request.factorization);
+  return {expand(design, set,
+                 one_factorization(static_cast<std::uint32_t>(set.size() + 1), kind.value())),
+          "at the expansion set " + members(design, set)};
+}
+
+// Partial expansion: any number of new elements, subsets that cover V and may overlap.
+Larger by_cover(const ExpandRequest& request, const Design& design) {
+  CoverOptions options;
+  options.limits.nodes = request.nodes.value_or(200'000);
+  const std::uint64_t most = 2 * design.k() + 2;
+  const std::uint64_t w = *request.new_elements;
+  const auto best = w == 0 ? best_new_elements(design, 1, most, options)
+                           : best_new_elements(design, w, w, options);
+  if (!best) {
+    throw MissingResource(
+        fmt::format("{}: {} new elements cannot be inserted: too few unchanged subsets, or they "
+                    "leave an element out",
+                    request.path, w == 0 ? "no number of" : fmt::format("{}", w)));
+  }
+  return {expand_by(design, best->cover, best->w,
+                    *factorization_kind_from_string(request.factorization)),
+          fmt::format("by {} at {}", count_of(best->w, "new element"),
+                      members(design, best->cover.subsets))};
+}
+
 int run(const ExpandRequest& request) {
   if (request.circular && request.linear) {
     throw UsageError{"--circular and --linear exclude each other"};
@@ -142,38 +209,9 @@ int run(const ExpandRequest& request) {
   if (request.list || request.count || request.partial) {
     return report(request, design);
   }
-  if (design.parameters().change != 2) {
-    throw BadInput(
-        fmt::format("{}: change = {}; the recursion works on double-change designs (change 2)",
-                    request.path, design.parameters().change));
-  }
-  ExpansionSearchOptions options;
-  options.how_many = request.which.value_or(1);
-  options.limits.nodes = request.nodes;
-  if (options.how_many == 0) {
-    throw UsageError{"--set counts from 1"};
-  }
-  const ExpansionSearch search = find_expansion_sets(design, options);
-  if (search.sets.size() < options.how_many) {
-    const PartialExpansion largest =
-        largest_partial_expansion_set(design, {.nodes = 1'000'000, .stop = {}});
-    throw MissingResource(
-        search.sets.empty()
-            ? fmt::format(
-                  "{}: no expansion set: {}; the largest partial one holds {} of {} elements",
-                  request.path, no_more(search), elements_in(largest.set), design.v())
-            : fmt::format("{}: only {} expansion sets", request.path, search.sets.size()));
-  }
-  const ExpansionSet& set = search.sets[static_cast<std::size_t>(options.how_many - 1)];
-  if (set.size() % 2 == 0) {
-    throw MissingResource(
-        fmt::format("{}: the expansion set has {} members; the recursion needs an odd number, v an "
-                    "odd multiple of k - 2",
-                    request.path, set.size()));
-  }
-  const auto kind = factorization_kind_from_string(request.factorization);
-  const Design larger = expand(
-      design, set, one_factorization(static_cast<std::uint32_t>(set.size() + 1), kind.value()));
+  const Larger made =
+      request.new_elements ? by_cover(request, design) : by_expansion_set(request, design);
+  const Design& larger = made.design;
 
   Exhibit exhibit;
   exhibit.judgement = judge(verify(larger));
@@ -181,11 +219,11 @@ int run(const ExpandRequest& request) {
     throw InternalError("the expanded design is not valid");
   }
   exhibit.header = {larger.labels(), larger.recipe};
-  exhibit.title = fmt::format("{}, {}: {}\nexpanded from {} with {} at {}\nverified: {}",
-                              name(larger.parameters()), count_of(larger.block_count(), "block"),
-                              quality(exhibit.judgement), name(design.parameters()),
-                              count_of(design.block_count(), "block"), members(design, set),
-                              exhibit.judgement.certificate);
+  exhibit.title =
+      fmt::format("{}, {}: {}\nexpanded from {} with {} {}\nverified: {}",
+                  name(larger.parameters()), count_of(larger.block_count(), "block"),
+                  quality(exhibit.judgement), name(design.parameters()),
+                  count_of(design.block_count(), "block"), made.how, exhibit.judgement.certificate);
   DesignSource source(larger);
   show_design(source, exhibit, request.output);
   return exit_code::done;
@@ -207,10 +245,13 @@ void add_expand(Program& program) {
   verb.flag("--count", request->count, "count all expansion sets instead");
   verb.flag("--partial", request->partial,
             "list inclusion-maximal partial ones, and the largest, instead");
+  verb.option("-w,--new-elements", request->new_elements, "W",
+              "insert W new elements at unchanged subsets that may overlap; 0: the best number");
   verb.option("--nodes", request->nodes, "N", "give up after N nodes of the search");
   request->output.add_to(verb, design_formats());
   verb.examples({"changeover design 7 3 --linear --json | changeover expand -",
-                 "changeover design 21 5 --json -o d.json && changeover expand d.json --count"});
+                 "changeover design 21 5 --json -o d.json && changeover expand d.json --count",
+                 "changeover design 15 5 --json | changeover expand - --new-elements 4"});
   verb.run([request] { return run(*request); });
 }
 

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
 #include "changeover/verify/interval_difference.hpp"
@@ -49,18 +50,46 @@ void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) 
 
 std::string OutputRequest::chosen() const { return json ? "json" : format; }
 
+// For few elements the closure rules are applied as well, over the parameters around.
+static std::optional<Offer> planned(const Parameters& p) {
+  constexpr std::uint64_t most_planned = 120;
+  constexpr std::uint64_t margin = 6;
+  if (p.v > most_planned || p.k < 2 || impossibility(p)) {
+    return std::nullopt;
+  }
+  const Plan plan = plan_range(Registry::standard(),
+                               {.v_from = std::max<std::uint64_t>(2, p.v - 1),
+                                .v_to = p.v + margin,
+                                .k_from = std::max<std::uint64_t>(2, p.k - 1),
+                                .k_to = p.k,
+                                .change = p.change},
+                               [](const Design& design) { return verify(design).valid(); });
+  return plan.at(p).best;
+}
+
+std::optional<Offer> best_known(const Parameters& p) {
+  std::optional<Offer> best = Registry::standard().best(p);
+  if (!best || best->b > lower_bound(p).blocks) {
+    if (auto better = planned(p); better && (!best || better->b < best->b)) {
+      best = std::move(better);
+    }
+  }
+  return best;
+}
+
 std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
                                 const std::string& construction) {
-  const Registry& registry = Registry::standard();
   std::optional<Offer> best;
+  const auto consider = [&](std::optional<Offer> offer) {
+    if (offer && (!best || offer->b < best->b)) {
+      best = std::move(offer);
+    }
+  };
   for (const Parameters& p : asked) {
-    for (Offer& offer : registry.offers(p)) {
-      if (!construction.empty() && offer.recipe.construction != construction) {
-        continue;
-      }
-      if (!best || offer.b < best->b) {
-        best = std::move(offer);
-      }
+    if (construction.empty()) {
+      consider(impossibility(p) ? std::nullopt : best_known(p));
+    } else if (const Construction* named = Registry::standard().find(construction)) {
+      consider(named->offer(p, Registry::standard()));
     }
   }
   return best;

@@ -46,6 +46,10 @@ struct OutputRequest {
   [[nodiscard]] std::string chosen() const;
 };
 
+/// The best that is known of some parameters: what the constructions offer, and for v ≤ 120 also what the
+/// closure rules make of it.
+[[nodiscard]] std::optional<Offer> best_known(const Parameters& p);
+
 /// The best offer over some kinds, circular before linear among equals.
 [[nodiscard]] std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
                                               const std::string& construction);

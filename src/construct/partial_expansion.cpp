@@ -1,13 +1,14 @@
 // Counts, defects and the expansion itself.
 //
-// Why consecutive blocks differ in exactly m elements. All inserted blocks of a position contain its
-// unchanged subset U, and so do the blocks before and after, B and B′, which have nothing else in
-// common. So it is enough that the m other elements of consecutive blocks are disjoint.
+// Why consecutive blocks differ in exactly m elements. All inserted blocks of a position contain
+// its unchanged subset U, and so do the blocks before and after, B and B′, which have nothing else
+// in common. So it is enough that the m other elements of consecutive blocks are disjoint.
 //   w ≤ m   the one block's others are new, or old elements in neither B nor B′.
-//   m = 2   the edges of a factor are disjoint from one another and, being new, from B and B′. With w
-//           odd there is one more pair {x,y}, x new and in no edge, y old and not in U. It is disjoint
-//           from the edges, of which there is at least one. If y is not in B the pair comes first: its
-//           neighbours are B and an edge. If y is in B it is not in B′, and comes last.
+//   m = 2   the edges of a factor are disjoint from one another and, being new, from B and B′. With
+//           w odd there is one more pair {x,y}, x new and in no edge, y old and not in U. It is
+//           disjoint from the edges, of which there is at least one. If y is not in B the pair
+//           comes first: its neighbours are B and an edge. If y is in B it is not in B′, and comes
+//           last.
 //   m = 1   elsewhere than at the sweep the others are distinct new elements.
 // For the sweep see partial_expansion_sweep.cpp.
 #include "changeover/construct/partial_expansion.hpp"
@@ -160,8 +161,8 @@ std::optional<std::string> shape_defect(const Parameters& p, const UnchangedCove
   return left_out_defect(p, cover, w);
 }
 
-// Why the subset, with what comes beside, is not unchanged between two blocks; at the ends of a linear
-// design one of them is missing.
+// Why the subset, with what comes beside, is not unchanged between two blocks; at the ends of a
+// linear design one of them is missing.
 std::optional<std::string> place_defect(const Parameters& p, const UnchangedSubset& subset,
                                         const Block* beside, std::span<const Element> before,
                                         std::span<const Element> after, std::uint64_t w) {

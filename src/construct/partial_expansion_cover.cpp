@@ -1,7 +1,8 @@
 // Finding covers by unchanged subsets.
 //
-// The ends of a linear design offer C(k,m) subsets each. None is written down: the search picks inner
-// subsets only and asks at its leaves whether the ends, and what may be left out, can take the rest.
+// The ends of a linear design offer C(k,m) subsets each. None is written down: the search picks
+// inner subsets only and asks at its leaves whether the ends, and what may be left out, can take
+// the rest.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -28,7 +29,8 @@ struct Finish {
   std::uint64_t ends = 0;  // how many ends are used
 };
 
-// A set-cover problem: distinct inner subsets of n elements, two ends, `slack` elements to leave out.
+// A set-cover problem: distinct inner subsets of n elements, two ends, `slack` elements to leave
+// out.
 class CoverSearch {
  public:
   CoverSearch(const Design& design, const std::vector<UnchangedSubset>& inner)
@@ -62,8 +64,8 @@ class CoverSearch {
     std::uint64_t cost = 0;
   };
 
-  // The fewest subsets, less than `limit`, that leave at most `slack` elements out; it is known that
-  // fewer than `least` do not.
+  // The fewest subsets, less than `limit`, that leave at most `slack` elements out; it is known
+  // that fewer than `least` do not.
   Answer run(std::uint64_t slack, std::uint64_t limit, std::uint64_t least, bool greedy_only,
              const SearchLimits& limits) {
     slack_ = slack;
@@ -219,21 +221,17 @@ class CoverSearch {
   }
 
   bool enter() {
-    if (limits_->nodes && nodes_ >= *limits_->nodes) {
-      stopped_ = true;
-    } else if (nodes_ % 256 == 0 && limits_->stop && limits_->stop()) {
-      stopped_ = true;
-    } else {
-      ++nodes_;
-    }
+    const bool limit = limits_->nodes && nodes_ >= *limits_->nodes;
+    stopped_ = limit || (nodes_ % 256 == 0 && limits_->stop && limits_->stop());
+    nodes_ += stopped_ ? 0U : 1U;
     return !stopped_;
   }
 
   [[nodiscard]] bool done() const { return stopped_ || limit_ <= least_; }
 
   // Picks the uncovered element that the fewest subsets can cover, and tries each of these, the one
-  // that covers the most first, and then none. A subset that was tried need not be tried again below
-  // its later siblings.
+  // that covers the most first, and then none. A subset that was tried need not be tried again
+  // below its later siblings.
   void search() {
     const std::uint64_t open = uncovered_ - std::min<std::uint64_t>(slack_, uncovered_);
     if (chosen_.size() + ceil_div(open, n_) >= limit_ || done()) {
@@ -418,7 +416,7 @@ class Finder {
     return detail::add_positions(cover, detail::one_subset_a_position(design_), count) &&
            detail::put_beside(p_, w_, cover, [&](std::size_t place, Element y) {
              const std::size_t position = cover.subsets[place].position;
-             const std::size_t b = design_.block_count();
+             const std::size_t b = std::max<std::size_t>(design_.block_count(), 1);
              const auto is_in = [y](std::span<const Element> block) {
                return std::find(block.begin(), block.end(), y) != block.end();
              };

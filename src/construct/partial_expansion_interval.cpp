@@ -1,12 +1,12 @@
 // Covers of Z_v by intervals, in closed form.
 //
-// The intervals A, A+n, A+2n, … lie side by side; the last one reaches beyond 0 if n does not divide v,
-// or else what is left out are the last residues. A + s is the unchanged subset at the positions
-// sc, sc+1, …, sc+c−1, where 0 stands for cv; the first of them serves.
+// The intervals A, A+n, A+2n, … lie side by side; the last one reaches beyond 0 if n does not
+// divide v, or else what is left out are the last residues. A + s is the unchanged subset at the
+// positions sc, sc+1, …, sc+c−1, where 0 stands for cv; the first of them serves.
 //
-// For m = 1 and v = 2cn + 1 one residue can be left out at a good place. At c ≥ 2 it is the point 2n of
-// the first base block, which leaves at position 1, where A is kept: the intervals 2n+1+tn, 0 ≤ t < 2c,
-// contain A at t = 2c−2. At c = 1 it is 0, which leaves at position 1, where A+1 is kept.
+// For m = 1 and v = 2cn + 1 one residue can be left out at a good place. At c ≥ 2 it is the point
+// 2n of the first base block, which leaves at position 1, where A is kept: it is the interval from
+// 2n+1+tn on with t = 2c−2 < 2c. At c = 1 it is 0, which leaves at position 1, where A+1 is kept.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -164,11 +164,11 @@ std::optional<std::uint64_t> interval_cover_for_one_more_size(const Parameters& 
   return count <= ceil_div(p.v, n) ? std::optional(count) : std::nullopt;
 }
 
-// At a position of the inner cover there are w/2 blocks U ∪ e between B and B′, and U is what is kept at
-// each of the w/2 + 1 steps. For w ≥ 4 an old element can come beside x between the first two edges, and
-// a new one before the first edge or after the last, not both of which hold it. For w = 2 there is one
-// edge, of both new elements: they come beside x at the next position, at which U is kept too, and an old
-// one comes before the edge or after it, as it is not in both B and B′.
+// At a position of the inner cover there are w/2 blocks U ∪ e between B and B′, and U is what is
+// kept at each of the w/2 + 1 steps. For w ≥ 4 an old element can come beside x between the first
+// two edges, and a new one before the first edge or after the last, not both of which hold it. For
+// w = 2 there is one edge, of both new elements: they come beside x at the next position, at which
+// U is kept too, and an old one comes before the edge or after it, as it is not in both B and B′.
 UnchangedCover interval_cover_for_one_more(const Parameters& p, std::uint64_t c, std::uint64_t w,
                                            const IntervalDevelopedSource::Points& points) {
   const auto count = interval_cover_for_one_more_size(p, c, w);

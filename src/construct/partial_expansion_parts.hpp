@@ -11,8 +11,9 @@
 
 namespace changeover::detail {
 
-/// The sweep for m = 1: the blocks between U ∪ {a} and U ∪ {b} that cover all pairs of new elements and
-/// all pairs of a new and an old element of U, and those of new elements with a if a is left out.
+/// The sweep for m = 1: the blocks between U ∪ {a} and U ∪ {b} that cover all pairs of new elements
+/// and all pairs of a new and an old element of U, and those of new elements with a if a is left
+/// out.
 /// @param kept U, at least one element.
 /// @param left_out a, or nothing.
 /// @param added the new elements, at least one.
@@ -24,18 +25,19 @@ namespace changeover::detail {
 [[nodiscard]] std::uint64_t sweep_length(std::uint64_t kept, std::uint64_t added, bool left_out);
 
 /// The same for m = 2, k ≥ 4, between U ∪ {a,a′} and U ∪ {b,b′}.
-/// @param added an even number of elements: the new ones, if need be with one of none of the blocks.
+/// @param added an even number of elements: the new ones, if need be with one of none of the
+/// blocks.
 [[nodiscard]] std::vector<Element> double_sweep(const Block& kept, const Block& added);
 
-/// From how many positions on the factors cover all pairs of new elements, m = 2, w > 2: w − 1 if w is
-/// even, else w. Otherwise 1.
+/// From how many positions on the factors cover all pairs of new elements, m = 2, w > 2: w − 1 if w
+/// is even, else w. Otherwise 1.
 [[nodiscard]] std::uint64_t positions_for_factors(const Parameters& p, std::uint64_t w);
 
 /// Whether the pairs of new elements are covered by a sweep.
 [[nodiscard]] bool takes_sweep(const Parameters& p, std::uint64_t subsets, std::uint64_t w);
 
-/// Given a cover of that many subsets, how many to use for the fewest blocks, when positions can be added
-/// up to `available`; nullopt if w takes more than that.
+/// Given a cover of that many subsets, how many to use for the fewest blocks, when positions can be
+/// added up to `available`; nullopt if w takes more than that.
 [[nodiscard]] std::optional<std::uint64_t> best_positions(const Parameters& p,
                                                           std::uint64_t subsets,
                                                           std::uint64_t available, std::uint64_t w);
@@ -43,11 +45,12 @@ namespace changeover::detail {
 /// How many old elements at most come beside unmatched new ones at a position.
 [[nodiscard]] std::uint64_t beside_at_most(const Parameters& p, std::uint64_t w);
 
-/// The elements of V that are in none of the subsets, increasing. The subsets hold elements below v.
+/// The elements of V that are in none of the subsets, increasing. The subsets hold elements below
+/// v.
 [[nodiscard]] Block left_out_elements(std::uint64_t v, const std::vector<UnchangedSubset>& subsets);
 
-/// The subsets that the inner positions of a design offer, and at the ends of a linear one the first
-/// k − m elements of its first and of its last block: one a position, in order of position.
+/// The subsets that the inner positions of a design offer, and at the ends of a linear one the
+/// first k − m elements of its first and of its last block: one a position, in order of position.
 [[nodiscard]] std::vector<UnchangedSubset> one_subset_a_position(const Design& design);
 
 /// Adds subsets from `more`, in its order, at positions that the cover does not use, until it has

@@ -106,10 +106,11 @@ bool detail::put_beside(const Parameters& p, std::uint64_t w, UnchangedCover& co
   }
   if (w < p.change) {
     auto shared = share_out(rest, places, static_cast<std::size_t>(p.change - w), allowed);
-    if (shared) {
-      cover.beside = *std::move(shared);
+    if (!shared) {
+      return false;
     }
-    return shared.has_value();
+    cover.beside = *std::move(shared);
+    return true;
   }
   // The new element number i mod w of the factorization is unmatched at the i-th position.
   cover.beside.resize(places);

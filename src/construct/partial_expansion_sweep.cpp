@@ -1,31 +1,34 @@
 // The sweep of a single-change expansion.
 //
-// Between U ∪ {a} and U ∪ {b} a list Y = y₁, …, y_N has to meet itself, and all of U. One element enters
-// and one leaves at each step, so what enters and what leaves says everything.
+// Between U ∪ {a} and U ∪ {b} a list Y = y₁, …, y_N has to meet itself, and all of U. One element
+// enters and one leaves at each step, so what enters and what leaves says everything.
 //
-//   N ≤ k      y₁, …, y_N enter, from the second on in the place of u₁, …, u_{N−1}; then u₁, u₂, … return
-//              in that order in the places of y₁, y₂, …. All of Y stands together in the middle. For
-//              j < i, y_i leaves after u_j returned, and for j ≥ i it entered before u_j left: so every
-//              y_i meets every u_j. 2N − 1 blocks, which is least if each y enters once: all N lie
-//              together at some time, so N − 1 of U left and N − 1 return.
-//   k < N < 2k  Hold: y₁, …, y_k enter; y_{k+1}, …, y_N follow in the place of one another; then y_k, …,
-//              y_{N−1} enter again in the places of y_{k−1}, y_{k−2}, …. Those from y_k on now stand
-//              together, and each met y₁, …, y_{k−1} before. U returns, y₁, …, y_q, q = 2k−1−N, leaving
-//              last, so these q meet all of U; the other N − q are streamed, U ∪ {y}. 4N − 2k blocks.
-//              Slide: y₁, …, y_N and again y₁, …, y_{N−k} enter, the one that is in longest leaving: each
-//              block holds k consecutive ones of the circle Y, so all pairs meet, N < 2k. U returns;
-//              y₁, …, y_{N−k} meet all of it as for N ≤ k; the other k are streamed. 2N + k − 1 blocks.
-//   N ≥ 2k     Rounds: y₁, …, y_k enter; the others follow in the place of one another, k − 1 being held.
-//              The r = N − k + 1 from y_k on do the same, as all the others have met everything: the one
-//              that entered last and k − 2 more are held, in the places of those held before. So on
-//              until at most k are left, which come together. A round takes r − 1 steps. U returns, and
-//              all are streamed, but the first and the last one, which have stood with all of U.
+//   N ≤ k      y₁, …, y_N enter, from the second on in the place of u₁, …, u_{N−1}; then u₁, u₂, …
+//              return in that order in the places of y₁, y₂, …. All of Y stands together in the
+//              middle. For j < i, y_i leaves after u_j returned, and for j ≥ i it entered before
+//              u_j left: so every y_i meets every u_j. 2N − 1 blocks, which is least if each y
+//              enters once: all N lie together at some time, so N − 1 of U left and N − 1 return.
+//   k < N < 2k  Hold: y₁, …, y_k enter; y_{k+1}, …, y_N follow in the place of one another; then
+//              y_k, …, y_{N−1} enter again in the places of y_{k−1}, y_{k−2}, …. Those from y_k on
+//              now stand together, and each met y₁, …, y_{k−1} before. U returns, y₁, …, y_q, q =
+//              2k−1−N, leaving last, so these q meet all of U; the other N − q are streamed, U ∪
+//              {y}. 4N − 2k blocks.
+//              Slide: y₁, …, y_N and again y₁, …, y_{N−k} enter, the one that is in longest
+//              leaving: each block holds k consecutive ones of the circle Y, so all pairs meet, N <
+//              2k. U returns; y₁, …, y_{N−k} meet all of it as for N ≤ k; the other k are streamed.
+//              2N + k − 1 blocks.
+//   N ≥ 2k     Rounds: y₁, …, y_k enter; the others follow in the place of one another, k − 1 being
+//              held. The r = N − k + 1 from y_k on do the same, as all the others have met
+//              everything: the one that entered last and k − 2 more are held, in the places of
+//              those held before. So on until at most k are left, which come together. A round
+//              takes r − 1 steps. U returns, and all are streamed, but the first and the last one,
+//              which have stood with all of U.
 //
-// Every list begins with U ∪ {y₁}. If a is left out elsewhere it is made y₁: the block before the sweep
-// is then that block already, and a itself need not be streamed.
+// Every list begins with U ∪ {y₁}. If a is left out elsewhere it is made y₁: the block before the
+// sweep is then that block already, and a itself need not be streamed.
 //
-// For m = 2 the same with pairs of elements for elements, ⌊k/2⌋ for k, and, if k is odd, one element of
-// U that stays all the time.
+// For m = 2 the same with pairs of elements for elements, ⌊k/2⌋ for k, and, if k is odd, one
+// element of U that stays all the time.
 #include <algorithm>
 #include <numeric>
 #include <utility>

@@ -23,9 +23,8 @@ namespace {
 // then the new ones follow.
 using Role = std::uint32_t;
 
-// Scripts as they are written: old roles as digits, new ones as letters from a on. "*abc" stands
-// for {a,b,c} with each further old element in turn. The block S, from which they start, is left
-// out.
+// Scripts as they are written, without the block S: old roles as digits, new ones as letters from a
+// on. "*abc" stands for {a,b,c} with each further old element in turn.
 constexpr std::string_view script_3 = "02a 12a 1ab *ab 3ab abd abc 0bc 2bc 2cd *cd 3cd 1cd 01d";
 constexpr std::string_view script_4 =
     "345a 45ab 5abc *abc 0abc 0abd 1abd 13bd 13cd 14cd 14de 4def 5def *def 2def 23ef 2aef 2bef "
@@ -54,8 +53,8 @@ struct Script {
   std::vector<Role> next;  // by old role: the role of this round that has it in the next
 };
 
-// e, p_i and x_i of a list by its last k − 1 blocks; `common` holds e. nullopt if it ends
-// otherwise.
+// e, p_i and x_i by the last k − 1 blocks of a list; `common` holds e. nullopt if it ends in
+// another way.
 template <typename Blocks>
 std::optional<Block> roles_at_end(const Blocks& last, std::uint64_t k, const Block& common) {
   Block roles(static_cast<std::size_t>(old_roles(k)));

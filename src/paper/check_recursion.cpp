@@ -51,7 +51,9 @@ PaperItem check_theorem(const PaperContext& context, const std::vector<WithSet>&
   const PrintedRecursion& printed = printed_recursion(context.paper);
   std::size_t tight = 0;
   std::size_t economical = 0;
-  for (const auto& [design, set] : designs) {
+  for (const WithSet& with_set : designs) {
+    const Design& design = with_set.design;
+    const ExpansionSet& set = with_set.set;
     const auto subsets = static_cast<std::uint32_t>(set.size());
     const auto defect = expansion_set_defect(design, set);
     if (!check.expect(
@@ -169,7 +171,9 @@ PaperItem check_colours(const Paper& paper, const PrintedTable& table) {
 
 PaperItem check_never_again(const std::vector<WithSet>& designs) {
   Check check("Section 3.1", "the expanded design never has an expansion set", "designs");
-  for (const auto& [design, set] : designs) {
+  for (const WithSet& with_set : designs) {
+    const Design& design = with_set.design;
+    const ExpansionSet& set = with_set.set;
     if (expansion_set_defect(design, set)) {
       continue;
     }
@@ -191,7 +195,9 @@ PaperItem check_never_again(const std::vector<WithSet>& designs) {
 PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& designs) {
   Check check("Section 3.1", "a new element of Theorem 2 is never in an unchanged subset",
               "designs");
-  for (const auto& [design, set] : designs) {
+  for (const WithSet& with_set : designs) {
+    const Design& design = with_set.design;
+    const ExpansionSet& set = with_set.set;
     if (expansion_set_defect(design, set)) {
       continue;
     }

@@ -20,7 +20,8 @@ struct Pairs {
   std::array<std::uint64_t, 2> words{};
 
   [[nodiscard]] std::uint64_t size() const {
-    return static_cast<std::uint64_t>(std::popcount(words[0]) + std::popcount(words[1]));
+    return static_cast<std::uint64_t>(std::popcount(words[0])) +
+           static_cast<std::uint64_t>(std::popcount(words[1]));
   }
 };
 

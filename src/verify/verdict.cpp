@@ -57,45 +57,55 @@ class Verification {
         k_(static_cast<std::size_t>(p.k)),
         options_(options),
         occurring_(std::move(occurring)),
+        last_(static_cast<std::size_t>(p.v), 0),
         tracks_(static_cast<std::size_t>(p.v)),
-        arranged_(2 * k_) {
+        arranged_(k_),
+        introduced_(k_),
+        left_(k_) {
     verdict_.parameters = p;
   }
 
   void add(std::span<const Element> block) {
-    const std::uint64_t now = ++verdict_.b;
-    // Kept elements from the front of arranged_, introduced ones from the middle; both stores are made
-    // and one counter advances, because a branch would be mispredicted at every change.
+    ++verdict_.b;
+    const std::uint64_t now = verdict_.b + 1;  // so that 0 and 1 stand before every block
+    // Both stores are made and one counter advances: a branch would be mispredicted at every change.
     Element* const kept = arranged_.data();
-    Element* const introduced = kept + k_;
+    Element* const introduced = introduced_.data();
+    std::uint64_t* const left = left_.data();
+    std::uint64_t* const last_seen = last_.data();
+    const std::uint64_t v = p_.v;
     std::size_t kept_count = 0;
     std::size_t introduced_count = 0;
+    bool repeated = false;
     for (const Element x : block) {
-      if (x >= p_.v) {
-        throw BadInput(fmt::format("block {}: element {} is not below v = {}", now, x, p_.v));
+      if (x >= v) {
+        throw BadInput(fmt::format("block {}: element {} is not below v = {}", verdict_.b, x, v));
       }
-      Track& track = tracks_[x];
-      if (track.last == now) {
-        throw BadInput(fmt::format("block {} repeats the element {}", now, x));
-      }
-      const bool stays = now > 1 && track.last + 1 == now;
+      const std::uint64_t last = last_seen[x];
+      const bool stays = last + 1 == now;
       kept[kept_count] = x;
       introduced[introduced_count] = x;
+      left[introduced_count] = last;
       kept_count += stays ? 1 : 0;
       introduced_count += stays ? 0 : 1;
-      if (!stays) {
-        track.close_run();
-        track.first = now;
-      }
-      track.last = now;
+      repeated |= last == now;
+      last_seen[x] = now;
     }
-    if (now == 1) {
+    if (repeated) {
+      refuse_repetition(block);
+    }
+    for (std::size_t i = 0; i < introduced_count; ++i) {
+      Track& track = tracks_[introduced[i]];
+      track.close_run(left[i]);
+      track.first = now;
+      kept[kept_count + i] = introduced[i];
+    }
+    if (verdict_.b == 1) {
       first_.assign(block.begin(), block.end());
     } else {
-      judge_step(now - 1, now, introduced_count, {kept, kept_count});
+      judge_step(verdict_.b - 1, verdict_.b, introduced_count, {kept, kept_count});
     }
     verdict_.covered += newly_covered(introduced_count);
-    std::copy(introduced, introduced + introduced_count, kept + kept_count);
     occurring_.insert_new({kept, k_}, kept_count);
   }
 
@@ -119,21 +129,28 @@ class Verification {
   }
 
  private:
-  /// Where an element has been: closed runs of blocks, and the run that is open or was open last.
+  /// Where an element has been: closed runs of blocks, and where the run began that is open or was open
+  /// last. Blocks are told by verdict_.b + 1.
   struct Track {
     std::uint64_t first = 0;
-    std::uint64_t last = 0;  ///< 0: nowhere yet
     std::uint64_t runs = 0;
     std::uint64_t blocks = 0;
     std::int64_t surplus = 0;  ///< covered pairs at x beyond m for each block that keeps it
 
-    void close_run() {
+    void close_run(std::uint64_t last) {
       if (last != 0) {
         ++runs;
         blocks += last - first + 1;
       }
     }
   };
+
+  [[noreturn]] void refuse_repetition(std::span<const Element> block) const {
+    Block sorted(block.begin(), block.end());
+    std::sort(sorted.begin(), sorted.end());
+    const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
+    throw BadInput(fmt::format("block {} repeats the element {}", verdict_.b, *twin));
+  }
 
   /// t-subsets of a block with that many introduced elements that contain one of them.
   [[nodiscard]] std::uint64_t newly_covered(std::uint64_t introduced) const {
@@ -162,8 +179,8 @@ class Verification {
 
   // Until here the first block counted as if nothing preceded it.
   void close_the_circle() {
-    for (Track& track : tracks_) {
-      track.close_run();
+    for (std::size_t x = 0; x < tracks_.size(); ++x) {
+      tracks_[x].close_run(last_[x]);
     }
     const std::uint64_t b = verdict_.b;
     for (std::size_t x = 0; x < tracks_.size() && b > 0; ++x) {
@@ -176,7 +193,7 @@ class Verification {
     }
     Block kept;
     for (const Element x : first_) {
-      if (tracks_[x].last == b) {
+      if (last_[x] == b + 1) {
         kept.push_back(x);
         --tracks_[x].runs;  // its first and its last run are one
       }
@@ -255,8 +272,11 @@ class Verification {
   std::size_t k_;
   VerifyOptions options_;
   Set occurring_;
+  std::vector<std::uint64_t> last_;  // by element: the last block that holds it; 0: none yet
   std::vector<Track> tracks_;
-  std::vector<Element> arranged_;
+  std::vector<Element> arranged_;  // the kept elements of a block, then the introduced ones
+  std::vector<Element> introduced_;
+  std::vector<std::uint64_t> left_;  // last_ of the introduced elements, before this block
   Block first_;
   SubsetHashes unchanged_;
   Verdict verdict_;
@@ -299,20 +319,30 @@ class Pairs {
   PairSet set_;
 };
 
-template <typename Set>
-Verdict run(BlockSource& source, const Parameters& p, const VerifyOptions& options) {
-  Verification<Set> verification(p, options, Set(p));
-  Block block(static_cast<std::size_t>(p.k));
+/// Hands every block to `take`.
+void for_each_block(BlockSource& source, auto&& take) {
+  Block block(static_cast<std::size_t>(source.parameters().k));
   while (source.next(block)) {
-    verification.add(block);
+    take(std::span<const Element>(block));
   }
+}
+
+void for_each_block(const Design& design, auto&& take) {
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    take(design.block(i));
+  }
+}
+
+template <typename Set, typename Blocks>
+Verdict run(Blocks& blocks, const Parameters& p, const VerifyOptions& options) {
+  Verification<Set> verification(p, options, Set(p));
+  for_each_block(blocks, [&](std::span<const Element> block) { verification.add(block); });
   return verification.finish();
 }
 
-}  // namespace
-
-Verdict verify(BlockSource& source, const VerifyOptions& options) {
-  const Parameters p = source.parameters();
+template <typename Blocks>
+Verdict judge(Blocks& blocks, const VerifyOptions& options) {
+  const Parameters p = blocks.parameters();
   check(p);
   constexpr std::uint64_t most_bits = std::uint64_t{1} << 35;
   if (p.v > max_elements_in_memory) {
@@ -326,16 +356,19 @@ Verdict verify(BlockSource& source, const VerifyOptions& options) {
                     p.v, p.strength));
   }
   try {
-    return p.strength == 2 ? run<Pairs>(source, p, options) : run<SubsetSet>(source, p, options);
+    return p.strength == 2 ? run<Pairs>(blocks, p, options) : run<SubsetSet>(blocks, p, options);
   } catch (const std::bad_alloc&) {
     throw MissingResource(
         fmt::format("not enough memory to verify v = {}: it takes C(v,{}) bits", p.v, p.strength));
   }
 }
 
+}  // namespace
+
+Verdict verify(BlockSource& source, const VerifyOptions& options) { return judge(source, options); }
+
 Verdict verify(const Design& design, const VerifyOptions& options) {
-  DesignSource source(design);
-  return verify(source, options);
+  return judge(design, options);
 }
 
 }  // namespace changeover

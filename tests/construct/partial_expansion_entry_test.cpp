@@ -24,8 +24,8 @@ struct Row {
   std::uint64_t v, k, b;
 };
 
-// Economical designs that the theorems of the paper do not give, all with an even number of new elements
-// (an even number of positions or an overlap).
+// Economical designs that the theorems of the paper do not give, all with an even number of new
+// elements (an even number of positions or an overlap).
 constexpr Row economical[] = {
     {19, 5, 25},  {23, 6, 29},  {25, 6, 34},  {17, 5, 20},  {21, 6, 24},   {25, 7, 28},
     {8, 4, 6},    {12, 6, 8},   {14, 6, 11},  {9, 5, 6},    {13, 7, 8},    {47, 7, 99},

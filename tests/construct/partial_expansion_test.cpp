@@ -101,6 +101,14 @@ TEST(PartialExpansion, IsTheirTheoremForAPartitionOfOddSizeAndEconomicalForAnEve
   EXPECT_TRUE(nineteen.economical());
 }
 
+TEST(PartialExpansion, RunsTheExampleOfTheHeader) {
+  const Design design = built("cyclic-paper", 15, 5);
+  std::optional<UnchangedCover> cover = find_cover(design, {.new_elements = 4});
+  Design larger = expand_by(design, *cover, 4);
+  EXPECT_EQ(larger.block_count(), 25U);
+  EXPECT_TRUE(verify(larger).economical());
+}
+
 TEST(PartialExpansion, ReachesEconomicalDesignsFromTheCyclicOneOnNineteenElements) {
   const Design design = built("cyclic-paper", 19, 6);
   for (const auto& [w, b] : {std::pair{2, 24}, std::pair{4, 29}, std::pair{6, 34}}) {

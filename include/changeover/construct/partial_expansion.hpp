@@ -18,8 +18,8 @@
 //                 beside it: b + ℓ blocks. For m = 1, w = 1 see [PreeceEtAl1995].
 //   m = 2, w odd  (w+1)/2 blocks a position: the edges of a near-1-factor of K_w, and its unmatched
 //                 element beside an old one. With ℓ ≥ w each of the w near-1-factors is used.
-//   m = 2, few ℓ  if ℓ is too small for all factors and k ≥ 4, the blocks at one position wander off
-//                 through X, so that its pairs are covered too: the *sweep*.
+//   m = 2, few ℓ  if ℓ is too small for all factors and k ≥ 4, the blocks at one position wander
+//                 off through X, so that its pairs are covered too: the *sweep*.
 //   m = 1, w > 1  U_j ∪ {x} for every x in X at every position, and a sweep.
 //   m ≥ 3, w > m  not offered.
 //
@@ -29,8 +29,8 @@
 // (m−w)ℓ of them). For m = 1 one element may be left out, the one that leaves at the sweep, for it
 // can wander along: that saves a position for one block more.
 //
-// Deliberately not done: a least sweep (it is hold-and-stream, some 10-20 % over what pairs of X would
-// take at least), and inserting where a subset of k−m elements of an inner block is not unchanged.
+// Deliberately not done: a least sweep (it is hold-and-stream), and inserting where a subset of k−m
+// elements of an inner block is not unchanged.
 #pragma once
 
 #include <cstddef>
@@ -54,9 +54,9 @@ namespace changeover {
 struct UnchangedCover {
   /// In order of position, positions distinct.
   std::vector<UnchangedSubset> subsets;
-  /// The old elements that come beside unmatched new ones, for each subset: at most m − w of them if
-  /// w < m, at most one if m = 2 and w is odd. What is not said is chosen when expanding, and so is
-  /// everything if this is empty. Increasing.
+  /// The old elements that come beside unmatched new ones, for each subset: at most m − w of them
+  /// if w < m, at most one if m = 2 and w is odd. What is not said is chosen when expanding, and so
+  /// is everything if this is empty. Increasing.
   std::vector<Block> beside;
   /// The index of the subset at whose position there is a sweep, if there is one.
   std::size_t sweep = 0;
@@ -74,23 +74,23 @@ struct CoverOptions {
   std::uint64_t exact_up_to = std::uint64_t{1} << 18;
 };
 
-/// The fewest unchanged subsets that serve w new elements: an exact cover where there is one, else a
-/// least set cover by branch and bound (from a greedy one; each subset covers at most k − m of what
-/// is uncovered), else, when a limit strikes, the best so far. In a linear design the ends offer any
-/// (k−m)-subset of the first and of the last block, one each. Further positions are added if w takes
-/// them, or if they cost less than a sweep. nullopt: there is none, because elements are in no unchanged
-/// subset and cannot be left out, or there are too few positions.
+/// The fewest unchanged subsets that serve w new elements: an exact cover where there is one, else
+/// a least set cover by branch and bound (from a greedy one; each subset covers at most k − m of
+/// what is uncovered), else, when a limit strikes, the best so far. In a linear design the ends
+/// offer any (k−m)-subset of the first and of the last block, one each. Further positions are added
+/// if w takes them, or if they cost less than a sweep. nullopt: there is none, because elements are
+/// in no unchanged subset and cannot be left out, or there are too few positions.
 /// @throws ImpossibleParameters if w does not fit; see blocks_added().
 [[nodiscard]] std::optional<UnchangedCover> find_cover(const Design& design,
                                                        const CoverOptions& options = {});
 
-/// Why w new elements cannot be added to the design by this cover, in one line; nullopt if they can.
+/// Why this cover does not serve to add w new elements, in one line; nullopt if it does.
 /// @throws ImpossibleParameters as blocks_added().
 [[nodiscard]] std::optional<std::string> cover_defect(const Design& design,
                                                       const UnchangedCover& cover, std::uint64_t w);
 
-/// How many of the elements of V a cover of ℓ = `subsets` subsets may leave out; see the summary. For
-/// m = 1 it is 1 if w > 1. @throws as blocks_added().
+/// How many of the elements of V a cover of ℓ = `subsets` subsets may leave out; see the summary.
+/// For m = 1 it is 1 if w > 1. @throws as blocks_added().
 [[nodiscard]] std::uint64_t may_be_left_out(const Parameters& p, std::uint64_t subsets,
                                             std::uint64_t w);
 
@@ -101,8 +101,8 @@ struct CoverOptions {
 
 /// The number of blocks that expand_by() adds: ℓ for w ≤ m, and ℓ⌈w/2⌉ for m = 2, ℓ ≥ w − 1 (w odd:
 /// ℓ ≥ w). With a sweep one of the ℓ positions takes, for m = 1 and N = w, 2N − 1 blocks if N ≤ k,
-/// min(4N − 2k, 2N + k − 1) if k < N < 2k, about N²/2(k−1) + 2N beyond; for m = 2 the same with N = ⌈w/2⌉
-/// and ⌊k/2⌋ for k. For m = 1 with an element left out N = w + 1, and it is one block shorter.
+/// min(4N − 2k, 2N + k − 1) if k < N < 2k, about N²/2(k−1) + 2N beyond; for m = 2 the same with
+/// N = ⌈w/2⌉ and ⌊k/2⌋ for k. For m = 1 with an element left out N = w + 1, less one block.
 /// @param p of the smaller design.
 /// @param subsets ℓ; fewer than least_positions() count as so many.
 /// @throws ImpossibleParameters if w = 0, t ≠ 2, m = k, m ≥ 3 and w > m, v + w exceeds the limit of
@@ -110,16 +110,16 @@ struct CoverOptions {
 [[nodiscard]] std::uint64_t blocks_added(const Parameters& p, std::uint64_t subsets,
                                          std::uint64_t w, bool left_out = false);
 
-/// The design with w new elements v, …, v+w−1. If it has labels, so have they; see expanded_labels().
-/// If there are fewer subsets than least_positions(), further positions are used.
+/// The design with w new elements v, …, v+w−1. If it has labels, so have they; see
+/// expanded_labels(). Further positions are used if there are fewer than least_positions().
 /// @throws BadInput if cover_defect() finds one, or there are not enough positions;
 /// ImpossibleParameters as blocks_added().
 [[nodiscard]] Design expand_by(const Design& design, const UnchangedCover& cover, std::uint64_t w,
                                FactorizationKind kind = FactorizationKind::circle);
 
 /// The same as a stream over a stream, factors made one at a time: memory for the cover and for the
-/// blocks at one position. The design is trusted; the shape of the cover is checked at once, and that
-/// its subsets are in the blocks beside them when they are reached, by next().
+/// blocks at one position. The design is trusted; the shape of the cover is checked at once, and
+/// that its subsets are in the blocks beside them when they are reached, by next().
 /// @throws BadInput if the cover's shape does not fit or it has fewer than least_positions();
 /// ImpossibleParameters as blocks_added().
 [[nodiscard]] std::unique_ptr<BlockSource> expand_by(
@@ -134,8 +134,8 @@ struct NewElements {
   UnchangedCover cover;
 };
 
-/// The w of from, …, to with the least b / lower_bound, the smallest such w; nullopt if none of them
-/// can be added. One cover search for all even w and one for each odd w ≤ ℓ.
+/// The w of from, …, to with the least b / lower_bound, the smallest such w; nullopt if none of
+/// them can be added. One cover search for all even w and one for each odd w ≤ ℓ.
 /// @throws BadInput unless 1 ≤ from ≤ to.
 [[nodiscard]] std::optional<NewElements> best_new_elements(const Design& design, std::uint64_t from,
                                                            std::uint64_t to,
@@ -169,10 +169,11 @@ struct IntervalCoverSize {
                                                                             std::uint64_t c,
                                                                             std::uint64_t w);
 
-/// For m = 2, w even: a cover of the design that expand_by() makes with interval_cover(p, c, w), for
-/// one more element x. The w new elements are in no unchanged subset, but as x comes with another
-/// element in each of its blocks, they can be left out. ⌈(v+w)/(k−1)⌉ blocks are thus enough for x, if
-/// they are not fewer than w; w + 1 new elements at once would take ⌈v/(k−2)⌉ blocks more than w.
+/// For m = 2, w even: a cover of the design that expand_by() makes with interval_cover(p, c, w),
+/// for one more element x. The w new elements are in no unchanged subset, but as x comes with
+/// another element in each of its blocks, they can be left out. ⌈(v+w)/(k−1)⌉ blocks are thus
+/// enough for x, if they are not fewer than w; w + 1 new elements at once would take ⌈v/(k−2)⌉
+/// blocks more than w.
 /// @throws BadInput if interval_cover_for_one_more_size() has no answer. O(v).
 [[nodiscard]] UnchangedCover interval_cover_for_one_more(
     const Parameters& p, std::uint64_t c, std::uint64_t w,

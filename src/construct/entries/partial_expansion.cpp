@@ -1,13 +1,14 @@
 // Partial expansion of designs whose cover by unchanged subsets is known in closed form.
 //
 // Excess. Going from v₀ to v = v₀ + w with ℓ intervals costs, w even and ℓ ≥ w − 1, an excess of
-// (ℓ(k−2) − v₀)w + (ℓ−w+1)w/2, which is concave in w: it is least for few new elements and for about
-// ℓ + 1 of them. So of the cyclic designs on c(4k−6)+1 elements only some with the largest c and some
-// with v₀ + v₀/(k−2) + 1 near v are looked at, and an offer takes a fixed number of evaluations.
+// (ℓ(k−2) − v₀)w + (ℓ−w+1)w/2, which is concave in w: it is least for few new elements and for
+// about ℓ + 1 of them. So of the cyclic designs on c(4k−6)+1 elements only some with the largest c
+// and some with v₀ + v₀/(k−2) + 1 near v are looked at, and an offer takes a fixed number of
+// evaluations.
 //
-// A new element leaves one block after it came, so the result has neither an expansion set nor such a
-// cover. Only one more element can be added, as the others can come beside it; this is known here, so this
-// construction need not ask itself. Those that it asks must not ask the registry: it
+// A new element leaves one block after it came, so the result has neither an expansion set nor such
+// a cover. Only one more element can be added, as the others can come beside it; this is known
+// here, so this construction need not ask itself. Those that it asks must not ask the registry: it
 // asks the families below by name, and others only if they tell the size of a cover.
 #include "changeover/construct/partial_expansion.hpp"
 
@@ -95,7 +96,8 @@ std::optional<IntervalCoverSize> known_size(const Recipe& recipe, std::uint64_t 
                     known->family == Family::interval ? (p.v - 1) / period * p.v : halved(p).v, w);
 }
 
-// The intervals of the SCCD with two copies of every element, and the fixed element if there is one.
+// The intervals of the SCCD with two copies of every element, and the fixed element if there is
+// one.
 UnchangedCover doubled_cover(const Parameters& p, std::uint64_t count, bool fixed) {
   const Parameters half = halved(p);
   UnchangedCover cover = interval_cover(half, 1, 1, {});

@@ -1,11 +1,10 @@
 // The minimum DCCD(v,3): a minimum covering of the pairs by triples, ordered so that consecutive
 // triples share exactly one element. Circular for every v ≥ 5.
 //
-// Elements: (x,i) = x + ni for x ∈ Z_n and a level i ∈ Z_3, and up to three more. With a
-// commutative x∘y on Z_n, (x+y)/2 for odd n and for n = 2t the one with z = x∘y if x+y = 2z, z+t if
-// x+y = 2z+1 (0 ≤ z < t), the *mean* triples {(x,i),(y,i),(x∘y,i+1)}, x < y, cover the pairs within
-// levels and, of the pairs of (x,i) and (z,i+1), all but z = x∘x. *Special* triples cover what is
-// left:
+// Elements: (x,i) = x + ni for x ∈ Z_n and a level i ∈ Z_3, and up to three more. On Z_n let x∘y be
+// (x+y)/2 if n is odd; if n = 2t, with x+y = 2z or 2z+1, 0 ≤ z < t, let it be z or z+t. The *mean*
+// triples {(x,i),(y,i),(x∘y,i+1)}, x < y, cover the pairs within levels and, of the pairs of (x,i)
+// and (z,i+1), all but z = x∘x. *Special* triples cover what is left:
 //   v = 3n, n odd (Bose)      {(x,0),(x,1),(x,2)}.
 //   v = 3n+1, n even (Skolem) the same for x < t, and {∞,(x+t,i),(x,i+1)} for x < t.
 //   v = 3n, n even            {(x+t,i),(x,i+1),(x,i+2)} for x < t. Covers {(x+t,i),(x,i+2)} once
@@ -17,8 +16,8 @@
 //   v − 1 ≡ 1, 3 (mod 6)      the triples for v − 1, and {ω,p,q} for v/2 pairs {p,q} that cover the
 //                             other elements, one of them twice. Excess v/2 + 1, the least.
 //
-// Order. Let the v′ = 3n numbers 0, …, 3n−1 be points on a circle. The mean triple through points p
-// and p+1 is the *link* from p to p+1; those at the ends of levels are {(n−1,i),(1,i),(0,i+1)}. For
+// Order. Let the numbers 0, …, 3n−1 be points on a circle. The mean triple through points p and p+1
+// is the *link* from p to p+1; those at the ends of levels are {(n−1,i),(1,i),(0,i+1)}. For
 // n ≥ 4 no triple is two links. The triples that have a point p (and are no links) come between the
 // links at p, each triple at one of its points: (x,i) for a mean triple, x < y. What comes
 // consecutively shares p, and a second element only if a pair is covered twice:
@@ -32,7 +31,6 @@
 // the coverings are minimum is a theorem of Fort and Hedlund (1958).
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 #include "changeover/construct/entry.hpp"
