@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "bounds/degree_program.hpp"
+#include "bounds/known_minima.hpp"
 #include "changeover/core/checked.hpp"
 
 namespace changeover {
@@ -175,6 +176,11 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
          fmt::format("no whole numbers i_x, r_x have the sums of {} or fewer blocks and "
                      "i_x(k-1) + m(r_x-i_x) >= v-1 = {} for every x: b >= {}",
                      *program - 1, p.v - 1, *program)});
+  }
+  if (const auto searched = known_minimum(p)) {
+    bounds.push_back({searched->blocks, "exhaustive search",
+                      fmt::format("exhaustive search excluded fewer than {} blocks: {}",
+                                  searched->blocks, searched->by)});
   }
   std::stable_sort(bounds.begin(), bounds.end(),
                    [](const Bound& a, const Bound& b) { return a.blocks > b.blocks; });

@@ -169,6 +169,12 @@ class Relaxation {
     if (improvable(fixed, offer.b)) {
       improve(fixed, offer_of(fix_recipe(offer.recipe, 1), offer.b));
     }
+    if (auto recipe = unfix_recipe(offer.recipe, design)) {
+      const Parameters unfixed = recipe->parameters;
+      if (improvable(unfixed, offer.b)) {
+        improve(unfixed, offer_of(*std::move(recipe), offer.b));
+      }
+    }
     Parameters smaller = p;
     --smaller.v;
     if (improvable(smaller, offer.b)) {

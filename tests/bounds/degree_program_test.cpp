@@ -62,6 +62,9 @@ TEST(DegreeProgram, IsTheBruteForceAnswerWhereverItRaisesTheBound) {
           std::uint64_t others = 0;
           std::uint64_t program = 0;
           for (const Bound& bound : lower_bounds(p)) {
+            if (bound.name == "exhaustive search") {
+              continue;
+            }
             (bound.name == "degree program" ? program : others) =
                 std::max(bound.name == "degree program" ? program : others, bound.blocks);
           }

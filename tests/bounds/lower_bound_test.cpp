@@ -29,8 +29,8 @@ TEST(LowerBound, NeverExceedsAKnownMinimum) {
     }
     reached += lower_bound(p).blocks == b ? 1U : 0U;
   }
-  // The bounds are worth something: they settle most of these parameters.
-  EXPECT_GT(2 * reached, minima.size());
+  // Where formulas do not reach a minimum, the table of searched ones does.
+  EXPECT_EQ(reached, minima.size());
 }
 
 TEST(LowerBound, IsThePapersCountingBound) {

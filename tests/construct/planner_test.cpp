@@ -152,6 +152,22 @@ TEST(Drop, LeavesOutWhatIsNotNeededAndNothingElse) {
   EXPECT_EQ(needed_block_count(once), once.block_count());
 }
 
+TEST(Unfix, IsTheConverseOfFix) {
+  const auto offer = registry().best({.v = 11, .k = 4, .kind = Kind::circular});
+  const Recipe fixed = fix_recipe(offer->recipe, 1);
+  const auto back = unfix_recipe(fixed, registry().build_design(fixed));
+  ASSERT_TRUE(back);
+  const Design design = registry().build_design(*back);
+  EXPECT_TRUE(verify(design).tight());
+  EXPECT_EQ(design.block_count(), 11U);
+  EXPECT_FALSE(unfix_recipe(offer->recipe, registry().build_design(offer->recipe)));
+  Recipe wrong = *back;
+  wrong.arguments["element"] = 3;
+  EXPECT_THROW((void)registry().build_design(wrong), BadInput);
+  wrong.arguments["element"] = 99;
+  EXPECT_THROW((void)registry().build(wrong), BadInput);
+}
+
 TEST(Cut, RecipeNeedsACircularDesign) {
   const auto offer = registry().best({.v = 11, .k = 4, .kind = Kind::linear});
   EXPECT_THROW((void)cut_recipe(offer->recipe), BadInput);

@@ -115,7 +115,7 @@ const std::vector<Case>& cases() {
       {"$changeover expand missing-pair.txt", 3, "not a valid"},
       {"$checkdesign ragged.txt", 3, "ragged.txt:2"},
       // 4: nothing serves, or something is missing
-      {"$changeover design 20 3 --change 3 >&2", 4, "No construction"},
+      {"$changeover design 200 3 --change 3 >&2", 4, "No construction"},
       {"$changeover design 4 2 >&2", 4, "No circular DCCD(4,2) exists"},
       {"$changeover design 20 5 --construction cyclic >&2", 4, "cyclic does not serve"},
       {"$changeover design 61 4 --construction doubling >&2", 4, "doubling"},

@@ -16,10 +16,13 @@
 //   degree program  the least b for which whole numbers i_x, r_x with the right sums satisfy
 //             i_x(k−1) + m(r_x − i_x) ≥ v − 1 at every x (m ≤ 3, v ≤ 2000); for k = 3, m = 2 this is
 //             ⌈v/3·⌈(v−1)/2⌉⌉, the covering bound of Fort and Hedlund.
+//   exhaustive search  for some small parameters fewer blocks were excluded by computation, once, by up
+//             to three independent programs; the bound names them. This is the one bound here that is not
+//             a proof on paper.
 //   end to end  b ≥ 2⌈(v−k)/m⌉ + 1: with p = ⌈(v−k)/m⌉, some x is in none of the first p blocks and some
 //             y in none of the last p, so b ≤ 2p would leave {x,y} uncovered.
 //
-// Deliberately not done here: anything that needs search.
+// Deliberately not done here: the search itself.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +36,8 @@ namespace changeover {
 /// A number of blocks that no design with certain parameters can go below.
 struct Bound {
   std::uint64_t blocks = 0;
-  std::string name;    ///< "counting", "degree", "degree program", "end to end", "trivial"
+  std::string name;    ///< "counting", "degree", "degree program", "end to end",
+                       ///< "exhaustive search", "trivial"
   std::string reason;  ///< one line of plain mathematics with the numbers filled in
 
   bool operator==(const Bound&) const = default;

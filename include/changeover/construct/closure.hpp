@@ -43,6 +43,10 @@ namespace changeover {
 /// the input builds. O(v·bk).
 [[nodiscard]] std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design);
 
+/// *Unfix*: take away an element that is in every block, the converse of fix; nullopt if there is none, or
+/// if blocks would become smaller than what changes. `design` is what the input builds. O(bk).
+[[nodiscard]] std::optional<Recipe> unfix_recipe(const Recipe& input, const Design& design);
+
 /// *Drop*: leave out blocks that are not needed, one after another, while any can go.
 [[nodiscard]] Recipe drop_recipe(const Recipe& input);
 

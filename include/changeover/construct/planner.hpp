@@ -9,9 +9,10 @@
 // gives fewer blocks than its input has but *drop*, which keeps v and k:
 //   cut       a circular design is a linear one
 //   fix       (v,k) → (v+1, k+1)
+//   unfix     (v+1,k+1) → (v,k), where an element is in every block
 //   truncate  (v+1,k) → (v,k), where some element can go
 //   drop      blocks that are not needed go, after a cut above all
-// The last two look at blocks, so the designs of the cells in question are built. Every cell's design is
+// The last three look at blocks, so the designs of the cells in question are built. Every cell's design is
 // built and verified in the end; one that does not keep its promise is an InternalError.
 //
 // Bound by: building and verifying, about a millisecond a cell for v ≤ 100.
