@@ -95,15 +95,15 @@ int run(const BoundsRequest& request) {
   for (const Parameters& p : request.asked.parameters()) {
     answers.push_back(answer(p));
   }
-  OutputFile out(request.output.path);
+  std::string all;
   if (request.output.chosen() == "json") {
-    out.write(json(chosen(answers)));
+    all = json(chosen(answers));
   } else {
     for (const Answer& each : answers) {
-      out.write(text(each));
+      all += text(each);
     }
   }
-  out.commit();
+  deliver(all, request.output.path);
   return exit_code::done;
 }
 

@@ -2,7 +2,7 @@
 #include <memory>
 #include <string>
 
-#include "changeover/io/output_file.hpp"
+#include "request.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -13,9 +13,7 @@ void add_completion(Program& program) {
   verb.choice("SHELL", *shell, {"bash"}, "the shell (bash)");
   verb.examples({"source <(changeover completion bash)"});
   verb.run([shell, &program] {
-    OutputFile out("-");
-    out.write(program.bash_completion());
-    out.commit();
+    deliver(program.bash_completion(), "-");
     return exit_code::done;
   });
 }

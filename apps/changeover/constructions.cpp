@@ -57,9 +57,10 @@ void add_constructions(Program& program) {
   verb.examples({"changeover constructions", "changeover constructions --json"});
   verb.run([output] {
     const std::string format = output->chosen();
-    OutputFile out(output->path);
-    out.write(format == "json" ? as_json() : format == "markdown" ? as_markdown() : as_text());
-    out.commit();
+    deliver(format == "json"       ? as_json()
+            : format == "markdown" ? as_markdown()
+                                   : as_text(),
+            output->path);
     return exit_code::done;
   });
 }

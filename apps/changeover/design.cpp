@@ -75,9 +75,7 @@ int decline(const DesignRequest& request, const std::vector<Parameters>& asked) 
     json.end_array().end_object();
     text = json.take() + "\n";
   }
-  OutputFile out("-");
-  out.write(text);
-  out.commit();
+  deliver(text, "-");
   return exit_code::missing_resource;
 }
 

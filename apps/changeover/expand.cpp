@@ -121,9 +121,7 @@ int report(const ExpandRequest& request, const Design& design) {
       text += fmt::format("no expansion set found: {}\n", no_more(search));
     }
   }
-  OutputFile out(request.output.path);
-  out.write(text);
-  out.commit();
+  deliver(text, request.output.path);
   return exit_code::done;
 }
 

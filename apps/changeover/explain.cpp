@@ -105,9 +105,7 @@ int run(const ExplainRequest& request) {
       text += "other constructions\n" + others;
     }
   }
-  OutputFile out(request.output.path);
-  out.write(text);
-  out.commit();
+  deliver(text, request.output.path);
   return exit_code::done;
 }
 

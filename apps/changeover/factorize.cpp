@@ -115,9 +115,7 @@ int run(const FactorizeRequest& request) {
   } else {
     text = as_text(found);
   }
-  OutputFile out(request.output.path);
-  out.write(text);
-  out.commit();
+  deliver(text, request.output.path);
   return exit_code::done;
 }
 

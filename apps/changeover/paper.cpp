@@ -24,9 +24,7 @@ void write_figures(const std::string& folder) {
     throw MissingResource(fmt::format("cannot make the folder {}: {}", folder, failure.message()));
   }
   for (const auto& [name, content] : paper_figures()) {
-    OutputFile out(std::filesystem::path(folder) / name);
-    out.write(content);
-    out.commit();
+    deliver(content, std::filesystem::path(folder) / name);
   }
 }
 
@@ -36,15 +34,10 @@ int run(const PaperRequest& request) {
   if (!request.figures.empty()) {
     write_figures(request.figures);
   }
-  OutputFile out(request.output.path);
-  if (format == "json") {
-    out.write(render_json(report));
-  } else if (format == "markdown") {
-    out.write(render_markdown(report));
-  } else {
-    out.write(render_text(report));
-  }
-  out.commit();
+  deliver(format == "json"       ? render_json(report)
+          : format == "markdown" ? render_markdown(report)
+                                 : render_text(report),
+          request.output.path);
   return exit_code::done;
 }
 

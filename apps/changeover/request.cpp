@@ -50,6 +50,12 @@ void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) 
 
 std::string OutputRequest::chosen() const { return json ? "json" : format; }
 
+void deliver(const std::string& text, const std::string& path) {
+  OutputFile out(path);
+  out.write(text);
+  out.commit();
+}
+
 // For few elements the closure rules are applied as well, over the parameters around.
 static std::optional<Offer> planned(const Parameters& p) {
   constexpr std::uint64_t most_planned = 120;

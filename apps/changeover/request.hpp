@@ -46,6 +46,9 @@ struct OutputRequest {
   [[nodiscard]] std::string chosen() const;
 };
 
+/// Writes all of an answer to the output that was asked for; "" and "-" are standard output.
+void deliver(const std::string& text, const std::string& path);
+
 /// The best that is known of some parameters: what the constructions offer, and for v ≤ 120 also what the
 /// closure rules make of it.
 [[nodiscard]] std::optional<Offer> best_known(const Parameters& p);

@@ -213,9 +213,7 @@ int run(const TableRequest& request) {
   if (format == "json" || format == "csv") {
     text = format == "json" ? as_json(all) : as_csv(all);
   }
-  OutputFile out(request.output.path);
-  out.write(text);
-  out.commit();
+  deliver(text, request.output.path);
   return exit_code::done;
 }
 

@@ -169,9 +169,7 @@ int run(const VerifyRequest& request) {
       add_elements(verdict, labels, text);
     }
   }
-  OutputFile out(request.output.path);
-  out.write(text);
-  out.commit();
+  deliver(text, request.output.path);
   return verdict.valid() ? exit_code::done : exit_code::refuted;
 }
 
