@@ -28,11 +28,13 @@ std::string names_of_constructions() {
 int decline(const DesignRequest& request, const std::vector<Parameters>& asked) {
   const Registry& registry = Registry::standard();
   std::string text;
+  bool open = false;
   for (const Parameters& p : asked) {
     if (const auto reason = impossibility(p)) {
       text += fmt::format("No {} exists: {}.\n", name(p), *reason);
       continue;
     }
+    open = true;
     const Bound bound = lower_bound(p);
     text += request.construction.empty() ? fmt::format("No construction serves {}.\n", name(p))
                                          : fmt::format("The construction {} does not serve {}.\n",
@@ -59,9 +61,12 @@ int decline(const DesignRequest& request, const std::vector<Parameters>& asked) 
     text += near.empty() ? fmt::format("  nothing served within {} of v and k\n", radius)
                          : "  nearest served (v,k): " + near + "\n";
   }
-  text +=
-      "What would help: another kind or change number, nearby parameters, or a design of your own\n"
-      "to enlarge (changeover expand FILE).\n";
+  if (open) {
+    text +=
+        "What would help: another kind or change number, nearby parameters, or a design of your "
+        "own\n"
+        "to enlarge (changeover expand FILE).\n";
+  }
   if (request.output.chosen() == "json") {
     JsonWriter json;
     json.begin_object().key("served").value(false).key("explanation").value(text);

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "changeover/core/bit_scan.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/parameters.hpp"
@@ -38,13 +38,7 @@ class SubsetSet {
     }
   }
 
-  [[nodiscard]] std::uint64_t size() const {
-    std::uint64_t count = 0;
-    for (const std::uint64_t word : words_) {
-      count += static_cast<std::uint64_t>(std::popcount(word));
-    }
-    return count;
-  }
+  [[nodiscard]] std::uint64_t size() const { return count_bits(words_); }
 
   /// Calls visit(subset), increasing, for up to `limit` subsets that are not in the set.
   template <typename Visit>
@@ -59,21 +53,13 @@ class SubsetSet {
   }
 
  private:
-  // Visits the bits of the words after an exclusive or with `flip`.
+  // Visits the subsets whose bit is set after an exclusive or with `flip`.
   template <typename Visit>
   void scan(std::uint64_t flip, std::uint64_t limit, Visit&& visit) const {
-    const std::uint64_t total = binomial(v_, t_);
-    for (std::size_t w = 0; w < words_.size() && limit > 0; ++w) {
-      for (std::uint64_t bits = words_[w] ^ flip; bits != 0 && limit > 0; bits &= bits - 1) {
-        const std::uint64_t place = w * 64 + static_cast<std::uint64_t>(std::countr_zero(bits));
-        if (place >= total) {
-          return;
-        }
-        const std::array<Element, max_strength> subset = subset_at(place);
-        visit(std::span<const Element>(subset).first(t_));
-        --limit;
-      }
-    }
+    for_each_bit(words_, flip, binomial(v_, t_), limit, [&](std::uint64_t place) {
+      const std::array<Element, max_strength> subset = subset_at(place);
+      visit(std::span<const Element>(subset).first(t_));
+    });
   }
 
   void choose(std::span<const Element> from, std::uint32_t have) {

@@ -8,10 +8,10 @@
 // Memory: C(v,2) bits, 268 MB at v = 65,535.
 #pragma once
 
-#include <bit>
 #include <cstdint>
 #include <vector>
 
+#include "changeover/core/bit_scan.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/checked.hpp"
 
@@ -44,13 +44,7 @@ class PairSet {
   }
 
   /// The number of pairs in the set. O(v²/64).
-  [[nodiscard]] std::uint64_t size() const {
-    std::uint64_t count = 0;
-    for (const std::uint64_t word : words_) {
-      count += static_cast<std::uint64_t>(std::popcount(word));
-    }
-    return count;
-  }
+  [[nodiscard]] std::uint64_t size() const { return count_bits(words_); }
 
   /// The number of the C(v,2) pairs that are not in the set. O(v²/64).
   [[nodiscard]] std::uint64_t missing() const { return binomial(v_, 2) - size(); }
@@ -69,25 +63,17 @@ class PairSet {
   }
 
  private:
-  // Visits the bits of the words after an exclusive or with `flip`.
+  // Visits the pairs whose bit is set after an exclusive or with `flip`.
   template <typename Visit>
   void scan(std::uint64_t flip, std::uint64_t limit, Visit&& visit) const {
-    const std::uint64_t total = binomial(v_, 2);
     Element high = 1;
     std::uint64_t row = 0;  // rank of {0, high}
-    for (std::size_t w = 0; w < words_.size() && limit > 0; ++w) {
-      for (std::uint64_t bits = words_[w] ^ flip; bits != 0 && limit > 0; bits &= bits - 1) {
-        const std::uint64_t r = w * 64 + static_cast<std::uint64_t>(std::countr_zero(bits));
-        if (r >= total) {
-          return;
-        }
-        while (r >= row + high) {
-          row += high++;
-        }
-        visit(static_cast<Element>(r - row), high);
-        --limit;
+    for_each_bit(words_, flip, binomial(v_, 2), limit, [&](std::uint64_t r) {
+      while (r >= row + high) {
+        row += high++;
       }
-    }
+      visit(static_cast<Element>(r - row), high);
+    });
   }
 
   std::uint64_t v_;
