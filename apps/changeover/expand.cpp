@@ -131,51 +131,47 @@ struct Larger {
   std::string how;
 };
 
-// The recursion of the paper: an expansion set with an odd number of members.
-Larger by_expansion_set(const ExpandRequest& request, const Design& design) {
-  if (design.parameters().change != 2) {
-    throw BadInput(
-        fmt::format("{}: change = {}; the recursion works on double-change designs (change 2); "
-                    "--new-elements W "
-                    "may serve",
-                    request.path, design.parameters().change));
-  }
+// The recursion of the paper: an expansion set with an odd number of members. Without --set, nothing if
+// there is none.
+std::optional<Larger> by_expansion_set(const ExpandRequest& request, const Design& design) {
   ExpansionSearchOptions options;
   options.how_many = request.which.value_or(1);
   options.limits.nodes = request.nodes;
   if (options.how_many == 0) {
     throw UsageError{"--set counts from 1"};
   }
+  if (design.parameters().change != 2) {
+    return std::nullopt;
+  }
   const ExpansionSearch search = find_expansion_sets(design, options);
+  if (request.which && search.sets.size() < *request.which) {
+    throw MissingResource(fmt::format("{}: only {}: {}", request.path,
+                                      count_of(search.sets.size(), "expansion set"),
+                                      no_more(search)));
+  }
   if (search.sets.size() < options.how_many) {
-    const PartialExpansion largest =
-        largest_partial_expansion_set(design, {.nodes = 1'000'000, .stop = {}});
-    throw MissingResource(
-        search.sets.empty()
-            ? fmt::format(
-                  "{}: no expansion set: {}; the largest partial one holds {} of {} elements; "
-                  "--new-elements W expands at subsets that overlap",
-                  request.path, no_more(search), elements_in(largest.set), design.v())
-            : fmt::format("{}: only {} expansion sets", request.path, search.sets.size()));
+    return std::nullopt;
   }
   const ExpansionSet& set = search.sets[static_cast<std::size_t>(options.how_many - 1)];
   if (set.size() % 2 == 0) {
-    throw MissingResource(fmt::format(
-        "{}: the expansion set has {} members, an even number; --new-elements {} expands it",
-        request.path, set.size(), set.size()));
+    return std::nullopt;
   }
   const auto kind = factorization_kind_from_string(request.factorization);
-  return {expand(design, set,
-                 one_factorization(static_cast<std::uint32_t>(set.size() + 1), kind.value())),
-          "at the expansion set " + members(design, set)};
+  return Larger{expand(design, set,
+                       one_factorization(static_cast<std::uint32_t>(set.size() + 1), kind.value())),
+                "at the expansion set " + members(design, set)};
 }
 
 // Partial expansion: any number of new elements, subsets that cover V and may overlap.
-Larger by_cover(const ExpandRequest& request, const Design& design) {
+Larger by_cover(const ExpandRequest& request, const Design& design, std::uint64_t w) {
+  if (design.k() == design.parameters().change) {
+    throw MissingResource(
+        fmt::format("{}: no new elements can be inserted: k = m, so unchanged subsets are empty",
+                    request.path));
+  }
   CoverOptions options;
   options.limits.nodes = request.nodes.value_or(200'000);
   const std::uint64_t most = 2 * design.k() + 2;
-  const std::uint64_t w = *request.new_elements;
   const auto best = w == 0 ? best_new_elements(design, 1, most, options)
                            : best_new_elements(design, w, w, options);
   if (!best) {
@@ -207,9 +203,15 @@ int run(const ExpandRequest& request) {
   if (request.list || request.count || request.partial) {
     return report(request, design);
   }
-  const Larger made =
-      request.new_elements ? by_cover(request, design) : by_expansion_set(request, design);
-  const Design& larger = made.design;
+  // Without an odd expansion set, or when a number is named, subsets that overlap.
+  std::optional<Larger> made;
+  if (!request.new_elements) {
+    made = by_expansion_set(request, design);
+  }
+  if (!made) {
+    made = by_cover(request, design, request.new_elements.value_or(0));
+  }
+  const Design& larger = made->design;
 
   Exhibit exhibit;
   exhibit.judgement = judge(verify(larger));
@@ -217,11 +219,11 @@ int run(const ExpandRequest& request) {
     throw InternalError("the expanded design is not valid");
   }
   exhibit.header = {larger.labels(), larger.recipe};
-  exhibit.title =
-      fmt::format("{}, {}: {}\nexpanded from {} with {} {}\nverified: {}",
-                  name(larger.parameters()), count_of(larger.block_count(), "block"),
-                  quality(exhibit.judgement), name(design.parameters()),
-                  count_of(design.block_count(), "block"), made.how, exhibit.judgement.certificate);
+  exhibit.title = fmt::format("{}, {}: {}\nexpanded from {} with {} {}\nverified: {}",
+                              name(larger.parameters()), count_of(larger.block_count(), "block"),
+                              quality(exhibit.judgement), name(design.parameters()),
+                              count_of(design.block_count(), "block"), made->how,
+                              exhibit.judgement.certificate);
   DesignSource source(larger);
   show_design(source, exhibit, request.output);
   return exit_code::done;
@@ -244,7 +246,8 @@ void add_expand(Program& program) {
   verb.flag("--partial", request->partial,
             "list inclusion-maximal partial ones, and the largest, instead");
   verb.option("-w,--new-elements", request->new_elements, "W",
-              "insert W new elements at unchanged subsets that may overlap; 0: the best number");
+              "insert W new elements at unchanged subsets that may overlap; 0: the best number\n"
+              "(so it is chosen, too, if there is no expansion set with an odd number of members)");
   verb.option("--nodes", request->nodes, "N", "give up after N nodes of the search");
   request->output.add_to(verb, design_formats());
   verb.examples({"changeover design 7 3 --linear --json | changeover expand -",

@@ -66,6 +66,8 @@ const std::vector<Case>& cases() {
       {"$changeover design 15 5 --json | $changeover expand - --new-elements 4", 0,
        "25 blocks: economical"},
       {"$changeover design 13 4 --json | $changeover expand - -w 0", 0, "new element"},
+      {"$changeover design 7 3 --circular --construction printed --json | $changeover expand -", 0,
+       "by 1 new element"},
       {"$changeover explain 20 5", 0, "from"},
       {"$changeover factorize 8", 0, ""},
       {"$changeover table --k 3..5 --v 5..12", 0, "mean of b / lower bound"},
@@ -125,8 +127,8 @@ const std::vector<Case>& cases() {
       {"$changeover design 61 4 >/dev/full", 4, "No space left"},
       {"$changeover design 61 4 -o /dev/full", 4, "No space left"},
       {"$changeover --help >/dev/full", 4, "No space left"},
-      {"$changeover design 7 3 --circular --construction printed --json | $changeover expand -", 4,
-       "no expansion set"},
+      {"$changeover design 20 3 --change 3 --json | $changeover expand -", 4,
+       "no new elements can"},
   };
   return all;
 }
