@@ -6,8 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "changeover/bounds/counting_bound.hpp"
 #include "changeover/construct/closure.hpp"
-#include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {
@@ -15,15 +15,6 @@ namespace {
 
 constexpr std::uint64_t largest_v = 1000;
 constexpr std::uint64_t most_cells = 1'000'000;
-
-std::uint64_t counting_bound(const Parameters& p) {
-  if (p.v == p.k) {
-    return 1;
-  }
-  const std::uint64_t most = newly_covered_at_most(p);
-  return p.kind == Kind::circular ? ceil_div(binomial(p.v, 2), most)
-                                  : ceil_div(binomial(p.v, 2) - binomial(p.k, 2), most) + 1;
-}
 
 Offer offer_of(Recipe recipe, std::uint64_t b) {
   Offer offer{std::move(recipe), b, false, false, false};

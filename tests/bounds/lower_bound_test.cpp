@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "changeover/bounds/counting_bound.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "oracle_minima.hpp"
@@ -38,6 +39,9 @@ TEST(LowerBound, IsThePapersCountingBound) {
     for (std::uint64_t v = 2 * k - 1; v <= 60; ++v) {
       const std::uint64_t pairs = v * (v - 1) / 2;
       const std::uint64_t first = k * (k - 1) / 2;
+      EXPECT_EQ(counting_bound({.v = v, .k = k, .kind = Kind::circular}),
+                ceil_div(pairs, 2 * k - 3));
+      EXPECT_EQ(counting_bound({.v = v, .k = k}), ceil_div(pairs - first, 2 * k - 3) + 1);
       EXPECT_EQ(bound_named({.v = v, .k = k}, "counting"), ceil_div(pairs - first, 2 * k - 3) + 1);
       EXPECT_EQ(bound_named({.v = v, .k = k, .kind = Kind::circular}, "counting"),
                 ceil_div(pairs, 2 * k - 3));

@@ -10,11 +10,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "changeover/bounds/counting_bound.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/entry.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {
@@ -23,12 +23,6 @@ namespace {
 Parameters circular(Parameters p) {
   p.kind = Kind::circular;
   return p;
-}
-
-// ⌈g₁⌉ of [ChafeeStevens2025, Theorem 1], for any m.
-std::uint64_t linear_counting_bound(const Parameters& p) {
-  return p.v == p.k ? 1
-                    : ceil_div(binomial(p.v, 2) - binomial(p.k, 2), newly_covered_at_most(p)) + 1;
 }
 
 class CutSource final : public BlockSource {
@@ -108,7 +102,7 @@ class Cut final : public Construction {
     }
     const std::uint64_t b = input->b;
     const bool tight = input->tight && (p.k - p.change <= 1 || b == 1);
-    const bool economical = b == linear_counting_bound(p);
+    const bool economical = b == counting_bound(p);
     return Offer{cut_recipe(std::move(input->recipe)), b, tight, economical, input->expansion_set};
   }
 

@@ -12,6 +12,7 @@
 #include <numeric>
 #include <utility>
 
+#include "changeover/bounds/counting_bound.hpp"
 #include "changeover/construct/entry.hpp"
 #include "changeover/construct/path.hpp"
 #include "changeover/construct/registry.hpp"
@@ -387,12 +388,6 @@ class HoldAndStream final : public Construction {
       throw InternalError("hold-and-stream: no way to the next round");
     }
     return *steps;
-  }
-
-  static std::uint64_t counting_bound(const Parameters& p) {
-    const std::uint64_t most = newly_covered_at_most(p);
-    return p.kind == Kind::circular ? ceil_div(binomial(p.v, 2), most)
-                                    : ceil_div(binomial(p.v, 2) - binomial(p.k, 2), most) + 1;
   }
 };
 

@@ -2,6 +2,7 @@
 //
 // See construct/single_change_expansion.hpp, which also serves subsets that overlap.
 #include "changeover/construct/single_change_expansion.hpp"
+#include "changeover/bounds/counting_bound.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,6 @@
 
 #include "changeover/construct/entry.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {
@@ -37,11 +37,6 @@ std::optional<Offer> best_with_expansion_set(const Parameters& p, const Registry
     }
   }
   return best;
-}
-
-std::uint64_t counting_bound(const Parameters& p) {
-  const std::uint64_t first = p.kind == Kind::linear ? 1 : 0;  // covers all its pairs
-  return ceil_div(binomial(p.v, 2) - first * binomial(p.k, 2), p.k - 1) + first;
 }
 
 class SingleChangeExpansion final : public Construction {
