@@ -15,5 +15,7 @@ write_basic_package_version_file(
 install(FILES
   "${PROJECT_BINARY_DIR}/generated/changeoverConfig.cmake"
   "${PROJECT_BINARY_DIR}/generated/changeoverConfigVersion.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindCaDiCaL.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindBliss.cmake"
   DESTINATION "${package_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

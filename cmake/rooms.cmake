@@ -2,7 +2,7 @@
 # place that says so: the libraries are linked from it, and tests/architecture holds the includes
 # to it. A room's headers are include/changeover/<room>/, its sources src/<room>/.
 
-set(CHANGEOVER_ROOMS core verify bounds construct io paper)
+set(CHANGEOVER_ROOMS core verify bounds construct io paper proof isomorphism search)
 
 set(CHANGEOVER_KNOWS_core)
 set(CHANGEOVER_KNOWS_verify core)
@@ -10,9 +10,14 @@ set(CHANGEOVER_KNOWS_bounds core)
 set(CHANGEOVER_KNOWS_construct core bounds)
 set(CHANGEOVER_KNOWS_io core verify bounds)
 set(CHANGEOVER_KNOWS_paper core verify bounds construct io)
+set(CHANGEOVER_KNOWS_proof core)
+set(CHANGEOVER_KNOWS_isomorphism core)
+set(CHANGEOVER_KNOWS_search core verify bounds construct io proof isomorphism)
 
 # Third-party libraries, always used in sources only: no public header includes one.
 foreach(room IN LISTS CHANGEOVER_ROOMS)
   set(CHANGEOVER_LIBRARIES_${room} fmt::fmt)
 endforeach()
 list(APPEND CHANGEOVER_LIBRARIES_io nlohmann_json::nlohmann_json)
+list(APPEND CHANGEOVER_LIBRARIES_isomorphism Bliss::Bliss)
+list(APPEND CHANGEOVER_LIBRARIES_search CaDiCaL::CaDiCaL Threads::Threads)

@@ -30,6 +30,9 @@ void write_recipe(JsonWriter& json, const Recipe& recipe) {
   if (!recipe.blocks.empty()) {
     json.key("blocks").value(recipe.blocks);
   }
+  if (!recipe.provenance.empty()) {
+    json.key("provenance").value(recipe.provenance);
+  }
   json.end_object();
 }
 

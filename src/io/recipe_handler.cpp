@@ -121,6 +121,11 @@ void RecipeHandler::on_value(Frame& frame, const JsonEvent& event) {
       wrong(event, "the name of a construction, a string,");
     }
     frame.recipe.construction = event.text;
+  } else if (key == "provenance") {
+    if (event.type != Type::string) {
+      wrong(event, "where the blocks come from, a string,");
+    }
+    frame.recipe.provenance = event.text;
   } else if (key == "v") {
     p.v = number(most);
   } else if (key == "k") {

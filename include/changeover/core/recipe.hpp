@@ -26,6 +26,8 @@ struct Recipe {
   std::map<std::string, std::int64_t> arguments;  ///< whole numbers, by name
   std::vector<Recipe> inputs;                     ///< recipes of the designs that it works on
   std::vector<Block> blocks;                      ///< of a literal recipe; empty otherwise
+  std::string provenance =
+      {};  ///< where a literal recipe's blocks come from, one line; may be empty
 
   bool operator==(const Recipe&) const = default;
 };

@@ -30,8 +30,9 @@ class Literal final : public Construction {
   }
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-    require_recipe(recipe, *this,
-                   Recipe{std::string(name()), recipe.parameters, {}, {}, recipe.blocks});
+    require_recipe(
+        recipe, *this,
+        Recipe{std::string(name()), recipe.parameters, {}, {}, recipe.blocks, recipe.provenance});
     return std::make_unique<BlockListSource>(recipe.parameters, recipe.blocks);
   }
 
@@ -49,9 +50,12 @@ class Literal final : public Construction {
   }
 
   std::string explain(const Recipe& recipe) const override {
-    return recipe.blocks.size() == 1
-               ? "The one block that is listed."
-               : fmt::format("The {} blocks that are listed.", recipe.blocks.size());
+    const std::string blocks =
+        recipe.blocks.size() == 1
+            ? "The one block that is listed"
+            : fmt::format("The {} blocks that are listed", recipe.blocks.size());
+    return recipe.provenance.empty() ? blocks + "."
+                                     : fmt::format("{}, from: {}.", blocks, recipe.provenance);
   }
 };
 

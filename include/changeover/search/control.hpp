@@ -1,0 +1,121 @@
+// When a search stops, and whom it tells how far it is.
+//
+//     SearchControl control({.time = std::chrono::seconds(60), .threads = 2, .seed = 7,
+//                            .on_progress = [](const SearchProgress& p) { … }});
+//     auto result = anneal(p, options, control);
+//     control.why_stopped();                 // e.g. WhyStopped::time_limit
+//
+// One control is shared by all threads of a search. The inner loop asks stop_wanted() every few thousand
+// steps; a call costs a relaxed load and a look at the clock. Searches never print and never install
+// signal handlers: whoever owns Ctrl-C sets the flag that `interrupted` points to.
+//
+// With threads = 1 a search is deterministic in its seed as long as no clock stops it.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace changeover {
+
+/// Why a search ended.
+enum class WhyStopped : std::uint8_t {
+  running,      ///< it has not
+  found,        ///< what was looked for was found
+  exhausted,    ///< everything was looked at, or a proof was found
+  time_limit,   ///< the time was up
+  step_limit,   ///< the number of steps that was allowed was used up
+  interrupted,  ///< the user said stop
+  elsewhere,    ///< another process that searches for the same found it
+};
+
+/// "time limit", …
+[[nodiscard]] std::string_view to_string(WhyStopped why);
+
+/// What a running search tells.
+struct SearchProgress {
+  std::string phase;                       ///< what it is doing, e.g. "annealing with 40 blocks"
+  std::uint64_t steps = 0;                 ///< done so far, over all threads
+  std::string_view unit = "moves";         ///< what a step is
+  std::optional<std::uint64_t> best = {};  ///< blocks of the best design so far
+  std::optional<std::uint64_t> lower_bound = {};  ///< of the number of blocks
+  std::optional<std::uint64_t> missing =
+      {};  ///< what the current attempt lacks, e.g. uncovered pairs
+  std::chrono::duration<double> elapsed{};  ///< set by the control
+  std::optional<std::chrono::duration<double>> left =
+      {};  ///< of the time limit; set by the control
+};
+
+/// The part of a search that this process takes when several share it: every `of`-th, from `index`.
+struct SearchShare {
+  std::uint64_t index = 0;
+  std::uint64_t of = 1;
+};
+
+class SearchControl {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  struct Settings {
+    std::optional<std::chrono::duration<double>> time = {};  ///< nothing: no limit
+    unsigned threads = 1;
+    std::uint64_t seed = 1;
+    SearchShare share = {};                          ///< of several processes
+    const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler
+    std::function<bool()> found_elsewhere =
+        {};  ///< asked now and then, never by two threads at once
+    std::function<void(const SearchProgress&)> on_progress =
+        {};  ///< never called by two threads at once
+    std::chrono::duration<double> progress_interval{0.5};
+  };
+
+  explicit SearchControl(Settings settings);
+
+  /// A control for one phase of a longer search: it stops with its parent, or after `time`. It shares the
+  /// parent's settings and callback, and stopping it does not stop the parent.
+  SearchControl(SearchControl& parent, std::chrono::duration<double> time);
+
+  SearchControl(const SearchControl&) = delete;
+  SearchControl& operator=(const SearchControl&) = delete;
+
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+  [[nodiscard]] unsigned threads() const { return settings_.threads == 0 ? 1 : settings_.threads; }
+  [[nodiscard]] std::uint64_t seed() const { return settings_.seed; }
+
+  /// Whether to stop now. Thread-safe; call it every 10 to 100 microseconds at most.
+  [[nodiscard]] bool stop_wanted();
+
+  /// Stops the search for this reason, unless it was stopped before. Thread-safe.
+  void stop(WhyStopped why);
+
+  /// `running` until stop() or a limit.
+  [[nodiscard]] WhyStopped why_stopped() const { return why_.load(std::memory_order_relaxed); }
+
+  [[nodiscard]] std::chrono::duration<double> elapsed() const { return Clock::now() - begin_; }
+  /// Until the time limit, of this control or its parent; nothing if there is none.
+  [[nodiscard]] std::optional<std::chrono::duration<double>> time_left() const;
+
+  /// Whether tell() would reach the callback now: enough time has passed.
+  [[nodiscard]] bool progress_due() const;
+
+  /// Calls the callback if it is due, or if `now`. Thread-safe.
+  void tell(SearchProgress progress, bool now = false);
+
+ private:
+  Settings settings_;
+  SearchControl* parent_ = nullptr;
+  Clock::time_point begin_ = Clock::now();
+  std::optional<Clock::time_point> end_;
+  std::atomic<WhyStopped> why_{WhyStopped::running};
+  std::atomic<Clock::rep> next_progress_{0};
+  std::atomic<Clock::rep> next_question_{0};
+  std::mutex asking_;
+  std::mutex telling_;
+};
+
+}  // namespace changeover

@@ -1,0 +1,136 @@
+#include "changeover/search/control.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace changeover {
+namespace {
+
+constexpr std::chrono::milliseconds question_interval{20};
+
+SearchControl::Clock::duration ticks(std::chrono::duration<double> time) {
+  return std::chrono::duration_cast<SearchControl::Clock::duration>(time);
+}
+
+// A limit so far away that the clock cannot hold it is none.
+std::optional<SearchControl::Clock::time_point> end_after(
+    SearchControl::Clock::time_point begin, std::optional<std::chrono::duration<double>> time) {
+  constexpr std::chrono::duration<double> forever = std::chrono::hours(24 * 365 * 50);
+  if (!time || !(*time < forever)) {
+    return std::nullopt;
+  }
+  return begin + ticks(std::max(*time, std::chrono::duration<double>::zero()));
+}
+
+}  // namespace
+
+std::string_view to_string(WhyStopped why) {
+  switch (why) {
+    case WhyStopped::running:
+      return "running";
+    case WhyStopped::found:
+      return "found";
+    case WhyStopped::exhausted:
+      return "exhausted";
+    case WhyStopped::time_limit:
+      return "time limit";
+    case WhyStopped::step_limit:
+      return "step limit";
+    case WhyStopped::interrupted:
+      return "interrupted";
+    case WhyStopped::elsewhere:
+      return "found elsewhere";
+  }
+  return "";
+}
+
+SearchControl::SearchControl(Settings settings)
+    : settings_(std::move(settings)), end_(end_after(begin_, settings_.time)) {}
+
+SearchControl::SearchControl(SearchControl& parent, std::chrono::duration<double> time)
+    : settings_(parent.settings_), parent_(&parent), end_(end_after(begin_, time)) {
+  settings_.time = time;
+}
+
+bool SearchControl::stop_wanted() {
+  if (why_stopped() != WhyStopped::running) {
+    return true;
+  }
+  if (parent_ != nullptr) {
+    if (parent_->stop_wanted()) {
+      stop(parent_->why_stopped());
+      return true;
+    }
+  } else if (settings_.interrupted != nullptr &&
+             settings_.interrupted->load(std::memory_order_relaxed)) {
+    stop(WhyStopped::interrupted);
+    return true;
+  }
+  const Clock::time_point now = Clock::now();
+  if (end_ && now >= *end_) {
+    stop(WhyStopped::time_limit);
+    return true;
+  }
+  if (parent_ == nullptr && settings_.found_elsewhere) {
+    const Clock::rep tick = now.time_since_epoch().count();
+    if (tick >= next_question_.load(std::memory_order_relaxed)) {
+      const std::unique_lock lock(asking_, std::try_to_lock);
+      if (lock.owns_lock()) {
+        next_question_ = (now + question_interval).time_since_epoch().count();
+        if (settings_.found_elsewhere()) {
+          stop(WhyStopped::elsewhere);
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+void SearchControl::stop(WhyStopped why) {
+  WhyStopped running = WhyStopped::running;
+  why_.compare_exchange_strong(running, why);
+}
+
+std::optional<std::chrono::duration<double>> SearchControl::time_left() const {
+  std::optional<std::chrono::duration<double>> left;
+  if (end_) {
+    left = std::max<std::chrono::duration<double>>(*end_ - Clock::now(),
+                                                   std::chrono::duration<double>::zero());
+  }
+  if (parent_ != nullptr) {
+    const auto of_parent = parent_->time_left();
+    if (of_parent && (!left || *of_parent < *left)) {
+      left = of_parent;
+    }
+  }
+  return left;
+}
+
+bool SearchControl::progress_due() const {
+  if (parent_ != nullptr) {
+    return parent_->progress_due();
+  }
+  return settings_.on_progress &&
+         Clock::now().time_since_epoch().count() >= next_progress_.load(std::memory_order_relaxed);
+}
+
+void SearchControl::tell(SearchProgress progress, bool now) {
+  if (parent_ != nullptr) {
+    parent_->tell(std::move(progress), now);
+    return;
+  }
+  if (!settings_.on_progress || (!now && !progress_due())) {
+    return;
+  }
+  const std::scoped_lock lock(telling_);
+  if (!now && !progress_due()) {
+    return;  // Another thread was faster.
+  }
+  next_progress_ = (Clock::now() + ticks(settings_.progress_interval)).time_since_epoch().count();
+  progress.elapsed = elapsed();
+  progress.left = time_left();
+  settings_.on_progress(progress);
+}
+
+}  // namespace changeover
