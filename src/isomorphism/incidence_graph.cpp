@@ -1,0 +1,145 @@
+#include "isomorphism/incidence_graph.hpp"
+
+#include <algorithm>
+#include <bliss/graph.hh>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+struct ColouredGraph {
+  std::vector<unsigned> colours;
+  std::vector<std::pair<unsigned, unsigned>> edges;
+
+  unsigned add(unsigned colour) {
+    colours.push_back(colour);
+    return static_cast<unsigned>(colours.size() - 1);
+  }
+};
+
+constexpr unsigned element_colour = 0;
+constexpr unsigned tail_colour = 1;
+constexpr unsigned head_colour = 2;
+constexpr unsigned first_block_colour = 3;
+
+void add_blocks(const Design& design, BlockOrder order, ColouredGraph& graph) {
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    const unsigned vertex =
+        graph.add(order == BlockOrder::sequence ? first_block_colour + static_cast<unsigned>(i)
+                                                : first_block_colour);
+    for (const Element x : design.block(i)) {
+      graph.edges.emplace_back(x, vertex);
+    }
+  }
+}
+
+void add_collection(const Design& design, ColouredGraph& graph) {
+  std::map<Block, unsigned> times;
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    Block block(design.block(i).begin(), design.block(i).end());
+    std::sort(block.begin(), block.end());
+    ++times[block];
+  }
+  for (const auto& [block, count] : times) {
+    const unsigned vertex = graph.add(first_block_colour + count);
+    for (const Element x : block) {
+      graph.edges.emplace_back(x, vertex);
+    }
+  }
+}
+
+void add_arcs(const Design& design, BlockOrder order, ColouredGraph& graph) {
+  const auto v = static_cast<unsigned>(design.v());
+  const auto b = static_cast<unsigned>(design.block_count());
+  const bool open = order == BlockOrder::reversible_sequence;
+  for (unsigned i = 0; i + (open ? 1 : 0) < b; ++i) {
+    const unsigned from = v + i;
+    const unsigned to = v + (i + 1) % b;
+    const unsigned tail = graph.add(tail_colour);
+    const unsigned head = order == BlockOrder::circle ? graph.add(head_colour) : tail;
+    graph.edges.emplace_back(from, tail);
+    if (head != tail) {
+      graph.edges.emplace_back(tail, head);
+    }
+    graph.edges.emplace_back(to, head);
+  }
+}
+
+ColouredGraph coloured_graph(const Design& design, BlockOrder order) {
+  ColouredGraph graph;
+  graph.colours.assign(design.v(), element_colour);
+  if (order == BlockOrder::collection) {
+    add_collection(design, graph);
+  } else {
+    add_blocks(design, order, graph);
+    if (order != BlockOrder::sequence) {
+      add_arcs(design, order, graph);
+    }
+  }
+  return graph;
+}
+
+// bliss tells the exact order of a group only by printing it.
+std::string group_order(const bliss::Stats& stats) {
+  char* text = nullptr;
+  std::size_t length = 0;
+  std::FILE* stream = open_memstream(&text, &length);
+  if (stream == nullptr) {
+    throw MissingResource("no memory for the order of a group");
+  }
+  stats.print(stream);
+  std::fclose(stream);
+  const std::unique_ptr<char, decltype(&std::free)> owner(text, &std::free);
+  std::string all(text, length);
+  const std::size_t colon = all.rfind(':');
+  const std::size_t begin = all.find_first_of("0123456789", colon);
+  const std::size_t end = all.find_first_not_of("0123456789", begin);
+  if (colon == std::string::npos || begin == std::string::npos) {
+    throw InternalError("bliss did not print the order of a group");
+  }
+  return all.substr(begin, end - begin);
+}
+
+void keep_generator(void* generators, unsigned n, const unsigned* map) {
+  static_cast<std::vector<std::vector<unsigned>>*>(generators)->emplace_back(map, map + n);
+}
+
+}  // namespace
+
+GraphForm graph_form(const Design& design, BlockOrder order) {
+  constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
+  if (design.v() + 3 * std::uint64_t{design.block_count()} >= most) {
+    throw MissingResource("an incidence graph of more than 2^31 vertices");
+  }
+  const ColouredGraph graph = coloured_graph(design, order);
+  bliss::Graph search;
+  search.set_component_recursion(false);  // With it, bliss 0.73 leaks memory.
+  for (const unsigned colour : graph.colours) {
+    search.add_vertex(colour);
+  }
+  for (const auto& [one, other] : graph.edges) {
+    search.add_edge(one, other);
+  }
+  GraphForm form;
+  bliss::Stats stats;
+  const unsigned* label = search.canonical_form(stats, &keep_generator, &form.generators);
+  form.label.assign(label, label + graph.colours.size());
+  form.group_order = group_order(stats);
+  for (std::size_t i = 0; i < graph.colours.size(); ++i) {
+    form.colours.emplace_back(form.label[i], graph.colours[i]);
+  }
+  for (const auto& [one, other] : graph.edges) {
+    form.edges.push_back(std::minmax({form.label[one], form.label[other]}));
+  }
+  std::sort(form.colours.begin(), form.colours.end());
+  std::sort(form.edges.begin(), form.edges.end());
+  return form;
+}
+
+}  // namespace changeover
