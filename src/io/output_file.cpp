@@ -263,6 +263,13 @@ void OutputFile::commit() {
   s.temporary.clear();
 }
 
+std::string OutputFile::path_until_commit() const {
+  if (is_standard_output()) {
+    return {};
+  }
+  return state_->temporary.empty() ? state_->name : state_->temporary;
+}
+
 bool OutputFile::is_standard_output() const { return state_->descriptor == STDOUT_FILENO; }
 
 void remove_unfinished_outputs() noexcept { unfinished.remove_all(); }

@@ -43,6 +43,10 @@ class OutputFile final : public Sink {
   /// @throws MissingResource as write(); the old file is then intact.
   void commit();
 
+  /// The file that holds the bytes until commit(), for reading it back after flush() or for handing it to
+  /// a library that writes files itself; the target if that is written directly, empty for standard output.
+  [[nodiscard]] std::string path_until_commit() const;
+
   /// Whether the bytes go to standard output.
   [[nodiscard]] bool is_standard_output() const;
 

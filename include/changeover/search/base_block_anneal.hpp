@@ -1,0 +1,33 @@
+// Base blocks by annealing on the orbits of pairs (search/segment_orbits.hpp).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/search/base_block_shape.hpp"
+#include "changeover/search/control.hpp"
+#include "changeover/search/random.hpp"
+
+namespace changeover {
+
+/// Random base blocks of this shape with the change property, the step from the last one to π(first)
+/// included; they cover what they cover. Empty if none were found in a bounded number of steps: a
+/// descent on the number of wrong changes, which rarely fails where there are any.
+[[nodiscard]] std::vector<Block> random_base_blocks(const Parameters& p,
+                                                    const BaseBlockShape& shape, Random& random);
+
+struct BaseBlockAnnealing {
+  std::vector<Block> blocks;  ///< empty unless found
+  std::uint64_t missing = 0;  ///< the fewest uncovered orbits seen; 0 if found
+  std::uint64_t moves = 0;
+};
+
+/// Anneals, each time four times as long, until base blocks are found, the moves are used up or the
+/// control wants to stop. A tight design needs no more care: it is one if everything is covered.
+[[nodiscard]] BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p,
+                                                          const BaseBlockShape& shape,
+                                                          std::uint64_t moves, Random& random,
+                                                          SearchControl& control);
+
+}  // namespace changeover

@@ -1,0 +1,124 @@
+// Search for base blocks: circular designs with an imposed automorphism, as c blocks instead of cn.
+//
+//     SearchControl control({.time = std::chrono::seconds(60)});
+//     const BaseBlockResult result = search_base_blocks({.v = 26, .k = 4, .kind = Kind::circular},
+//                                                       {.tight = true}, control);
+//     if (result.found()) {
+//       result.shape;                       // 5 base blocks, 2 cycles of length 13
+//       result.verdict->tight();            // verified on all 65 blocks
+//       result.recipe;                      // "developed", stores the 5 base blocks
+//       result.comparison;                  // Comparison::better than what the registry has
+//     }
+//
+// The shapes that the parameters allow (search/base_block_shape.hpp) are tried one after another, fewest
+// blocks first, until one has base blocks. Any unchanged subsets may occur, not intervals only. Two
+// methods:
+//   sat     a formula for all base blocks at once, CaDiCaL; for a tight design every orbit of pairs is newly
+//           covered exactly once and each element has a degree that the degree identity allows. It can say
+//           that there are none of this shape. That is the solver's statement, not a certificate.
+//   anneal  segment swaps made in all images at once (search/segment_orbits.hpp); for larger parameters
+//           with some slack. It never says none.
+//   automatic  sat up to `sat_size` pairs in base blocks for tight designs; otherwise a short annealing,
+//           then sat if the formula is small enough, then the rest of the annealing.
+//
+// Every result is developed by the registry and verified on all its blocks before it is returned. For a
+// linear p the circular design is cut open. With one seed and limits in moves and conflicts, but not in
+// time, the result is always the same. One thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/core/recipe.hpp"
+#include "changeover/search/base_block_shape.hpp"
+#include "changeover/search/control.hpp"
+#include "changeover/verify/verdict.hpp"
+
+namespace changeover {
+
+enum class BaseBlockMethod : std::uint8_t { automatic, sat, anneal };
+
+/// "automatic", "sat", "anneal".
+[[nodiscard]] std::string_view to_string(BaseBlockMethod method);
+
+/// The method of that name; nullopt for any other word.
+[[nodiscard]] std::optional<BaseBlockMethod> base_block_method_from_string(std::string_view name);
+
+struct BaseBlockOptions {
+  ShapeOptions shapes = {};  ///< which shapes; tight only if shapes.tight
+  std::uint64_t shift = 1;   ///< what π adds in the result: a unit of each Z_n that is tried
+  BaseBlockMethod method = BaseBlockMethod::automatic;
+  std::uint64_t moves = 4'000'000;    ///< of annealing, for each shape
+  std::uint64_t conflicts = 400'000;  ///< of the SAT solver, for each shape
+  std::uint64_t sat_size = 40'000;    ///< automatic: largest c·C(v,2) for which sat is tried
+};
+
+/// What became of one shape.
+enum class ShapeOutcome : std::uint8_t {
+  found,
+  none,  ///< the SAT solver says that there are no base blocks of this shape
+  open,  ///< not found within the limits
+};
+
+struct ShapeAttempt {
+  BaseBlockShape shape;
+  ShapeOutcome outcome = ShapeOutcome::open;
+  std::uint64_t moves = 0;
+  std::uint64_t conflicts = 0;
+  std::optional<std::uint64_t> missing = {};  ///< fewest uncovered orbits that annealing saw
+};
+
+/// Against the best design of the registry with the same parameters.
+enum class Comparison : std::uint8_t {
+  only,    ///< the registry has none
+  better,  ///< fewer blocks, or as many and tight where its offer does not promise that
+  equal,   ///< as many blocks
+  worse,
+};
+
+/// "only", …
+[[nodiscard]] std::string_view to_string(Comparison comparison);
+
+struct BaseBlockResult {
+  BaseBlockShape shape;            ///< of what was found
+  std::vector<Block> base_blocks;  ///< with shift 1; empty if nothing was found
+  std::optional<Recipe> recipe;    ///< "developed", or a "cut" of it if p is linear
+  std::optional<Design> design;    ///< all blocks, with recipe
+  std::optional<Verdict> verdict;
+
+  Comparison comparison = Comparison::only;
+  std::optional<std::uint64_t> registry_b;  ///< blocks of the registry's best
+  std::string registry_construction;        ///< its name
+
+  std::vector<ShapeAttempt> attempts;  ///< in the order in which they were made
+  std::uint64_t moves = 0;
+  std::uint64_t conflicts = 0;
+  WhyStopped why = WhyStopped::running;  ///< exhausted: every shape was said to have none
+
+  [[nodiscard]] bool found() const { return verdict.has_value(); }
+};
+
+/// Searches, see above. Without most_blocks or base_blocks a search that is not for tight designs tries
+/// ever more base blocks, up to what the registry needs (or twice the lower bound, if it has nothing).
+/// @throws as check(); ImpossibleParameters if v exceeds 2000 or the strength is not 2; BadInput if
+/// shift is no unit.
+[[nodiscard]] BaseBlockResult search_base_blocks(const Parameters& p,
+                                                 const BaseBlockOptions& options,
+                                                 SearchControl& control);
+
+/// The recipe that stores base blocks: developed under π^shift, the residues renamed to match.
+/// @throws BadInput if shift is no unit of Z_n.
+[[nodiscard]] Recipe developed_recipe(const Parameters& p, const BaseBlockShape& shape,
+                                      std::vector<Block> base_blocks, std::uint64_t shift = 1,
+                                      std::string provenance = {});
+
+/// One or two lines: what was found or why not, and how it compares.
+[[nodiscard]] std::string describe(const BaseBlockResult& result);
+
+}  // namespace changeover

@@ -1,0 +1,73 @@
+// The shapes that a circular design with an automorphism can have, and why some cannot be.
+//
+// π has s cycles of one length n and f fixed points, v = sn + f, and B_{i+c} = π(B_i): the design is
+// developed from c base blocks and has b = cn blocks. With s = 1, f = 0 these are base blocks over Z_v.
+//
+//     for (const BaseBlockShape& shape : base_block_shapes(p, {.tight = true})) { … }
+//     shape_obstruction({.v = 26, .k = 8, .kind = Kind::circular}, {5, 5, 1, 5}, true);
+//     // "a fixed element would be introduced j times in r ≥ j ≥ 1 base blocks, 7j + 2(r−j) = 5"
+//
+// Every shift is 1: for a unit u, π^u is π with other names for the residues, so nothing is lost.
+//
+// What a tight design (every pair newly covered exactly once, b > 1) forces, for any automorphism that
+// moves every block c on:
+//   - No power of π but the identity fixes two elements: their pair would be newly covered in one of c
+//     consecutive blocks and again n blocks later. So all cycles have length n but for f ≤ 1 fixed points.
+//   - n is odd: for even n the pair {x, π^{n/2}(x)} is moved onto itself n/2·c blocks later.
+//   - i introductions and r occurrences of an element satisfy i(k−1) + m(r−i) = v−1; for a fixed
+//     element, which is introduced nj times and is in nr blocks, n(j(k−1) + m(r−j)) = v−1. Each run of
+//     blocks with the element is followed by a block without it, unless it is fixed and in all blocks.
+//   - Introductions of the cycles and of the fixed element add up to mc.
+// With c·n = b this leaves few shapes, often none: then the only automorphism of this kind is the
+// identity.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/core/parameters.hpp"
+
+namespace changeover {
+
+/// How base blocks are developed: c of them, under s cycles of length n and f fixed points.
+struct BaseBlockShape {
+  std::uint64_t n = 0;            ///< length of the cycles, at least 2
+  std::uint64_t cycles = 0;       ///< s, at least 1
+  std::uint64_t fixed = 0;        ///< f
+  std::uint64_t base_blocks = 0;  ///< c, at least 1
+
+  [[nodiscard]] std::uint64_t v() const { return n * cycles + fixed; }
+  [[nodiscard]] std::uint64_t b() const { return n * base_blocks; }
+
+  auto operator<=>(const BaseBlockShape&) const = default;
+};
+
+/// "5 base blocks, 2 cycles of length 13".
+[[nodiscard]] std::string to_string(const BaseBlockShape& shape);
+
+/// Which shapes to consider.
+struct ShapeOptions {
+  std::optional<std::uint64_t> n = {};      ///< only this length
+  std::optional<std::uint64_t> fixed = {};  ///< only so many fixed points; otherwise at most 2
+  std::optional<std::uint64_t> base_blocks = {};  ///< only so many base blocks
+  bool tight = false;                             ///< only shapes of tight designs
+  /// No shape with more blocks. Nothing: what base_blocks says, or the least number of base blocks that
+  /// the lower bound allows for each n and f.
+  std::optional<std::uint64_t> most_blocks = {};
+};
+
+/// Why no circular design with these parameters has this shape, in one line; nullopt if these short
+/// arguments do not exclude it, which claims nothing. Strength 2.
+/// @throws as check().
+[[nodiscard]] std::optional<std::string> shape_obstruction(const Parameters& p,
+                                                           const BaseBlockShape& shape, bool tight);
+
+/// The shapes that are not excluded, fewest blocks first, among them the longest cycles first.
+/// @throws as check(), and as lower_bound(). At most 10,000 shapes.
+[[nodiscard]] std::vector<BaseBlockShape> base_block_shapes(const Parameters& p,
+                                                            const ShapeOptions& options = {});
+
+}  // namespace changeover

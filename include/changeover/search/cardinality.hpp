@@ -1,0 +1,29 @@
+// How many of some literals hold, as a formula.
+//
+//     const auto at_least = unary_count(cnf, literals, 3);   // at_least[j] ⟺ j + 1 or more hold, j < 3
+//     require_exactly(cnf, literals, 2);
+//
+// Counts are unary and made by merging: the literals are halved, each half is counted, and the counts are
+// added (a totalizer [BailleuxBoufkhad2003]). Unit propagation alone then finds every literal that a full
+// or an exhausted count forces. O(n·limit·log n) clauses of at most three literals.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "changeover/search/cnf.hpp"
+
+namespace changeover {
+
+/// Literals that say whether at least 1, 2, …, min(limit, n) of the given ones hold, in both directions.
+[[nodiscard]] std::vector<Literal> unary_count(Cnf& cnf, std::span<const Literal> literals,
+                                               std::size_t limit);
+
+/// Exactly `number` of the literals hold. If that is more than there are, the formula has no solution.
+void require_exactly(Cnf& cnf, std::span<const Literal> literals, std::size_t number);
+
+/// At most `number` of the literals hold.
+void require_at_most(Cnf& cnf, std::span<const Literal> literals, std::size_t number);
+
+}  // namespace changeover

@@ -1,0 +1,53 @@
+// A propositional formula in conjunctive normal form.
+//
+//     Cnf cnf;
+//     const Literal a = cnf.new_variable(), b = cnf.new_variable();
+//     cnf.add({a, b});                     // a or b
+//     cnf.add({-a, -b});                   // not both
+//     write_dimacs(cnf, {}, {"exactly one of two"}, sink);
+//
+// Literals are those of DIMACS: a variable is 1, 2, …, its negation −1, −2, …
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "changeover/io/sink.hpp"
+
+namespace changeover {
+
+/// A variable, or its negation.
+using Literal = std::int32_t;
+
+class Cnf {
+ public:
+  /// The next variable, a positive number. @throws ImpossibleParameters beyond 10⁸ variables.
+  Literal new_variable();
+
+  /// Adds a clause: one of the literals holds. Without literals it says that there is no solution.
+  /// @throws InternalError if a literal is 0 or of no variable; ImpossibleParameters beyond 2³¹ literals.
+  void add(std::span<const Literal> clause);
+  void add(std::initializer_list<Literal> clause) { add({clause.begin(), clause.size()}); }
+
+  [[nodiscard]] std::size_t variables() const { return variables_; }
+  [[nodiscard]] std::size_t clauses() const { return clauses_; }
+
+  /// The clauses one after another, each ended by 0.
+  [[nodiscard]] std::span<const Literal> literals() const { return literals_; }
+
+ private:
+  std::vector<Literal> literals_;
+  std::size_t variables_ = 0;
+  std::size_t clauses_ = 0;
+};
+
+/// Writes the formula in DIMACS: the comments, one a line, the header, the clauses, and `assumptions`
+/// as clauses of one literal.
+void write_dimacs(const Cnf& cnf, std::span<const Literal> assumptions,
+                  const std::vector<std::string>& comments, Sink& sink);
+
+}  // namespace changeover

@@ -1,0 +1,95 @@
+// Is there a change covering design with exactly b blocks? Found, or proved that there is none.
+//
+//     SearchControl control({.time = std::chrono::seconds(60)});
+//     Decision decision = decide({.v = 9, .k = 4, .change = 1}, 11, {.proof_directory = "proofs"}, control);
+//     decision.answer;                         // Answer::none
+//     decision.parts.front().proof_path;       // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
+//
+// The question becomes a formula (search/exact_encoding.hpp) for a SAT solver. A design is verified before it
+// is handed out. "None" is said only after the solver's DRAT proof, read back from the disk with the
+// formula, was checked by room proof, which shares no code with what made them; anyone can check the two files
+// with another checker. docs/trust.md says what trust remains.
+//
+// With one thread and no share the formula is solved whole. With more, or if several processes share the
+// search (SearchControl::Settings::share), it is split into cubes; each has a formula and a proof of its own,
+// and it is checked that the cubes leave nothing out. Every process makes the same cubes and takes every
+// share.of-th of them: there is none if all of them excluded their part (Answer::none_in_share).
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/core/design.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/proof/cubes.hpp"
+#include "changeover/search/control.hpp"
+#include "changeover/search/exact_encoding.hpp"
+
+namespace changeover {
+
+struct ExactOptions {
+  /// Where formulas and proofs are kept, named by their parameters; made if it is missing. Files appear
+  /// whole or not at all, and only if there is no design. Empty: temporary files that are removed.
+  std::string proof_directory = {};
+  /// Without a proof "none" cannot be said, only Answer::none_unproved; designs are found a little faster.
+  bool prove = true;
+  /// The most time for one number of blocks, besides the limit of the control.
+  std::optional<std::chrono::duration<double>> time_per_step = {};
+  /// The most conflicts of the solver for one number of blocks (for each part, if it is split). With one thread
+  /// the answer then does not depend on the machine.
+  std::optional<std::uint32_t> conflicts_per_step = {};
+  EncodingOptions encoding = {};
+};
+
+enum class Answer : std::uint8_t {
+  found,          ///< a design, verified
+  none,           ///< no design: proved, and the proof checked
+  none_in_share,  ///< the same for the part of this process
+  none_unproved,  ///< the solver says that there is none, and no proof was asked for
+  unknown,        ///< stopped before
+};
+
+/// "found", "none", …
+[[nodiscard]] std::string_view to_string(Answer answer);
+
+/// One formula without solution, and its proof.
+struct CheckedPart {
+  Cube cube = {};             ///< the literals assumed; empty if the formula is the whole question
+  std::string cnf_path = {};  ///< empty if the files were temporary
+  std::string proof_path = {};  ///< likewise
+  std::uint64_t variables = 0;
+  std::uint64_t clauses = 0;
+  std::uint64_t proof_bytes = 0;
+  std::uint64_t proof_steps = 0;  ///< clauses added and deleted, as far as the checker had to read
+  std::chrono::duration<double> solve_time{};  ///< of the processor
+  std::chrono::duration<double> check_time{};  ///< likewise
+};
+
+struct Decision {
+  Parameters parameters;
+  std::uint64_t b = 0;
+  Answer answer = Answer::unknown;
+  std::optional<Design> design = {};    ///< if found
+  std::vector<CheckedPart> parts = {};  ///< what was excluded, each with a checked proof
+  std::uint64_t cubes = 1;              ///< into how many parts the question was split
+  std::string cubes_path = {};  ///< the list of the cubes, if there are several and files are kept
+  WhyStopped why = WhyStopped::running;  ///< found, exhausted, or the limit
+  std::chrono::duration<double> time{};
+};
+
+/// Decides whether there is a design with exactly b ≥ 1 blocks.
+/// @throws ImpossibleParameters as check(), or if the formula would be too large; BadInput if b = 0;
+/// MissingResource if a file cannot be written whole; InternalError if a design does not verify or a proof does
+/// not check. Bound by: the solver; checking takes about as long again.
+[[nodiscard]] Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,
+                              SearchControl& control);
+
+/// The name of the files of a question, without folder and ending: "linear-m1-v9-k4-b11", with "-t3" before
+/// the number of blocks if the strength is 3.
+[[nodiscard]] std::string file_stem(const Parameters& p, std::uint64_t b);
+
+}  // namespace changeover

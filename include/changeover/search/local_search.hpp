@@ -1,0 +1,78 @@
+// Better designs by local search, beyond the reach of exact methods.
+//
+//     SearchControl control({.time = std::chrono::seconds(60), .seed = 7});
+//     ImproveResult found = improve({.v = 100, .k = 10, .change = 2}, {}, control);
+//     found.design->block_count();          // 300 or fewer; the lower bound is 290
+//     found.how;                            // "3 base blocks under an automorphism of order 100 …"
+//     found.why_stopped;                    // time limit
+//
+// Contract. The result is verified, and has no more blocks than the best recipe that is known (the
+// planner's for v ≤ 120, else the registry's), whatever happens. What is sought is a design with
+// `target` blocks, or with as many as the lower bound says. With one thread and a limit of moves
+// the answer depends on the parameters, the options and the seed alone.
+//
+// How. Three kinds of attempts compete, each with a budget of moves that doubles when it fails:
+//   - blocks without any symmetry, from random lists (segment_pairs.hpp);
+//   - the best design so far less one block, annealed at lower temperatures;
+//   - base blocks under an imposed automorphism (imposed.hpp), for every order n and 0 to 2 fixed
+//     elements on v elements, and without fixed elements on v + 1 … v + 3, whose designs are
+//     truncated. A linear design is cut from the circular one where fewest blocks are needed.
+// An attempt first aims far below the best design, and nearer when it fails. The next one is that
+// which has cost least, weighted by how much it missed the last time, so that the budget goes where
+// the goal is near. Threads take attempts from one list. Of several processes, each begins at
+// another place of the list and with other random numbers (SearchShare).
+//
+// Strength 3 and 4 use blocks without symmetry only (segment_subsets.hpp). Bound by: the rate of
+// moves, about 15 million a second a core at (30,6).
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "changeover/core/design.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/search/control.hpp"
+
+namespace changeover {
+
+struct ImproveOptions {
+  std::optional<std::uint64_t> target = {};  ///< blocks that are enough; nothing: the lower bound
+  std::optional<std::uint64_t> moves = {};   ///< the most moves of this run, over all threads
+  std::optional<Design> start = {};  ///< a design that is known besides the recipes; must be valid
+  bool imposed = true;               ///< try automorphisms
+  std::string checkpoint = {};       ///< a file to go on from and to write to (checkpoint.hpp)
+  std::chrono::duration<double> checkpoint_interval{5.0};
+};
+
+struct ImproveResult {
+  std::optional<Design> design;  ///< verified; nothing if no design is known nor found
+  std::uint64_t lower_bound = 0;
+  std::optional<std::uint64_t> started_from;  ///< blocks of the best design known beforehand
+  std::string how;             ///< how the design was found, one line; "best recipe" if not here
+  std::uint64_t moves = 0;     ///< proposals, over all threads and, from a checkpoint, all runs
+  std::uint64_t attempts = 0;  ///< anneals, likewise
+  std::chrono::duration<double> elapsed{};       ///< of this run
+  double moves_per_second = 0;                   ///< of this run, over all threads
+  WhyStopped why_stopped = WhyStopped::running;  ///< `found` if the target is reached
+};
+
+/// Searches until the target is reached or `control` or the limit of moves says stop.
+/// @throws ImpossibleParameters as check(), if no such design exists, or if v exceeds 4096;
+/// BadInput if the start is not a valid design with these parameters, or for a checkpoint that is
+/// of other parameters or damaged; InternalError if a result fails verification.
+[[nodiscard]] ImproveResult improve(const Parameters& p, const ImproveOptions& options,
+                                    SearchControl& control);
+
+/// The linear design with fewest blocks that is cut from consecutive blocks of this one (circular,
+/// or linear itself) without blocks that are not needed. O(bk²).
+[[nodiscard]] Design shortest_cut(const Design& design);
+
+/// The consecutive `blocks` of this design that leave fewest pairs uncovered, as a linear list.
+[[nodiscard]] Design best_part(const Design& design, std::size_t blocks);
+
+/// The best design that is known without search, built and verified; nullopt if there is no recipe.
+[[nodiscard]] std::optional<Design> best_known_design(const Parameters& p);
+
+}  // namespace changeover

@@ -1,0 +1,243 @@
+#include "search/enumeration_team.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <bit>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "search/enumeration_tree.hpp"
+
+namespace changeover {
+namespace {
+
+using Mask = std::uint64_t;
+
+constexpr std::size_t prefixes_wanted = 512;  // for each case, if it has so many
+constexpr std::size_t found_at_once = 64;     // handed out together when it is one's turn
+
+struct Prefix {
+  std::size_t own_case = 0;
+  std::vector<Mask> blocks;
+};
+
+// Collects the nodes at one depth.
+class PrefixCollector final : public EnumerationVisitor {
+ public:
+  explicit PrefixCollector(SearchControl& control) : control_(&control) {}
+
+  bool reached(std::span<const Mask> blocks) override {
+    found.emplace_back(blocks.begin(), blocks.end());
+    return true;
+  }
+  bool go_on(std::uint64_t more) override {
+    nodes += more;
+    return !control_->stop_wanted();
+  }
+
+  std::vector<std::vector<Mask>> found;
+  std::uint64_t nodes = 0;
+
+ private:
+  SearchControl* control_;
+};
+
+// The design of a list of masks: the elements that are in every block first.
+Design design_of(const Parameters& p, std::size_t fixed, std::span<const Mask> blocks) {
+  Design design(p);
+  design.reserve(blocks.size());
+  Block block;
+  for (const Mask mask : blocks) {
+    block.clear();
+    for (std::size_t x = 0; x < fixed; ++x) {
+      block.push_back(static_cast<Element>(x));
+    }
+    for (Mask rest = mask; rest != 0; rest &= rest - 1) {
+      block.push_back(
+          static_cast<Element>(fixed + static_cast<std::size_t>(std::countr_zero(rest))));
+    }
+    design.append(block);
+  }
+  return design;
+}
+
+class Team {
+ public:
+  Team(const EnumerationTask& task, SearchControl& control) : task_(task), control_(control) {}
+
+  EnumerationRun run() {
+    cut();
+    slots_.resize(mine_.size());
+    const std::size_t threads = std::min<std::size_t>(control_.threads(), mine_.size());
+    if (threads <= 1) {
+      work();
+    } else {
+      std::vector<std::jthread> workers;
+      for (std::size_t i = 0; i < threads; ++i) {
+        workers.emplace_back([this] { work(); });
+      }
+    }
+    if (fault_) {
+      std::rethrow_exception(fault_);
+    }
+    // A limit may have left gaps; what lies behind them is still good.
+    for (Slot& slot : slots_) {
+      hand_out(slot.found);
+    }
+    const WhyStopped why = control_.why_stopped();
+    result_.why = why == WhyStopped::running ? WhyStopped::exhausted : why;
+    result_.nodes = nodes_;
+    result_.prefixes = prefixes_.size();
+    return result_;
+  }
+
+ private:
+  // What one prefix led to and has not been handed out.
+  struct Slot {
+    std::vector<DesignClass> found;
+    bool done = false;
+  };
+
+  // One prefix being explored.
+  class Explorer final : public EnumerationVisitor {
+   public:
+    Explorer(Team& team, std::size_t turn) : team_(team), turn_(turn) {}
+
+    bool reached(std::span<const Mask> blocks) override {
+      const Prefix& prefix = team_.prefixes_[team_.mine_[turn_]];
+      const EnumerationCase& own = team_.task_.cases[prefix.own_case];
+      if (auto judged = team_.task_.judge(design_of(team_.task_.parameters, own.fixed, blocks))) {
+        found_.push_back(std::move(*judged));
+        if (found_.size() >= found_at_once && team_.turn_ == turn_) {
+          const std::scoped_lock lock(team_.handing_out_);
+          team_.hand_out(found_);
+        }
+      }
+      return !team_.failed_;
+    }
+    bool go_on(std::uint64_t nodes) override {
+      team_.nodes_ += nodes;
+      team_.tell();
+      return !team_.failed_ && !team_.control_.stop_wanted();
+    }
+
+    std::vector<DesignClass> found_;
+
+   private:
+    Team& team_;
+    std::size_t turn_;
+  };
+
+  void cut() {
+    const SearchShare share = control_.settings().share;
+    for (std::size_t c = 0; c < task_.cases.size(); ++c) {
+      const EnumerationCase& own = task_.cases[c];
+      if (c == 0 || own.fixed != task_.cases[c - 1].fixed) {
+        degrees_.push_back(std::make_shared<const DegreeTable>(own));
+      } else {
+        degrees_.push_back(degrees_.back());
+      }
+      EnumerationTree tree(own, *degrees_.back());
+      const std::vector<Mask> root{own.first_block()};
+      for (std::size_t depth = 1; depth < own.b && !control_.stop_wanted(); ++depth) {
+        PrefixCollector collector(control_);
+        tree.explore(root, depth, collector);
+        if (collector.found.empty() || collector.found.size() >= prefixes_wanted ||
+            depth + 1 == own.b) {
+          for (auto& blocks : collector.found) {
+            prefixes_.push_back({.own_case = c, .blocks = std::move(blocks)});
+          }
+          nodes_ += share.index == 0 ? collector.nodes : 0;
+          break;
+        }
+      }
+    }
+    for (std::size_t i = share.index; i < prefixes_.size();
+         i += std::max<std::uint64_t>(share.of, 1)) {
+      mine_.push_back(i);
+    }
+  }
+
+  void work() {
+    try {
+      std::optional<EnumerationTree> tree;
+      std::size_t last_case = task_.cases.size();
+      for (std::size_t turn = next_++; turn < mine_.size(); turn = next_++) {
+        if (failed_ || control_.stop_wanted()) {
+          return;
+        }
+        const Prefix& prefix = prefixes_[mine_[turn]];
+        const EnumerationCase& own = task_.cases[prefix.own_case];
+        if (prefix.own_case != last_case) {
+          tree.emplace(own, *degrees_[prefix.own_case]);
+          last_case = prefix.own_case;
+        }
+        Explorer explorer(*this, turn);
+        tree->explore(prefix.blocks, own.b - 1, explorer);
+        finish(turn, std::move(explorer.found_));
+      }
+    } catch (...) {
+      const std::scoped_lock lock(handing_out_);
+      if (!fault_) {
+        fault_ = std::current_exception();
+      }
+      failed_ = true;
+    }
+  }
+
+  void finish(std::size_t turn, std::vector<DesignClass> found) {
+    const std::scoped_lock lock(handing_out_);
+    slots_[turn].found = std::move(found);
+    slots_[turn].done = true;
+    std::size_t next = turn_;
+    while (next < slots_.size() && slots_[next].done) {
+      hand_out(slots_[next].found);
+      turn_ = ++next;
+    }
+  }
+
+  void hand_out(std::vector<DesignClass>& found) {
+    for (DesignClass& each : found) {
+      ++result_.forms;
+      if (task_.hand_out) {
+        task_.hand_out(each);
+      }
+    }
+    found.clear();
+  }
+
+  void tell() {
+    if (control_.progress_due()) {
+      control_.tell(
+          {.phase = fmt::format("enumeration: {} of {} prefixes", turn_.load(), mine_.size()),
+           .steps = nodes_,
+           .unit = "nodes"});
+    }
+  }
+
+  const EnumerationTask& task_;
+  SearchControl& control_;
+  std::vector<std::shared_ptr<const DegreeTable>> degrees_;  // by case
+  std::vector<Prefix> prefixes_;
+  std::vector<std::size_t> mine_;  // prefixes of this share
+  std::vector<Slot> slots_;        // by position in mine_
+  std::atomic<std::size_t> next_{0};
+  std::atomic<std::size_t> turn_{0};
+  std::atomic<std::uint64_t> nodes_{0};
+  std::atomic<bool> failed_{false};
+  std::mutex handing_out_;
+  std::exception_ptr fault_;
+  EnumerationRun result_;
+};
+
+}  // namespace
+
+EnumerationRun explore_together(const EnumerationTask& task, SearchControl& control) {
+  return Team(task, control).run();
+}
+
+}  // namespace changeover

@@ -1,0 +1,441 @@
+#include "changeover/search/local_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/path.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/core/transitions.hpp"
+#include "changeover/search/anneal.hpp"
+#include "changeover/search/checkpoint.hpp"
+#include "changeover/search/imposed.hpp"
+#include "changeover/search/random_list.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "search/local_search_arms.hpp"
+#include "search/local_search_known.hpp"
+#include "search/local_search_states.hpp"
+#include "search/repair_cover.hpp"
+
+namespace changeover {
+namespace {
+
+using Method = SearchArm::Method;
+
+constexpr std::uint64_t largest_v = 4096;
+constexpr std::array<double, 3> reheated_to = {0.28, 0.22, 0.33};  // in turn
+constexpr std::size_t blocks_between_cuts = 8;
+constexpr int most_fruitless = 64;  // attempts in a row that could not even begin
+
+/// What an attempt came to.
+struct Attempted {
+  std::optional<Design> design;  // with the parameters asked for
+  std::uint64_t missed = 0;
+  std::uint64_t moves = 0;
+  std::uint64_t counted = 0;  // of them, in the sum already
+  bool started = false;
+  bool stopped = false;
+  std::string how;
+};
+
+class Improver {
+ public:
+  Improver(const Parameters& p, const ImproveOptions& options, SearchControl& control)
+      : parameters_(p),
+        options_(options),
+        control_(control),
+        bound_(lower_bound(p).blocks),
+        goal_(std::max(bound_, options.target.value_or(0))),
+        arms_(p, goal_, options.imposed && p.v > p.k, control.settings().share),
+        seed_(control.seed()) {}
+
+  ImproveResult run() {
+    if (!options_.checkpoint.empty()) {
+      if (auto checkpoint = read_checkpoint(options_.checkpoint, parameters_)) {
+        go_on(*std::move(checkpoint));
+      }
+    }
+    begin();
+    std::vector<std::jthread> threads;
+    for (unsigned i = 1; i < control_.threads(); ++i) {
+      threads.emplace_back([this] { work(); });
+    }
+    work();
+    threads.clear();
+    if (fault_) {
+      std::rethrow_exception(fault_);
+    }
+    if (!options_.checkpoint.empty()) {
+      save();
+    }
+    return result();
+  }
+
+ private:
+  // Both counts of a checkpoint are of a search that is the same but for being cut into runs.
+  void go_on(Checkpoint checkpoint) {
+    seed_ = checkpoint.seed;
+    attempts_ = checkpoint.attempts;
+    moves_ = moves_before_ = checkpoint.moves;
+    if (checkpoint.arms.size() == arms_.arms().size()) {
+      arms_.restore(std::move(checkpoint.arms));
+    }
+    if (checkpoint.best) {
+      take(*std::move(checkpoint.best), checkpoint.how);
+    }
+  }
+
+  void begin() {
+    if (auto known = best_known_design(parameters_)) {
+      take(*std::move(known), "best recipe");
+    }
+    if (options_.start) {
+      if (options_.start->parameters() != parameters_ || !verify(*options_.start).valid()) {
+        throw BadInput(fmt::format("the design to start from is not a {}; repair it first",
+                                   name(parameters_)));
+      }
+      take(*options_.start, "the design to start from");
+    }
+    started_from_ = best_ ? std::optional<std::uint64_t>(best_->block_count()) : std::nullopt;
+    if (!best_) {
+      Random random(seed_);
+      Design list(parameters_);
+      list.append(random_block(parameters_, random));
+      take(cover_the_rest(list, random), "blocks added one by one");
+    }
+    stop_if_done();
+  }
+
+  // Keeps a design if it is better. Under the lock, or before there are threads.
+  bool take(Design design, const std::string& how) {
+    if (best_ && best_->block_count() <= design.block_count()) {
+      return false;
+    }
+    if (design.parameters() != parameters_ || !verify(design).valid()) {
+      throw InternalError(
+          fmt::format("local search found a {} that is none: {}", name(parameters_), how));
+    }
+    best_ = std::move(design);
+    best_blocks_ = best_->block_count();
+    how_ = how;
+    return true;
+  }
+
+  void stop_if_done() {
+    if (best_blocks_ <= goal_) {
+      control_.stop(WhyStopped::found);
+    }
+  }
+
+  void work() {
+    try {
+      while (!control_.stop_wanted()) {
+        const std::optional<Attempt> attempt = next();
+        if (!attempt) {
+          return;
+        }
+        Attempted attempted = make(*attempt);
+        report(*attempt, std::move(attempted));
+      }
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      if (!fault_) {
+        fault_ = std::current_exception();
+      }
+      control_.stop(WhyStopped::interrupted);
+    }
+  }
+
+  std::optional<Attempt> next() {
+    const std::scoped_lock lock(mutex_);
+    std::optional<Attempt> attempt = arms_.next(best_blocks_);
+    if (!attempt || fruitless_ > most_fruitless) {
+      control_.stop(WhyStopped::exhausted);
+      return std::nullopt;
+    }
+    attempt->number = attempts_++;
+    if (options_.moves) {
+      const std::uint64_t left = *options_.moves - std::min(*options_.moves, reserved_);
+      if (left == 0) {
+        control_.stop(WhyStopped::step_limit);
+        return std::nullopt;
+      }
+      attempt->moves = std::min(attempt->moves, left);
+      reserved_ += attempt->moves;
+    }
+    fit_to_time(*attempt);
+    return attempt;
+  }
+
+  // A schedule that the clock would cut off is worth less than a shorter one that gets cold.
+  void fit_to_time(Attempt& attempt) const {
+    const auto left = control_.time_left();
+    const double elapsed = control_.elapsed().count() * control_.threads();
+    if (left && elapsed > 0.5) {
+      const double rate = static_cast<double>(moves_ - moves_before_) / elapsed;
+      const double fitting = std::max(1e5, rate * left->count());
+      if (fitting < static_cast<double>(attempt.moves)) {
+        attempt.moves = static_cast<std::uint64_t>(fitting);
+      }
+    }
+  }
+
+  Attempted make(const Attempt& attempt) {
+    SearchArm arm;
+    std::optional<Design> best;
+    {
+      const std::scoped_lock lock(mutex_);
+      arm = arms_.arms()[attempt.arm];
+      best = best_;
+    }
+    const SearchShare share = control_.settings().share;
+    Random random(seed_, 1 + attempt.number * share.of + share.index % share.of);
+    if (arm.method == Method::imposed) {
+      return impose(attempt, arm, random);
+    }
+    Attempted attempted;
+    const auto start = arm.method == Method::free || !best
+                           ? random_list(parameters_, static_cast<std::size_t>(attempt.aim), random)
+                           : one_block_less(*best, static_cast<std::size_t>(attempt.aim), random);
+    if (!start) {
+      attempted.missed = 1;
+      return attempted;
+    }
+    attempted.started = true;
+    AnnealSchedule schedule{.moves = attempt.moves};
+    schedule.hot = arm.method == Method::free ? schedule.hot
+                                              : reheated_to[attempt.number % reheated_to.size()];
+    const Annealed annealed = anneal_blocks(
+        *start, 0, schedule, random, control_,
+        watch(attempt, attempted, fmt::format("annealing {} blocks", attempt.aim), 1));
+    attempted.moves = annealed.outcome.moves;
+    attempted.missed = annealed.outcome.least;
+    attempted.stopped = annealed.outcome.stopped;
+    if (annealed.design) {
+      attempted.design = shorter(*annealed.design);
+      attempted.how = arm.method == Method::free ? "blocks without symmetry"
+                                                 : "the best design annealed with a block less";
+    }
+    return attempted;
+  }
+
+  Attempted impose(const Attempt& attempt, const SearchArm& arm, Random& random) {
+    Attempted attempted;
+    const ImposedAutomorphism pi{arm.order, arm.fixed};
+    ImposedOutcome found = search_imposed(
+        arms_.parameters_of(arm), pi, static_cast<std::size_t>(attempt.aim),
+        {.moves = attempt.moves}, random, control_,
+        watch(
+            attempt, attempted,
+            fmt::format("annealing {} base blocks under an automorphism of order {} on {} elements",
+                        attempt.aim, arm.order, parameters_.v + arm.extra),
+            arm.order));
+    attempted.started = found.started;
+    attempted.moves = found.anneal.moves;
+    attempted.missed = found.started ? found.anneal.least : 1;
+    attempted.stopped = found.anneal.stopped;
+    if (!found.design) {
+      return attempted;
+    }
+    std::optional<Design> design = truncated(*found.design, arm.extra);
+    if (design) {
+      attempted.how =
+          fmt::format("{} base blocks under an automorphism of order {} with {} fixed elements{}{}",
+                      attempt.aim, arm.order, arm.fixed,
+                      arm.extra == 0 ? "" : fmt::format(", {} elements truncated", arm.extra),
+                      parameters_.kind == Kind::linear ? ", cut" : "");
+      attempted.design = shorter(*design);
+      if (parameters_.kind == Kind::linear && attempted.design->block_count() >= best_blocks_ &&
+          design->block_count() >= best_blocks_ && best_blocks_ > goal_) {
+        shorten(attempt, *design, attempted, random);
+      }
+    }
+    return attempted;
+  }
+
+  // A circular design that is not cut shorter than the best may still be a good place to start
+  // from.
+  void shorten(const Attempt& attempt, const Design& circular, Attempted& attempted,
+               Random& random) {
+    const std::uint64_t blocks = best_blocks_ - 1;
+    const std::uint64_t before = attempted.moves;
+    const std::uint64_t left = attempt.moves - std::min(attempt.moves, before);
+    const Annealed annealed = anneal_blocks(
+        best_part(circular, static_cast<std::size_t>(blocks)), 0,
+        {.moves = left, .hot = reheated_to[attempt.number % reheated_to.size()]}, random, control_,
+        watch(attempt, attempted, fmt::format("annealing {} blocks cut from a circle", blocks), 1,
+              before));
+    attempted.moves += annealed.outcome.moves;
+    attempted.stopped = annealed.outcome.stopped;
+    if (annealed.design) {
+      attempted.design = shorter(*annealed.design);
+      attempted.how += ", annealed with a block less";
+    }
+  }
+
+  // As linear as asked, without what is not needed.
+  Design shorter(const Design& design) const {
+    return parameters_.kind == Kind::linear ? shortest_cut(design)
+                                            : without_needless_blocks(design);
+  }
+
+  // A linear design loses an end; in a circular one a piece is replaced by a random way of a block
+  // less.
+  std::optional<Design> one_block_less(const Design& best, std::size_t blocks,
+                                       Random& random) const {
+    if (parameters_.kind == Kind::linear) {
+      return best_part(best, blocks);
+    }
+    const std::size_t b = best.block_count();
+    const std::size_t begin = random.below(static_cast<std::uint32_t>(b));
+    const std::size_t steps = std::min(blocks_between_cuts, b - 1);
+    const auto block = [&](std::size_t i) {
+      const auto elements = best.block((begin + i) % b);
+      return Block(elements.begin(), elements.end());
+    };
+    const auto way = random_walk(block(0), block(steps), steps - (b - blocks), parameters_, random);
+    if (steps <= b - blocks || !way) {
+      return random_list(parameters_, blocks, random);
+    }
+    Design list(parameters_);
+    for (std::size_t i = steps; i <= b; ++i) {
+      list.append(block(i));
+    }
+    for (const Block& next : *way) {
+      list.append(next);
+    }
+    return list;
+  }
+
+  // Counts moves, after those before, into `counted` and in all, tells, writes the checkpoint;
+  // stops an attempt that another has overtaken.
+  AnnealWatch watch(const Attempt& attempt, Attempted& attempted, std::string phase,
+                    std::uint64_t pairs_a_unit, std::uint64_t moves_before = 0) {
+    return [this, &attempted, promise = attempt.promise, phase = std::move(phase), pairs_a_unit,
+            moves_before](std::uint64_t moves, std::uint64_t missing) {
+      moves_ += moves_before + moves - attempted.counted;
+      attempted.counted = moves_before + moves;
+      if (control_.progress_due()) {
+        control_.tell({.phase = phase,
+                       .steps = moves_,
+                       .best = best_blocks_,
+                       .lower_bound = bound_,
+                       .missing = missing * pairs_a_unit});
+      }
+      save_if_due();
+      return best_blocks_ > promise;
+    };
+  }
+
+  void report(const Attempt& attempt, Attempted attempted) {
+    const std::scoped_lock lock(mutex_);
+    moves_ += attempted.moves - attempted.counted;
+    fruitless_ = attempted.started ? 0 : fruitless_ + 1;
+    if (options_.moves) {
+      reserved_ -= attempt.moves - std::min(attempt.moves, attempted.moves);
+    }
+    bool improved = false;
+    if (attempted.design) {
+      improved = take(*std::move(attempted.design), attempted.how);
+      stop_if_done();
+    }
+    if (!attempted.stopped) {
+      arms_.report(attempt, attempted.missed, improved);
+    }
+    if (improved) {
+      control_.tell({.phase = "found a better design",
+                     .steps = moves_,
+                     .best = best_blocks_,
+                     .lower_bound = bound_,
+                     .missing = 0},
+                    true);
+    }
+  }
+
+  void save_if_due() {
+    if (options_.checkpoint.empty()) {
+      return;
+    }
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (lock.owns_lock() && SearchControl::Clock::now() >= next_save_) {
+      save();
+    }
+  }
+
+  void save() {
+    write_checkpoint({.parameters = parameters_,
+                      .seed = seed_,
+                      .attempts = attempts_,
+                      .moves = moves_,
+                      .arms = arms_.arms(),
+                      .how = how_,
+                      .best = best_},
+                     options_.checkpoint);
+    next_save_ =
+        SearchControl::Clock::now() +
+        std::chrono::duration_cast<SearchControl::Clock::duration>(options_.checkpoint_interval);
+  }
+
+  ImproveResult result() {
+    ImproveResult result;
+    result.lower_bound = bound_;
+    result.started_from = started_from_;
+    result.how = how_;
+    result.moves = moves_;
+    result.attempts = attempts_;
+    result.elapsed = control_.elapsed();
+    result.moves_per_second =
+        static_cast<double>(moves_ - moves_before_) / std::max(1e-9, result.elapsed.count());
+    result.why_stopped = control_.why_stopped();
+    if (!verify(*best_).valid()) {
+      throw InternalError(fmt::format("the {} that was kept is none", name(parameters_)));
+    }
+    result.design = std::move(best_);
+    return result;
+  }
+
+  const Parameters parameters_;
+  const ImproveOptions& options_;
+  SearchControl& control_;
+  const std::uint64_t bound_;
+  const std::uint64_t goal_;
+  SearchArms arms_;
+  std::uint64_t seed_;
+  std::uint64_t attempts_ = 0;
+  std::uint64_t moves_before_ = 0;  // of earlier runs
+  std::uint64_t reserved_ = 0;      // moves of attempts that were given out
+  int fruitless_ = 0;
+  std::atomic<std::uint64_t> moves_ = 0;
+  std::atomic<std::uint64_t> best_blocks_ = std::numeric_limits<std::uint32_t>::max();
+  std::optional<Design> best_;
+  std::optional<std::uint64_t> started_from_;
+  std::string how_;
+  SearchControl::Clock::time_point next_save_ = SearchControl::Clock::now();
+  std::exception_ptr fault_;
+  std::mutex mutex_;
+};
+
+}  // namespace
+
+ImproveResult improve(const Parameters& p, const ImproveOptions& options, SearchControl& control) {
+  check(p);
+  if (const auto why = impossibility(p)) {
+    throw ImpossibleParameters(fmt::format("there is no {}: {}", name(p), *why));
+  }
+  if (p.v > largest_v) {
+    throw ImpossibleParameters(
+        fmt::format("local search supports v up to {}, not {}", largest_v, p.v));
+  }
+  return Improver(p, options, control).run();
+}
+
+}  // namespace changeover

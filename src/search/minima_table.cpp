@@ -1,0 +1,115 @@
+#include "changeover/search/minima_table.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "changeover/construct/planner.hpp"
+#include "changeover/verify/verdict.hpp"
+
+namespace changeover {
+namespace {
+
+auto place(const Parameters& p) { return std::tuple(p.strength, p.change, p.kind, p.k, p.v); }
+
+bool before(const MinimaRow& row, const Parameters& p) { return place(row.parameters) < place(p); }
+
+/// The best recipes of the constructions; beyond strength 2 there are none.
+class Constructions {
+ public:
+  explicit Constructions(const MinimaRange& range) {
+    constexpr std::uint64_t margin = 8;  // larger designs can be truncated
+    if (range.strength == 2) {
+      for (const std::uint64_t m : range.changes) {
+        plans_.emplace(m, plan_range(Registry::standard(),
+                                     {.v_from = 2,
+                                      .v_to = range.v_to + margin,
+                                      .k_from = 2,
+                                      .k_to = range.k_to,
+                                      .change = m},
+                                     [](const Design& design) { return verify(design).valid(); }));
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<Recipe> best(const Parameters& p) const {
+    const auto plan = plans_.find(p.change);
+    if (plan == plans_.end()) {
+      return std::nullopt;
+    }
+    const std::optional<Offer>& offer = plan->second.at(p).best;
+    return offer ? std::optional(offer->recipe) : std::nullopt;
+  }
+
+ private:
+  std::map<std::uint64_t, Plan> plans_;
+};
+
+std::uint64_t limit_of(const MinimumOptions& options) {
+  return options.exact.conflicts_per_step.value_or(std::numeric_limits<std::uint32_t>::max());
+}
+
+MinimaRow settle(const Parameters& p, const Constructions& constructions,
+                 const MinimumOptions& options, SearchControl& control) {
+  MinimaRow row{.parameters = p};
+  std::optional<Design> known;
+  if (const auto recipe = constructions.best(p)) {
+    known = Registry::standard().build_design(*recipe);
+    row.by = recipe->construction;
+  }
+  const MinimumResult result = find_minimum(p, options, control, known);
+  row.start = result.start.blocks;
+  row.lower = result.lower;
+  row.upper = result.upper();
+  if (row.upper && (!known || *row.upper < known->block_count())) {
+    row.by = "SAT";
+  }
+  for (const Decision& step : result.steps) {
+    row.seconds += step.time.count();
+    for (const CheckedPart& part : step.parts) {
+      if (step.answer == Answer::none) {
+        row.solve_seconds += part.solve_time.count();
+        row.check_seconds += part.check_time.count();
+        row.proof_bytes += part.proof_bytes;
+        row.proof_steps += part.proof_steps;
+      }
+    }
+  }
+  row.limit = limit_of(options);
+  return row;
+}
+
+}  // namespace
+
+void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
+                 const MinimumOptions& options, SearchControl& control,
+                 const std::function<void(const MinimaRow&)>& on_row) {
+  const Constructions constructions(range);
+  const std::uint64_t limit = limit_of(options);
+  for (std::uint64_t v = 2; v <= range.v_to; ++v) {
+    for (const std::uint64_t m : range.changes) {
+      for (const Kind kind : {Kind::linear, Kind::circular}) {
+        for (std::uint64_t k = std::max<std::uint64_t>({range.k_from, range.strength, m});
+             k <= range.k_to && k + m <= v; ++k) {
+          const Parameters p{.v = v, .k = k, .change = m, .kind = kind, .strength = range.strength};
+          auto at = std::lower_bound(rows.begin(), rows.end(), p, before);
+          const bool there = at != rows.end() && at->parameters == p;
+          if (impossibility(p) || (there && (at->settled() || at->limit >= limit))) {
+            continue;
+          }
+          MinimaRow row = settle(p, constructions, options, control);
+          if (!row.settled() && control.stop_wanted()) {
+            continue;  // not tried for as long as it should be
+          }
+          at = there ? at : rows.insert(at, MinimaRow{});
+          *at = std::move(row);
+          on_row(*at);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace changeover

@@ -1,0 +1,103 @@
+#include "changeover/search/minimum_search.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/verify/verdict.hpp"
+
+namespace changeover {
+
+std::optional<std::uint64_t> MinimumResult::upper() const {
+  return best ? std::optional<std::uint64_t>(best->block_count()) : std::nullopt;
+}
+
+Bound lower_bound_on_paper(const Parameters& p) {
+  for (Bound& bound : lower_bounds(p)) {
+    if (bound.name != "exhaustive search") {
+      return std::move(bound);
+    }
+  }
+  return {1, "trivial", "a design has at least one block"};
+}
+
+namespace {
+
+Decision decide_by(const MinimumOptions& options, const ExactOptions& exact, const Parameters& p,
+                   std::uint64_t b, SearchControl& control) {
+  return options.decider ? options.decider(b, exact) : decide(p, b, exact, control);
+}
+
+// From the lower bound up: the first design ends the walk, the first number that stays open too.
+void walk(MinimumResult& result, const MinimumOptions& options, SearchControl& control) {
+  while (!result.settled()) {
+    if (control.stop_wanted()) {
+      result.why = control.why_stopped();
+      return;
+    }
+    if (result.best && *result.upper() < result.lower) {
+      throw InternalError(fmt::format("{} has {} blocks, but fewer than {} were excluded",
+                                      name(result.parameters), *result.upper(), result.lower));
+    }
+    Decision decision = decide_by(options, options.exact, result.parameters, result.lower, control);
+    const Answer answer = decision.answer;
+    result.why = decision.why;
+    if (answer == Answer::found) {
+      result.best = decision.design;
+    }
+    result.steps.push_back(std::move(decision));
+    if (answer == Answer::none) {
+      ++result.lower;
+    } else if (answer != Answer::found) {
+      return;
+    }
+  }
+}
+
+// A better design, with more blocks than the number that stayed open.
+void look_above(MinimumResult& result, const MinimumOptions& options, SearchControl& control) {
+  ExactOptions quick = options.exact;
+  quick.prove = false;
+  for (std::uint64_t i = 1; i <= options.tries_above && !control.stop_wanted(); ++i) {
+    const std::uint64_t b = result.lower + i;
+    if (result.best && *result.upper() <= b) {
+      return;
+    }
+    result.steps.push_back(decide_by(options, quick, result.parameters, b, control));
+    if (result.steps.back().answer == Answer::found) {
+      result.best = result.steps.back().design;
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
+                           SearchControl& control, const std::optional<Design>& known) {
+  const auto begin = SearchControl::Clock::now();
+  MinimumResult result;
+  result.parameters = p;
+  result.impossible = impossibility(p);
+  if (known && (known->parameters() != p || !verify(*known).valid())) {
+    throw BadInput(fmt::format("the design that was given is no {}", name(p)));
+  }
+  if (result.impossible) {
+    result.why = WhyStopped::exhausted;
+    return result;
+  }
+  result.start = lower_bound_on_paper(p);
+  result.lower = result.start.blocks;
+  result.best = known;
+  walk(result, options, control);
+  if (result.settled()) {
+    result.why = WhyStopped::exhausted;
+  } else {
+    look_above(result, options, control);
+  }
+  result.time = SearchControl::Clock::now() - begin;
+  return result;
+}
+
+}  // namespace changeover

@@ -1,0 +1,108 @@
+// Which t-subsets some blocks cover, for those who add blocks one by one.
+//
+//     CoveredSubsets covered(p);
+//     covered.insert(block);
+//     covered.gain(candidate);              // subsets that it would newly cover
+//     covered.first_missing();              // one that is still uncovered
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/parameters.hpp"
+
+namespace changeover {
+
+class CoveredSubsets {
+ public:
+  explicit CoveredSubsets(const Parameters& p)
+      : v_(p.v),
+        t_(p.strength),
+        covered_(static_cast<std::size_t>(binomial(p.v, p.strength)), false),
+        missing_(covered_.size()) {
+    for (std::uint32_t r = 0; r <= t_; ++r) {
+      for (std::uint64_t n = 0; n <= v_; ++n) {
+        choose_.push_back(binomial(n, r));
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint64_t missing() const { return missing_; }
+
+  void insert(std::span<const Element> block) {
+    for_each_subset(block, [&](std::size_t rank) {
+      if (!covered_[rank]) {
+        covered_[rank] = true;
+        --missing_;
+      }
+    });
+  }
+
+  /// How many subsets of the block are uncovered. O(C(k,t)).
+  [[nodiscard]] std::uint64_t gain(std::span<const Element> block) {
+    std::uint64_t count = 0;
+    for_each_subset(block, [&](std::size_t rank) { count += covered_[rank] ? 0U : 1U; });
+    return count;
+  }
+
+  /// The uncovered subset of least rank, in decreasing order; nullopt if there is none. O(C(v,t))
+  /// altogether, over all calls.
+  [[nodiscard]] std::optional<Block> first_missing() {
+    while (first_ < covered_.size() && covered_[first_]) {
+      ++first_;
+    }
+    if (first_ == covered_.size()) {
+      return std::nullopt;
+    }
+    Block subset;
+    std::uint64_t rank = first_;
+    std::uint64_t x = v_;
+    for (std::uint32_t r = t_; r > 0; --r) {
+      do {
+        --x;
+      } while (choose(x, r) > rank);
+      subset.push_back(static_cast<Element>(x));
+      rank -= choose(x, r);
+    }
+    return subset;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t choose(std::uint64_t n, std::uint32_t r) const {
+    return choose_[static_cast<std::size_t>(r * (v_ + 1) + n)];
+  }
+
+  template <typename Visit>
+  void for_each_subset(std::span<const Element> block, Visit&& visit) {
+    sorted_.assign(block.begin(), block.end());
+    std::sort(sorted_.begin(), sorted_.end());
+    descend(0, 0, 0, visit);
+  }
+
+  template <typename Visit>
+  void descend(std::size_t from, std::uint32_t chosen, std::uint64_t rank, Visit&& visit) {
+    if (chosen == t_) {
+      visit(static_cast<std::size_t>(rank));
+      return;
+    }
+    for (std::size_t at = from; at < sorted_.size(); ++at) {
+      descend(at + 1, chosen + 1, rank + choose(sorted_[at], chosen + 1), visit);
+    }
+  }
+
+  std::uint64_t v_;
+  std::uint32_t t_;
+  std::vector<bool> covered_;
+  std::uint64_t missing_;
+  std::vector<std::uint64_t> choose_;
+  std::size_t first_ = 0;
+  Block sorted_;
+};
+
+}  // namespace changeover
