@@ -177,10 +177,13 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
                      "i_x(k-1) + m(r_x-i_x) >= v-1 = {} for every x: b >= {}",
                      *program - 1, p.v - 1, *program)});
   }
-  if (const auto searched = known_minimum(p)) {
-    bounds.push_back({searched->blocks, "exhaustive search",
-                      fmt::format("exhaustive search excluded fewer than {} blocks: {}",
-                                  searched->blocks, searched->by)});
+  if (const auto searched = excluded_below(p)) {
+    bounds.push_back(
+        {*searched, "exhaustive search",
+         fmt::format(
+             "fewer than {} blocks are excluded by SAT with checked DRAT proofs, written anew "
+             "by: changeover search {} {} --change {} --{} --exact --proof DIR",
+             *searched, p.v, p.k, p.change, to_string(p.kind))});
   }
   std::stable_sort(bounds.begin(), bounds.end(),
                    [](const Bound& a, const Bound& b) { return a.blocks > b.blocks; });

@@ -89,6 +89,36 @@ TEST(LowerBound, GivesEachBoundWithAReasonLargestFirst) {
   }
 }
 
+TEST(LowerBound, SaysHowWhatSearchExcludedCanBeCheckedAnew) {
+  const Bound bound = lower_bound({.v = 9, .k = 4, .change = 1});
+  EXPECT_EQ(bound.blocks, 12U);
+  EXPECT_EQ(bound.name, "exhaustive search");
+  EXPECT_NE(bound.reason.find("changeover search 9 4 --change 1 --linear --exact --proof DIR"),
+            std::string::npos);
+}
+
+// Each row of the table is needed: it says more than what is proved on paper.
+TEST(LowerBound, NamesSearchOnlyWhereNothingElseReachesAsFar) {
+  std::size_t rows = 0;
+  for (std::uint64_t m = 1; m <= 3; ++m) {
+    for (const Kind kind : {Kind::linear, Kind::circular}) {
+      for (std::uint64_t k = std::max<std::uint64_t>(2, m); k <= 8; ++k) {
+        for (std::uint64_t v = k + m; v <= 20; ++v) {
+          std::uint64_t searched = 0;
+          std::uint64_t proved = 0;
+          for (const Bound& b : lower_bounds({.v = v, .k = k, .change = m, .kind = kind})) {
+            (b.name == "exhaustive search" ? searched : proved) =
+                std::max(b.name == "exhaustive search" ? searched : proved, b.blocks);
+          }
+          rows += searched > 0 ? 1U : 0U;
+          EXPECT_TRUE(searched == 0 || searched > proved) << v << ' ' << k << ' ' << m;
+        }
+      }
+    }
+  }
+  EXPECT_GE(rows, 40U);
+}
+
 TEST(LowerBound, CountsTriples) {
   // Linear, t = 3: ⌈(C(v,3) − C(k,3)) / (C(k,3) − C(k−m,3))⌉ + 1.
   EXPECT_EQ(lower_bound({.v = 8, .k = 4, .change = 1, .strength = 3}).blocks,

@@ -16,9 +16,9 @@
 //   degree program  the least b for which whole numbers i_x, r_x with the right sums satisfy
 //             i_x(k−1) + m(r_x − i_x) ≥ v − 1 at every x (m ≤ 3, v ≤ 2000); for k = 3, m = 2 this is
 //             ⌈v/3·⌈(v−1)/2⌉⌉, the covering bound of Fort and Hedlund.
-//   exhaustive search  for some small parameters fewer blocks were excluded by computation, once, by up
-//             to three independent programs; the bound names them. This is the one bound here that is not
-//             a proof on paper.
+//   exhaustive search  for some small parameters fewer blocks were excluded by SAT, each number of blocks
+//             with a DRAT proof that was checked; the reason names the command that writes the proofs
+//             anew. This is the one bound here that is not a proof on paper.
 //   end to end  b ≥ 2⌈(v−k)/m⌉ + 1: with p = ⌈(v−k)/m⌉, some x is in none of the first p blocks and some
 //             y in none of the last p, so b ≤ 2p would leave {x,y} uncovered.
 //
