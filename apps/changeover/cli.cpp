@@ -89,6 +89,11 @@ void Verb::positional(const std::string& name, std::string& value, const std::st
   state_->app->add_option(name, value, help)->required(required)->option_text(" ");
 }
 
+void Verb::positional(const std::string& name, std::optional<std::uint64_t>& value,
+                      const std::string& help) {
+  state_->app->add_option(name, value, help)->option_text("NUMBER")->check(whole_number_defect, "");
+}
+
 void Verb::option(const std::string& flags, std::optional<std::uint64_t>& value,
                   const std::string& what, const std::string& help) {
   state_->app->add_option(flags, value, help)->option_text(what)->check(whole_number_defect, "");
@@ -141,7 +146,8 @@ Program::Program() : state_(std::make_unique<State>()) {
   app.footer(
       "Exit codes: 0 done or valid; 1 the claim was refuted; 2 usage; 3 bad input; 4 nothing "
       "serves\n"
-      "these parameters, or a file, memory or disk space is missing; 5 a bug of ours.\n"
+      "these parameters, or a file, memory or disk space is missing; 5 a bug of ours. Searches:\n"
+      "10 found, 20 proved that there is none, 30 stopped by a limit before that was known.\n"
       "changeover VERB --help shows options and examples.");
 }
 

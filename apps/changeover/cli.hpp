@@ -24,8 +24,11 @@ inline constexpr int refuted = 1;    ///< the claim was refuted
 inline constexpr int usage = 2;      ///< wrong options or arguments
 inline constexpr int bad_input = 3;  ///< a file is malformed
 inline constexpr int missing_resource =
-    4;                         ///< no construction, no file, no memory, no room on disk
-inline constexpr int bug = 5;  ///< a result failed its own verification
+    4;                                    ///< no construction, no file, no memory, no room on disk
+inline constexpr int bug = 5;             ///< a result failed its own verification
+inline constexpr int found = 10;          ///< a search found what it was asked for
+inline constexpr int proved_none = 20;    ///< it proved that there is none
+inline constexpr int limit_reached = 30;  ///< it stopped before it knew
 }  // namespace exit_code
 
 /// Thrown by a verb for what the parser cannot see: options that contradict each other, say.
@@ -43,6 +46,9 @@ class Verb {
   void positional(const std::string& name, std::uint64_t& value, const std::string& help);
   void positional(const std::string& name, std::string& value, const std::string& help,
                   bool required = true);
+  /// One that may be left out.
+  void positional(const std::string& name, std::optional<std::uint64_t>& value,
+                  const std::string& help);
   /// `flags` as in "-o,--output"; `what` names the value in the help.
   void option(const std::string& flags, std::optional<std::uint64_t>& value,
               const std::string& what, const std::string& help);

@@ -1,3 +1,4 @@
+#include "team.hpp"
 #include "verbs.hpp"
 
 int main(int argc, char** argv) {
@@ -7,11 +8,18 @@ int main(int argc, char** argv) {
   add_verify(program);
   add_bounds(program);
   add_explain(program);
+  add_search(program);
+  add_classify(program);
+  add_same(program);
   add_table(program);
+  add_plan(program);
   add_expand(program);
   add_factorize(program);
   add_constructions(program);
   add_paper(program);
+  add_loadorder(program);
   add_completion(program);
-  return program.run(argc, argv);
+  const int code = program.run(argc, argv);
+  Team::leave(code);
+  return code;
 }

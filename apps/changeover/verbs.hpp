@@ -9,11 +9,16 @@ void add_design(Program& program);
 void add_verify(Program& program);
 void add_bounds(Program& program);
 void add_explain(Program& program);
+void add_search(Program& program);
+void add_classify(Program& program);
+void add_same(Program& program);
 void add_table(Program& program);
+void add_plan(Program& program);
 void add_expand(Program& program);
 void add_factorize(Program& program);
 void add_constructions(Program& program);
 void add_paper(Program& program);
+void add_loadorder(Program& program);
 void add_completion(Program& program);
 
 }  // namespace changeover::cli

@@ -1,0 +1,76 @@
+// changeover search V K --base-blocks: circular designs with an automorphism.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "changeover/io/json_writer.hpp"
+#include "changeover/search/base_block_search.hpp"
+#include "search_request.hpp"
+#include "team.hpp"
+
+namespace changeover::cli {
+namespace {
+
+std::string line_of(const ShapeAttempt& attempt) {
+  std::string line = to_string(attempt.shape) + ": ";
+  line += attempt.outcome == ShapeOutcome::found  ? "found"
+          : attempt.outcome == ShapeOutcome::none ? "none, says the SAT solver"
+                                                  : "not found";
+  if (attempt.outcome == ShapeOutcome::open && attempt.missing) {
+    line += fmt::format(" (at best {} of pairs missing)", count_of(*attempt.missing, "orbit"));
+  }
+  return line;
+}
+
+}  // namespace
+
+int search_base_blocks(const SearchRequest& request) {
+  const Parameters p = request.parameters(Kind::circular);
+  if (const auto reason = impossibility(p)) {
+    deliver(fmt::format("No {} exists: {}.\n", name(p), *reason), "-");
+    return exit_code::proved_none;
+  }
+  BaseBlockOptions options;
+  options.shapes.n = request.cycle_length;
+  options.shapes.fixed = request.fixed_points;
+  options.shapes.tight = request.tight;
+  options.shapes.most_blocks = request.blocks;
+  Running running(request.run);
+  const BaseBlockResult result = search_base_blocks(p, options, running.control());
+  running.finish_progress();
+
+  std::vector<std::string> lines;
+  for (const ShapeAttempt& attempt : result.attempts) {
+    lines.push_back(line_of(attempt));
+  }
+  if (result.attempts.empty()) {
+    lines.push_back("no automorphism of this kind is possible for these parameters");
+  }
+  lines.push_back(describe(result));
+  if (!Team::world().first()) {
+    return result.found() ? exit_code::found : exit_code::limit_reached;
+  }
+  if (!result.found()) {
+    std::string text;
+    for (const std::string& line : lines) {
+      text += line + "\n";
+    }
+    if (request.output.chosen() == "json") {
+      JsonWriter json;
+      json.begin_object().key("found").value(false).key("attempts").value(lines).end_object();
+      text = json.take() + "\n";
+    }
+    deliver(text, request.output.chosen() == "json" ? request.output.path : "-");
+    return exit_code::limit_reached;
+  }
+  SearchFind find{*result.design, lines};
+  if (result.recipe) {
+    find.design.recipe = result.recipe;
+    Recipe& leaf = find.design.recipe->inputs.empty() ? *find.design.recipe
+                                                      : find.design.recipe->inputs.front();
+    leaf.provenance = request.provenance(p, "--base-blocks");
+  }
+  show_find(find, request);
+  return exit_code::found;
+}
+
+}  // namespace changeover::cli
