@@ -2,7 +2,7 @@
 #                 [GENERATED_HEADERS <dir>])
 #
 # Adds the library changeover_<name>, alias changeover::<name>, from src/<name>/**.cpp and
-# include/changeover/<name>/**.hpp. Sources are globbed, so that adding a file touches nothing
+# include/changeover/<name>/**.hpp and **.h. Sources are globbed, so that adding a file touches nothing
 # else. DEPENDS are rooms and public; LIBRARIES are private; SOURCES are generated files to add;
 # GENERATED_HEADERS is a directory laid out like include/. A room without any file is skipped, a
 # room of headers only becomes an INTERFACE library.
@@ -14,7 +14,8 @@ function(changeover_room name)
 
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${name}/*.cpp")
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS
-       "${PROJECT_SOURCE_DIR}/include/changeover/${name}/*.hpp")
+       "${PROJECT_SOURCE_DIR}/include/changeover/${name}/*.hpp"
+       "${PROJECT_SOURCE_DIR}/include/changeover/${name}/*.h")
   if(NOT sources AND NOT headers)
     message(STATUS "Room ${name}: no files yet, skipped")
     return()

@@ -1,0 +1,165 @@
+// Load orders against BETA, hold-and-stream, square tiles and exhaustive matching: loads, and the executor on
+// a file whose pages are kept out of the cache.
+//
+// CHANGEOVER_BENCH_SEARCH=20 gives local search so many seconds for each order that is not minimum.
+#include <benchmark/benchmark.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/loadorder/all_pairs.hpp"
+#include "changeover/loadorder/baselines.hpp"
+#include "changeover/loadorder/improve.hpp"
+#include "changeover/loadorder/load_order.hpp"
+#include "changeover/search/control.hpp"
+#include "changeover/search/random.hpp"
+
+namespace changeover::bench {
+namespace {
+
+LoadOrder best_order(std::uint64_t items, std::uint64_t room) {
+  LoadOrderOptions options;
+  std::optional<SearchControl> control;
+  if (const char* seconds = std::getenv("CHANGEOVER_BENCH_SEARCH")) {
+    SearchControl::Settings settings;
+    settings.time = std::chrono::duration<double>(std::strtod(seconds, nullptr));
+    control.emplace(settings);
+    options.improve = improve_by_search(*control);
+  }
+  return plan_load_order(items, room, options);
+}
+
+/// Loads of every method and of the bound, and how much better than the best of them all ours is.
+void loads(benchmark::State& state) {
+  const auto items = static_cast<std::uint64_t>(state.range(0));
+  const auto room = static_cast<std::uint64_t>(state.range(1));
+  std::optional<LoadOrder> ours;
+  for (auto _ : state) {
+    ours.emplace(best_order(items, room));
+  }
+  const auto mine = static_cast<double>(ours->facts().loads);
+  state.counters["ours"] = mine;
+  state.counters["bound"] = static_cast<double>(ours->facts().bound.loads);
+  state.counters["gap_percent"] = 100 * ours->facts().gap();
+  double best = 0;
+  for (const LoadOrder& other : baseline_orders(items, room)) {
+    const auto count = static_cast<double>(other.facts().loads);
+    state.counters[other.facts().method] = count;
+    best = best == 0 ? count : std::min(best, count);
+  }
+  state.counters["ratio"] = best / mine;  // of the best peer to ours
+  state.SetLabel(ours->facts().method);
+}
+
+/// A file of random bytes, made once for all benchmarks and removed at the end.
+class DataFile {
+ public:
+  static const DataFile& of(std::uint64_t items, std::uint64_t bytes) {
+    static std::map<std::pair<std::uint64_t, std::uint64_t>, std::unique_ptr<DataFile>> files;
+    auto& file = files[{items, bytes}];
+    if (!file) {
+      file.reset(new DataFile(items, bytes));
+    }
+    return *file;
+  }
+  ~DataFile() { std::filesystem::remove(path_); }
+  DataFile(const DataFile&) = delete;
+  DataFile& operator=(const DataFile&) = delete;
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+ private:
+  DataFile(std::uint64_t items, std::uint64_t bytes)
+      : path_((std::filesystem::temp_directory_path() /
+               ("changeover-bench-" + std::to_string(::getpid()) + "-" + std::to_string(items)))
+                  .string()) {
+    const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    std::vector<std::uint64_t> item(static_cast<std::size_t>(bytes / sizeof(std::uint64_t)));
+    Random random(items);
+    for (std::uint64_t i = 0; i < items; ++i) {
+      for (std::uint64_t& word : item) {
+        word = random.next();
+      }
+      if (::write(file, item.data(), static_cast<std::size_t>(bytes)) < 0) {
+        std::abort();
+      }
+    }
+    ::fsync(file);
+    ::close(file);
+  }
+
+  std::string path_;
+};
+
+/// The whole job with little to compute, so that loading is what takes the time: all methods in turn, medians.
+void executor(benchmark::State& state) {
+  constexpr std::uint64_t bytes = std::uint64_t{4} << 20;
+  const auto items = static_cast<std::uint64_t>(state.range(0));
+  const auto room = static_cast<std::uint64_t>(state.range(1));
+  FileItems file(DataFile::of(items, bytes).path(), bytes, {.bypass_cache = true});
+  std::vector<LoadOrder> orders = baseline_orders(items, room);
+  orders.insert(orders.begin(), plan_load_order(items, room));
+  std::vector<std::vector<double>> seconds(orders.size());
+  std::vector<AllPairsReport> reports(orders.size());
+  std::atomic<std::uint64_t> sum = 0;
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+      reports[i] = all_pairs(file, orders[i], [&](const PairWork& work) {
+        sum += std::to_integer<std::uint64_t>(work.first.bytes[0] ^ work.second.bytes[0]);
+      });
+      seconds[i].push_back(reports[i].elapsed.count());
+    }
+  }
+  benchmark::DoNotOptimize(sum.load());
+  for (std::size_t i = 0; i < orders.size(); ++i) {
+    const std::string name = i == 0 ? "ours" : orders[i].facts().method;
+    const auto middle = seconds[i].begin() + static_cast<std::ptrdiff_t>(seconds[i].size() / 2);
+    std::nth_element(seconds[i].begin(), middle, seconds[i].end());
+    state.counters[name + "_s"] = *middle;
+    state.counters[name + "_GB"] = static_cast<double>(reports[i].bytes_read) / 1e9;
+  }
+  state.SetLabel(file.access());
+}
+
+void grid(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"items", "room"})->Iterations(1)->Unit(benchmark::kMillisecond);
+  for (const auto& [items, room] :
+       std::vector<std::pair<std::int64_t, std::int64_t>>{{8, 4},
+                                                          {12, 4},
+                                                          {15, 4},
+                                                          {16, 4},
+                                                          {16, 8},
+                                                          {20, 5},
+                                                          {26, 6},
+                                                          {32, 4},
+                                                          {32, 8},
+                                                          {32, 16},
+                                                          {64, 8},
+                                                          {64, 16},
+                                                          {64, 32},
+                                                          {1000, 100},
+                                                          {2000, 100}}) {
+    bench->Args({items, room});
+  }
+}
+
+void cells(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"items", "room"})->Iterations(5)->Unit(benchmark::kMillisecond);
+  bench->Args({32, 8})->Args({64, 8})->Args({64, 16});
+}
+
+BENCHMARK(loads)->Apply(grid);
+BENCHMARK(executor)->Apply(cells);
+
+}  // namespace
+}  // namespace changeover::bench

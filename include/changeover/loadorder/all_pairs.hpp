@@ -1,0 +1,108 @@
+// Runs an all-pairs job out of core: loads items in the order that was planned, computes every pair once.
+//
+//     FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});
+//     PrefetchPlan plan = plan_prefetch(file.item_count(), room_for(file, 512 << 20));
+//     AllPairsReport report = all_pairs(file, plan.order, [&](const PairWork& pair) {
+//       gram(pair.first.bytes, pair.second.bytes);        // first = second: the pairs within one item
+//     }, {.threads = 2, .read_ahead = plan.spare, .journal = "job.journal"});
+//
+// *Contract.* compute() is called exactly once for each pair of different items and once for each item
+// with itself, by `threads` threads at once, with the bytes of both in memory. Loads run on threads of
+// their own while pairs are computed (loadorder/prefetch.hpp, which also says why an order for one item
+// less with read_ahead = 1 is often faster). Never more than room + read_ahead items are in memory or on
+// their way: there are that many buffers, made at the start, and nothing else grows with the data.
+//
+// *Journal.* With a journal a step is recorded, and synced to the disk, after all its pairs are computed
+// and after on_step_done(step) has returned: that is where results are made durable. When a job is
+// started again with the same journal, recorded steps are not computed again; a step that was under way
+// is computed anew from its beginning. So results must be idempotent by step: PairWork says the step. A
+// journal of another job is refused.
+//
+// *Several processes.* With share = {i, n} this process takes the i-th of n stretches of the order
+// (loadorder/workers.hpp), and a pair belongs to the first stretch that has it: all processes together
+// compute what one alone would, each pair once, without talking to each other.
+//
+// *Faults.* What the source throws ends the job after the pairs under way, naming the item; what
+// compute() throws, too. A cancelled job returns a report that says so.
+//
+// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits. An item is best a chunk of many
+// vectors.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "changeover/loadorder/item_source.hpp"
+#include "changeover/loadorder/load_order.hpp"
+
+namespace changeover {
+
+/// An item in memory.
+struct ItemView {
+  Element item = 0;
+  std::span<const std::byte> bytes;
+};
+
+/// What compute() is given: two items, the smaller number first, or one with itself.
+struct PairWork {
+  std::uint64_t step = 0;  ///< of this share, from 1
+  ItemView first;
+  ItemView second;
+};
+
+using PairCompute = std::function<void(const PairWork&)>;
+
+struct AllPairsProgress {
+  std::uint64_t step = 0;   ///< finished
+  std::uint64_t steps = 0;  ///< of this share
+  std::uint64_t loads = 0;
+  std::uint64_t bytes_read = 0;
+  std::uint64_t pairs = 0;  ///< computed, items with themselves included
+};
+
+/// The part of an order that a process takes.
+struct OrderShare {
+  std::uint64_t index = 0;
+  std::uint64_t of = 1;
+};
+
+struct AllPairsOptions {
+  unsigned threads = 1;          ///< that compute
+  unsigned readers = 1;          ///< that load
+  std::uint64_t read_ahead = 0;  ///< buffers beyond the order's room, for loads on their way
+  OrderShare share = {};
+  std::string journal;  ///< path; empty: none
+  std::string job;      ///< names what is computed, so that a journal of something else is refused
+  std::optional<std::uint64_t> memory_bytes = {};  ///< refuse to start if the buffers need more
+  const std::atomic<bool>* cancelled = nullptr;    ///< looked at before each pair
+  std::function<void(std::uint64_t step)> on_step_done = {};      ///< before it is recorded
+  std::function<void(const AllPairsProgress&)> on_progress = {};  ///< after each step
+};
+
+struct AllPairsReport {
+  bool finished = false;            ///< false: cancelled
+  std::uint64_t steps = 0;          ///< of this share
+  std::uint64_t steps_done = 0;     ///< of these, recorded ones included
+  std::uint64_t steps_resumed = 0;  ///< recorded by an earlier run
+  std::uint64_t loads = 0;
+  std::uint64_t bytes_read = 0;
+  std::uint64_t pairs = 0;                 ///< calls of compute()
+  std::uint64_t most_in_memory = 0;        ///< items, those on their way included
+  std::uint64_t buffer_bytes = 0;          ///< of all buffers
+  std::chrono::duration<double> waited{};  ///< for loads
+  std::chrono::duration<double> elapsed{};
+};
+
+/// Runs a share of a job to its end.
+/// @throws BadInput if the order is none or not for the items of the source, the buffers exceed memory_bytes, the
+/// share is none, or the journal is another job's; ImpossibleParameters above 65,535 items; whatever the
+/// source, compute() or a callback throws; MissingResource if the journal cannot be written.
+AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairCompute& compute,
+                         const AllPairsOptions& options = {});
+
+}  // namespace changeover

@@ -1,0 +1,120 @@
+// Load orders: after all steps every pair of P items has been in memory together, with room for C.
+//
+//     LoadOrder order = plan_load_order(64, 16);
+//     order.facts().loads;                    // 152, at least 143 are needed
+//     LoadStep step;
+//     while (order.next(step)) { … }          // one by one; nothing is kept
+//
+// *What an order is.* In a step some items are evicted and some loaded; at most C are in memory. Its cost
+// is the number of loads, those of the first step included; orders with equally many are told apart by
+// their steps. An m-change covering design with b blocks of C elements is an order of b steps and
+// C + m(b−1) loads: m = 1 is the natural choice, since its steps cover most pairs a load.
+//
+// *The lower bound.* P ≤ C needs P loads. Otherwise any order has at least C + b₁ − 1, b₁ a lower bound on
+// the blocks of a linear single-change design SCCD(P,C). For let an order be given, also one whose steps
+// load several items. Write its loads one by one, x₁, …, x_L, and be lazy: evict only when memory is
+// full, then an item that the order has evicted by the end of the step, and skip a load of what is still
+// there. What is in memory after a step then contains what the order has there, so all pairs still meet,
+// and no load was added. As P > C, memory fills up, and from then on it holds C items that change one at
+// a time: a linear SCCD(P,C) of as many blocks as there are loads from the C-th on. So L ≥ C + b₁ − 1.
+//
+// *Where orders come from.* The best of
+//   registry   every construction for m = 1, 2, 3, circular ones read as linear (P ≤ 2,000 or P < 16C)
+//   planner    closure rules over the parameters around (P ≤ 120)
+//   streamed   for any P and C, made as it goes: r rounds hold C−1 items while the others pass, then the
+//              tight circular design on 2c(C−1)+1 items [ChafeeStevens2023] with w ≤ C−1 further items
+//              that pass beside 2c of its unchanged subsets
+//   improve    whatever you plug in: a local search, say, started from the best so far
+//
+// *Certificate.* For P ≤ `read_up_to` every step is read before plan_load_order() returns
+// (loadorder/load_check.hpp): C(P,2) bits of memory. For more items the streamed order is taken and
+// certified by its structure: the differences of its base blocks (verify/interval_difference.hpp) and the
+// argument of docs/loadorder.md; facts().certificate says which. Whoever streams such an order can
+// have it audited on the way (LoadCheck).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "changeover/core/design.hpp"
+#include "changeover/loadorder/load_step.hpp"
+
+namespace changeover {
+
+/// A number of loads that no order can go below.
+struct LoadBound {
+  std::uint64_t loads = 0;
+  std::string reason;  ///< one line of plain mathematics
+};
+
+/// The bound of the summary above. @throws BadInput if items = 0 or room < 2; ImpossibleParameters if
+/// there are more than 2³² − 1 items.
+[[nodiscard]] LoadBound load_lower_bound(std::uint64_t items, std::uint64_t room);
+
+/// What is known of an order before its first step.
+struct LoadOrderFacts {
+  std::uint64_t items = 0;
+  std::uint64_t room = 0;
+  std::uint64_t loads = 0;
+  std::uint64_t steps = 0;
+  LoadBound bound;
+  std::string method;       ///< name of a construction, "one-step", "streamed" or "improved"
+  std::string explanation;  ///< one line: how the steps are made
+  std::string certificate;  ///< one line: how it was verified
+  bool every_step_read = false;
+
+  /// loads / bound − 1.
+  [[nodiscard]] double gap() const;
+};
+
+struct LoadOrderOptions {
+  /// Given the best linear SCCD(items, room) so far, a better one if there is any. Not asked if the
+  /// bound is attained or for more than `improve_up_to` items. The result is verified.
+  std::function<std::optional<Design>(const Design& start, std::uint64_t least_blocks)> improve;
+  std::uint64_t improve_up_to = 2000;
+  /// Orders of at most so many items are read, step by step, before they are handed out; at most 65,535.
+  std::uint64_t read_up_to = 65'535;
+  bool constructions = true;  ///< whether the registry is asked
+  bool planner = true;        ///< and then the planner
+};
+
+/// An order that starts at its first step. Movable; stream() gives independent readers.
+class LoadOrder {
+ public:
+  using Maker = std::function<std::unique_ptr<StepSource>()>;
+
+  /// An order of your own: `maker` makes readers that start at the first step. Nothing is checked.
+  LoadOrder(LoadOrderFacts facts, Maker maker);
+
+  [[nodiscard]] const LoadOrderFacts& facts() const { return facts_; }
+
+  /// The next step; false at the end. O(1) amortised a load for streamed orders, O(C) otherwise.
+  bool next(LoadStep& step) { return reader_->next(step); }
+
+  /// Back to the first step.
+  void rewind() { reader_ = maker_(); }
+
+  /// Another reader, at the first step. It may be used on another thread and outlive this.
+  [[nodiscard]] std::unique_ptr<StepSource> stream() const { return maker_(); }
+
+ private:
+  LoadOrderFacts facts_;
+  Maker maker_;
+  std::unique_ptr<StepSource> reader_;
+};
+
+/// The best order that is known. Bound by reading it, see `read_up_to`: 10⁷ to 10⁸ pairs a second.
+/// @throws BadInput if items = 0 or room < 2, one line that says so; ImpossibleParameters if items
+/// exceeds 10⁹; InternalError if an order does not keep its promise.
+[[nodiscard]] LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
+                                        const LoadOrderOptions& options = {});
+
+/// A linear design as an order; steps load what a block introduces. @throws BadInput if it is circular
+/// (set its kind to linear first) or has no block.
+[[nodiscard]] LoadOrder load_order_of(std::shared_ptr<const Design> design, std::string method,
+                                      std::string explanation);
+
+}  // namespace changeover

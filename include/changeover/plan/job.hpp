@@ -1,0 +1,66 @@
+// What an experimenter wants: parts to be tested in pairs, room for some of them at once, and what a
+// test and a change cost.
+//
+//     Job job = make_job(9, 3, parse_amount("1"), parse_amount("5"));   // nine parts, three at a time
+//     job.never.insert(2, 7);                                           // these two must not meet …
+//     job.needed = all_pairs_but(job.never);                            // … and all others must
+//     check(job);
+//
+// A *set-up* is a set of at most `at_once` parts that are mounted together and tested once. A list of
+// set-ups does the job if every needed pair is in some set-up, no pair of `never` is in any, and the
+// `mounted` parts are in all. It costs
+//     (number of set-ups) · test_cost + Σ over all introductions of the change cost of the part,
+// where a part is introduced in a set-up if it was not in the one before; the first set-up introduces all
+// its parts but those of `start`, which are on the bench already. Taking parts out costs nothing. These
+// are the costs of [ChafeeStevens2025, Section 1].
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/pair_set.hpp"
+#include "changeover/plan/amount.hpp"
+
+namespace changeover {
+
+/// The most parts of a job.
+inline constexpr std::uint64_t max_parts = 1000;
+
+struct Job {
+  std::vector<std::string> names;    ///< of the parts, which are the elements 0, 1, …
+  std::uint64_t at_once = 0;         ///< how many parts fit
+  Amount test_cost;                  ///< of running one test
+  std::vector<Amount> change_costs;  ///< of mounting each part once
+  PairSet needed{0};                 ///< pairs that must meet
+  PairSet never{0};                  ///< pairs that must not be in one set-up
+  Block mounted;                     ///< parts that are in every set-up
+  Block start;                       ///< parts that are mounted before the first test
+  std::uint64_t tests_done = 0;      ///< tests before the first; only for numbering
+
+  [[nodiscard]] std::uint64_t parts() const { return names.size(); }
+  /// All change costs are the same.
+  [[nodiscard]] bool one_change_cost() const;
+};
+
+/// A job with parts "1", …, "v" in which all pairs must meet. @throws BadInput if v > max_parts.
+[[nodiscard]] Job make_job(std::uint64_t v, std::uint64_t at_once, Amount test_cost,
+                           Amount change_cost);
+
+/// All pairs of elements but these.
+[[nodiscard]] PairSet all_pairs_but(const PairSet& pairs);
+
+/// Why no list of set-ups can do the job, or why the job is malformed: a line for each reason, at most
+/// ten; none if there is one. The reasons are complete: without one, a set-up for each needed pair, of
+/// this pair and the mounted parts, does the job.
+[[nodiscard]] std::vector<std::string> defects(const Job& job);
+
+/// @throws BadInput with the first of defects() and how many more there are.
+void check(const Job& job);
+
+/// Takes tests that were already done off a job: their pairs are needed no more, and unless the job says
+/// what is mounted at the start, the last of them is. @throws BadInput if one is larger than at_once.
+void mark_done(Job& job, const std::vector<Block>& setups);
+
+}  // namespace changeover

@@ -1,0 +1,73 @@
+// The cheapest run sheet for a job that we can find, what it was compared with, and how far it can be from
+// the cheapest there is.
+//
+//     SearchControl control({.time = std::chrono::seconds(10)});
+//     RunPlan plan = make_run_plan(make_job(9, 3, parse_amount("1"), parse_amount("5")), {}, control);
+//     plan.sheet.cost;  plan.bound.cost;             // e.g. 117 and 117
+//     for (const Candidate& c : plan.candidates) …   // cheapest first: the first one is the sheet
+//
+// Candidates. Single-, double- and m-change designs over the parts with needed pairs, those that are known
+// or that local search (search/local_search.hpp) makes of them, relabelled so that dear parts stand where
+// introductions are rare; a list that takes the best next step again and again; a covering with few set-ups,
+// in a cheap order; and the result of a local search over lists with any number of changes a step, which starts
+// from the best of the others. Under a budget: the plan that tests the most needed pairs, at least as many as the longest
+// affordable part of the cheapest complete plan does.
+//
+// Contract. Every candidate is counted by run_sheet() and breaks no constraint; all but those of a
+// budget do the job; one that is an m-change covering design is verified as such. Without a time limit the
+// result depends on the job, the options and the seed only, not on the number of threads.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/plan/cost_bound.hpp"
+#include "changeover/plan/job.hpp"
+#include "changeover/plan/run_sheet.hpp"
+#include "changeover/search/control.hpp"
+
+namespace changeover {
+
+/// A list of set-ups and how it came about.
+struct Candidate {
+  std::string name;  ///< "double-change design", "local search", …
+  std::string how;   ///< one line
+  std::vector<Block> setups;
+  std::uint64_t changes = 0;
+  Amount change_cost;
+  Amount cost;
+  std::uint64_t pairs_tested = 0;
+
+  [[nodiscard]] std::uint64_t tests() const { return setups.size(); }
+};
+
+struct PlanOptions {
+  std::uint64_t steps = 0;     ///< of each local search; 0: as many as suit the job
+  unsigned attempts = 4;       ///< local searches, each with its own random numbers
+  bool until_stopped = false;  ///< go on with longer searches until the control says stop
+  std::optional<Amount> budget = {};
+  std::uint64_t design_moves = 2'000'000;  ///< of the search for better designs; 0: none
+};
+
+struct RunPlan {
+  RunSheet sheet;                     ///< of the first candidate
+  std::vector<Candidate> candidates;  ///< cheapest first; under a budget, most pairs first
+  std::optional<Candidate> complete;  ///< under a budget: the cheapest plan that tests all
+  CostBound bound;                    ///< of testing all needed pairs
+  std::uint64_t steps = 0;            ///< moves of local search, over all attempts
+  WhyStopped why_stopped = WhyStopped::running;
+
+  /// The sheet does the job at the cost of the bound: nothing is cheaper.
+  [[nodiscard]] bool proved_cheapest() const {
+    return sheet.does_the_job() && sheet.cost == bound.cost;
+  }
+};
+
+/// @throws BadInput as check(Job); ImpossibleParameters if costs overflow; InternalError if a candidate
+/// is not what it should be.
+[[nodiscard]] RunPlan make_run_plan(const Job& job, const PlanOptions& options,
+                                    SearchControl& control);
+
+}  // namespace changeover

@@ -1,0 +1,50 @@
+// A run sheet for people and for programs.
+//
+//     SheetDocument document{.job = &job, .plan = &plan, .title = "Pump bench"};
+//     sheet_as_table(document, 100);      // for a terminal of 100 columns
+//     sheet_as_html(document);            // one page to print, with boxes to tick; needs nothing else
+//
+// All say for each step what to take out and put in, the set-up, how many needed pairs it tests first,
+// and the cost so far; all but CSV add what the plan was compared with and the lower bound with its reason.
+// Costs of one document have the same number of decimals. Names are escaped as each format asks.
+//
+// CSV, one row a step, in LF lines; read_setups() (plan/read_job.hpp) reads it back:
+//     step,take_out,put_in,set_up,new_pairs,cost,cost_so_far
+//     2,Valve 2,"Motor, small","Pump A, ""Motor, small""",1,6,22
+// JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost}], at_once, test_cost, mounted,
+// start, tests_done, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
+// tests, changes, reason}, budget (or null), steps [{step, take_out, put_in, set_up, new_pairs [[a,b]], cost,
+// cost_so_far}], candidates [{name, how, tests, changes, cost, pairs_tested}]. Costs are exact decimals.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "changeover/plan/run_plan.hpp"
+#include "changeover/plan/what_if.hpp"
+
+namespace changeover {
+
+/// What is written; job and plan must outlive it.
+struct SheetDocument {
+  const Job* job = nullptr;
+  const RunPlan* plan = nullptr;
+  std::optional<Amount> budget = {};
+  std::string title = "Run sheet";
+};
+
+/// For a terminal: lists are broken between parts where a line would be longer than `width`.
+[[nodiscard]] std::string sheet_as_table(const SheetDocument& document, std::size_t width);
+[[nodiscard]] std::string sheet_as_csv(const SheetDocument& document);
+[[nodiscard]] std::string sheet_as_json(const SheetDocument& document);
+[[nodiscard]] std::string sheet_as_markdown(const SheetDocument& document);
+/// A page without scripts, pictures or anything from outside, black on white.
+[[nodiscard]] std::string sheet_as_html(const SheetDocument& document);
+
+[[nodiscard]] std::string what_if_as_table(const Job& job, const WhatIf& answer);
+[[nodiscard]] std::string what_if_as_csv(const Job& job, const WhatIf& answer);
+[[nodiscard]] std::string what_if_as_json(const Job& job, const WhatIf& answer);
+[[nodiscard]] std::string what_if_as_markdown(const Job& job, const WhatIf& answer);
+
+}  // namespace changeover

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "changeover/loadorder/changeover_loadorder.h"
+#include "changeover/loadorder/load_order.hpp"
+
+struct changeover_loadorder {
+  explicit changeover_loadorder(changeover::LoadOrder given) : order(std::move(given)) {}
+
+  changeover::LoadOrder order;
+  changeover::LoadStep step;
+  std::string error;
+};
+
+namespace {
+
+// Cut to the size given, always ended.
+void say(char* error, std::size_t size, const char* text) {
+  if (error != nullptr && size > 0) {
+    const std::size_t length = std::min(std::strlen(text), size - 1);
+    std::memcpy(error, text, length);
+    error[length] = '\0';
+  }
+}
+
+int fail(changeover_loadorder* order, const char* text) {
+  try {
+    order->error = text;
+  } catch (const std::bad_alloc&) {
+    order->error.clear();  // the return value still says that something is wrong
+  }
+  return CHANGEOVER_LOADORDER_ERROR;
+}
+
+}  // namespace
+
+changeover_loadorder* changeover_loadorder_open(uint64_t items, uint64_t room, char* error,
+                                                size_t error_size) {
+  say(error, error_size, "");
+  try {
+    return new changeover_loadorder(changeover::plan_load_order(items, room));
+  } catch (const std::bad_alloc&) {
+    say(error, error_size, "not enough memory for these parameters");
+  } catch (const std::exception& fault) {
+    say(error, error_size, fault.what());
+  }
+  return nullptr;
+}
+
+int changeover_loadorder_next(changeover_loadorder* order, changeover_loadorder_step* step) {
+  try {
+    if (!order->order.next(order->step)) {
+      return CHANGEOVER_LOADORDER_END;
+    }
+    const changeover::LoadStep& next = order->step;
+    *step = {next.number, next.evict.data(), next.evict.size(), next.load.data(), next.load.size()};
+    return CHANGEOVER_LOADORDER_STEP;
+  } catch (const std::exception& fault) {
+    return fail(order, fault.what());
+  }
+}
+
+int changeover_loadorder_rewind(changeover_loadorder* order) {
+  try {
+    order->order.rewind();
+    return CHANGEOVER_LOADORDER_END;
+  } catch (const std::exception& fault) {
+    return fail(order, fault.what());
+  }
+}
+
+uint64_t changeover_loadorder_loads(const changeover_loadorder* order) {
+  return order->order.facts().loads;
+}
+
+uint64_t changeover_loadorder_steps(const changeover_loadorder* order) {
+  return order->order.facts().steps;
+}
+
+uint64_t changeover_loadorder_lower_bound(const changeover_loadorder* order) {
+  return order->order.facts().bound.loads;
+}
+
+const char* changeover_loadorder_error(const changeover_loadorder* order) {
+  return order->error.c_str();
+}
+
+void changeover_loadorder_close(changeover_loadorder* order) { delete order; }

@@ -1,0 +1,186 @@
+#include "changeover/loadorder/item_source.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+
+struct FileItems::State {
+  std::string path;
+  std::uint64_t item_bytes = 0;
+  std::uint64_t header_bytes = 0;
+  std::uint64_t file_bytes = 0;
+  bool bypass = false;
+  int file = -1;    // ordinary
+  int direct = -1;  // without the page cache, if the file system can
+  std::atomic<bool> direct_works{false};
+
+  ~State() {
+    for (const int descriptor : {file, direct}) {
+      if (descriptor >= 0) {
+        ::close(descriptor);
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint64_t data_bytes() const { return file_bytes - header_bytes; }
+
+  // Reads until `wanted` bytes are there, the file ends, or the system refuses: then errno says why.
+  static std::optional<std::size_t> read_at(int descriptor, std::byte* to, std::size_t wanted,
+                                            std::uint64_t offset) {
+    std::size_t done = 0;
+    while (done < wanted) {
+      const ssize_t got =
+          ::pread(descriptor, to + done, wanted - done, static_cast<off_t>(offset + done));
+      if (got < 0 && errno == EINTR) {
+        continue;
+      }
+      if (got < 0) {
+        return std::nullopt;
+      }
+      if (got == 0) {
+        break;
+      }
+      done += static_cast<std::size_t>(got);
+      if (done % buffer_alignment != 0 && done < wanted) {
+        break;  // a direct read that met the end of the file
+      }
+    }
+    return done;
+  }
+};
+
+FileItems::FileItems(const std::string& path, std::uint64_t item_bytes,
+                     const FileItemsOptions& options)
+    : state_(std::make_unique<State>()) {
+  if (item_bytes == 0) {
+    throw BadInput(fmt::format("{}: items of 0 bytes; give at least 1", path));
+  }
+  State& s = *state_;
+  s.path = path;
+  s.item_bytes = item_bytes;
+  s.header_bytes = options.header_bytes;
+  s.bypass = options.bypass_cache;
+  s.file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat status {};
+  if (s.file < 0 || ::fstat(s.file, &status) != 0) {
+    throw MissingResource(fmt::format("{}: cannot be opened: {}", path, std::strerror(errno)));
+  }
+  if (!S_ISREG(status.st_mode)) {
+    throw BadInput(fmt::format("{}: is not a regular file, so items cannot be found in it", path));
+  }
+  s.file_bytes = static_cast<std::uint64_t>(status.st_size);
+  if (s.file_bytes <= s.header_bytes) {
+    throw BadInput(fmt::format("{}: has {} bytes and holds no item", path, s.file_bytes));
+  }
+  if (s.bypass) {
+    s.direct = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_DIRECT);
+    s.direct_works = s.direct >= 0;
+  }
+}
+
+FileItems::~FileItems() = default;
+
+std::uint64_t FileItems::item_count() const {
+  return ceil_div(state_->data_bytes(), state_->item_bytes);
+}
+
+std::size_t FileItems::buffer_bytes() const {
+  const std::uint64_t largest = std::min(state_->item_bytes, state_->data_bytes());
+  // A direct read begins and ends at multiples of the alignment.
+  const bool aligned =
+      state_->item_bytes % buffer_alignment == 0 && state_->header_bytes % buffer_alignment == 0;
+  const std::uint64_t slack = state_->bypass && !aligned ? 2 * buffer_alignment : 0;
+  return static_cast<std::size_t>(ceil_div(largest + slack, buffer_alignment) * buffer_alignment);
+}
+
+std::string FileItems::describe() const {
+  return fmt::format("{} ({} bytes, items of {})", state_->path, state_->file_bytes,
+                     state_->item_bytes);
+}
+
+std::string FileItems::access() const {
+  return !state_->bypass ? "cached" : state_->direct_works ? "direct" : "dropped";
+}
+
+std::span<const std::byte> FileItems::read(Element item, std::span<std::byte> buffer) {
+  State& s = *state_;
+  if (item >= item_count()) {
+    throw BadInput(fmt::format("{}: there is no item {}, only {}", s.path, item, item_count()));
+  }
+  const std::uint64_t start = s.header_bytes + item * s.item_bytes;
+  const auto bytes =
+      static_cast<std::size_t>(std::min<std::uint64_t>(s.item_bytes, s.file_bytes - start));
+  std::size_t skip = 0;
+  std::optional<std::size_t> got;
+  if (s.direct_works) {
+    skip = static_cast<std::size_t>(start % buffer_alignment);
+    const std::size_t span =
+        static_cast<std::size_t>(ceil_div(skip + bytes, buffer_alignment) * buffer_alignment);
+    got = State::read_at(s.direct, buffer.data(), span, start - skip);
+    if (got) {
+      got = *got > skip ? std::min(*got - skip, bytes) : 0;
+    } else if (errno == EINVAL) {
+      s.direct_works = false;  // the file system promised more than it can
+    }
+  }
+  if (!got && !s.direct_works) {
+    skip = 0;
+    got = State::read_at(s.file, buffer.data(), bytes, start);
+    if (s.bypass && got) {
+      // Advice only: if it is not taken, the pages stay a while.
+      static_cast<void>(::posix_fadvise(s.file, static_cast<off_t>(start),
+                                        static_cast<off_t>(bytes), POSIX_FADV_DONTNEED));
+    }
+  }
+  if (!got) {
+    throw MissingResource(
+        fmt::format("{}: item {} cannot be read: {}", s.path, item, std::strerror(errno)));
+  }
+  if (*got < bytes) {
+    throw BadInput(fmt::format("{}: item {} ends after {} of {} bytes: the file has become shorter",
+                               s.path, item, *got, bytes));
+  }
+  return buffer.subspan(skip, bytes);
+}
+
+CallbackItems::CallbackItems(std::uint64_t items, std::size_t bytes_per_item, Read read,
+                             std::string description)
+    : items_(items),
+      bytes_(bytes_per_item),
+      read_(std::move(read)),
+      description_(std::move(description)) {}
+
+std::span<const std::byte> CallbackItems::read(Element item, std::span<std::byte> buffer) {
+  const std::size_t bytes = read_(item, buffer);
+  if (bytes > buffer.size()) {
+    throw BadInput(fmt::format("{}: item {} has {} bytes, but {} were promised to be enough",
+                               description_, item, bytes, buffer.size()));
+  }
+  return buffer.first(bytes);
+}
+
+std::uint64_t room_for(const ItemSource& source, std::uint64_t memory_bytes) {
+  const std::uint64_t room = memory_bytes / std::max<std::uint64_t>(1, source.buffer_bytes());
+  if (room < 2) {
+    throw BadInput(
+        fmt::format("{} bytes of memory do not hold two items of {} bytes; allow more, "
+                    "or make items smaller",
+                    memory_bytes, source.buffer_bytes()));
+  }
+  return room;
+}
+
+}  // namespace changeover

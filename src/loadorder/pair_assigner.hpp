@@ -1,0 +1,134 @@
+// Internal: which step computes which pair.
+//
+// A pair belongs to the first step that has both items in memory; workers come one after another. Within
+// a step pairs are listed by the arrival of the later item, and those with an item that goes next come
+// before the others of the last arrival. What goes next goes first only as far as the next loads need its
+// place.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "changeover/core/pair_set.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/load_step.hpp"
+#include "changeover/loadorder/prefetch.hpp"
+
+namespace changeover {
+
+struct AssignedStep {
+  LoadStep step;
+  std::vector<Element> evicted_first;    ///< by the next step, before its loads start
+  std::vector<Element> evicted_late;     ///< by the next step, when this one is over
+  std::vector<bool> is_new;              ///< by place in step.load: never loaded before by anybody
+  std::vector<ItemPair> pairs;           ///< later item's arrival by arrival
+  std::vector<std::size_t> arrival_end;  ///< by place in step.load: end of its pairs
+  std::size_t before = 0;                ///< so many pairs come before the next evictions
+};
+
+class PairAssigner {
+ public:
+  PairAssigner(std::uint64_t items, std::uint64_t room)
+      : room_(room),
+        there_(static_cast<std::size_t>(items), false),
+        loaded_(static_cast<std::size_t>(items), false) {
+    if (items <= max_elements_in_memory) {
+      done_.emplace(items);
+    }
+  }
+
+  /// The steps to come; memory is empty, what was computed stays computed.
+  void start(std::unique_ptr<StepSource> steps) {
+    std::fill(there_.begin(), there_.end(), false);
+    memory_.clear();
+    steps_ = std::move(steps);
+    has_ahead_ = steps_->next(ahead_);
+  }
+
+  bool next(AssignedStep& out) {
+    if (!has_ahead_) {
+      return false;
+    }
+    std::swap(out.step, ahead_);
+    has_ahead_ = steps_->next(ahead_);
+    for (const Element x : out.step.evict) {
+      there_[x] = false;
+    }
+    std::erase_if(memory_, [&](Element x) { return !there_[x]; });
+    out.pairs.clear();
+    out.arrival_end.clear();
+    out.is_new.clear();
+    std::size_t last_arrival = 0;
+    for (const Element x : out.step.load) {
+      last_arrival = out.pairs.size();
+      for (const Element y : memory_) {
+        if (!done_ || !done_->contains(x, y)) {
+          out.pairs.emplace_back(std::min(x, y), std::max(x, y));
+          if (done_) {
+            done_->insert(x, y);
+          }
+        }
+      }
+      memory_.push_back(x);
+      there_[x] = true;
+      out.is_new.push_back(!loaded_[x]);
+      loaded_[x] = true;
+      out.arrival_end.push_back(out.pairs.size());
+    }
+    choose_first(out);
+    for (const Element x : out.evicted_first) {
+      there_[x] = false;  // for a moment: marks what goes
+    }
+    const auto middle = std::stable_partition(
+        out.pairs.begin() + static_cast<std::ptrdiff_t>(last_arrival), out.pairs.end(),
+        [&](const ItemPair& pair) { return !there_[pair.first] || !there_[pair.second]; });
+    out.before = static_cast<std::size_t>(middle - out.pairs.begin());
+    for (const Element x : out.evicted_first) {
+      there_[x] = true;
+    }
+    return true;
+  }
+
+  /// What the step after the last one loads; nothing at the end.
+  [[nodiscard]] const std::vector<Element>& loaded_next() const {
+    return has_ahead_ ? ahead_.load : nothing_;
+  }
+
+  /// What is in memory after the last step, in order of arrival.
+  [[nodiscard]] const std::vector<Element>& memory() const { return memory_; }
+
+ private:
+  // Of what goes next, what came in this step goes last: all its pairs are still to be computed.
+  void choose_first(AssignedStep& out) const {
+    out.evicted_first.clear();
+    out.evicted_late.clear();
+    if (!has_ahead_) {
+      return;
+    }
+    const std::uint64_t needed = memory_.size() + ahead_.load.size();
+    const std::size_t first = needed > room_ ? static_cast<std::size_t>(needed - room_) : 0;
+    std::vector<Element> evicted = ahead_.evict;
+    std::stable_partition(evicted.begin(), evicted.end(), [&](Element x) {
+      return std::find(out.step.load.begin(), out.step.load.end(), x) == out.step.load.end();
+    });
+    const auto middle =
+        evicted.begin() + static_cast<std::ptrdiff_t>(std::min(first, evicted.size()));
+    out.evicted_first.assign(evicted.begin(), middle);
+    out.evicted_late.assign(middle, evicted.end());
+  }
+
+  std::uint64_t room_;
+  std::unique_ptr<StepSource> steps_;
+  LoadStep ahead_;
+  std::vector<Element> nothing_;
+  bool has_ahead_ = false;
+  std::vector<Element> memory_;
+  std::vector<bool> there_;
+  std::vector<bool> loaded_;
+  std::optional<PairSet> done_;
+};
+
+}  // namespace changeover

@@ -1,0 +1,82 @@
+// Internal: a fixed pool of buffers and the threads that fill them.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <thread>
+#include <vector>
+
+#include "changeover/loadorder/item_source.hpp"
+
+namespace changeover {
+
+/// `room` buffers, each of them free, on its way or loaded. request(), wait() and release() are for one
+/// thread, the owner.
+class Reader {
+ public:
+  /// @throws std::bad_alloc
+  Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsigned threads);
+  ~Reader();
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  /// Starts to load an item. @throws InternalError if no buffer is free.
+  void request(Element item);
+
+  /// Waits until an item that was requested is there. @throws what reading it has thrown.
+  std::span<const std::byte> wait(Element item);
+
+  /// The bytes of an item that was waited for.
+  [[nodiscard]] std::span<const std::byte> bytes(Element item) const {
+    return slots_[where_[item]].bytes;
+  }
+
+  /// Gives the buffer of an item back that was waited for.
+  void release(Element item);
+
+  [[nodiscard]] std::uint64_t most_used() const { return most_used_; }
+  [[nodiscard]] std::uint64_t requests() const { return requests_; }
+  [[nodiscard]] std::uint64_t bytes_read() const { return bytes_read_; }
+  [[nodiscard]] std::chrono::duration<double> waited() const { return waited_; }
+
+ private:
+  struct Free {
+    void operator()(std::byte* memory) const { std::free(memory); }
+  };
+  struct Slot {
+    std::unique_ptr<std::byte[], Free> buffer;
+    Element item = 0;
+    bool ready = false;
+    std::span<const std::byte> bytes;
+    std::exception_ptr fault;
+  };
+
+  void serve();
+
+  ItemSource* source_;
+  std::size_t capacity_;
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> where_;  // by item: its slot
+  std::vector<std::uint32_t> free_;
+  std::uint64_t most_used_ = 0;
+  std::uint64_t requests_ = 0;
+  std::uint64_t bytes_read_ = 0;
+  std::chrono::duration<double> waited_{};
+
+  std::mutex mutex_;
+  std::condition_variable wanted_;
+  std::condition_variable arrived_;
+  std::deque<std::uint32_t> queue_;  // slots to fill
+  bool closing_ = false;
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace changeover

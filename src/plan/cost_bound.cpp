@@ -1,0 +1,351 @@
+#include "changeover/plan/cost_bound.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/core/checked.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t choose_two(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
+
+// The numbers of the proof in the header.
+struct Numbers {
+  std::uint64_t room = 0;             // K
+  std::uint64_t pairs = 0;            // P
+  std::vector<Element> parts;         // of F with a needed pair
+  std::vector<std::uint64_t> degree;  // by part: all needed pairs
+  std::vector<std::uint64_t> inner;   // by part: needed pairs within F
+  std::vector<bool> at_start;         // by part: in S
+  std::uint64_t start = 0;            // |S|
+  std::uint64_t start_pairs = 0;      // needed pairs within S
+  Amount mounting;                    // of the parts that stay mounted
+  std::uint64_t mounted_introductions = 0;
+};
+
+// Colours of a greedy colouring of the graph of pairs that may meet: no clique is larger.
+std::uint64_t clique_bound(const Job& job, const std::vector<Element>& parts) {
+  std::vector<std::vector<Element>> classes;
+  for (const Element x : parts) {
+    const auto fitting = std::find_if(classes.begin(), classes.end(), [&](const auto& members) {
+      return std::all_of(members.begin(), members.end(),
+                         [&](Element y) { return job.never.contains(x, y); });
+    });
+    if (fitting == classes.end()) {
+      classes.push_back({x});
+    } else {
+      fitting->push_back(x);
+    }
+  }
+  return classes.size();
+}
+
+Numbers numbers_of(const Job& job) {
+  Numbers n;
+  std::vector<bool> mounted(job.names.size());
+  for (const Element m : job.mounted) {
+    mounted[m] = true;
+  }
+  n.at_start.resize(job.names.size());
+  for (const Element x : job.start) {
+    n.at_start[x] = true;
+  }
+  for (const Element m : job.mounted) {
+    if (!n.at_start[m]) {
+      n.mounting += job.change_costs[m];
+      ++n.mounted_introductions;
+    }
+  }
+  n.degree.resize(job.names.size());
+  n.inner.resize(job.names.size());
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    ++n.degree[x];
+    ++n.degree[y];
+    if (!mounted[x] && !mounted[y]) {
+      ++n.pairs;
+      ++n.inner[x];
+      ++n.inner[y];
+      n.start_pairs += n.at_start[x] && n.at_start[y] ? 1U : 0U;
+    }
+  });
+  for (Element x = 0; x < job.parts(); ++x) {
+    if (!mounted[x]) {
+      n.start += n.at_start[x] ? 1U : 0U;
+      if (n.degree[x] > 0) {
+        n.parts.push_back(x);
+      }
+    }
+  }
+  n.room = std::min(job.at_once - job.mounted.size(), clique_bound(job, n.parts));
+  return n;
+}
+
+// (1): the most pairs that `tests` steps with `introductions` cover.
+std::uint64_t most_pairs(const Numbers& n, std::uint64_t tests, std::uint64_t introductions) {
+  const auto p = [&](std::uint64_t j) { return choose_two(j) + j * (n.room - j); };
+  std::uint64_t most = 0;
+  for (std::uint64_t j = 0; j <= std::min(n.room, introductions); ++j) {
+    const std::uint64_t kept = std::min(n.start, n.room - j);
+    std::uint64_t pairs = choose_two(j) + j * kept + std::min(choose_two(kept), n.start_pairs);
+    if (tests > 1) {
+      const std::uint64_t rest = std::min(introductions - j, n.room * (tests - 1));
+      const std::uint64_t each = rest / (tests - 1);
+      const std::uint64_t more = rest % (tests - 1);
+      pairs +=
+          more == 0 ? (tests - 1) * p(each) : more * p(each + 1) + (tests - 1 - more) * p(each);
+    }
+    most = std::max(most, pairs);
+  }
+  return most;
+}
+
+// (5): the least that so many introductions of parts of F can cost.
+class IntroductionCosts {
+ public:
+  IntroductionCosts(const Job& job, const Numbers& n) {
+    std::vector<Element> by_cost = n.parts;
+    std::stable_sort(by_cost.begin(), by_cost.end(), [&](Element x, Element y) {
+      return job.change_costs[x] < job.change_costs[y];
+    });
+    for (const Element x : by_cost) {
+      std::uint64_t spare = n.degree[x];
+      if (!n.at_start[x]) {
+        ++once_;
+        base_ += job.change_costs[x];
+        --spare;
+      }
+      extra_.push_back({job.change_costs[x], spare});
+    }
+  }
+
+  [[nodiscard]] std::uint64_t once() const { return once_; }
+
+  // nullopt if the limits do not allow so many.
+  [[nodiscard]] std::optional<Amount> operator()(std::uint64_t introductions) const {
+    Amount cost = base_;
+    std::uint64_t left = introductions - std::min(introductions, once_);
+    for (const Extra& extra : extra_) {
+      const std::uint64_t taken = std::min(left, extra.spare);
+      cost += extra.cost * taken;
+      left -= taken;
+      if (left == 0) {
+        return cost;
+      }
+    }
+    return left == 0 ? std::optional(cost) : std::nullopt;
+  }
+
+ private:
+  struct Extra {
+    Amount cost;
+    std::uint64_t spare = 0;
+  };
+  std::uint64_t once_ = 0;
+  Amount base_;
+  std::vector<Extra> extra_;
+};
+
+// (6): the least that the introductions must cost so that all parts meet whom they must.
+class DegreeCosts {
+ public:
+  DegreeCosts(const Job& job, const Numbers& n) : numbers_(&n) {
+    const std::uint64_t each = n.room - 1;
+    for (const Element x : n.parts) {
+      std::uint64_t left = n.inner[x];
+      if (!n.at_start[x]) {
+        base_ += job.change_costs[x];
+        left -= std::min(left, each);
+      }
+      lacking_ += left;
+      if (left >= each) {
+        offers_.push_back({job.change_costs[x], each, left / each});
+      }
+      if (left % each != 0) {
+        offers_.push_back({job.change_costs[x], left % each, 1});
+      }
+    }
+    std::stable_sort(offers_.begin(), offers_.end(), [](const Offer& a, const Offer& b) {
+      return static_cast<double>(a.cost.millionths) * static_cast<double>(b.gain) <
+             static_cast<double>(b.cost.millionths) * static_cast<double>(a.gain);
+    });
+  }
+
+  [[nodiscard]] Amount operator()(std::uint64_t tests, std::uint64_t introductions) const {
+    const std::uint64_t met = most_met_by_staying(tests, introductions);
+    std::uint64_t left = lacking_ - std::min(lacking_, met);
+    Amount cost = base_;
+    for (const Offer& offer : offers_) {
+      const std::uint64_t whole = std::min(offer.times, left / offer.gain);
+      cost += offer.cost * whole;
+      left -= whole * offer.gain;
+      if (whole < offer.times) {  // left < gain: a part of one introduction, rounded down
+        cost += Amount{checked_multiply(offer.cost.millionths, left) / offer.gain};
+        break;
+      }
+    }
+    return cost;
+  }
+
+ private:
+  struct Offer {
+    Amount cost;
+    std::uint64_t gain = 0;   // of one introduction
+    std::uint64_t times = 0;  // so many of them
+  };
+
+  // Y of the proof.
+  [[nodiscard]] std::uint64_t most_met_by_staying(std::uint64_t tests,
+                                                  std::uint64_t introductions) const {
+    const Numbers& n = *numbers_;
+    const auto met = [&](std::uint64_t j) { return j * (n.room - j); };
+    std::uint64_t most = 0;
+    for (std::uint64_t j = 0; j <= std::min(n.room, introductions); ++j) {
+      const std::uint64_t rest = introductions - j;
+      if (rest > n.room * (tests - 1)) {
+        continue;
+      }
+      const std::uint64_t kept = std::min(n.start, n.room - j);
+      std::uint64_t sum = j * kept + 2 * std::min(choose_two(kept), n.start_pairs);
+      if (tests > 1) {
+        const std::uint64_t each = rest / (tests - 1);
+        const std::uint64_t more = rest % (tests - 1);
+        sum += (tests - 1 - more) * met(each) + (more == 0 ? 0 : more * met(each + 1));
+      }
+      most = std::max(most, sum);
+    }
+    return most;
+  }
+
+  const Numbers* numbers_;
+  Amount base_;
+  std::uint64_t lacking_ = 0;
+  std::vector<Offer> offers_;
+};
+
+struct Least {
+  std::uint64_t number = 0;
+  std::string why;
+
+  void at_least(std::uint64_t other, const std::string& reason) {
+    if (other > number) {
+      number = other;
+      why = reason;
+    }
+  }
+};
+
+Least least_tests(const Numbers& n) {
+  Least tests{1, "there is something to test"};
+  std::uint64_t occurrences = 0;
+  for (const Element x : n.parts) {
+    occurrences += n.inner[x] == 0 ? 1 : ceil_div(n.inner[x], n.room - 1);
+  }
+  if (n.room > 0) {
+    tests.at_least(ceil_div(occurrences, n.room),
+                   fmt::format("the parts are in at least {} set-ups in all, {} in each",
+                               occurrences, n.room));
+  }
+  return tests;
+}
+
+Least least_introductions(const Job& job, const Numbers& n, std::uint64_t once) {
+  Least least{0, "none is needed"};
+  least.at_least(once, "each part once");
+  const std::uint64_t v = n.parts.size();
+  std::vector<bool> is_part(job.names.size());
+  for (const Element x : n.parts) {
+    is_part[x] = true;
+  }
+  std::uint64_t start = 0;
+  for (const Element x : n.parts) {
+    start += n.at_start[x] ? 1U : 0U;
+  }
+  if (n.pairs == choose_two(v) && n.room >= 2 && v > n.room) {
+    const Parameters p{.v = v, .k = n.room, .change = 1, .kind = Kind::linear};
+    const std::uint64_t b = lower_bound(p).blocks;
+    const std::uint64_t needed = n.room - 1 + b;
+    least.at_least(needed - std::min(needed, start),
+                   fmt::format("one change at a time takes {} blocks: {}", b, name(p, false)));
+  }
+  return least;
+}
+
+}  // namespace
+
+CostBound cost_bound(const Job& job) {
+  check(job);
+  const Numbers n = numbers_of(job);
+  CostBound bound;
+  if (job.needed.size() == 0) {
+    bound.reason = "nothing is left to test";
+    return bound;
+  }
+  const IntroductionCosts costs(job, n);
+  const Least tests = least_tests(n);
+  const Least introductions = least_introductions(job, n, costs.once());
+
+  std::optional<DegreeCosts> degrees;
+  constexpr std::uint64_t most_parts = 150;
+  if (n.room >= 2 && n.parts.size() <= most_parts) {
+    degrees.emplace(job, n);
+  }
+
+  std::optional<Amount> best;
+  std::uint64_t best_tests = 0;
+  std::uint64_t best_introductions = 0;
+  std::optional<std::uint64_t> counted;  // I(t) of the last t that can cover all; it only falls
+  for (std::uint64_t t = tests.number;; ++t) {
+    const std::uint64_t most = n.room * t;
+    if (most_pairs(n, t, most) < n.pairs) {
+      continue;
+    }
+    counted = counted.value_or(most);
+    while (*counted > 0 && most_pairs(n, t, *counted - 1) >= n.pairs) {
+      --*counted;
+    }
+    const std::uint64_t least = std::max(*counted, introductions.number);
+    std::uint64_t i = least;
+    for (; i <= most; ++i) {
+      const auto five = costs(i);
+      if (!five || (best && job.test_cost * t + *five + n.mounting >= *best)) {
+        break;  // More introductions cost no less.
+      }
+      const Amount six = degrees ? (*degrees)(t, i) : Amount{};
+      const Amount total = job.test_cost * t + std::max(*five, six) + n.mounting;
+      if (!best || total < *best) {
+        best = total;
+        best_tests = t;
+        best_introductions = i;
+      }
+      if (six <= *five) {
+        break;
+      }
+    }
+    // More tests help only as long as some step that matters has two changes.
+    const bool cannot_help = best && job.test_cost * (t + 1) + n.mounting >= *best;
+    if (cannot_help || (best && t > i + 1) ||
+        (best && !degrees && *counted <= introductions.number)) {
+      break;
+    }
+  }
+  bound.cost = best.value_or(job.test_cost * tests.number);
+  bound.tests = tests.number;
+  bound.introductions = introductions.number + n.mounted_introductions;
+  bound.reason = fmt::format(
+      "at least {} tests ({}), at least {} changes ({}), and j changes of {} bring at most "
+      "C(j,2) + j({}-j) new pairs: {} tests with {} changes cost least",
+      tests.number, tests.why, bound.introductions, introductions.why, n.room, n.room, best_tests,
+      best_introductions + n.mounted_introductions);
+  return bound;
+}
+
+}  // namespace changeover

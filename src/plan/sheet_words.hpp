@@ -1,0 +1,37 @@
+// What all formats of a run sheet say in the same words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "changeover/plan/sheet_formats.hpp"
+
+namespace changeover::plan_detail {
+
+/// Costs with the decimals that the costs of a job need.
+class Money {
+ public:
+  Money(const Job& job, std::optional<Amount> budget = {});
+  [[nodiscard]] std::string operator()(Amount amount) const { return to_string(amount, decimals_); }
+
+ private:
+  unsigned decimals_ = 0;
+};
+
+/// "1 test", "2 tests".
+[[nodiscard]] std::string count_of(std::uint64_t n, const std::string& singular);
+
+/// The names of some parts.
+[[nodiscard]] std::vector<std::string> names_of(const Job& job, const Block& parts);
+
+/// Names with commas between them.
+[[nodiscard]] std::string joined(const std::vector<std::string>& names,
+                                 const std::string& between = ", ");
+
+/// "17 tests, 20 changes, cost 117", and what is to be said of the budget and the bound, a line each.
+[[nodiscard]] std::vector<std::string> summary(const SheetDocument& document);
+
+/// How much dearer a candidate is than the first: "+1 (0.9 %)"; empty for the first and under a budget.
+[[nodiscard]] std::string difference(const SheetDocument& document, const Candidate& candidate);
+
+}  // namespace changeover::plan_detail

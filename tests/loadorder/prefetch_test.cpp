@@ -1,0 +1,118 @@
+#include "changeover/loadorder/prefetch.hpp"
+
+#include <gtest/gtest.h>
+
+#include "changeover/loadorder/load_order.hpp"
+
+namespace changeover::test {
+namespace {
+
+std::vector<PrefetchStep> schedule_of(const LoadOrder& order, std::uint64_t room) {
+  PrefetchSchedule schedule(order.stream(), order.facts().items, room);
+  std::vector<PrefetchStep> steps;
+  for (PrefetchStep step; schedule.next(step);) {
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+PrefetchVerdict verdict_of(const std::vector<PrefetchStep>& steps, std::uint64_t items,
+                           std::uint64_t room) {
+  PrefetchCheck check(items, room);
+  for (const PrefetchStep& step : steps) {
+    check.read(step);
+  }
+  return check.finish();
+}
+
+TEST(Prefetch, ComputesEachPairOnceWithWhatIsThereForAllSmallItemsAndRoom) {
+  for (std::uint64_t room = 2; room <= 12; ++room) {
+    for (std::uint64_t items = 1; items <= 40; items += 3) {
+      LoadOrderOptions options;
+      options.planner = false;
+      const LoadOrder order = plan_load_order(items, room, options);
+      for (const std::uint64_t spare : {0U, 1U, 2U}) {
+        const PrefetchVerdict verdict =
+            verdict_of(schedule_of(order, room + spare), items, room + spare);
+        EXPECT_TRUE(verdict.valid()) << verdict.fault << " " << items << " " << room;
+        EXPECT_EQ(verdict.computed, items * (items - 1) / 2);
+      }
+    }
+  }
+}
+
+TEST(Prefetch, OverlapsEverythingButTheFirstStepWithAPlaceToSpare) {
+  const LoadOrder order = plan_load_order(40, 5);
+  const std::vector<PrefetchStep> steps = schedule_of(order, 6);
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    EXPECT_TRUE(steps[i].before.empty());
+    EXPECT_TRUE(steps[i].evict_first.empty());
+  }
+}
+
+TEST(Prefetch, WithoutOnlyPairsWithWhatGoesComeBeforeTheLoads) {
+  const LoadOrder order = plan_load_order(12, 4);
+  const std::vector<PrefetchStep> steps = schedule_of(order, 4);
+  for (std::size_t i = 1; i + 1 < steps.size(); ++i) {
+    const std::vector<Element>& gone = steps[i + 1].evict_first;
+    ASSERT_EQ(gone.size(), 1U);
+    for (const ItemPair& pair : steps[i].before) {
+      EXPECT_TRUE(pair.first == gone[0] || pair.second == gone[0]);
+    }
+    for (const ItemPair& pair : steps[i].overlap) {
+      EXPECT_TRUE(pair.first != gone[0] && pair.second != gone[0]);
+    }
+  }
+}
+
+TEST(Prefetch, PlanLeavesAPlaceWhereItemsPassOneByOne) {
+  const PrefetchPlan plan = plan_prefetch(1000, 100);
+  EXPECT_EQ(plan.spare, 1U);
+  EXPECT_EQ(plan.order.facts().room, 99U);
+  EXPECT_EQ(plan_prefetch(9, 2).spare, 0U);
+  EXPECT_EQ(plan_prefetch(9, 20).spare, 0U);
+}
+
+TEST(Prefetch, CheckRejectsPairsThatWentOrHaveNotArrivedAndPairsTwice) {
+  const LoadOrder order = plan_load_order(12, 4);
+  const std::vector<PrefetchStep> good = schedule_of(order, 4);
+  ASSERT_TRUE(verdict_of(good, 12, 4).valid());
+  int moved = 0;
+  for (std::size_t i = 0; i < good.size(); ++i) {
+    if (!good[i].before.empty() && i + 1 < good.size() && i > 0) {
+      auto late = good;  // the pair with what goes, computed after it went
+      late[i].overlap.push_back(late[i].before.back());
+      late[i].before.pop_back();
+      EXPECT_FALSE(verdict_of(late, 12, 4).valid()) << i;
+      ++moved;
+    }
+    auto lost = good;
+    auto& pairs = lost[i].overlap.empty() ? lost[i].before : lost[i].overlap;
+    const ItemPair pair = pairs.back();
+    pairs.pop_back();
+    EXPECT_EQ(verdict_of(lost, 12, 4).missing, 1U);
+    pairs.push_back(pair);
+    pairs.push_back(pair);
+    EXPECT_EQ(verdict_of(lost, 12, 4).repeated, 1U);
+  }
+  EXPECT_GT(moved, 10);
+  EXPECT_FALSE(verdict_of(good, 12, 3).valid());
+  auto early = good;  // computed while it is still on its way
+  early[1].overlap.push_back(
+      {std::min(good[2].load[0], good[1].load[0]), std::max(good[2].load[0], good[1].load[0])});
+  EXPECT_NE(verdict_of(early, 12, 4).fault, "");
+}
+
+TEST(Prefetch, OfMoreItemsThanPairsCanBeKeptInMindComputesWhatArrivesAgainstAllThere) {
+  const LoadOrder order = plan_load_order(1'000'000, 10);
+  PrefetchSchedule schedule(order.stream(), 1'000'000, 11);
+  PrefetchStep step;
+  ASSERT_TRUE(schedule.next(step));
+  EXPECT_EQ(step.before.size() + step.overlap.size(), 45U);
+  ASSERT_TRUE(schedule.next(step));
+  EXPECT_EQ(step.before.size(), 0U);
+  EXPECT_EQ(step.overlap.size(), 9U);
+}
+
+}  // namespace
+}  // namespace changeover::test

@@ -1,0 +1,78 @@
+#include "changeover/plan/cost_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include "cheapest.hpp"
+#include "random_jobs.hpp"
+
+namespace changeover {
+namespace {
+
+Amount units(std::uint64_t n) { return Amount{n * 1'000'000}; }
+
+TEST(CostBound, IsAttainedInTheScenariosOfThePaper) {
+  EXPECT_EQ(cost_bound(make_job(9, 3, units(10), units(1))).cost, units(145));
+  const CostBound bound = cost_bound(make_job(9, 3, units(1), units(5)));
+  EXPECT_EQ(bound.cost, units(117));
+  EXPECT_EQ(bound.tests, 12U);
+  EXPECT_EQ(bound.introductions, 20U);
+}
+
+TEST(CostBound, IsNeverAboveTheCheapestPlanOfTinyJobs) {
+  std::uint64_t jobs = 0;
+  std::uint64_t attained = 0;
+  for (std::uint64_t v = 2; v <= 6; ++v) {
+    for (std::uint64_t k = 2; k <= std::min<std::uint64_t>(v, 4); ++k) {
+      for (const auto& [test, change] :
+           {std::pair{1, 1}, {1, 5}, {10, 1}, {0, 1}, {1, 0}, {3, 2}}) {
+        if (v == 6 && (test + change == 1 || k == 2)) {
+          continue;  // the brute force takes long
+        }
+        const Job job = make_job(v, k, units(static_cast<std::uint64_t>(test)),
+                                 units(static_cast<std::uint64_t>(change)));
+        const auto least = test::least_cost(job);
+        ASSERT_TRUE(least.has_value());
+        const CostBound bound = cost_bound(job);
+        EXPECT_LE(bound.cost.millionths, *least) << v << ' ' << k << ' ' << test << ' ' << change;
+        EXPECT_FALSE(bound.reason.empty());
+        ++jobs;
+        attained += bound.cost.millionths == *least ? 1U : 0U;
+      }
+    }
+  }
+  EXPECT_GE(attained * 10, jobs * 7) << "a bound so weak says little";
+}
+
+TEST(CostBound, IsNeverAboveTheCheapestPlanWhateverTheConstraints) {
+  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    const Job job = test::random_job(seed, 5);
+    const auto least = test::least_cost(job);
+    ASSERT_TRUE(least.has_value()) << seed;
+    EXPECT_LE(cost_bound(job).cost.millionths, *least) << seed;
+  }
+}
+
+TEST(CostBound, OfPartsWithSixAndTheirOwnCosts) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const Job job = test::random_job(seed, 6, seed % 2 == 0);
+    const auto least = test::least_cost(job);
+    ASSERT_TRUE(least.has_value()) << seed;
+    EXPECT_LE(cost_bound(job).cost.millionths, *least) << seed;
+  }
+}
+
+TEST(CostBound, IsNothingWhenNothingIsLeft) {
+  Job job = make_job(4, 2, units(1), units(1));
+  job.needed = PairSet(4);
+  EXPECT_EQ(cost_bound(job).cost, Amount{});
+  EXPECT_EQ(cost_bound(job).tests, 0U);
+}
+
+TEST(CostBound, CountsLargeJobs) {
+  const CostBound bound = cost_bound(make_job(1000, 10, units(1), units(1)));
+  EXPECT_GT(bound.cost, units(66'000));
+  EXPECT_LT(bound.cost, units(90'000));
+}
+
+}  // namespace
+}  // namespace changeover

@@ -1,0 +1,219 @@
+#include "changeover/plan/run_plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "changeover/core/error.hpp"
+#include "cheapest.hpp"
+#include "random_jobs.hpp"
+
+namespace changeover {
+namespace {
+
+Amount units(std::uint64_t n) { return Amount{n * 1'000'000}; }
+
+RunPlan planned(const Job& job, PlanOptions options = {}, unsigned threads = 1,
+                std::uint64_t seed = 1) {
+  options.design_moves = std::min<std::uint64_t>(options.design_moves, 20'000);
+  SearchControl control({.threads = threads, .seed = seed});
+  return make_run_plan(job, options, control);
+}
+
+const Candidate& candidate(const RunPlan& plan, const std::string& name) {
+  for (const Candidate& c : plan.candidates) {
+    if (c.name == name) {
+      return c;
+    }
+  }
+  throw std::runtime_error("no candidate is called " + name);
+}
+
+// The constraints and the cost once more, in other words than run_sheet() has.
+void expect_sound(const Job& job, const std::vector<Block>& setups, Amount cost, bool complete) {
+  std::uint64_t total = 0;
+  std::set<Element> bench(job.start.begin(), job.start.end());
+  std::set<std::pair<Element, Element>> met;
+  for (const Block& setup : setups) {
+    const std::set<Element> now(setup.begin(), setup.end());
+    ASSERT_EQ(now.size(), setup.size());
+    ASSERT_LE(now.size(), job.at_once);
+    for (const Element m : job.mounted) {
+      ASSERT_TRUE(now.count(m));
+    }
+    total += job.test_cost.millionths;
+    for (const Element x : now) {
+      total += bench.count(x) ? 0 : job.change_costs[x].millionths;
+      for (const Element y : now) {
+        if (x < y) {
+          ASSERT_FALSE(job.never.contains(x, y));
+          met.emplace(x, y);
+        }
+      }
+    }
+    bench = now;
+  }
+  EXPECT_EQ(total, cost.millionths);
+  if (complete) {
+    job.needed.for_each(1'000'000, [&](Element x, Element y) { EXPECT_TRUE(met.count({x, y})); });
+  }
+}
+
+TEST(RunPlan, ReproducesTheCostsOfThePaperAndBeatsThem) {
+  const RunPlan dear_changes = planned(make_job(9, 3, units(1), units(5)), {.steps = 200'000});
+  EXPECT_EQ(candidate(dear_changes, "single-change design").cost, units(118));
+  EXPECT_EQ(candidate(dear_changes, "double-change design").cost, units(137));
+  EXPECT_EQ(dear_changes.sheet.cost, units(117));
+  EXPECT_TRUE(dear_changes.proved_cheapest());
+
+  const RunPlan dear_tests = planned(make_job(9, 3, units(10), units(1)), {.steps = 50'000});
+  EXPECT_EQ(candidate(dear_tests, "single-change design").cost, units(200));
+  EXPECT_EQ(candidate(dear_tests, "double-change design").cost, units(145));
+  EXPECT_EQ(dear_tests.sheet.cost, units(145));
+  EXPECT_TRUE(dear_tests.proved_cheapest());
+}
+
+TEST(RunPlan, FindsTheCheapestPlanOfTinyJobs) {
+  for (std::uint64_t v = 2; v <= 6; ++v) {
+    for (std::uint64_t k = 2; k <= std::min<std::uint64_t>(v, 4); ++k) {
+      for (const auto& [test, change] :
+           {std::pair{1U, 1U}, {1U, 5U}, {10U, 1U}, {0U, 1U}, {1U, 0U}}) {
+        if (v == 6 && (test + change == 1 || k == 2)) {
+          continue;  // the brute force takes long
+        }
+        const Job job = make_job(v, k, units(test), units(change));
+        const RunPlan plan = planned(job, {.steps = 20'000});
+        EXPECT_EQ(plan.sheet.cost.millionths, test::least_cost(job))
+            << v << ' ' << k << ' ' << test << ' ' << change;
+        expect_sound(job, plan.candidates.front().setups, plan.sheet.cost, true);
+      }
+    }
+  }
+}
+
+TEST(RunPlan, HonoursAllConstraintsAtTheLeastCost) {
+  for (std::uint64_t seed = 1; seed <= 250; ++seed) {
+    const Job job = test::random_job(seed, 5);
+    const RunPlan plan = planned(job, {.steps = 10'000});
+    for (const Candidate& c : plan.candidates) {
+      expect_sound(job, c.setups, c.cost, true);
+      EXPECT_GE(c.cost, plan.bound.cost);
+    }
+    EXPECT_TRUE(plan.sheet.does_the_job());
+    EXPECT_EQ(plan.sheet.cost.millionths, test::least_cost(job)) << seed;
+  }
+}
+
+TEST(RunPlan, HonoursTheConstraintsOfLargerJobs) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const Job job = test::random_job(1000 + seed, 16);
+    const RunPlan plan = planned(job, {.steps = 20'000, .attempts = 2});
+    for (const Candidate& c : plan.candidates) {
+      expect_sound(job, c.setups, c.cost, true);
+      EXPECT_GE(c.cost, plan.bound.cost) << seed;
+      EXPECT_GE(c.cost, plan.sheet.cost);
+    }
+  }
+}
+
+TEST(RunPlan, DearPartsStandWhereIntroductionsAreRare) {
+  Job job = make_job(13, 4, units(1), units(1));
+  for (Element x = 0; x < 3; ++x) {
+    job.change_costs[x] = units(100);
+  }
+  const RunPlan plan = planned(job, {.steps = 50'000, .attempts = 2});
+  std::uint64_t dear = 0;
+  for (const RunStep& step : plan.sheet.steps) {
+    for (const Element x : step.put_in) {
+      dear += x < 3 ? 1U : 0U;
+    }
+  }
+  EXPECT_EQ(dear, 3U);
+}
+
+TEST(RunPlan, IsTheSameAgainForAnyNumberOfThreads) {
+  Job job = make_job(12, 4, units(3), units(2));
+  job.change_costs[5] = units(9);
+  for (const std::optional<Amount>& budget : {std::optional<Amount>(), std::optional(units(60))}) {
+    const PlanOptions options{.steps = 30'000, .budget = budget};
+    const RunPlan once = planned(job, options);
+    for (const unsigned threads : {1U, 3U}) {
+      const RunPlan again = planned(job, options, threads);
+      ASSERT_EQ(again.candidates.size(), once.candidates.size());
+      for (std::size_t i = 0; i < once.candidates.size(); ++i) {
+        EXPECT_EQ(again.candidates[i].setups, once.candidates[i].setups);
+      }
+      EXPECT_EQ(again.steps, once.steps);
+    }
+  }
+}
+
+TEST(RunPlan, TestsTheMostPairsThatABudgetPaysFor) {
+  for (const auto& [v, k] : {std::pair{4U, 2U}, {5U, 3U}, {5U, 2U}}) {
+    const Job job = make_job(v, k, units(2), units(1));
+    const std::uint64_t all = *test::least_cost(job) / 1'000'000;
+    std::uint64_t before = 0;
+    for (std::uint64_t budget = 0; budget <= all + 2; budget += 2) {
+      const RunPlan plan = planned(job, {.steps = 20'000, .budget = units(budget)});
+      EXPECT_LE(plan.sheet.cost, units(budget));
+      EXPECT_GE(plan.sheet.pairs_tested, before) << "more money, fewer pairs";
+      before = plan.sheet.pairs_tested;
+      std::uint64_t most = 0;
+      for (std::uint64_t pairs = 1; pairs <= job.needed.size(); ++pairs) {
+        most = *test::least_cost(job, pairs) <= units(budget).millionths ? pairs : most;
+      }
+      EXPECT_EQ(plan.sheet.pairs_tested, most) << v << ' ' << k << ' ' << budget;
+      expect_sound(job, plan.candidates.front().setups, plan.sheet.cost, false);
+      ASSERT_TRUE(plan.complete.has_value());
+      EXPECT_EQ(plan.complete->cost, units(all));
+    }
+  }
+}
+
+TEST(RunPlan, TestsNoFewerPairsThanTheBeginningOfTheCheapestPlan) {
+  const Job job = make_job(14, 4, units(2), units(1));
+  for (const std::uint64_t budget : {10U, 25U, 40U, 60U}) {
+    const RunPlan plan = planned(job, {.steps = 30'000, .attempts = 2, .budget = units(budget)});
+    std::uint64_t beginning = 0;
+    for (const RunStep& step : run_sheet(job, plan.complete->setups).steps) {
+      beginning += step.cost_so_far <= units(budget) ? step.new_pairs.size() : 0;
+    }
+    EXPECT_GE(plan.sheet.pairs_tested, beginning);
+    EXPECT_LE(plan.sheet.cost, units(budget));
+  }
+}
+
+TEST(RunPlan, PlansTheRest) {
+  const Job job = make_job(10, 4, units(2), units(3));
+  const RunPlan whole = planned(job, {.steps = 30'000, .attempts = 2});
+  const std::vector<Block>& setups = whole.candidates.front().setups;
+  for (std::size_t done = 0; done <= setups.size(); ++done) {
+    Job rest = job;
+    mark_done(rest, {setups.begin(), setups.begin() + static_cast<std::ptrdiff_t>(done)});
+    const RunPlan plan = planned(rest, {.steps = 5'000, .attempts = 1});
+    EXPECT_TRUE(plan.sheet.does_the_job());
+    if (done == setups.size()) {
+      EXPECT_TRUE(plan.sheet.steps.empty());
+      EXPECT_TRUE(plan.proved_cheapest());
+    }
+  }
+}
+
+TEST(RunPlan, StopsWhenItIsToldTo) {
+  SearchControl control({.time = std::chrono::seconds(0)});
+  const RunPlan plan = make_run_plan(make_job(30, 5, units(1), units(1)), {}, control);
+  EXPECT_TRUE(plan.sheet.does_the_job());
+  EXPECT_EQ(plan.why_stopped, WhyStopped::time_limit);
+}
+
+TEST(RunPlan, RefusesWhatCannotBe) {
+  Job job = make_job(5, 3, units(1), units(1));
+  job.never.insert(0, 1);
+  EXPECT_THROW((void)planned(job), BadInput);
+  EXPECT_THROW((void)planned(make_job(100, 5, parse_amount("9000000000000"), units(1))),
+               ImpossibleParameters);
+}
+
+}  // namespace
+}  // namespace changeover

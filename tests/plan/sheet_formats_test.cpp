@@ -1,0 +1,141 @@
+#include "changeover/plan/sheet_formats.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "changeover/plan/read_job.hpp"
+
+namespace changeover {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+// Four parts, three at a time, the second set-up of two; candidates as a search would leave them.
+class SheetFormats : public testing::Test {
+ protected:
+  SheetFormats() {
+    job.names = {"Pump", "Valve, large", "<b>\"Motor\"</b>", "Fan | 4*"};
+    job.change_costs[1] = parse_amount("0.75");
+    const std::vector<Block> setups{{0, 1, 2}, {0, 1, 3}, {2, 3}};
+    plan.sheet = run_sheet(job, setups);
+    plan.bound = cost_bound(job);
+    plan.candidates.push_back({.name = "local search",
+                               .how = "any number of changes",
+                               .setups = setups,
+                               .changes = 5,
+                               .change_cost = plan.sheet.change_cost,
+                               .cost = plan.sheet.cost,
+                               .pairs_tested = 6});
+    plan.candidates.push_back(plan.candidates.front());
+    plan.candidates.back().name = "greedy list";
+    plan.candidates.back().cost += parse_amount("1.5");
+  }
+
+  Job job = make_job(4, 3, parse_amount("2"), parse_amount("1"));
+  RunPlan plan;
+  SheetDocument document{.job = &job, .plan = &plan, .title = "Bench & <Co>"};
+};
+
+TEST_F(SheetFormats, Csv) {
+  EXPECT_EQ(sheet_as_csv(document),
+            "step,take_out,put_in,set_up,new_pairs,cost,cost_so_far\n"
+            "1,,\"Pump, \"\"Valve, large\"\", \"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\","
+            "\"Pump, \"\"Valve, large\"\", \"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\",3,4.75,4.75\n"
+            "2,\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\",Fan | 4*,"
+            "\"Pump, \"\"Valve, large\"\", Fan | 4*\",2,3.00,7.75\n"
+            "3,\"Pump, \"\"Valve, large\"\"\",\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\","
+            "\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\", Fan | 4*\",1,3.00,10.75\n");
+}
+
+TEST_F(SheetFormats, CsvIsReadBackAsTestsThatWereDone) {
+  const auto setups = read_setups(*input_from_text(sheet_as_csv(document)), job.names);
+  EXPECT_EQ(setups, plan.candidates.front().setups);
+  mark_done(job, setups);
+  EXPECT_EQ(job.needed.size(), 0U);
+  EXPECT_EQ(job.tests_done, 3U);
+}
+
+TEST_F(SheetFormats, Table) {
+  const std::string text = sheet_as_table(document, 200);
+  EXPECT_THAT(text,
+              StartsWith("Bench & <Co>\n4 parts, 3 at a time: 3 tests, 5 changes, cost 10.75\n"
+                         "6 of 6 needed pairs tested"));
+  EXPECT_THAT(text, HasSubstr("best: the local search; next the greedy list, +1.50 (14.0 %)\n"));
+  EXPECT_THAT(text, HasSubstr("   3  Pump, Valve, large  <b>\"Motor\"</b>"));
+  EXPECT_THAT(text, HasSubstr("\ngreedy list       3        5  12.25      6  +1.50 (14.0 %)"));
+  EXPECT_THAT(text, Not(HasSubstr(" \n"))) << "blanks at the end of a line";
+}
+
+TEST_F(SheetFormats, TableBreaksListsBetweenPartsOnly) {
+  const std::string text = sheet_as_table(document, 60);
+  EXPECT_THAT(text, HasSubstr("Valve, large,"));
+  EXPECT_THAT(text, HasSubstr("<b>\"Motor\"</b>"));
+}
+
+TEST_F(SheetFormats, Json) {
+  const std::string text = sheet_as_json(document);
+  EXPECT_THAT(text, StartsWith("{\"format\":\"changeover-plan/1\",\"title\":\"Bench & <Co>\","
+                               "\"parts\":[{\"name\":\"Pump\",\"change_cost\":1.00},"
+                               "{\"name\":\"Valve, large\",\"change_cost\":0.75},"));
+  EXPECT_THAT(text, HasSubstr("\"tests\":3,\"changes\":5,\"cost\":10.75,\"pairs_needed\":6,"
+                              "\"pairs_tested\":6,\"proved_cheapest\":"));
+  EXPECT_THAT(text,
+              HasSubstr("{\"step\":3,\"take_out\":[\"Pump\",\"Valve, large\"],\"put_in\":["
+                        "\"<b>\\\"Motor\\\"</b>\"],\"set_up\":[\"<b>\\\"Motor\\\"</b>\","
+                        "\"Fan | 4*\"],\"new_pairs\":[[\"<b>\\\"Motor\\\"</b>\",\"Fan | 4*\"]],"
+                        "\"cost\":3.00,\"cost_so_far\":10.75}"));
+  EXPECT_THAT(text, HasSubstr("\"budget\":null"));
+}
+
+TEST_F(SheetFormats, MarkdownAndHtmlEscapeNames) {
+  EXPECT_THAT(sheet_as_markdown(document),
+              HasSubstr("| 3 | Pump, Valve, large | \\<b\\>\"Motor\"\\</b\\> | "
+                        "\\<b\\>\"Motor\"\\</b\\>, Fan \\| 4\\* | 1 | 10.75 |\n"));
+  const std::string page = sheet_as_html(document);
+  EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
+  EXPECT_THAT(page, HasSubstr("<title>Bench &amp; &lt;Co&gt;</title>"));
+  EXPECT_THAT(page, HasSubstr("&lt;b&gt;&quot;Motor&quot;&lt;/b&gt;"));
+  EXPECT_THAT(page, Not(HasSubstr("<b>")));
+  EXPECT_THAT(page, HasSubstr("table-header-group"));
+  for (const char* outside : {"http", "src=", "href=", "<script"}) {
+    EXPECT_THAT(page, Not(HasSubstr(outside)));
+  }
+  std::size_t boxes = 0;
+  for (std::size_t at = page.find("class=\"box\""); at != std::string::npos;
+       at = page.find("class=\"box\"", at + 1)) {
+    ++boxes;
+  }
+  EXPECT_EQ(boxes, 3U);
+}
+
+TEST_F(SheetFormats, StepsGoOnAfterTestsThatWereDone) {
+  job.tests_done = 7;
+  EXPECT_THAT(sheet_as_csv(document), HasSubstr("\n8,,"));
+  EXPECT_THAT(sheet_as_html(document), HasSubstr("7 tests done before."));
+}
+
+TEST_F(SheetFormats, ABudgetIsNamed) {
+  document.budget = parse_amount("8");
+  plan.complete = plan.candidates.back();
+  EXPECT_THAT(sheet_as_table(document, 200),
+              HasSubstr("budget 8.00: testing all pairs would cost 12.25\n"));
+  EXPECT_THAT(sheet_as_json(document), HasSubstr("\"budget\":8.00"));
+}
+
+TEST_F(SheetFormats, NothingToDoIsSaid) {
+  job.needed = PairSet(4);
+  plan.sheet = run_sheet(job, {});
+  plan.bound = cost_bound(job);
+  plan.candidates.resize(1);
+  plan.candidates.front() = Candidate{};
+  plan.candidates.front().how = "nothing is left to test";
+  for (const std::string& text : {sheet_as_table(document, 80), sheet_as_markdown(document),
+                                  sheet_as_html(document), sheet_as_json(document)}) {
+    EXPECT_THAT(text, HasSubstr("nothing is left to test"));
+  }
+}
+
+}  // namespace
+}  // namespace changeover

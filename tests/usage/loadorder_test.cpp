@@ -1,0 +1,207 @@
+// changeover loadorder from outside: the contract of its lines, its exit codes, its files.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "run_program.hpp"
+
+namespace changeover::test {
+namespace {
+
+// The numbers of the list that follows "name": in a line of JSON.
+std::vector<unsigned> list_in(const std::string& line, const std::string& name) {
+  const std::size_t start = line.find("\"" + name + "\":[");
+  std::vector<unsigned> numbers;
+  if (start == std::string::npos) {
+    return numbers;
+  }
+  const std::size_t begin = line.find('[', start) + 1;
+  std::istringstream list(line.substr(begin, line.find(']', begin) - begin));
+  for (std::string number; std::getline(list, number, ',');) {
+    numbers.push_back(static_cast<unsigned>(std::stoul(number)));
+  }
+  return numbers;
+}
+
+std::uint64_t number_in(const std::string& line, const std::string& name) {
+  const std::size_t start = line.find("\"" + name + "\":");
+  return start == std::string::npos ? 0 : std::stoull(line.substr(start + name.size() + 3));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+TEST(LoadOrderVerb, SaysEachStepInALineOfJsonAndEveryPairMeets) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run("$changeover loadorder --items 20 --room 5 --json", folder.path());
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_GT(lines.size(), 2U);
+  EXPECT_EQ(number_in(lines[0], "items"), 20U);
+  EXPECT_EQ(number_in(lines[0], "room"), 5U);
+  EXPECT_EQ(number_in(lines[0], "steps"), lines.size() - 1);
+  EXPECT_EQ(number_in(lines[0], "lower_bound"), 50U);
+  std::set<unsigned> memory;
+  std::set<std::pair<unsigned, unsigned>> met;
+  std::uint64_t loads = 0;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    EXPECT_EQ(number_in(lines[i], "step"), i);
+    for (const unsigned x : list_in(lines[i], "evict")) {
+      EXPECT_EQ(memory.erase(x), 1U);
+    }
+    for (const unsigned x : list_in(lines[i], "load")) {
+      EXPECT_TRUE(memory.insert(x).second);
+      ++loads;
+    }
+    EXPECT_LE(memory.size(), 5U);
+    for (const unsigned x : memory) {
+      for (const unsigned y : memory) {
+        if (x < y) {
+          met.emplace(x, y);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(met.size(), 190U);
+  EXPECT_EQ(loads, number_in(lines[0], "loads"));
+}
+
+TEST(LoadOrderVerb, StartsAtOnceWithAMillionItems) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run("$changeover loadorder --items 1000000 --room 1000 --json | head -n 1000", folder.path());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(lines_of(outcome.out).size(), 1000U);
+}
+
+TEST(LoadOrderVerb, NeedsNoMemoryForTheStepsOfAMillionItems) {
+  const TemporaryFolder folder;
+  // 500 MB of address space; the steps would take gigabytes.
+  const Outcome outcome =
+      run("ulimit -v 500000; $changeover loadorder --items 1000000 --room 1000 --format csv | "
+          "head -n 3000000 | tail -n 1",
+          folder.path());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out.rfind("2999999,", 0), 0U) << outcome.out << outcome.err;
+}
+
+TEST(LoadOrderVerb, TellsWorkersAndPrefetchApart) {
+  const TemporaryFolder folder;
+  const Outcome workers =
+      run("$changeover loadorder --items 64 --room 16 --workers 4 --json", folder.path());
+  ASSERT_EQ(workers.code, 0) << workers.err;
+  const std::vector<std::string> lines = lines_of(workers.out);
+  EXPECT_EQ(list_in(lines[0], "worker_loads").size(), 4U);
+  EXPECT_GE(number_in(lines[0], "makespan"), number_in(lines[0], "makespan_bound"));
+  EXPECT_NE(lines.back().find("\"worker\":3"), std::string::npos);
+  const Outcome prefetch =
+      run("$changeover loadorder --items 16 --room 5 --prefetch --json", folder.path());
+  ASSERT_EQ(prefetch.code, 0) << prefetch.err;
+  EXPECT_EQ(number_in(prefetch.out, "pairs"), 120U);
+  EXPECT_NE(prefetch.out.find("\"compute\":[["), std::string::npos);
+}
+
+TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
+  struct Case {
+    std::string command;
+    int code = 0;
+    std::string says;
+  };
+  const TemporaryFolder folder;
+  spit(folder.file("old"), "precious\n");
+  for (const Case& each : std::vector<Case>{
+           {"--items 64 --room 16", 0, "over the lower bound 143"},
+           {"--items 12 --room 4", 0, "the fewest possible"},
+           {"--items 4 --room 9", 0, "4 loads in 1 step"},
+           {"--items 1 --room 2", 0, "1 load in 1 step"},
+           {"--items 9 --room 4 --format csv", 0, "step,load,evict"},
+           {"--items 9 --room 4 --workers 2", 0, "worker 1 step"},
+           {"--items 9 --room 4 --prefetch", 0, "compute"},
+           {"--items 13 --room 5 --time 200ms --quiet --threads 1 --seed 3", 0, "loads"},
+           {"--items 0 --room 4", 2, "at least 1 item"},
+           {"--items 9 --room 1", 2, "at least 2"},
+           {"--items 9 --room 0", 2, "at least 2"},
+           {"--items 9 --room 4 --workers 0", 2, "at least 1 worker"},
+           {"--items 9 --room 4 --workers 99999999", 2, "65536"},
+           {"--items 9 --room 4 --workers 2 --prefetch", 2, "exclude"},
+           {"--items 9 --room 4 --json --format csv", 2, "exclude"},
+           {"--items 9", 2, "required"},
+           {"--items x --room 4", 2, "whole number"},
+           {"--items 99999999999 --room 4", 2, "at most"},
+           {"--items 9 --room 4 --time soon", 2, "duration"},
+           {"--items 9 --room 4 -o no/such/folder/x", 4, "no/such/folder/x"},
+           {"--items 999999 --room 100000 -o /dev/full", 4, "/dev/full"}}) {
+    const Outcome outcome = run("$changeover loadorder " + each.command, folder.path());
+    EXPECT_EQ(outcome.code, each.code) << each.command << "\n" << outcome.err;
+    const std::string& said = each.code == 0 ? outcome.out : outcome.err;
+    EXPECT_NE(said.find(each.says), std::string::npos) << each.command << "\n" << said;
+    if (each.code != 0) {
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+  }
+  EXPECT_EQ(run("$changeover loadorder --items 64 --room 16 -o old", folder.path()).code, 0);
+  EXPECT_EQ(slurp(folder.file("old")).rfind("64 items, room for 16", 0), 0U);
+}
+
+// The example that is built beside the program.
+Outcome run_example(const std::string& command, const TemporaryFolder& folder) {
+  return run("all_pairs=\"$(dirname \"$changeover\")/examples/all_pairs\"; " + command,
+             folder.path());
+}
+
+TEST(AllPairsExample, ComputesWhatIsComputedInMemoryAloneAndInShares) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_example("$all_pairs make v 60 300", folder).code, 0);
+  const Outcome alone = run_example(
+      "$all_pairs run v 300 --chunk 3 --memory 40K --threads 2 --journal job --check", folder);
+  EXPECT_EQ(alone.code, 0) << alone.err;
+  EXPECT_NE(alone.out.find("all 3600 entries"), std::string::npos) << alone.out;
+  EXPECT_EQ(std::filesystem::file_size(folder.file("v.dist")), 60U * 60U * 8U);
+  const std::string gram = slurp(folder.file("v.gram"));
+  std::filesystem::remove(folder.file("v.gram"));
+  EXPECT_EQ(run_example("for i in 0 1 2; do $all_pairs run v 300 --chunk 3 --memory 40K "
+                        "--share $i/3 & done; wait",
+                        folder)
+                .code,
+            0);
+  EXPECT_EQ(slurp(folder.file("v.gram")), gram);
+  for (const char* order : {"beta", "hold", "tiles", "exhaustive"}) {
+    const Outcome other = run_example(
+        std::string("$all_pairs run v 300 --chunk 3 --memory 40K --check --order ") + order,
+        folder);
+    EXPECT_EQ(other.code, 0) << other.out << other.err;
+  }
+}
+
+TEST(AllPairsExample, SaysInOneLineWhatIsWrong) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_example("$all_pairs make v 60 300; head -c 7000 v > short", folder).code, 0);
+  for (const auto& [command, code] :
+       std::vector<std::pair<std::string, int>>{{"$all_pairs run short 300", 3},
+                                                {"$all_pairs run absent 300", 4},
+                                                {"$all_pairs run v 300 --memory 1K", 3},
+                                                {"$all_pairs run v 0", 2},
+                                                {"$all_pairs run v 300 --share 3/3", 3},
+                                                {"$all_pairs run v 300 --nonsense", 2},
+                                                {"$all_pairs", 2}}) {
+    const Outcome outcome = run_example(command, folder);
+    EXPECT_EQ(outcome.code, code) << command << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace changeover::test

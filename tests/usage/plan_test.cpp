@@ -1,0 +1,143 @@
+// changeover plan, as it is run.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "run_program.hpp"
+
+namespace changeover::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const std::string fast = " --quiet --threads 1 --steps 20000";
+
+TEST(Plan, CostsOfThePaper) {
+  const TemporaryFolder folder;
+  const Outcome dear_changes =
+      run("$changeover plan --items 9 -k 3 --test-cost 1 --change-cost 5 --quiet --steps 200000",
+          folder.path());
+  EXPECT_EQ(dear_changes.code, 0) << dear_changes.err;
+  EXPECT_THAT(dear_changes.out, AllOf(HasSubstr("17 tests, 20 changes, cost 117\n"),
+                                      HasSubstr("SCCD(9,3) with 18"), HasSubstr("  118 "),
+                                      HasSubstr("  137 "), HasSubstr("no plan for all pairs is")));
+  const Outcome dear_tests =
+      run("$changeover plan --items 9 -k 3 --test-cost 10 --change-cost 1" + fast, folder.path());
+  EXPECT_THAT(dear_tests.out, AllOf(HasSubstr("cost 145\n"), HasSubstr("  200 ")));
+}
+
+TEST(Plan, TheSameAgainForAnyNumberOfThreads) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run(
+      "for t in 1 2 1; do $changeover plan --items 12 -k 4 --test-cost 2 --change-cost 1 --quiet "
+      "--steps 30000 --threads $t --json > $t.$RANDOM.json; done; md5sum *.json | cut -c1-32 | "
+      "uniq "
+      "| wc -l",
+      folder.path());
+  EXPECT_EQ(outcome.out, "1\n") << outcome.err;
+}
+
+TEST(Plan, GoesOnFromTheSheetThatItWrote) {
+  const TemporaryFolder folder;
+  spit(folder.file("parts.csv"),
+       "component,change cost\nPump,2\n\"Valve, large\",1\nFan,1\nBelt,3.5\n"
+       "Motor,2\nHose,0.5\n");
+  const Outcome outcome =
+      run("$changeover plan parts.csv -k 3 --test-cost 4 --format csv -o sheet.csv" + fast +
+              " && $changeover plan parts.csv -k 3 --test-cost 4 --done sheet.csv --done-first 3 "
+              "--format csv -o rest.csv" +
+              fast + " && head -n 4 sheet.csv > all.csv && tail -n +2 rest.csv >> all.csv && " +
+              "$changeover plan parts.csv -k 3 --test-cost 4 --done all.csv" + fast +
+              " && sed -n 2p rest.csv",
+          folder.path());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("nothing is left to test"));
+  EXPECT_THAT(outcome.out, HasSubstr("\n4,"));
+}
+
+TEST(Plan, WritesEveryFormat) {
+  const TemporaryFolder folder;
+  const std::string plan =
+      "$changeover plan --items 6 -k 3 --test-cost 1 --change-cost 1.25" + fast;
+  EXPECT_THAT(run(plan + " --json", folder.path()).out,
+              StartsWith("{\"format\":\"changeover-plan/1\""));
+  EXPECT_THAT(run(plan + " --format csv", folder.path()).out, StartsWith("step,take_out"));
+  EXPECT_THAT(run(plan + " --format markdown --title Bench", folder.path()).out,
+              StartsWith("# Bench\n"));
+  EXPECT_THAT(run(plan + " --format html -o s.html && cat s.html", folder.path()).out,
+              AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("class=\"box\"")));
+  EXPECT_THAT(run(plan + " --what-if", folder.path()).out,
+              HasSubstr("Your costs are at the ratio"));
+  EXPECT_THAT(run(plan + " --what-if --json", folder.path()).out,
+              HasSubstr("changeover-what-if/1"));
+  EXPECT_THAT(run(plan + " --budget 9", folder.path()).out, HasSubstr("budget 9.00"));
+}
+
+TEST(Plan, SaysInOneLineWhatIsWrong) {
+  const TemporaryFolder folder;
+  spit(folder.file("parts.csv"), "A,1\nB,2\nC,3\nD\n");
+  spit(folder.file("costs.csv"), "A,1\nB,2\nC,3\nD,4\n");
+  spit(folder.file("bad.csv"), "A,1\nB,two2\n");
+  spit(folder.file("twice.csv"), "A,1\nA,2\n");
+  spit(folder.file("ab.csv"), "A,B\n");
+  spit(folder.file("ax.csv"), "A,X\n");
+  spit(folder.file("cd.csv"), "C,D\n");
+  struct Case {
+    std::string arguments;
+    int code;
+    std::string says;
+  };
+  const std::string costs = " costs.csv -k 3 --test-cost 1 ";
+  for (const Case& c : std::vector<Case>{
+           {"", 2, "either a parts list or --items"},
+           {"costs.csv --items 3", 2, "either a parts list or --items"},
+           {"costs.csv", 2, "--at-once"},
+           {"costs.csv -k 1 --test-cost 1", 2, "no pair can meet"},
+           {"costs.csv -k 3", 2, "--test-cost"},
+           {"costs.csv -k 3 --test-cost -1", 2, "negative"},
+           {"costs.csv -k 3 --test-cost 1e3", 2, "is not a cost"},
+           {"parts.csv -k 3 --test-cost 1", 2, "D has no change cost"},
+           {"--items 5 -k 3 --test-cost 1", 2, "--change-cost"},
+           {"--items 5000 -k 3 --test-cost 1 --change-cost 1", 2, "at most 1000"},
+           {"--items 1 -k 3 --test-cost 1 --change-cost 1", 2, "two parts"},
+           {costs + "--mounted A,X", 2, "there is no part 'X'"},
+           {costs + "--start A,A", 2, "twice"},
+           {costs + "--budget much", 2, "--budget"},
+           {costs + "--done-first 3", 2, "--done"},
+           {costs + "--what-if --format html", 2, "--what-if"},
+           {"bad.csv -k 2 --test-cost 1", 3, "bad.csv:2:3: "},
+           {"twice.csv -k 2 --test-cost 1", 3, "twice.csv:2:1: "},
+           {costs + "--never ax.csv", 3, "ax.csv:1:3: "},
+           {costs + "--never ab.csv --pairs ab.csv", 3, "must meet and must never"},
+           {costs + "--never ab.csv --mounted A,B", 3, "both stay mounted"},
+           {costs + "--never ab.csv --mounted A", 3, "B must never be in one set-up with A"},
+           {costs + "--mounted A,B", 3, "no room for both"},
+           {costs + "--start A,B,C,D", 3, "4 parts are mounted at the start"},
+           {costs + "--pairs missing.csv", 4, "missing.csv"},
+           {costs + "-o nowhere/sheet.csv", 4, "nowhere"},
+       }) {
+    const Outcome outcome = run("$changeover plan " + c.arguments + fast, folder.path());
+    EXPECT_EQ(outcome.code, c.code) << c.arguments << '\n' << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(c.says)) << c.arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "") << c.arguments;
+  }
+}
+
+TEST(Plan, HonoursForbiddenPairsAndMountedParts) {
+  const TemporaryFolder folder;
+  spit(folder.file("costs.csv"), "A,1\nB,2\nC,3\nD,4\nE,5\n");
+  spit(folder.file("never.csv"), "A,B\nC,D\n");
+  const Outcome outcome = run(
+      "$changeover plan costs.csv -k 4 --test-cost 1 --never never.csv --mounted E --json" + fast,
+      folder.path());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("\"pairs_needed\":8,\"pairs_tested\":8"),
+                                 HasSubstr("\"mounted\":[\"E\"]")));
+}
+
+}  // namespace
+}  // namespace changeover::test
