@@ -9,29 +9,33 @@
 // before the step is recorded in the journal; so a run that was killed is started again by the same
 // command and goes on after the last step that it finished.
 //
-// --share I/N computes the I-th of N parts, for N processes that write to the same FILE.gram; then there are
-// no distances. --order beta|hold|tiles|exhaustive loads as others do. --check compares with the same sums
+//     mpirun -n 4 all_pairs run vectors.f32 1048576 --chunk 8 --memory 512M --journal job
+//
+// Each process takes its share with --memory of its own, and all write to the same FILE.gram: the result is
+// that of one process, byte by byte. Process i has the journal job.i. If one fails, or is interrupted, all end.
+//
+// --share I/N computes the I-th of N parts, for N processes without MPI; then there are no distances. --order beta|hold|tiles|exhaustive loads as others do. --check compares with the same sums
 // over the file mapped into memory. Exit codes: 0 done, 1 --check found a difference, 2 usage, 3 bad input,
 // 4 a file, memory or disk space is missing, 5 a bug, 30 interrupted.
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "all_pairs/files.hpp"
+#include "all_pairs/processes.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/baselines.hpp"
@@ -41,6 +45,8 @@
 namespace {
 
 using namespace changeover;
+
+constexpr int limit_reached = 30;
 
 struct Usage {
   std::string message;
@@ -59,79 +65,6 @@ std::uint64_t number(std::string_view text, const std::string& what) {
   }
   return value << shift;
 }
-
-// A file that is written in pieces, at any place.
-class Output {
- public:
-  Output(std::string path, int flags) : path_(std::move(path)) {
-    file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
-    if (file_ < 0) {
-      refuse();
-    }
-  }
-  ~Output() { ::close(file_); }
-  Output(const Output&) = delete;
-  Output& operator=(const Output&) = delete;
-
-  void write(const void* bytes, std::size_t count, std::uint64_t offset) const {
-    const auto* from = static_cast<const char*>(bytes);
-    while (count > 0) {
-      const ssize_t written = ::pwrite(file_, from, count, static_cast<off_t>(offset));
-      if (written < 0 && errno != EINTR) {
-        refuse();
-      }
-      const auto done = static_cast<std::size_t>(written < 0 ? 0 : written);
-      from += done;
-      offset += done;
-      count -= done;
-    }
-  }
-
-  void sync() const {
-    if (::fdatasync(file_) != 0) {
-      refuse();
-    }
-  }
-
- private:
-  [[noreturn]] void refuse() const {
-    throw MissingResource(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
-  }
-
-  std::string path_;
-  int file_ = -1;
-};
-
-// A file in memory as far as the system likes.
-class Mapping {
- public:
-  explicit Mapping(const std::string& path) {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    const off_t end = file < 0 ? -1 : ::lseek(file, 0, SEEK_END);
-    if (end > 0) {
-      bytes_ = static_cast<std::size_t>(end);
-      start_ = ::mmap(nullptr, bytes_, PROT_READ, MAP_PRIVATE, file, 0);
-    }
-    if (file >= 0) {
-      ::close(file);
-    }
-    if (start_ == MAP_FAILED) {
-      throw MissingResource(fmt::format("{}: cannot be mapped into memory", path));
-    }
-  }
-  ~Mapping() { ::munmap(start_, bytes_); }
-  Mapping(const Mapping&) = delete;
-  Mapping& operator=(const Mapping&) = delete;
-
-  template <typename T>
-  [[nodiscard]] const T* as() const {
-    return static_cast<const T*>(start_);
-  }
-
- private:
-  void* start_ = MAP_FAILED;
-  std::size_t bytes_ = 0;
-};
 
 // Eight sums at once; each piece of 4096 numbers is added up in floats, pieces in doubles.
 double dot(const float* a, const float* b, std::size_t count) {
@@ -237,6 +170,16 @@ PrefetchPlan plan_of(const Job& job, std::uint64_t items, std::uint64_t room) {
   throw Usage{fmt::format("--order {}: is none of beta, hold, tiles, exhaustive", job.order)};
 }
 
+std::uint64_t vectors_in(const Job& job) {
+  const std::uint64_t vector_bytes = job.dimension * sizeof(float);
+  const std::uint64_t bytes = std::filesystem::file_size(job.path);
+  if (bytes % vector_bytes != 0) {
+    throw BadInput(fmt::format("{}: {} bytes are no whole number of vectors of {} bytes", job.path,
+                               bytes, vector_bytes));
+  }
+  return bytes / vector_bytes;
+}
+
 // The smallest distance of two vectors, from the Gram matrix, and all of them into a file.
 void write_distances(const std::string& path, std::uint64_t n) {
   const Mapping gram(path + ".gram");
@@ -273,23 +216,25 @@ int compare(const Job& job, std::uint64_t n) {
   return 0;
 }
 
-int run(Job job) {
+// Computes the share of this process.
+Part compute_share(Job job, Processes& processes) {
   const std::uint64_t vector_bytes = job.dimension * sizeof(float);
   FileItems file(job.path, job.chunk * vector_bytes, {.bypass_cache = !job.cache});
   const std::uint64_t room = room_for(file, job.memory);
   const PrefetchPlan plan = plan_of(job, file.item_count(), room);
-  const std::uint64_t bytes = std::filesystem::file_size(job.path);
-  if (bytes % vector_bytes != 0) {
-    throw BadInput(fmt::format("{}: {} bytes are no whole number of vectors of {} bytes", job.path,
-                               bytes, vector_bytes));
-  }
-  const std::uint64_t n = bytes / vector_bytes;
+  const std::uint64_t n = vectors_in(job);
   const LoadOrderFacts& facts = plan.order.facts();
-  fmt::print("{} vectors in {} chunks, room for {}; {} loads ({}), lower bound {}\n", n,
-             file.item_count(), room, facts.loads, facts.method,
-             load_lower_bound(file.item_count(), room).loads);
+  Part part;
+  put(part.job, fmt::format("{} vectors in {} chunks, room for {}; {} loads ({}), lower bound {}",
+                            n, file.item_count(), room, facts.loads, facts.method,
+                            load_lower_bound(file.item_count(), room).loads));
+  if (processes.index() == 0) {
+    fmt::print("{}\n", part.job.data());
+    std::fflush(stdout);
+  }
 
   const Output gram(job.path + ".gram", 0);
+  gram.resize(n * n * sizeof(double));
   const auto compute = [&](const PairWork& work) {
     const auto rows = work.first.bytes.size() / vector_bytes;
     const auto columns = work.second.bytes.size() / vector_bytes;
@@ -306,6 +251,17 @@ int run(Job job) {
       }
     }
   };
+  if (processes.size() > 1) {
+    job.options.share = {processes.index(), processes.size()};
+    job.options.on_progress = [&](const AllPairsProgress&) {
+      if (processes.told_to_stop()) {
+        interrupted = true;
+      }
+    };
+    if (!job.options.journal.empty()) {
+      job.options.journal += fmt::format(".{}", processes.index());
+    }
+  }
   job.options.read_ahead = plan.spare;
   job.options.memory_bytes = job.memory;
   job.options.job = "gram";
@@ -314,27 +270,134 @@ int run(Job job) {
     job.options.on_step_done = [&](std::uint64_t) { gram.sync(); };
   }
   const AllPairsReport report = all_pairs(file, plan.order, compute, job.options);
-  fmt::print(
-      "{} of {} steps, {} of them earlier; {} loads, {:.2f} GB read ({}), {:.0f} MB of "
-      "buffers; {:.1f} s, {:.1f} s of them waiting for loads\n",
-      report.steps_done, report.steps, report.steps_resumed, report.loads,
-      static_cast<double>(report.bytes_read) / 1e9, file.access(),
-      static_cast<double>(report.buffer_bytes) / 1e6, report.elapsed.count(),
-      report.waited.count());
+  gram.sync();
+  put(part.access, file.access());
+  part.steps = report.steps;
+  part.steps_done = report.steps_done;
+  part.steps_resumed = report.steps_resumed;
+  part.loads = report.loads;
+  part.bytes_read = report.bytes_read;
+  part.buffer_bytes = report.buffer_bytes;
+  part.seconds = report.elapsed.count();
+  part.waited_seconds = report.waited.count();
   if (!report.finished) {
-    constexpr int limit_reached = 30;
-    return limit_reached;
+    part.code = limit_reached;
+    put(part.message, "interrupted; the same command goes on if it has a --journal");
   }
-  if (job.options.share.of > 1) {
-    return 0;
+  return part;
+}
+
+// What all have done, in one line.
+void describe(const std::vector<Part>& parts) {
+  Part all;
+  std::uint64_t most_loads = 0;
+  for (const Part& part : parts) {
+    all.steps += part.steps;
+    all.steps_done += part.steps_done;
+    all.steps_resumed += part.steps_resumed;
+    all.loads += part.loads;
+    most_loads = std::max(most_loads, part.loads);
+    all.bytes_read += part.bytes_read;
+    all.buffer_bytes += part.buffer_bytes;
+    all.seconds = std::max(all.seconds, part.seconds);
+    all.waited_seconds = std::max(all.waited_seconds, part.waited_seconds);
   }
-  write_distances(job.path, n);
-  return job.check ? compare(job, n) : 0;
+  const std::string team =
+      parts.size() == 1
+          ? std::string()
+          : fmt::format("{} processes, {} loads at most for one: ", parts.size(), most_loads);
+  fmt::print(
+      "{}{} of {} steps, {} of them earlier; {} loads, {:.2f} GB read ({}), {:.0f} MB of "
+      "buffers; {:.1f} s, {:.1f} s of them waiting for loads\n",
+      team, all.steps_done, all.steps, all.steps_resumed, all.loads,
+      static_cast<double>(all.bytes_read) / 1e9, parts[0].access.data(),
+      static_cast<double>(all.buffer_bytes) / 1e6, all.seconds, all.waited_seconds);
 }
 
 int complain(int code, const std::string& message) {
   fmt::print(stderr, "all_pairs: {}\n", message);
   return code;
+}
+
+// What `act` returns, or the code and the line of its fault.
+template <typename Act>
+Part attempt(const Act& act) {
+  const auto failed = [](int code, std::string_view message) {
+    Part part;
+    part.code = code;
+    put(part.message, message);
+    return part;
+  };
+  try {
+    return act();
+  } catch (const Usage& fault) {
+    return failed(2, fault.message);
+  } catch (const ImpossibleParameters& fault) {
+    return failed(2, fault.what());
+  } catch (const BadInput& fault) {
+    return failed(3, fault.what());
+  } catch (const MissingResource& fault) {
+    return failed(4, fault.what());
+  } catch (const std::bad_alloc&) {
+    return failed(4, "not enough memory");
+  } catch (const std::exception& fault) {
+    return failed(5, fault.what());
+  }
+}
+
+// The code of all processes, and one line that says what went wrong, from the first of them.
+int verdict_of(std::vector<Part> parts, const Processes& processes) {
+  // What stopped the others comes before what was stopped.
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    const auto order = [](const Part& part) {
+      return part.code == 0 ? 2 : part.code == limit_reached ? 1 : 0;
+    };
+    return order(a) < order(b);
+  });
+  const Part& worst = parts[0];
+  if (worst.code != 0 && worst.message[0] != '\0' && processes.index() == 0) {
+    complain(worst.code, (processes.size() == 1
+                              ? std::string()
+                              : fmt::format("process {} of {}: ", worst.index, processes.size())) +
+                             worst.message.data());
+  }
+  return worst.code;
+}
+
+int run(const Job& job, Processes& processes) {
+  const auto together = [&](Part part) {
+    part.index = processes.index();
+    if (part.code != 0 && !processes.told_to_stop()) {
+      processes.give_up();
+    }
+    return processes.gather(part);
+  };
+  std::vector<Part> parts = together(attempt([&] { return compute_share(job, processes); }));
+  for (Part& part : parts) {
+    if (part.code == 0 && part.job != parts[0].job && parts[0].code == 0) {
+      part.code = 3;
+      put(part.message, fmt::format("sees another job: {}", part.job.data()));
+    }
+  }
+  const bool first = processes.index() == 0;
+  const int code = verdict_of(parts, processes);
+  if (first && (code == 0 || code == limit_reached)) {
+    describe(parts);
+  }
+  if (code != 0 || job.options.share.of > 1) {
+    return code;
+  }
+  // Only now all entries are there.
+  const Part end = attempt([&] {
+    Part part;
+    if (first) {
+      const std::uint64_t n = vectors_in(job);
+      write_distances(job.path, n);
+      part.code = job.check ? compare(job, n) : 0;
+    }
+    return part;
+  });
+  return verdict_of(together(end), processes);
 }
 
 }  // namespace
@@ -345,28 +408,30 @@ int main(int argc, char** argv) {
   action.sa_handler = [](int) { interrupted = true; };
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   ::sigaction(SIGINT, &action, nullptr);
-  try {
-    if (words.size() == 4 && words[0] == "make") {
-      return make(words[1], number(words[2], "VECTORS"), number(words[3], "DIMENSION"));
+  ::sigaction(SIGTERM, &action, nullptr);  // of mpirun and of batch systems
+  std::unique_ptr<Processes> processes;
+  int code = 0;
+  const Part part = attempt([&] {
+    processes = Processes::of_launcher();
+    if (words.size() == 4 && words[0] == "make" && processes->size() == 1) {
+      code = make(words[1], number(words[2], "VECTORS"), number(words[3], "DIMENSION"));
+    } else if (words.size() >= 3 && words[0] == "run") {
+      const Job job = read_job({words.begin() + 1, words.end()});
+      if (job.options.share.of > 1 && processes->size() > 1) {
+        throw Usage{"--share is for processes without MPI; mpirun shares by itself"};
+      }
+      code = run(job, *processes);
+    } else {
+      throw Usage{
+          "usage: all_pairs make FILE VECTORS DIMENSION | [mpirun -n N] all_pairs run FILE "
+          "DIMENSION [--chunk N] [--memory BYTES] [--threads N] [--readers N] [--journal FILE] "
+          "[--share I/N] [--order NAME] [--cache] [--check]"};
     }
-    if (words.size() >= 3 && words[0] == "run") {
-      return run(read_job({words.begin() + 1, words.end()}));
-    }
-    throw Usage{
-        "usage: all_pairs make FILE VECTORS DIMENSION | all_pairs run FILE DIMENSION "
-        "[--chunk N] [--memory BYTES] [--threads N] [--readers N] [--journal FILE] "
-        "[--share I/N] [--order NAME] [--cache] [--check]"};
-  } catch (const Usage& fault) {
-    return complain(2, fault.message);
-  } catch (const ImpossibleParameters& fault) {
-    return complain(2, fault.what());
-  } catch (const BadInput& fault) {
-    return complain(3, fault.what());
-  } catch (const MissingResource& fault) {
-    return complain(4, fault.what());
-  } catch (const std::bad_alloc&) {
-    return complain(4, "not enough memory");
-  } catch (const std::exception& fault) {
-    return complain(5, fault.what());
+    return Part();
+  });
+  if (part.code == 0) {
+    return code;
   }
+  // All processes see the same words: one says what is wrong with them.
+  return processes && processes->index() > 0 ? part.code : complain(part.code, part.message.data());
 }

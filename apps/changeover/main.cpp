@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   add_classify(program);
   add_same(program);
   add_table(program);
+  add_minima(program);
   add_plan(program);
   add_expand(program);
   add_factorize(program);

@@ -56,31 +56,9 @@ void deliver(const std::string& text, const std::string& path) {
   out.commit();
 }
 
-// For few elements the closure rules are applied as well, over the parameters around.
-static std::optional<Offer> planned(const Parameters& p) {
-  constexpr std::uint64_t most_planned = 120;
-  constexpr std::uint64_t margin = 6;
-  if (p.v > most_planned || p.k < 2 || impossibility(p)) {
-    return std::nullopt;
-  }
-  const Plan plan = plan_range(Registry::standard(),
-                               {.v_from = std::max<std::uint64_t>(2, p.v - 1),
-                                .v_to = p.v + margin,
-                                .k_from = std::max<std::uint64_t>(2, p.k - 1),
-                                .k_to = p.k,
-                                .change = p.change},
-                               [](const Design& design) { return verify(design).valid(); });
-  return plan.at(p).best;
-}
-
 std::optional<Offer> best_known(const Parameters& p) {
-  std::optional<Offer> best = Registry::standard().best(p);
-  if (!best || best->b > lower_bound(p).blocks) {
-    if (auto better = planned(p); better && (!best || better->b < best->b)) {
-      best = std::move(better);
-    }
-  }
-  return best;
+  return changeover::best_known(Registry::standard(), p,
+                                [](const Design& design) { return verify(design).valid(); });
 }
 
 std::optional<Offer> best_offer(const std::vector<Parameters>& asked,

@@ -69,15 +69,6 @@ void show_find(const SearchFind& find, const SearchRequest& request) {
   show_design(source, exhibit, request.output);
 }
 
-Recipe literal_recipe(const Design& design, const std::string& provenance) {
-  Recipe recipe{"literal", design.parameters(), {}, {}, {}, provenance};
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    const auto block = design.block(i);
-    recipe.blocks.emplace_back(block.begin(), block.end());
-  }
-  return recipe;
-}
-
 std::string pack(const Design& design) {
   return fmt::format("{}", fmt::join(design.elements(), " "));
 }
@@ -151,8 +142,7 @@ void add_search(Program& program) {
               "keep formulas and proofs of --exact in DIR");
   verb.flag("--base-blocks", request->base_blocks,
             "circular designs with an automorphism, from base blocks");
-  verb.option("--cycle", request->cycle_length, "N",
-              "of the automorphism (default: all that fit)");
+  verb.option("--cycle", request->cycle_length, "N", "of the automorphism (default: all that fit)");
   verb.option("--fixed-points", request->fixed_points, "F",
               "of the automorphism (default: 0, 1 and 2)");
   verb.flag("--tight", request->tight, "with --base-blocks: tight designs only");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "changeover/construct/closure.hpp"
 #include "changeover/core/design.hpp"
 #include "request.hpp"
 #include "run_request.hpp"
@@ -51,9 +52,6 @@ struct SearchFind {
 /// Shows a find in the format that was asked for, after verifying it again, block by block.
 /// @throws InternalError if it is not valid.
 void show_find(const SearchFind& find, const SearchRequest& request);
-
-/// The blocks of a design as a recipe of their own, with where they come from.
-[[nodiscard]] Recipe literal_recipe(const Design& design, const std::string& provenance);
 
 /// A design as a message to another member of the team: all its elements, in order.
 [[nodiscard]] std::string pack(const Design& design);

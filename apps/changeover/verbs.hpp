@@ -12,6 +12,7 @@ void add_explain(Program& program);
 void add_search(Program& program);
 void add_classify(Program& program);
 void add_same(Program& program);
+void add_minima(Program& program);
 void add_table(Program& program);
 void add_plan(Program& program);
 void add_expand(Program& program);

@@ -241,4 +241,24 @@ Plan plan_range(const Registry& registry, const PlanRange& range,
   return plan;
 }
 
+std::optional<Offer> best_known(const Registry& registry, const Parameters& p,
+                                const std::function<bool(const Design&)>& accept) {
+  std::optional<Offer> best = registry.best(p);
+  if (p.strength != 2 || p.k < 2 || p.v > largest_planned_v || impossibility(p) ||
+      (best && best->b == lower_bound(p).blocks)) {
+    return best;
+  }
+  // Rules come from nearby: fix from (v−1, k−1), truncate from more elements, unfix from (v+1, k+1).
+  constexpr std::uint64_t above = 8;
+  const Plan plan = plan_range(registry,
+                               {.v_from = p.v - std::min<std::uint64_t>(p.v - p.k, 2),
+                                .v_to = p.v + above,
+                                .k_from = std::max<std::uint64_t>(2, p.k - 1),
+                                .k_to = p.k + 1,
+                                .change = p.change},
+                               accept);
+  const std::optional<Offer>& planned = plan.at(p).best;
+  return planned && (!best || planned->b < best->b) ? planned : best;
+}
+
 }  // namespace changeover

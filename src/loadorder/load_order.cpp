@@ -22,7 +22,6 @@ constexpr std::uint64_t most_items = 10'000'000;
 // Beyond both, streamed orders are within a few in 10⁴ of the bound and offers would cost seconds.
 constexpr std::uint64_t most_for_registry = 2'000;
 constexpr std::uint64_t most_for_registry_by_room = 16;
-constexpr std::uint64_t most_planned = 120;
 constexpr std::uint64_t largest_change = 3;
 
 void check(std::uint64_t items, std::uint64_t room) {
@@ -43,18 +42,6 @@ void check(std::uint64_t items, std::uint64_t room) {
 std::uint64_t loads_of(const Offer& offer) {
   const Parameters& p = offer.recipe.parameters;
   return checked_add(p.k, checked_multiply(p.change, offer.b - 1));
-}
-
-std::optional<Offer> planned(const Parameters& p) {
-  constexpr std::uint64_t margin = 6;
-  const Plan plan = plan_range(Registry::standard(),
-                               {.v_from = std::max<std::uint64_t>(2, p.v - 1),
-                                .v_to = p.v + margin,
-                                .k_from = std::max<std::uint64_t>(2, p.k - 1),
-                                .k_to = p.k,
-                                .change = p.change},
-                               [](const Design& design) { return verify(design).valid(); });
-  return plan.at(p).best;
 }
 
 struct Candidate {
@@ -79,7 +66,7 @@ void consider(Candidate& best, std::optional<Offer> offer) {
 // What the constructions give for any small change number and both kinds.
 void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t room,
                             bool planner) {
-  const bool plans = items <= most_planned && planner;
+  const bool plans = items <= largest_planned_v && planner;
   for (std::uint64_t m = 1; m <= std::min(largest_change, room - 1); ++m) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       const Parameters p{.v = items, .k = room, .change = m, .kind = kind};
@@ -89,7 +76,8 @@ void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t 
       consider(best, Registry::standard().best(p));
       // No more than the fewest loads that blocks of this m could do with.
       if (plans && kind == Kind::linear && room + m * (lower_bound(p).blocks - 1) <= best.loads) {
-        consider(best, planned(p));
+        consider(best, best_known(Registry::standard(), p,
+                                  [](const Design& design) { return verify(design).valid(); }));
       }
     }
   }

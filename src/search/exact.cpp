@@ -1,6 +1,7 @@
 #include "changeover/search/exact.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -12,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/output_file.hpp"
 #include "changeover/proof/drat.hpp"
@@ -152,7 +154,10 @@ class Question {
   [[nodiscard]] std::string path_of(std::uint64_t index, const char* ending) const {
     const std::string part =
         cubes_.size() == 1 ? "" : fmt::format("-part{}of{}", index + 1, cubes_.size());
-    return (fs::path(folder_) / (stem_ + part + ending)).string();
+    // Temporary files are of this process alone.
+    const std::string front =
+        options_.proof_directory.empty() ? fmt::format("changeover-{}-", ::getpid()) : "";
+    return (fs::path(folder_) / (front + stem_ + part + ending)).string();
   }
 
   [[nodiscard]] SearchProgress progress(const char* doing) const {
@@ -249,12 +254,7 @@ class Question {
     if (!verify(design).valid()) {
       throw InternalError(fmt::format("a solution of {} is no design", stem_));
     }
-    Recipe recipe{"literal", design.parameters(), {}, {}, {}, "search by SAT"};
-    for (std::size_t i = 0; i < design.block_count(); ++i) {
-      const auto block = design.block(i);
-      recipe.blocks.emplace_back(block.begin(), block.end());
-    }
-    design.recipe = std::move(recipe);
+    design.recipe = literal_recipe(design, "search by SAT");
     const std::scoped_lock lock(mutex_);
     if (!decision_.design) {
       decision_.design = std::move(design);

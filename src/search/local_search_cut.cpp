@@ -12,8 +12,6 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t largest_planned_v = 120;
-
 // How often each pair is in the consecutive blocks from `begin` on; blocks come and go at the ends.
 class Window {
  public:
@@ -63,15 +61,6 @@ std::size_t last_block_of_windows(const Design& design) {
 }
 
 }  // namespace
-
-Recipe literal_recipe(const Design& design) {
-  Recipe recipe{"literal", design.parameters(), {}, {}, {}};
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    const auto block = design.block(i);
-    recipe.blocks.emplace_back(block.begin(), block.end());
-  }
-  return recipe;
-}
 
 Design without_needless_blocks(const Design& design) {
   if (design.parameters().strength != 2 || needed_block_count(design) == design.block_count()) {
@@ -148,22 +137,8 @@ Design best_part(const Design& design, std::size_t blocks) {
 
 std::optional<Design> best_known_design(const Parameters& p) {
   const Registry& registry = Registry::standard();
-  std::optional<Offer> best = registry.best(p);
-  if (p.strength == 2 && p.k >= 2 && p.v <= largest_planned_v) {
-    // Rules of the planner come from nearby: fix from (v−1, k−1), truncate from above, unfix from
-    // (v+1, k+1).
-    const PlanRange range{.v_from = p.v - std::min<std::uint64_t>(p.v - p.k, 2),
-                          .v_to = p.v + 8,
-                          .k_from = std::max<std::uint64_t>(2, p.k - 1),
-                          .k_to = p.k + 1,
-                          .change = p.change};
-    const Plan plan =
-        plan_range(registry, range, [](const Design& design) { return verify(design).valid(); });
-    const PlannedCell& cell = plan.at(p);
-    if (cell.best && (!best || cell.best->b < best->b)) {
-      best = cell.best;
-    }
-  }
+  const auto best =
+      best_known(registry, p, [](const Design& design) { return verify(design).valid(); });
   if (!best) {
     return std::nullopt;
   }

@@ -9,8 +9,6 @@
 
 namespace changeover {
 
-[[nodiscard]] Recipe literal_recipe(const Design& design);
-
 /// The closure rule drop, for strength 2; the design itself for others.
 [[nodiscard]] Design without_needless_blocks(const Design& design);
 

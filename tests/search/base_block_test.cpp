@@ -337,6 +337,7 @@ TEST(SearchBaseBlocks, IsDeterministic) {
     BaseBlockOptions options;
     options.method = method;
     options.shapes.n = 13;
+    options.shapes.most_blocks = 13;
     const BaseBlockResult once = search(circular(13, 5), options);
     const BaseBlockResult again = search(circular(13, 5), options);
     ASSERT_TRUE(once.found());

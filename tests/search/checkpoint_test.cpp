@@ -139,7 +139,7 @@ TEST_F(CheckpointFile, IsRefusedWhenAnyByteIsDamaged) {
 }
 
 TEST_F(CheckpointFile, GoesOnWhereTheSearchWas) {
-  const Parameters p{.v = 24, .k = 5, .change = 1};
+  const Parameters p{.v = 47, .k = 9, .change = 1};
   SearchControl first({.seed = 6});
   const ImproveResult before = improve(p, {.moves = 600'000, .checkpoint = path()}, first);
   SearchControl second({.seed = 99});

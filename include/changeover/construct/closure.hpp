@@ -14,11 +14,16 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/recipe.hpp"
 
 namespace changeover {
+
+/// The blocks of a design as a recipe of their own, "literal", and where they come from: the leaf that
+/// rules work on if a design has no better one.
+[[nodiscard]] Recipe literal_recipe(const Design& design, std::string provenance = {});
 
 /// *Fix*: f new elements v, …, v+f−1 in every block. An m-change covering design on (v,k) becomes
 /// one on (v+f, k+f), of the same kind and with as many blocks: steps change what they changed, and

@@ -75,4 +75,13 @@ class Plan {
 [[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range,
                               const std::function<bool(const Design&)>& accept);
 
+/// The largest v for which best_known() applies the closure rules.
+inline constexpr std::uint64_t largest_planned_v = 120;
+
+/// The best recipe that is known for p: the registry's best offer; if that is not the lower bound, k ≥ 2, v ≤
+/// largest_planned_v and the strength is 2, also what the closure rules make of the parameters around.
+/// nullopt if nothing serves p. @throws as plan_range() and check().
+[[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p,
+                                              const std::function<bool(const Design&)>& accept);
+
 }  // namespace changeover

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "changeover/construct/closure.hpp"
 #include "changeover/construct/entry.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
@@ -60,6 +61,16 @@ class Literal final : public Construction {
 };
 
 }  // namespace
+
+Recipe literal_recipe(const Design& design, std::string provenance) {
+  Recipe recipe{"literal", design.parameters(), {}, {}, {}, std::move(provenance)};
+  recipe.blocks.reserve(design.block_count());
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    const auto block = design.block(i);
+    recipe.blocks.emplace_back(block.begin(), block.end());
+  }
+  return recipe;
+}
 
 const Construction& literal_construction() {
   static const Literal construction;
