@@ -1,5 +1,5 @@
-// Load orders against BETA, hold-and-stream, square tiles and exhaustive matching: loads, and the executor on
-// a file whose pages are kept out of the cache.
+// Load orders against BETA, hold-and-stream, square tiles and exhaustive matching: loads, the executor on
+// a file whose pages are kept out of the cache, and reading alone: what the sequence of the items is worth.
 //
 // CHANGEOVER_BENCH_SEARCH=20 gives local search so many seconds for each order that is not minimum.
 #include <benchmark/benchmark.h>
@@ -9,11 +9,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -81,7 +83,8 @@ class DataFile {
  private:
   DataFile(std::uint64_t items, std::uint64_t bytes)
       : path_((std::filesystem::temp_directory_path() /
-               ("changeover-bench-" + std::to_string(::getpid()) + "-" + std::to_string(items)))
+               ("changeover-bench-" + std::to_string(::getpid()) + "-" + std::to_string(items) +
+                "-" + std::to_string(bytes)))
                   .string()) {
     const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     std::vector<std::uint64_t> item(static_cast<std::size_t>(bytes / sizeof(std::uint64_t)));
@@ -131,6 +134,66 @@ void executor(benchmark::State& state) {
   state.SetLabel(file.access());
 }
 
+/// The items of an order as they are loaded.
+std::vector<Element> sequence_of(const LoadOrder& order) {
+  std::vector<Element> items;
+  const auto steps = order.stream();
+  for (LoadStep step; steps->next(step);) {
+    items.insert(items.end(), step.load.begin(), step.load.end());
+  }
+  return items;
+}
+
+/// As many items of the same size as our order loads, read one by one without anything else, in different
+/// sequences: front to back again and again, as BETA begins, as ours, ours with the items renamed at random, and
+/// at random. All in turn, medians, in MB/s.
+void reading(benchmark::State& state) {
+  const auto items = static_cast<std::uint64_t>(state.range(0));
+  const auto room = static_cast<std::uint64_t>(state.range(1));
+  const auto bytes = static_cast<std::uint64_t>(state.range(2)) << 10;
+  FileItems file(DataFile::of(items, bytes).path(), bytes, {.bypass_cache = true});
+  LoadOrderOptions options;
+  options.constructions = options.planner = state.range(3) == 0;
+  const LoadOrder order = plan_load_order(items, room, options);
+  const std::vector<Element> ours = sequence_of(order);
+  Random random(items);
+  std::vector<Element> names(static_cast<std::size_t>(items));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    names[i] = static_cast<Element>(i);
+    std::swap(names[i], names[random.below(static_cast<std::uint32_t>(i + 1))]);
+  }
+  std::map<std::string, std::vector<Element>> sequences{{"ours", ours}};
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    sequences["front_to_back"].push_back(static_cast<Element>(i % items));
+    sequences["renamed"].push_back(names[ours[i]]);
+    sequences["random"].push_back(random.below(static_cast<std::uint32_t>(items)));
+  }
+  std::vector<Element>& beta = sequences["beta"] = sequence_of(beta_order(items, room));
+  beta.resize(std::min(beta.size(), ours.size()));
+  // One buffer of the alignment that direct reads need.
+  std::vector<std::byte> memory(file.buffer_bytes() + buffer_alignment);
+  const auto address = reinterpret_cast<std::uintptr_t>(memory.data());
+  const std::size_t skip = (buffer_alignment - address % buffer_alignment) % buffer_alignment;
+  const auto buffer = std::span(memory).subspan(skip, file.buffer_bytes());
+  std::map<std::string, std::vector<double>> rates;
+  for (auto _ : state) {
+    for (const auto& [name, sequence] : sequences) {
+      const auto begin = std::chrono::steady_clock::now();
+      for (const Element item : sequence) {
+        benchmark::DoNotOptimize(file.read(item, buffer).data());
+      }
+      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - begin;
+      rates[name].push_back(static_cast<double>(sequence.size() * bytes) / 1e6 / elapsed.count());
+    }
+  }
+  for (auto& [name, rate] : rates) {
+    const auto middle = rate.begin() + static_cast<std::ptrdiff_t>(rate.size() / 2);
+    std::nth_element(rate.begin(), middle, rate.end());
+    state.counters[name] = *middle;
+  }
+  state.SetLabel(order.facts().method + ", " + file.access());
+}
+
 void grid(benchmark::internal::Benchmark* bench) {
   bench->ArgNames({"items", "room"})->Iterations(1)->Unit(benchmark::kMillisecond);
   for (const auto& [items, room] :
@@ -158,8 +221,18 @@ void cells(benchmark::internal::Benchmark* bench) {
   bench->Args({32, 8})->Args({64, 8})->Args({64, 16});
 }
 
+// The last argument asks for the streamed order.
+void sizes(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"items", "room", "KiB", "streamed"})
+      ->Iterations(9)
+      ->Unit(benchmark::kMillisecond);
+  bench->Args({64, 8, 4096, 0})->Args({91, 10, 4096, 1})->Args({91, 10, 256, 1});
+  bench->Args({1000, 20, 64, 1});
+}
+
 BENCHMARK(loads)->Apply(grid);
 BENCHMARK(executor)->Apply(cells);
+BENCHMARK(reading)->Apply(sizes);
 
 }  // namespace
 }  // namespace changeover::bench

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "changeover/core/error.hpp"
+#include "changeover/io/json_writer.hpp"
 #include "changeover/search/local_search.hpp"
 #include "search_request.hpp"
 #include "team.hpp"
@@ -37,14 +38,26 @@ void share_best(ImproveResult& result, const Parameters& p) {
   result.moves = moves;
 }
 
-int decline(const SearchRequest& request, const Parameters& p, const std::string& reason) {
-  if (Team::world().first()) {
-    deliver(fmt::format("No {} {}: {}.\n", name(p),
-                        request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
-                                       : std::string("exists"),
-                        reason),
-            "-");
+// What is to be said if there is no design to show.
+void say_none(const SearchRequest& request, const std::string& explanation) {
+  if (!Team::world().first()) {
+    return;
   }
+  std::string text = explanation + "\n";
+  if (request.output.chosen() == "json") {
+    JsonWriter json;
+    json.begin_object().key("found").value(false).key("explanation").value(explanation);
+    text = json.end_object().take() + "\n";
+  }
+  deliver(text, "-");
+}
+
+int decline(const SearchRequest& request, const Parameters& p, const std::string& reason) {
+  say_none(request,
+           fmt::format("No {} {}: {}.", name(p),
+                       request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
+                                      : std::string("exists"),
+                       reason));
   return exit_code::proved_none;
 }
 
@@ -85,9 +98,8 @@ int search_locally(const SearchRequest& request) {
                   seconds > 0 ? static_cast<double>(result.moves) / seconds / 1e6 : 0.0,
                   count_of(result.attempts, "attempt"), to_string(result.why_stopped));
   if (!result.design) {
-    deliver(fmt::format("No {} found; at least {}: {}\n{}\n", name(p),
-                        count_of(bound.blocks, "block"), bound.reason, effort),
-            "-");
+    say_none(request, fmt::format("No {} found; at least {}: {}\n{}", name(p),
+                                  count_of(bound.blocks, "block"), bound.reason, effort));
     return code;
   }
   SearchFind find{*result.design, {}};

@@ -1,4 +1,4 @@
-// What exhaustive search excluded and no formula here does.
+// What checked proofs excluded and no formula here does.
 #pragma once
 
 #include <cstdint>

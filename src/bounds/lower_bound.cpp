@@ -179,7 +179,7 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
   }
   if (const auto searched = excluded_below(p)) {
     bounds.push_back(
-        {*searched, "exhaustive search",
+        {*searched, "checked proofs",
          fmt::format(
              "fewer than {} blocks are excluded by SAT with checked DRAT proofs, written anew "
              "by: changeover search {} {} --change {} --{} --exact --proof DIR",

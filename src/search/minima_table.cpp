@@ -81,6 +81,21 @@ MinimaRow settle(const Parameters& p, const Constructions& constructions,
   return row;
 }
 
+// Constructions may have become better since the row was made. Returns whether they have.
+bool lower_upper_end(MinimaRow& row, const Constructions& constructions) {
+  const auto recipe = constructions.best(row.parameters);
+  if (!recipe) {
+    return false;
+  }
+  const Design design = Registry::standard().build_design(*recipe);
+  if ((row.upper && *row.upper <= design.block_count()) || !verify(design).valid()) {
+    return false;
+  }
+  row.upper = design.block_count();
+  row.by = recipe->construction;
+  return true;
+}
+
 }  // namespace
 
 void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
@@ -96,7 +111,13 @@ void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
           const Parameters p{.v = v, .k = k, .change = m, .kind = kind, .strength = range.strength};
           auto at = std::lower_bound(rows.begin(), rows.end(), p, before);
           const bool there = at != rows.end() && at->parameters == p;
-          if (impossibility(p) || (there && (at->settled() || at->limit >= limit))) {
+          if (impossibility(p)) {
+            continue;
+          }
+          if (there && !at->settled() && lower_upper_end(*at, constructions)) {
+            on_row(*at);
+          }
+          if (there && (at->settled() || at->limit >= limit)) {
             continue;
           }
           MinimaRow row = settle(p, constructions, options, control);

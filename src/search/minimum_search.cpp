@@ -15,7 +15,7 @@ std::optional<std::uint64_t> MinimumResult::upper() const {
 
 Bound lower_bound_on_paper(const Parameters& p) {
   for (Bound& bound : lower_bounds(p)) {
-    if (bound.name != "exhaustive search") {
+    if (bound.name != "checked proofs") {
       return std::move(bound);
     }
   }

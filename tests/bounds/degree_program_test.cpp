@@ -62,7 +62,7 @@ TEST(DegreeProgram, IsTheBruteForceAnswerWhereverItRaisesTheBound) {
           std::uint64_t others = 0;
           std::uint64_t program = 0;
           for (const Bound& bound : lower_bounds(p)) {
-            if (bound.name == "exhaustive search") {
+            if (bound.name == "checked proofs") {
               continue;
             }
             (bound.name == "degree program" ? program : others) =

@@ -92,7 +92,7 @@ TEST(LowerBound, GivesEachBoundWithAReasonLargestFirst) {
 TEST(LowerBound, SaysHowWhatSearchExcludedCanBeCheckedAnew) {
   const Bound bound = lower_bound({.v = 9, .k = 4, .change = 1});
   EXPECT_EQ(bound.blocks, 12U);
-  EXPECT_EQ(bound.name, "exhaustive search");
+  EXPECT_EQ(bound.name, "checked proofs");
   EXPECT_NE(bound.reason.find("changeover search 9 4 --change 1 --linear --exact --proof DIR"),
             std::string::npos);
 }
@@ -107,8 +107,8 @@ TEST(LowerBound, NamesSearchOnlyWhereNothingElseReachesAsFar) {
           std::uint64_t searched = 0;
           std::uint64_t proved = 0;
           for (const Bound& b : lower_bounds({.v = v, .k = k, .change = m, .kind = kind})) {
-            (b.name == "exhaustive search" ? searched : proved) =
-                std::max(b.name == "exhaustive search" ? searched : proved, b.blocks);
+            (b.name == "checked proofs" ? searched : proved) =
+                std::max(b.name == "checked proofs" ? searched : proved, b.blocks);
           }
           rows += searched > 0 ? 1U : 0U;
           EXPECT_TRUE(searched == 0 || searched > proved) << v << ' ' << k << ' ' << m;

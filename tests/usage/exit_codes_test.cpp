@@ -24,6 +24,7 @@ void prepare(const TemporaryFolder& folder) {
        "# changeover design v=6 k=3 kind=circular\n0 1 2\n0 3 4\n3 1 5\n1 2 4\n");
   spit(folder.file("missing-pair.txt"),
        "# changeover design v=6 k=4 change=2 kind=linear\n0 1 2 3\n4 5 2 3\n");
+  spit(folder.file("fano.txt"), "0 1 3\n1 2 4\n2 3 5\n3 4 6\n4 5 0\n5 6 1\n6 0 2\n");
   spit(folder.file("empty.txt"), "");
   spit(folder.file("comments.txt"), "# nothing here\n\n");
   spit(folder.file("ragged.txt"), "0 1 2 3\n4 5 2\n");
@@ -129,6 +130,43 @@ const std::vector<Case>& cases() {
       {"$changeover --help >/dev/full", 4, "No space left"},
       {"$changeover design 20 3 --change 3 --json | $changeover expand -", 4,
        "no new elements can"},
+      // the verbs that search
+      {"$changeover search --order fano.txt --quiet >&2", 10, "15 elements introduced"},
+      {"$changeover search 9 4 -m 1 --exact --quiet >&2", 10, "The minimum is 12 blocks"},
+      {"$changeover search 8 4 -m 1 --quiet >&2", 10, "minimum"},
+      {"$changeover search 16 4 --base-blocks --tight --quiet >&2", 10, "tight"},
+      {"$changeover search --order fano.txt -m 2 --circular --quiet >&2", 10, "tight"},
+      {"$changeover search 4 2 --quiet >&2", 20, "No linear DCCD(4,2) exists"},
+      {"$changeover search 4 2 --json --quiet >&2", 20, "\"found\":false"},
+      {"$changeover search 8 5 --blocks 3 --quiet >&2", 20, "with 3 blocks"},
+      {"$changeover search 9 4 -m 1 --exact --blocks 11 --quiet >&2", 20, "none; "},
+      {"$changeover search --order fano.txt -m 1 >&2", 20, "No linear order"},
+      {"$changeover search 30 5 --exact --time 1s --quiet >&2", 30, "at least 64"},
+      {"$changeover search 15 5 -m 1 --blocks 25 --time 100ms --quiet >&2", 30, "time limit"},
+      {"$changeover classify 12 5 19 -m 1 --time 100ms --quiet >&2", 30, ""},
+      {"$changeover classify 9 4 -m 1 --circular --quiet", 0, "2"},
+      {"$changeover same good.txt good.txt", 0, ""},
+      {"$changeover same good.txt missing-pair.txt", 1, ""},
+      {"$changeover minima", 0, "Minima"},
+      {"$changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5 --quiet", 0,
+       "cost 117"},
+      {"$changeover loadorder --items 8 --room 4 --quiet", 0, "loads"},
+      {"$changeover search", 2, "give V and K"},
+      {"$changeover search 9 4 --exact --order good.txt", 2, "exclude each other"},
+      {"$changeover search 9 4 --proof d", 2, "give both"},
+      {"$changeover search 9 4 --time soon", 2, "not a duration"},
+      {"$changeover search 9 4 --threads 0", 2, "--threads 0"},
+      {"$changeover search 20 5 --strength 9", 2, "--strength 9"},
+      {"$changeover search 4 9", 2, "k = 9 exceeds v = 4"},
+      {"$changeover classify 70 4", 2, "at most 64"},
+      {"$changeover plan --items 9 --at-once 3 --test-cost -1 --change-cost 1", 2, "negative"},
+      {"$changeover loadorder --items 10 --room 1", 2, "--room 1"},
+      {"$changeover search --order ragged.txt", 3, "ragged.txt"},
+      {"$changeover search --extend broken-link.txt --linear -m 1", 3, "step"},
+      {"$changeover search 30 6 --checkpoint empty.txt --time 1s", 3, "empty.txt"},
+      {"$changeover plan ragged.json --at-once 3 --test-cost 1 --change-cost 1", 4, "ragged.json"},
+      {"$changeover search 9 4 --checkpoint nowhere/x --time 1s --quiet", 4, "nowhere"},
+      {"$changeover search 9 4 -m 1 --exact --proof /dev/null/x --quiet", 4, "/dev/null"},
   };
   return all;
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -156,6 +157,22 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
   EXPECT_EQ(slurp(folder.file("old")).rfind("64 items, room for 16", 0), 0U);
 }
 
+// Open MPI refuses to run as root, or with more processes than cores, unless told otherwise.
+const std::string mpirun =
+    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+    "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun ";
+
+bool have_mpirun(const TemporaryFolder& folder) {
+  return run("command -v mpirun", folder.path()).code == 0;
+}
+
+// The lines that are not mpirun's.
+std::vector<std::string> own_lines(const std::string& text) {
+  std::vector<std::string> lines = lines_of(text);
+  std::erase_if(lines, [](const std::string& line) { return line.rfind("all_pairs: ", 0) != 0; });
+  return lines;
+}
+
 // The example that is built beside the program.
 Outcome run_example(const std::string& command, const TemporaryFolder& folder) {
   return run("all_pairs=\"$(dirname \"$changeover\")/examples/all_pairs\"; " + command,
@@ -201,6 +218,62 @@ TEST(AllPairsExample, SaysInOneLineWhatIsWrong) {
     EXPECT_EQ(outcome.code, code) << command << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
   }
+}
+
+TEST(AllPairsExample, FourProcessesHaveTheBytesOfOne) {
+  const TemporaryFolder folder;
+  if (!have_mpirun(folder)) {
+    GTEST_SKIP() << "mpirun is not installed";
+  }
+  const std::string job = "$all_pairs run v 300 --chunk 3 --memory 48K ";
+  ASSERT_EQ(run_example("$all_pairs make v 60 300; " + job, folder).code, 0);
+  const std::string gram = slurp(folder.file("v.gram"));
+  const std::string distances = slurp(folder.file("v.dist"));
+  ASSERT_EQ(gram.size(), 60U * 60U * 8U);
+  spit(folder.file("v.gram"), std::string(gram.size() + 100, 'x'));  // nothing of it may stay
+  std::filesystem::remove(folder.file("v.dist"));
+
+  const Outcome four = run_example(mpirun + "-n 4 " + job + "--journal job --check", folder);
+  EXPECT_EQ(four.code, 0) << four.err;
+  EXPECT_EQ(lines_of(four.out).size(), 4U) << four.out;  // one process speaks
+  EXPECT_NE(four.out.find("4 processes"), std::string::npos) << four.out;
+  EXPECT_EQ(slurp(folder.file("v.gram")), gram);
+  EXPECT_EQ(slurp(folder.file("v.dist")), distances);
+  // Each has a journal with work in it, and none is left to do.
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_NE(slurp(folder.file("job." + std::to_string(i))).find("step 2\n"), std::string::npos);
+  }
+  // A run that lost the end of a journal goes on there, and does not touch the rest.
+  EXPECT_EQ(run("sed -i '$d' job.2", folder.path()).code, 0);
+  const Outcome again = run_example(mpirun + "-n 4 " + job + "--journal job", folder);
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(slurp(folder.file("v.gram")), gram);
+  const std::size_t steps = again.out.find(" steps, ");
+  const std::size_t of = again.out.find(" of ", again.out.find("one: "));
+  ASSERT_NE(steps, std::string::npos) << again.out;
+  const std::uint64_t all = std::stoull(again.out.substr(of + 4));
+  EXPECT_EQ(std::stoull(again.out.substr(steps + 8)), all - 1) << again.out;
+}
+
+TEST(AllPairsExample, OneProcessThatFailsEndsAllWithOneLine) {
+  const TemporaryFolder folder;
+  if (!have_mpirun(folder)) {
+    GTEST_SKIP() << "mpirun is not installed";
+  }
+  ASSERT_EQ(run_example("$all_pairs make v 60 300; mkdir job.2", folder).code, 0);
+  for (const auto& [command, code, says] : std::vector<std::tuple<std::string, int, std::string>>{
+           {"run v 300 --memory 48K --journal job", 4, "process 2 of 4: job.2: "},
+           {"run absent 300 --memory 48K", 4, "absent"},
+           {"run v 300 --memory 48K --share 0/2", 2, "mpirun shares by itself"},
+           {"run v", 2, "usage"},
+           {"make w 6 300", 2, "usage"}}) {
+    const Outcome outcome = run_example(mpirun + "-n 4 $all_pairs " + command, folder);
+    EXPECT_EQ(outcome.code, code) << command << outcome.err;
+    const std::vector<std::string> lines = own_lines(outcome.err);
+    ASSERT_EQ(lines.size(), 1U) << command << outcome.err;
+    EXPECT_NE(lines[0].find(says), std::string::npos) << lines[0];
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.file("v.dist")));
 }
 
 }  // namespace

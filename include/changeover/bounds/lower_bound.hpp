@@ -16,7 +16,7 @@
 //   degree program  the least b for which whole numbers i_x, r_x with the right sums satisfy
 //             i_x(k−1) + m(r_x − i_x) ≥ v − 1 at every x (m ≤ 3, v ≤ 2000); for k = 3, m = 2 this is
 //             ⌈v/3·⌈(v−1)/2⌉⌉, the covering bound of Fort and Hedlund.
-//   exhaustive search  for some small parameters fewer blocks were excluded by SAT, each number of blocks
+//   checked proofs  for some small parameters fewer blocks were excluded by SAT, each number of blocks
 //             with a DRAT proof that was checked; the reason names the command that writes the proofs
 //             anew. This is the one bound here that is not a proof on paper.
 //   end to end  b ≥ 2⌈(v−k)/m⌉ + 1: with p = ⌈(v−k)/m⌉, some x is in none of the first p blocks and some
@@ -37,7 +37,7 @@ namespace changeover {
 struct Bound {
   std::uint64_t blocks = 0;
   std::string name;    ///< "counting", "degree", "degree program", "end to end",
-                       ///< "exhaustive search", "trivial"
+                       ///< "checked proofs", "trivial"
   std::string reason;  ///< one line of plain mathematics with the numbers filled in
 
   bool operator==(const Bound&) const = default;
