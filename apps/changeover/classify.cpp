@@ -208,7 +208,7 @@ int run(const ClassifyRequest& request) {
   if (answer.impossible) {
     answer.found.why = WhyStopped::exhausted;
   } else {
-    Running running(request.run);
+    Running running(request.run, request.output);
     const std::uint64_t keep =
         request.designs ? std::numeric_limits<std::uint64_t>::max() : shown_by_default;
     const Classification mine = classify_designs(

@@ -250,6 +250,14 @@ std::string sentence(std::uint64_t items, std::uint64_t room) {
   return fmt::format("{}, room for {}: ", count_of(items, "item"), room);
 }
 
+// How to get fewer loads, where that may help.
+std::string hint(const LoadOrderRequest& request, const LoadOrderFacts& facts) {
+  const bool searched = !request.run.time.empty();
+  return facts.gap() == 0 || searched || facts.items > LoadOrderOptions().improve_up_to
+             ? std::string()
+             : "--time 30s may find an order with fewer\n";
+}
+
 void write_one(const LoadOrderRequest& request, LoadOrder& order, OutputFile& out) {
   const LoadOrderFacts& facts = order.facts();
   const std::string format = request.format();
@@ -262,10 +270,11 @@ void write_one(const LoadOrderRequest& request, LoadOrder& order, OutputFile& ou
   } else if (format == "csv") {
     writer.begin("");
   } else {
-    writer.begin(fmt::format("{}{} in {}, {}\n{}: {}\nbound: {}\nverified: {}\n\n",
+    writer.begin(fmt::format("{}{} in {}, {}\n{}{}: {}\nbound: {}\nverified: {}\n\n",
                              sentence(facts.items, facts.room), count_of(facts.loads, "load"),
                              count_of(facts.steps, "step"), over(facts.gap(), facts.bound.loads),
-                             facts.method, facts.explanation, facts.bound.reason, audit.text()));
+                             hint(request, facts), facts.method, facts.explanation,
+                             facts.bound.reason, audit.text()));
   }
   LoadStep step;
   while (order.next(step)) {
@@ -359,7 +368,9 @@ void write_prefetch(const LoadOrderRequest& request, const PrefetchPlan& plan, s
   } else {
     writer.begin(fmt::format(
         "{}{} in {}, lower bound {}\n{} is kept for what is loading\n{}: {}\n"
-        "verified: {}\n\n",
+        "verified: {}\n"
+        "each step: wait for load, compute before; evict first of the next step, start its loads; "
+        "compute the others; evict late\n\n",
         sentence(facts.items, room), count_of(facts.loads, "load"), count_of(facts.steps, "step"),
         bound.loads, spare, facts.method, facts.explanation, certificate));
   }
@@ -398,7 +409,7 @@ int run(const LoadOrderRequest& request) {
   LoadOrderOptions options;
   std::optional<Running> running;
   if (!request.run.time.empty() && parse_duration(request.run.time, "--time").count() > 0) {
-    running.emplace(request.run);
+    running.emplace(request.run, request.output);
     options.improve = improve_by_search(running->control());
   }
   const auto planned = [&] { running.reset(); };  // Ctrl-C ends the process again

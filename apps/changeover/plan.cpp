@@ -161,7 +161,7 @@ int run(const PlanRequest& request) {
   options.until_stopped = !request.run.time.empty() && !request.steps && !request.what_if;
   OutputFile out(
       request.output.path);  // before the search: nothing is lost if it cannot be written
-  Running running(request.run);
+  Running running(request.run, request.output);
   const RunPlan plan = make_run_plan(job, options, running.control());
   std::string text;
   if (request.what_if) {

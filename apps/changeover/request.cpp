@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
 #include "changeover/construct/planner.hpp"
@@ -49,6 +50,14 @@ void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) 
 }
 
 std::string OutputRequest::chosen() const { return json ? "json" : format; }
+
+void OutputRequest::check_writable() const {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!path.empty() && path != "-" && (!exists(status) || is_regular_file(status))) {
+    const OutputFile trial(path);  // Goes away without a trace.
+  }
+}
 
 void deliver(const std::string& text, const std::string& path) {
   OutputFile out(path);

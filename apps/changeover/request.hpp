@@ -44,6 +44,9 @@ struct OutputRequest {
 
   /// The chosen format; --json is --format json. @throws UsageError if they contradict each other.
   [[nodiscard]] std::string chosen() const;
+
+  /// Tries whether FILE can be written, so that long work is not done in vain. @throws MissingResource.
+  void check_writable() const;
 };
 
 /// Writes all of an answer to the output that was asked for; "" and "-" are standard output.

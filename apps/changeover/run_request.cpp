@@ -1,7 +1,6 @@
 #include "run_request.hpp"
 
 #include <fmt/format.h>
-#include <signal.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -9,6 +8,7 @@
 #include <atomic>
 #include <charconv>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <thread>
 
@@ -146,7 +146,9 @@ struct Running::State {
   }
 };
 
-Running::Running(const RunRequest& request) : state_(std::make_unique<State>()) {
+Running::Running(const RunRequest& request, const OutputRequest& output)
+    : state_(std::make_unique<State>()) {
+  output.check_writable();
   constexpr std::uint64_t most_threads = 1024;
   const Team& team = Team::world();
   SearchControl::Settings settings;

@@ -3,7 +3,7 @@
 //     RunRequest run;
 //     run.add_to(verb);
 //     …
-//     Running running(run);                       // from here on Ctrl-C asks the search to stop
+//     Running running(run, output);               // from here on Ctrl-C asks the search to stop
 //     auto result = improve(p, options, running.control());
 #pragma once
 
@@ -15,6 +15,7 @@
 
 #include "changeover/search/control.hpp"
 #include "cli.hpp"
+#include "request.hpp"
 
 namespace changeover::cli {
 
@@ -43,8 +44,8 @@ struct RunRequest {
 /// Ctrl-C ends the process. One at a time. Knows the team (team.hpp): only its first member shows progress.
 class Running {
  public:
-  /// @throws UsageError if an option is wrong.
-  explicit Running(const RunRequest& request);
+  /// @throws UsageError if an option is wrong; MissingResource if the output cannot be written.
+  Running(const RunRequest& request, const OutputRequest& output);
   ~Running();
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;

@@ -34,11 +34,12 @@ int search_base_blocks(const SearchRequest& request) {
   options.shapes.fixed = request.fixed_points;
   options.shapes.tight = request.tight;
   options.shapes.most_blocks = request.blocks;
-  Running running(request.run);
+  Running running(request.run, request.output);
   const BaseBlockResult result = search_base_blocks(p, options, running.control());
   running.finish_progress();
 
   std::vector<std::string> lines;
+  lines.reserve(result.attempts.size() + 2);
   for (const ShapeAttempt& attempt : result.attempts) {
     lines.push_back(line_of(attempt));
   }

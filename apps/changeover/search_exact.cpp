@@ -225,7 +225,7 @@ int search_exactly(const SearchRequest& request) {
   const Parameters p = request.parameters();
   ExactOptions options;
   options.proof_directory = request.proof_directory;
-  Running running(request.run);
+  Running running(request.run, request.output);
   const auto decider = [&](std::uint64_t b, const ExactOptions& exact) {
     Decision decision = decide_together(p, b, exact, running.control());
     if (decision.design) {

@@ -78,7 +78,7 @@ int search_locally(const SearchRequest& request) {
   if (!request.checkpoint.empty() && !Team::world().first()) {
     options.checkpoint += fmt::format(".{}", Team::world().index());
   }
-  Running running(request.run);
+  Running running(request.run, request.output);
   ImproveResult result = improve(p, options, running.control());
   share_best(result, p);
   running.finish_progress();

@@ -78,7 +78,7 @@ int search_order(const SearchRequest& request) {
   reading.change = request.change;
   const Design given = read_design(request.order_file, reading);
   const std::vector<Block> blocks = blocks_of(given);
-  Running running(request.run);
+  Running running(request.run, request.output);
 
   Ordered ordered;
   int code = exit_code::found;

@@ -28,7 +28,7 @@ Design given_list(const SearchRequest& request, const std::string& path) {
 
 int search_repair(const SearchRequest& request) {
   const Design list = given_list(request, request.repair_file);
-  Running running(request.run);
+  Running running(request.run, request.output);
   RepairResult result = repair(list, {}, running.control());
   running.finish_progress();
   SearchFind find{std::move(result.design), {}};
@@ -44,7 +44,7 @@ int search_repair(const SearchRequest& request) {
 
 int search_extend(const SearchRequest& request) {
   const Design beginning = given_list(request, request.extend_file);
-  Running running(request.run);
+  Running running(request.run, request.output);
   ExtendResult result =
       extend(beginning, {.blocks = request.blocks, .moves = {}}, running.control());
   running.finish_progress();

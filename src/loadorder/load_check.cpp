@@ -24,6 +24,7 @@ LoadCheck::LoadCheck(std::uint64_t items, std::uint64_t room, const LoadCheckOpt
           fmt::format("{} items have too many pairs to be followed one by one; {} is the most",
                       items, max_elements_in_memory));
     }
+    name_pairs(options.kept_as);
     pairs_ = std::make_unique<PairSet>(items);
     verdict_.watched_items = items;
     return;
@@ -47,6 +48,20 @@ LoadCheck::LoadCheck(std::uint64_t items, std::uint64_t room, const LoadCheckOpt
   verdict_.watched_items = watched_.size();
 }
 
+void LoadCheck::name_pairs(const std::vector<Element>& kept_as) {
+  if (kept_as.empty()) {
+    return;
+  }
+  std::vector<bool> seen(static_cast<std::size_t>(items_), false);
+  for (const Element name : kept_as) {
+    if (kept_as.size() != items_ || name >= items_ || seen[name]) {
+      throw BadInput("the other names of the items are not a permutation of them");
+    }
+    seen[name] = true;
+  }
+  kept_as_ = kept_as;
+}
+
 void LoadCheck::fail(std::string fault) {
   if (verdict_.fault.empty()) {
     verdict_.fault = std::move(fault);
@@ -59,6 +74,10 @@ void LoadCheck::evict(Element x) {
   memory_[place] = moved;
   place_[moved] = place + 1;
   memory_.pop_back();
+  if (pairs_) {
+    kept_[place] = kept_.back();
+    kept_.pop_back();
+  }
   place_[x] = 0;
   if (!row_.empty() && row_[x] != 0) {
     std::erase(watched_now_, x);
@@ -67,9 +86,11 @@ void LoadCheck::evict(Element x) {
 
 void LoadCheck::load(Element x) {
   if (pairs_) {
-    for (const Element y : memory_) {
-      pairs_->insert(x, y);
+    const Element name = kept_as_.empty() ? x : kept_as_[x];
+    for (const Element other : kept_) {
+      pairs_->insert(name, other);
     }
+    kept_.push_back(name);
   } else {
     for (const Element y : watched_now_) {
       met_[row_[y] - 1][x] = true;
@@ -121,6 +142,7 @@ void LoadCheck::start_over() {
     place_[x] = 0;
   }
   memory_.clear();
+  kept_.clear();
   watched_now_.clear();
   number_ = 0;
 }
@@ -134,7 +156,11 @@ LoadVerdict LoadCheck::finish() const {
   };
   if (pairs_) {
     verdict.uncovered = pairs_->missing();
-    pairs_->for_each_missing(1, say);
+    const auto item = [&](Element name) {
+      const auto found = std::find(kept_as_.begin(), kept_as_.end(), name);
+      return found == kept_as_.end() ? name : static_cast<Element>(found - kept_as_.begin());
+    };
+    pairs_->for_each_missing(1, [&](Element x, Element y) { say(item(x), item(y)); });
     return verdict;
   }
   for (std::size_t i = 0; i < watched_.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/planner.hpp"
@@ -112,13 +113,15 @@ Design start_of_search(const Candidate& best, const StreamedShape& shape) {
 }
 
 // Reads every step, or leaves the certificate to the structure.
-void certify_order(LoadOrder::Maker& maker, LoadOrderFacts& facts,
-                   const std::string& by_structure) {
+void certify_order(LoadOrder::Maker& maker, LoadOrderFacts& facts, const std::string& by_structure,
+                   std::vector<Element> kept_as) {
   facts.certificate = by_structure;
   if (!facts.every_step_read) {
     return;
   }
-  const LoadVerdict verdict = check_loads(*maker(), facts.items, facts.room);
+  LoadCheckOptions options;
+  options.kept_as = std::move(kept_as);
+  const LoadVerdict verdict = check_loads(*maker(), facts.items, facts.room, options);
   if (!verdict.valid() || verdict.loads != facts.loads || verdict.steps != facts.steps ||
       verdict.loads < facts.bound.loads) {
     throw InternalError(fmt::format("the load order '{}' of {} items with room for {} is wrong: {}",
@@ -184,6 +187,7 @@ LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
   facts.steps = best.steps;
   LoadOrder::Maker maker;
   std::string by_structure;
+  std::vector<Element> kept_as;
   if (improved) {
     facts.method = "improved";
     facts.explanation = "A linear single-change design that search made shorter.";
@@ -200,9 +204,11 @@ LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
     maker = [shape] { return streamed_steps(shape); };
     if (!facts.every_step_read) {
       by_structure = certify(shape);
+    } else {
+      kept_as = names_by_window(shape);
     }
   }
-  certify_order(maker, facts, by_structure);
+  certify_order(maker, facts, by_structure, std::move(kept_as));
   return {std::move(facts), std::move(maker)};
 }
 

@@ -283,6 +283,29 @@ std::unique_ptr<StepSource> streamed_steps(const StreamedShape& shape) {
   return std::make_unique<StreamedSteps>(shape);
 }
 
+std::vector<Element> names_by_window(const StreamedShape& shape) {
+  std::vector<Element> names;
+  constexpr std::uint64_t most_room = 32;
+  if (shape.items <= shape.room || shape.c == 0 || shape.room > most_room) {
+    return names;
+  }
+  // As StreamedSteps::numbered(), but for the item that is in memory before: it makes no difference in time.
+  const std::uint64_t v = 2 * shape.c * (shape.room - 1) + 1;
+  const std::uint64_t first = shape.rounds * (shape.room - 1);
+  names.resize(static_cast<std::size_t>(shape.items));
+  for (std::uint64_t number = 0; number < v; ++number) {
+    names[static_cast<std::size_t>(first + number * 2 * shape.c % v)] =
+        static_cast<Element>(number);
+  }
+  for (std::uint64_t i = first + v; i < shape.items; ++i) {
+    names[static_cast<std::size_t>(i)] = static_cast<Element>(i - first);
+  }
+  for (std::uint64_t i = 0; i < first; ++i) {
+    names[static_cast<std::size_t>(i)] = static_cast<Element>(shape.items - first + i);
+  }
+  return names;
+}
+
 std::string certify(const StreamedShape& shape) {
   if (shape.items <= shape.room) {
     return "structure: one step loads everything";

@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_check.hpp"
+#include "loadorder/streamed_order.hpp"
 
 namespace changeover {
 namespace {
@@ -109,7 +110,11 @@ Grouping cost(std::uint64_t groups, std::uint64_t room, std::uint64_t size, std:
 
 void verify_split(const WorkerSplit& split) {
   const SplitFacts& facts = split.facts();
-  LoadCheck check(facts.items, facts.room);
+  LoadCheckOptions options;
+  if (split.order().facts().method == "streamed" && facts.groups == facts.items) {
+    options.kept_as = names_by_window(best_streamed_shape(facts.items, facts.room));
+  }
+  LoadCheck check(facts.items, facts.room, options);
   LoadStep step;
   for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
     check.start_over();

@@ -141,6 +141,7 @@ std::vector<std::string> defects(const Job& job) {
   if (found.empty()) {
     find_impossible(job, found);
   }
+  found.resize(std::min(found.size(), most_defects));
   return found;
 }
 
@@ -162,7 +163,14 @@ void mark_done(Job& job, const std::vector<Block>& setups) {
                                  setup.size(), job.at_once));
     }
     for (std::size_t i = 0; i < setup.size(); ++i) {
+      if (setup[i] >= job.parts()) {
+        throw BadInput(fmt::format("a test that was done names part {} of {}",
+                                   std::uint64_t{setup[i]} + 1, job.parts()));
+      }
       for (std::size_t j = 0; j < i; ++j) {
+        if (setup[i] == setup[j]) {
+          throw BadInput(fmt::format("a test that was done has {} twice", job.names[setup[i]]));
+        }
         done.insert(setup[i], setup[j]);
       }
     }

@@ -24,14 +24,12 @@ void in_parallel(const SearchControl& control, unsigned count,
       }
     }
   };
-  std::vector<std::thread> threads;
+  std::vector<std::jthread> threads;
   for (unsigned i = 1; i < std::min(count, control.threads()); ++i) {
     threads.emplace_back(work);
   }
   work();
-  for (std::thread& thread : threads) {
-    thread.join();
-  }
+  threads.clear();
   if (fault) {
     std::rethrow_exception(fault);
   }

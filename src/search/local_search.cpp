@@ -298,12 +298,16 @@ class Improver {
     const std::size_t b = best.block_count();
     const std::size_t begin = random.below(static_cast<std::uint32_t>(b));
     const std::size_t steps = std::min(blocks_between_cuts, b - 1);
+    // Another thread may have made the best design shorter than the aim.
+    if (blocks > b || steps <= b - blocks) {
+      return random_list(parameters_, blocks, random);
+    }
     const auto block = [&](std::size_t i) {
       const auto elements = best.block((begin + i) % b);
       return Block(elements.begin(), elements.end());
     };
     const auto way = random_walk(block(0), block(steps), steps - (b - blocks), parameters_, random);
-    if (steps <= b - blocks || !way) {
+    if (!way) {
       return random_list(parameters_, blocks, random);
     }
     Design list(parameters_);

@@ -75,6 +75,7 @@ const std::vector<Setting>& settings() {
 
 TEST(CanonicalForm, TellsTinyListsApartExactlyAsAllMapsDo) {
   Generator random(1);
+  int same = 0;
   for (const Setting& setting : settings()) {
     for (int round = 0; round < 60; ++round) {
       const std::size_t v = 2 + below(random, 4);
@@ -88,8 +89,11 @@ TEST(CanonicalForm, TellsTinyListsApartExactlyAsAllMapsDo) {
       EXPECT_EQ(blocks_of(a.design) == blocks_of(c.design), equal);
       EXPECT_EQ(find_isomorphism(one, other, setting.same).has_value(), equal);
       EXPECT_TRUE(carries(a.map, one, a.design));
+      same += equal ? 1 : 0;
     }
   }
+  EXPECT_GT(same, 30);
+  EXPECT_LT(same, 270);
 }
 
 TEST(CanonicalForm, GroupsOfTinyListsHaveTheOrderCountedOverAllMaps) {

@@ -89,6 +89,32 @@ TEST(LoadCheck, FollowsAFewItemsWhenNotAllPairsAreAskedFor) {
   EXPECT_THROW(LoadCheck(0, 4), BadInput);
 }
 
+TEST(LoadCheck, HasTheSameVerdictUnderOtherNames) {
+  const std::vector<LoadStep> good = steps_of(plan_load_order(12, 4));
+  LoadCheckOptions renamed;
+  for (Element x = 0; x < 12; ++x) {
+    renamed.kept_as.push_back((5 * x + 3) % 12);
+  }
+  EXPECT_TRUE(verdict_of(good, 12, 4, renamed).valid());
+  for (std::size_t i = 1; i < good.size(); ++i) {
+    auto dropped = good;
+    dropped.resize(i);
+    const LoadVerdict own = verdict_of(dropped, 12, 4);
+    const LoadVerdict other = verdict_of(dropped, 12, 4, renamed);
+    EXPECT_FALSE(other.valid()) << i;
+    EXPECT_EQ(other.uncovered, own.uncovered) << i;
+    EXPECT_EQ(other.loads, own.loads) << i;
+  }
+  // Names are translated back: 0 and 1 never meet.
+  LoadCheck check(3, 2, {.kept_as = {2, 0, 1}});
+  check.read({1, {}, {0, 2}});
+  check.read({2, {0}, {1}});
+  EXPECT_EQ(check.finish().uncovered_example, "{0,1}");
+  for (const auto& names : std::vector<std::vector<Element>>{{0, 1}, {0, 1, 1}, {0, 1, 3}}) {
+    EXPECT_THROW(LoadCheck(3, 2, {.kept_as = names}), BadInput);
+  }
+}
+
 TEST(LoadCheck, StartsOverWithAnEmptyMemoryForTheNextWorker) {
   LoadCheck check(3, 2);
   check.read({1, {}, {0, 1}});

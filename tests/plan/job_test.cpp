@@ -63,6 +63,13 @@ TEST(Job, SaysWhichConstraintsContradictEachOther) {
   job.start = {0, 1, 2, 3};
   EXPECT_THAT(defects(job), ElementsAre(HasSubstr("4 parts are mounted at the start")));
   EXPECT_THROW(check(job), BadInput);
+
+  job = make_job(12, 12, units(1), units(1));
+  for (Element x = 0; x < 12; ++x) {
+    job.mounted.push_back(x);
+  }
+  job.never = job.needed;  // 66 reasons
+  EXPECT_EQ(defects(job).size(), 10U);
 }
 
 TEST(Job, HasADefectExactlyIfNoListOfSetUpsDoesIt) {
@@ -112,6 +119,10 @@ TEST(Job, NeedsTheRestOnceTestsAreDone) {
   mark_done(other, {{0, 1, 2}});
   EXPECT_THAT(other.start, ElementsAre(4));
   EXPECT_THROW(mark_done(other, {{0, 1, 2, 3}}), BadInput);
+  EXPECT_THROW(mark_done(other, {{0, 1}, {0, 5}}), BadInput) << "there is no part 5";
+  EXPECT_THROW(mark_done(other, {{2, 2}}), BadInput);
+  EXPECT_EQ(other.needed.size(), 7U);
+  EXPECT_EQ(other.tests_done, 1U);
 }
 
 }  // namespace

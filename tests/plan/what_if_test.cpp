@@ -36,13 +36,16 @@ TEST(Envelope, IsTheCheapestAtEveryRatio) {
     // At ratios i/60 times the tests' unit: the plan of the range costs no more than any candidate.
     for (std::uint64_t i = 1; i < 900; i += 7) {
       const auto cost = [&](const Candidate& c) { return 60 * c.tests() + i * c.changes; };
+      std::size_t ranges = 0;
       for (const WhatIf::Range& range : answer.ranges) {
         const bool inside = (!range.from || range.from->over * 60 <= i * range.from->under) &&
                             (!range.to || range.to->over * 60 >= i * range.to->under);
+        ranges += inside ? 1U : 0U;
         for (const Candidate& other : candidates) {
           EXPECT_TRUE(!inside || cost(range.plan) <= cost(other)) << seed << ' ' << i;
         }
       }
+      EXPECT_GE(ranges, 1U) << seed << ' ' << i << ": a gap";
     }
     for (std::size_t i = 1; i < answer.ranges.size(); ++i) {
       EXPECT_EQ(answer.ranges[i].from->to_string(), answer.ranges[i - 1].to->to_string());

@@ -115,12 +115,13 @@ void walk(State& state, std::size_t moves, Random& random, Check&& check) {
 }
 
 template <typename Count>
-void walk_pairs(const Case& of, std::uint64_t seed) {
+void walk_pairs(const Case& of, std::uint64_t seed, std::size_t& walked) {
   Random random(seed);
   const auto start = random_list(of.parameters, of.blocks, random);
   if (!start) {
     return;  // (6,2) circular with an odd number of blocks, …
   }
+  ++walked;
   ASSERT_TRUE(SegmentPairs<Count>::fits(*start));
   SegmentPairs<Count> state(*start);
   walk(state, 3000, random, [](const SegmentPairs<Count>& now) {
@@ -131,11 +132,13 @@ void walk_pairs(const Case& of, std::uint64_t seed) {
 }
 
 TEST(SegmentPairs, CountsWhatACountFromScratchCounts) {
+  std::size_t walked = 0;
   for (const Case& of : cases()) {
     SCOPED_TRACE(name(of.parameters));
-    ASSERT_NO_FATAL_FAILURE(walk_pairs<std::uint8_t>(of, 1));
-    ASSERT_NO_FATAL_FAILURE(walk_pairs<std::uint16_t>(of, 2));
+    ASSERT_NO_FATAL_FAILURE(walk_pairs<std::uint8_t>(of, 1, walked));
+    ASSERT_NO_FATAL_FAILURE(walk_pairs<std::uint16_t>(of, 2, walked));
   }
+  EXPECT_GE(walked, 2 * cases().size() - 4);
 }
 
 TEST(SegmentPairs, BytesAndWordsGoTheSameWay) {
@@ -158,6 +161,7 @@ TEST(SegmentPairs, AMoveIsItsOwnInverse) {
   Random random(5);
   const Design start = random_list({.v = 20, .k = 5, .kind = Kind::linear}, 30, random).value();
   SegmentPairs<std::uint8_t> state(start);
+  int moves = 0;
   for (int n = 0; n < 500; ++n) {
     const SegmentSwap move = state.propose(random);
     if (move.length > 0) {
@@ -165,8 +169,10 @@ TEST(SegmentPairs, AMoveIsItsOwnInverse) {
       state.apply(move);
       state.apply(move);
       ASSERT_EQ(state.missing(), before);
+      ++moves;
     }
   }
+  EXPECT_GT(moves, 100);
   const Design end = state.design();
   for (std::size_t i = 0; i < start.block_count(); ++i) {
     const auto one = start.block(i);
@@ -209,10 +215,16 @@ TEST(SegmentPairs, RefusesMovesThatWouldOverflowACounter) {
   }
   ASSERT_TRUE(SegmentPairs<std::uint8_t>::fits(narrow));
   SegmentPairs<std::uint8_t> state(narrow);
+  SegmentPairs<std::uint16_t> roomy(narrow);
+  const auto moves_0_or_1 = [](const SegmentSwap& move) {
+    return move.length > 0 && (move.x <= 1 || move.y <= 1);
+  };
+  int with_room = 0;
   for (int n = 0; n < 1000; ++n) {
-    const SegmentSwap move = state.propose(random);
-    EXPECT_FALSE(move.length > 0 && (move.x == 0 || move.y == 0 || move.x == 1 || move.y == 1));
+    EXPECT_FALSE(moves_0_or_1(state.propose(random)));
+    with_room += moves_0_or_1(roomy.propose(random)) ? 1 : 0;
   }
+  EXPECT_GT(with_room, 0) << "the moves that bytes refuse are there";
   Design wide(p);
   for (std::size_t i = 0; i < 256; ++i) {
     wide.append(Block{0, 1, 2 + static_cast<Element>(i % 6)});
@@ -256,6 +268,7 @@ TEST(SegmentSubsets, GoesTheWayOfPairsAtStrengthTwo) {
   const Design start = random_list({.v = 11, .k = 4, .kind = Kind::circular}, 13, random).value();
   SegmentSubsets subsets(start);
   SegmentPairs<std::uint8_t> pairs(start);
+  int moves = 0;
   for (int n = 0; n < 2000; ++n) {
     const SegmentSwap move = pairs.propose(random);
     if (move.length > 0) {
@@ -267,8 +280,10 @@ TEST(SegmentSubsets, GoesTheWayOfPairsAtStrengthTwo) {
       pairs.apply(move);
       subsets.apply(move);
       ASSERT_EQ(pairs.missing(), subsets.missing());
+      ++moves;
     }
   }
+  EXPECT_GT(moves, 400);
 }
 
 TEST(SegmentOrbits, IsADesignWithTheAutomorphismAfterEveryMove) {

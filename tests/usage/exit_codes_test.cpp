@@ -166,6 +166,7 @@ const std::vector<Case>& cases() {
       {"$changeover search 30 6 --checkpoint empty.txt --time 1s", 3, "empty.txt"},
       {"$changeover plan ragged.json --at-once 3 --test-cost 1 --change-cost 1", 4, "ragged.json"},
       {"$changeover search 9 4 --checkpoint nowhere/x --time 1s --quiet", 4, "nowhere"},
+      {"$changeover search 30 6 -o nowhere/out.txt", 4, "nowhere"},
       {"$changeover search 9 4 -m 1 --exact --proof /dev/null/x --quiet", 4, "/dev/null"},
   };
   return all;

@@ -31,11 +31,13 @@ struct AutomorphismGroup {
   [[nodiscard]] std::uint64_t position_maps() const { return rotations * (reflections ? 2 : 1); }
 };
 
-/// The maps of the kind that `same` allows. O(n·bk) as find_isomorphism().
+/// The maps of the kind that `same` allows. O(n·bk) as find_isomorphism(), and O(v) for each twin.
+/// @throws InternalError if a generator fails its check.
 [[nodiscard]] AutomorphismGroup automorphisms(const Design& design, const Sameness& same = {});
 
 /// How many standard forms the class of the design has: rotations and reversals that differ by more than
 /// the names of elements. b, or 2b with reversal, over position_maps() if circular; 1 or 2 if linear.
+/// `group` must be that of the design under `same`. O(1).
 [[nodiscard]] std::uint64_t standard_forms_in_class(const Design& design,
                                                     const AutomorphismGroup& group,
                                                     const Sameness& same = {});

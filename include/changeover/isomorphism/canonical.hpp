@@ -28,10 +28,10 @@ struct CanonicalForm {
   Isomorphism map;  ///< carries the given design to `design`
 };
 
-/// The same design for all designs that are the same as this one.
+/// The same design for all designs that are the same as this one. O(n·bk) as find_isomorphism().
 [[nodiscard]] CanonicalForm canonical_form(const Design& design, const Sameness& same = {});
 
-/// The same with every block in its place: only elements are renamed.
+/// The same with every block in its place: only elements are renamed. O(bk).
 [[nodiscard]] CanonicalForm standard_form(const Design& design);
 
 }  // namespace changeover

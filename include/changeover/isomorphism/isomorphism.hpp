@@ -45,11 +45,11 @@ struct Isomorphism {
 /// The map that does nothing to v elements.
 [[nodiscard]] Isomorphism identity(std::size_t v);
 
-/// First `first`, then `second`, on lists of b blocks. O(v).
+/// First `first`, then `second`, both maps of the same v elements, on lists of b blocks. O(v).
 [[nodiscard]] Isomorphism compose(const Isomorphism& first, const Isomorphism& second,
                                   std::size_t b);
 
-/// The way back, on lists of b blocks. O(v).
+/// The way back, on lists of b blocks; `map` must be a map of v elements. O(v).
 [[nodiscard]] Isomorphism inverse(const Isomorphism& map, std::size_t b);
 
 /// The design that `map` makes of `design`: same kind, elements of each block in increasing order, without
@@ -61,7 +61,8 @@ struct Isomorphism {
 [[nodiscard]] bool carries(const Isomorphism& map, const Design& from, const Design& to);
 
 /// A map that carries `from` to `to`; nothing if they are not the same. O(n·bk) for n rotations that
-/// cheap invariants cannot tell apart: 1 or 2 unless the design has a symmetry.
+/// cheap invariants cannot tell apart: 1 or 2 unless the design has a symmetry. @throws InternalError if
+/// the map that was found fails its check.
 [[nodiscard]] std::optional<Isomorphism> find_isomorphism(const Design& from, const Design& to,
                                                           const Sameness& same = {});
 

@@ -20,7 +20,8 @@
 //
 // *Several processes.* With share = {i, n} this process takes the i-th of n stretches of the order
 // (loadorder/workers.hpp), and a pair belongs to the first stretch that has it: all processes together
-// compute what one alone would, each pair once, without talking to each other.
+// compute what one alone would, each pair once, without talking to each other. examples/all_pairs.cpp does that with
+// the processes of mpirun.
 //
 // *Faults.* What the source throws ends the job after the pairs under way, naming the item; what
 // compute() throws, too. A cancelled job returns a report that says so.
@@ -76,8 +77,8 @@ struct AllPairsOptions {
   unsigned readers = 1;          ///< that load
   std::uint64_t read_ahead = 0;  ///< buffers beyond the order's room, for loads on their way
   OrderShare share = {};
-  std::string journal;  ///< path; empty: none
-  std::string job;      ///< names what is computed, so that a journal of something else is refused
+  std::string journal = {};  ///< path; empty: none
+  std::string job = {};  ///< names what is computed, so that a journal of something else is refused
   std::optional<std::uint64_t> memory_bytes = {};  ///< refuse to start if the buffers need more
   const std::atomic<bool>* cancelled = nullptr;    ///< looked at before each pair
   std::function<void(std::uint64_t step)> on_step_done = {};      ///< before it is recorded

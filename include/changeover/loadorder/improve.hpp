@@ -3,7 +3,7 @@
 //     SearchControl control({.time = std::chrono::seconds(60)});
 //     LoadOrderOptions options;
 //     options.improve = improve_by_search(control);
-//     LoadOrder order = plan_load_order(20, 5, options);     // 51 loads or fewer after a few seconds
+//     LoadOrder order = plan_load_order(37, 9, options);     // 93 loads or fewer after a few seconds
 //
 // See search/local_search.hpp for what it does with the time.
 #pragma once

@@ -45,12 +45,15 @@ struct LoadCheckOptions {
   bool all_pairs = true;       ///< needs items ≤ 65,535
   std::uint64_t watched = 64;  ///< items to follow otherwise
   std::uint64_t seed = 1;      ///< of their choice
+  /// Other names of the items, by which what is in memory together has numbers close to each other: pairs are
+  /// kept under these names, and their bits share cache lines. Every renaming leads to the same verdict. Empty: none.
+  std::vector<Element> kept_as = {};
 };
 
 class LoadCheck {
  public:
-  /// @throws BadInput if items = 0 or room = 0; MissingResource if all pairs of more than 65,535 items are
-  /// asked for.
+  /// @throws BadInput if items = 0 or room = 0, or kept_as is not a permutation of the items; MissingResource if
+  /// all pairs of more than 65,535 items are asked for.
   LoadCheck(std::uint64_t items, std::uint64_t room, const LoadCheckOptions& options = {});
 
   /// Takes the next step. After the first fault nothing is looked at any more.
@@ -67,6 +70,7 @@ class LoadCheck {
   [[nodiscard]] const std::vector<Element>& in_memory() const { return memory_; }
 
  private:
+  void name_pairs(const std::vector<Element>& kept_as);
   void load(Element x);
   void evict(Element x);
   void fail(std::string fault);
@@ -77,7 +81,9 @@ class LoadCheck {
   std::uint64_t number_ = 0;  // of the worker's last step
   std::vector<Element> memory_;
   std::vector<std::uint32_t> place_;  // by item: index in memory_ plus one, 0 if absent
-  std::unique_ptr<PairSet> pairs_;    // all of them, or
+  std::unique_ptr<PairSet> pairs_;    // all of them, under the names kept_as_, or
+  std::vector<Element> kept_as_;      // by item; empty: their own
+  std::vector<Element> kept_;         // names of what is in memory_, in the same places
   std::vector<Element> watched_;      // a few rows
   std::vector<std::uint32_t> row_;    // by item: its row plus one, 0 if it is not watched
   std::vector<std::vector<bool>> met_;

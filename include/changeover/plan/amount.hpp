@@ -21,16 +21,19 @@ struct Amount {
   auto operator<=>(const Amount&) const = default;
 };
 
-/// @throws ImpossibleParameters if the result exceeds 2⁶³ − 1 millionths, about 9.2·10¹² units.
+/// The exact sum. @throws ImpossibleParameters if it exceeds 2⁶³ − 1 millionths, about 9.2·10¹² units.
 [[nodiscard]] Amount operator+(Amount a, Amount b);
+/// The amount so many times. @throws as the sum.
 [[nodiscard]] Amount operator*(Amount a, std::uint64_t times);
+/// Adds b. @throws as the sum; a is then as it was.
 inline Amount& operator+=(Amount& a, Amount b) { return a = a + b; }
 
 /// a − b for b ≤ a. @throws InternalError if b is larger.
 [[nodiscard]] Amount operator-(Amount a, Amount b);
 
 /// Reads "12", "12.5", "0.000001", ".5": digits with at most one point and at most six decimals.
-/// @throws BadInput with one line (without a place) for anything else, negative numbers included.
+/// @throws BadInput with one line (without a place) for anything else, negative numbers included;
+/// ImpossibleParameters if it is too large.
 [[nodiscard]] Amount parse_amount(std::string_view text);
 
 /// How many decimals show an amount as money: none, two, or as many up to six as it needs.

@@ -52,6 +52,7 @@ struct CostBound {
   std::string reason;               ///< one line with the numbers filled in
 };
 
+/// No list of set-ups that does the job costs less.
 /// @throws BadInput as check(); ImpossibleParameters if a cost overflows. O(P·at_once).
 [[nodiscard]] CostBound cost_bound(const Job& job);
 

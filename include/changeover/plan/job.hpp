@@ -48,19 +48,20 @@ struct Job {
 [[nodiscard]] Job make_job(std::uint64_t v, std::uint64_t at_once, Amount test_cost,
                            Amount change_cost);
 
-/// All pairs of elements but these.
+/// All pairs of elements but these. O(v²).
 [[nodiscard]] PairSet all_pairs_but(const PairSet& pairs);
 
 /// Why no list of set-ups can do the job, or why the job is malformed: a line for each reason, at most
 /// ten; none if there is one. The reasons are complete: without one, a set-up for each needed pair, of
-/// this pair and the mounted parts, does the job.
+/// this pair and the mounted parts, does the job. O(v² · mounted parts).
 [[nodiscard]] std::vector<std::string> defects(const Job& job);
 
 /// @throws BadInput with the first of defects() and how many more there are.
 void check(const Job& job);
 
 /// Takes tests that were already done off a job: their pairs are needed no more, and unless the job says
-/// what is mounted at the start, the last of them is. @throws BadInput if one is larger than at_once.
+/// what is mounted at the start, the last of them is. @throws BadInput if one is larger than at_once, has a
+/// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once²).
 void mark_done(Job& job, const std::vector<Block>& setups);
 
 }  // namespace changeover

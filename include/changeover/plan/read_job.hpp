@@ -32,14 +32,17 @@ struct PartList {
   std::vector<std::optional<Amount>> change_costs;  ///< by part; nothing where none is given
 };
 
+/// The parts in the order of their rows.
 /// @throws BadInput for no part, an empty or repeated name, a cost that is none, too many fields;
 /// MissingResource if reading fails.
 [[nodiscard]] PartList read_parts(Input& input);
 
-/// @throws BadInput for unknown parts, a part with itself, rows that are no pair; repetitions are fine.
+/// The pairs, as elements below names.size(); repetitions are fine. @throws BadInput for unknown parts, a
+/// part with itself, rows that are no pair; MissingResource if reading fails.
 [[nodiscard]] PairSet read_pairs(Input& input, const std::vector<std::string>& names);
 
-/// @throws BadInput for unknown or repeated parts.
+/// The set-ups in order, each of any size. @throws BadInput for unknown or repeated parts;
+/// MissingResource if reading fails.
 [[nodiscard]] std::vector<Block> read_setups(Input& input, const std::vector<std::string>& names);
 
 /// Parts in one line, "Pump A, 3"; fields as in files. @throws BadInput (without a place) for unknown or

@@ -65,8 +65,10 @@ struct RunPlan {
   }
 };
 
+/// The best plan that was found; there always is one, also if the control says stop at once.
 /// @throws BadInput as check(Job); ImpossibleParameters if costs overflow; InternalError if a candidate
-/// is not what it should be.
+/// is not what it should be. Bound by: attempts · steps moves of local search, each
+/// O(stretch · at_once), besides the search for designs.
 [[nodiscard]] RunPlan make_run_plan(const Job& job, const PlanOptions& options,
                                     SearchControl& control);
 

@@ -36,12 +36,17 @@ struct SheetDocument {
 
 /// For a terminal: lists are broken between parts where a line would be longer than `width`.
 [[nodiscard]] std::string sheet_as_table(const SheetDocument& document, std::size_t width);
+/// As shown above, with names quoted where CSV needs it.
 [[nodiscard]] std::string sheet_as_csv(const SheetDocument& document);
+/// One line, as described above.
 [[nodiscard]] std::string sheet_as_json(const SheetDocument& document);
+/// Tables in the style of GitHub.
 [[nodiscard]] std::string sheet_as_markdown(const SheetDocument& document);
 /// A page without scripts, pictures or anything from outside, black on white.
 [[nodiscard]] std::string sheet_as_html(const SheetDocument& document);
 
+/// The ranges of ratios with the plan that is cheapest in each and where the job stands, in the four
+/// formats. The job is the one that was asked about.
 [[nodiscard]] std::string what_if_as_table(const Job& job, const WhatIf& answer);
 [[nodiscard]] std::string what_if_as_csv(const Job& job, const WhatIf& answer);
 [[nodiscard]] std::string what_if_as_json(const Job& job, const WhatIf& answer);

@@ -41,11 +41,12 @@ struct WhatIf {
   std::optional<Ratio> asked;  ///< where the job stands; nothing if its tests cost nothing
 };
 
-/// The envelope of some candidates, without any search. @throws ImpossibleParameters if costs overflow.
+/// The envelope of some candidates, without any search. O(n log n).
+/// @throws ImpossibleParameters if costs overflow.
 [[nodiscard]] WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates);
 
 /// The envelope of the candidates of a plan and of what searching at its break-even ratios finds.
-/// @throws as make_run_plan().
+/// @throws as make_run_plan(), which is what it costs for each ratio.
 [[nodiscard]] WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
                              SearchControl& control);
 

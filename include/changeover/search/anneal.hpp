@@ -45,6 +45,7 @@ struct AnnealOutcome {
 /// exp(−change/T) for change = 0, 1, …, as thresholds for 32 random bits.
 class AcceptanceTable {
  public:
+  /// For a temperature above 0, in units of missing().
   explicit AcceptanceTable(double temperature) {
     // exp(−1/T) by its series at a small argument, then squared up again.
     constexpr int halvings = 12;

@@ -13,7 +13,8 @@ namespace changeover {
 
 /// Random base blocks of this shape with the change property, the step from the last one to π(first)
 /// included; they cover what they cover. Empty if none were found in a bounded number of steps: a
-/// descent on the number of wrong changes, which rarely fails where there are any.
+/// descent on the number of wrong changes, which rarely fails where there are any. p is circular with
+/// shape.v() elements.
 [[nodiscard]] std::vector<Block> random_base_blocks(const Parameters& p,
                                                     const BaseBlockShape& shape, Random& random);
 
@@ -25,6 +26,7 @@ struct BaseBlockAnnealing {
 
 /// Anneals, each time four times as long, until base blocks are found, the moves are used up or the
 /// control wants to stop. A tight design needs no more care: it is one if everything is covered.
+/// Bound by: O(moves · segment · k).
 [[nodiscard]] BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p,
                                                           const BaseBlockShape& shape,
                                                           std::uint64_t moves, Random& random,

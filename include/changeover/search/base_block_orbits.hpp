@@ -18,6 +18,7 @@ class PairOrbits {
  public:
   static constexpr std::uint32_t none = ~std::uint32_t{0};
 
+  /// O(v²).
   explicit PairOrbits(const BaseBlockShape& shape)
       : shape_(shape),
         v_(static_cast<std::size_t>(shape.v())),
@@ -45,8 +46,11 @@ class PairOrbits {
   }
 
   [[nodiscard]] std::size_t count() const { return representatives_.size(); }
+  /// The number of the orbit of {x,y}; `none` if x = y.
   [[nodiscard]] std::uint32_t of(Element x, Element y) const { return numbers_[x * v_ + y]; }
+  /// of(x, 0), …, of(x, v−1).
   [[nodiscard]] const std::uint32_t* row(Element x) const { return numbers_.data() + x * v_; }
+  /// The pair of an orbit that comes first by its larger element, then by the other one.
   [[nodiscard]] std::pair<Element, Element> representative(std::size_t orbit) const {
     return representatives_[orbit];
   }

@@ -32,7 +32,8 @@ struct SatOutcome {
 [[nodiscard]] std::uint64_t sat_size(const BaseBlockShape& shape);
 
 /// Base blocks of this shape for the circular p, tight if wanted. Gives up after so many conflicts, or
-/// when the control wants to stop.
+/// when the control wants to stop. @throws ImpossibleParameters if the formula would be too large; see
+/// Cnf. Bound by: the solver.
 [[nodiscard]] SatOutcome base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape,
                                             bool tight, std::optional<std::uint64_t> conflicts,
                                             SearchControl& control);

@@ -17,6 +17,7 @@
 namespace changeover {
 
 /// Literals that say whether at least 1, 2, …, min(limit, n) of the given ones hold, in both directions.
+/// @throws as Cnf::add(), like the others.
 [[nodiscard]] std::vector<Literal> unary_count(Cnf& cnf, std::span<const Literal> literals,
                                                std::size_t limit);
 

@@ -46,7 +46,7 @@ class Cnf {
 };
 
 /// Writes the formula in DIMACS: the comments, one a line, the header, the clauses, and `assumptions`
-/// as clauses of one literal.
+/// as clauses of one literal. @throws as Sink::write().
 void write_dimacs(const Cnf& cnf, std::span<const Literal> assumptions,
                   const std::vector<std::string>& comments, Sink& sink);
 

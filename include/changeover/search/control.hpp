@@ -74,6 +74,7 @@ class SearchControl {
     std::chrono::duration<double> progress_interval{0.5};
   };
 
+  /// The clock of the time limit starts now.
   explicit SearchControl(Settings settings);
 
   /// A control for one phase of a longer search: it stops with its parent, or after `time`. It shares the

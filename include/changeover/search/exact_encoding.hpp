@@ -44,6 +44,7 @@ struct EncodingOptions {
 
 class DesignFormula {
  public:
+  /// Without clauses yet; encode_design() adds them.
   DesignFormula(const Parameters& p, std::uint64_t b) : parameters_(p), b_(b) {}
 
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
@@ -65,8 +66,8 @@ class DesignFormula {
   Cnf cnf_;
 };
 
-/// The formula for exactly b ≥ 1 blocks. @throws ImpossibleParameters as check(), and if it would have more
-/// than 10⁸ variables or 2³¹ literals.
+/// The formula for exactly b ≥ 1 blocks, of O(b·C(v,t)) clauses and those of the counts.
+/// @throws ImpossibleParameters as check(), and if it would have more than 10⁸ variables or 2³¹ literals.
 [[nodiscard]] DesignFormula encode_design(const Parameters& p, std::uint64_t b,
                                           const EncodingOptions& options = {});
 

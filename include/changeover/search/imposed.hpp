@@ -36,10 +36,12 @@ namespace changeover {
 [[nodiscard]] std::uint64_t pair_orbits(std::uint64_t v, const ImposedAutomorphism& pi);
 
 /// The base blocks without which there cannot be newly covered pairs enough: ⌈orbits / p(k,m)⌉.
+/// @throws as pair_orbits(). O(1).
 [[nodiscard]] std::uint64_t fewest_base_blocks(const Parameters& p, const ImposedAutomorphism& pi);
 
 /// c random base blocks whose steps, the one to π(first) included, change m elements; nullopt if
-/// none were found. With few base blocks for large k these have long intervals of cycles.
+/// none were found. With few base blocks for large k these have long intervals of cycles. Needs
+/// pi.fits(v) and v ≥ k + m.
 [[nodiscard]] std::optional<std::vector<Block>> random_base_blocks(const Parameters& p,
                                                                    const ImposedAutomorphism& pi,
                                                                    std::size_t base_blocks,
@@ -53,7 +55,7 @@ struct ImposedOutcome {
 
 /// One anneal from random base blocks. The kind of p is taken for circular; its strength must be 2.
 /// @throws BadInput unless pi.fits(v), base_blocks ≥ 1, strength 2 and v ≤ 4096; InternalError if
-/// what was found fails verification.
+/// what was found fails verification. O(moves · segment · k).
 [[nodiscard]] ImposedOutcome search_imposed(const Parameters& p, const ImposedAutomorphism& pi,
                                             std::size_t base_blocks, const AnnealSchedule& schedule,
                                             Random& random, SearchControl& control,

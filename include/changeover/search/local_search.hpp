@@ -66,13 +66,16 @@ struct ImproveResult {
                                     SearchControl& control);
 
 /// The linear design with fewest blocks that is cut from consecutive blocks of this one (circular,
-/// or linear itself) without blocks that are not needed. O(bk²).
+/// or linear itself) without blocks that are not needed. O(bk² + v²). For strength 2; other designs are
+/// only cut open. The design must be valid.
 [[nodiscard]] Design shortest_cut(const Design& design);
 
-/// The consecutive `blocks` of this design that leave fewest pairs uncovered, as a linear list.
+/// The consecutive `blocks` of this design that leave fewest pairs uncovered, as a linear list: at least
+/// one block, at most all. For strength 2; otherwise the first ones. O(bk² + v²).
 [[nodiscard]] Design best_part(const Design& design, std::size_t blocks);
 
 /// The best design that is known without search, built and verified; nullopt if there is no recipe.
+/// @throws as check(); InternalError if it does not verify.
 [[nodiscard]] std::optional<Design> best_known_design(const Parameters& p);
 
 }  // namespace changeover

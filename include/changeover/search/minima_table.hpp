@@ -57,13 +57,15 @@ void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
                  const MinimumOptions& options, SearchControl& control,
                  const std::function<void(const MinimaRow&)>& on_row);
 
-/// CSV with a line of names. Writing, reading and writing again gives the same bytes.
+/// CSV with a line of names. Writing, reading and writing again gives the same bytes. @throws as
+/// Sink::write().
 void write_minima(const std::vector<MinimaRow>& rows, Sink& sink);
 
-/// @throws BadInput with the line if the text is not what write_minima() writes; MissingResource.
+/// The rows in their order. @throws BadInput with the line if the text is not what write_minima() writes;
+/// MissingResource if reading fails.
 [[nodiscard]] std::vector<MinimaRow> read_minima(Input& input);
 
-/// Tables of minima by v and k, and of the proofs and of what is open.
+/// Markdown: tables of minima by v and k, of the proofs and of what is open.
 [[nodiscard]] std::string minima_markdown(const std::vector<MinimaRow>& rows);
 
 }  // namespace changeover

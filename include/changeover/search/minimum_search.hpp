@@ -51,7 +51,7 @@ struct MinimumResult {
 [[nodiscard]] Bound lower_bound_on_paper(const Parameters& p);
 
 /// Walks up to the minimum. `known` is a design with these parameters, from a construction say; it is verified.
-/// @throws as decide(), and BadInput if `known` is not a design with these parameters.
+/// @throws as decide(), and BadInput if `known` is not a design with these parameters. Bound by: decide().
 [[nodiscard]] MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
                                          SearchControl& control,
                                          const std::optional<Design>& known = std::nullopt);

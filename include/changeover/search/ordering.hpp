@@ -45,7 +45,11 @@ namespace changeover {
 [[nodiscard]] std::vector<Block> arranged(std::span<const Block> blocks,
                                           std::span<const std::size_t> order);
 
-enum class OrderAnswer : std::uint8_t { found, none, unknown };
+enum class OrderAnswer : std::uint8_t {
+  found,
+  none,     ///< no order is as wanted; ChangeOrder::reason says why
+  unknown,  ///< a limit was reached
+};
 
 /// What is asked of neighbours.
 struct ChangeWanted {
@@ -105,14 +109,15 @@ struct LeastChangeOrder {
 
 /// An order that introduces few elements. Blocks may be of different sizes, empty, or repeated.
 /// @throws BadInput if there is no block, or a block is not distinct elements below v;
-/// MissingResource if the blocks as bit sets would need more than 4 GiB.
+/// MissingResource if the blocks as bit sets would need more than 4 GiB. O(2ᵇb²) up to `exact_blocks`,
+/// beyond that O(b²·v/64) at worst, besides the kicks and the lower bound.
 [[nodiscard]] LeastChangeOrder order_for_least_change(std::span<const Block> blocks,
                                                       const LeastChangeWanted& wanted,
                                                       const LeastChangeOptions& options,
                                                       SearchControl& control);
 
 /// What an order costs, counted from the blocks: elements introduced, from the last to the first block
-/// too if it is circular. @throws BadInput unless `order` is a permutation of the blocks.
+/// too if it is circular. @throws BadInput unless `order` is a permutation of the blocks. O(b + sizes).
 [[nodiscard]] std::uint64_t change_cost(std::span<const Block> blocks,
                                         std::span<const std::size_t> order,
                                         const LeastChangeWanted& wanted);

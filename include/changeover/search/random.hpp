@@ -41,6 +41,7 @@ class Random {
   /// Goes on where state() was taken. At least one word must not be 0.
   explicit constexpr Random(const State& state) : state_(state) {}
 
+  /// What the numbers to come depend on.
   [[nodiscard]] constexpr const State& state() const { return state_; }
 
   /// 64 random bits.
@@ -64,6 +65,7 @@ class Random {
     return static_cast<std::uint32_t>((std::uint64_t{next32()} * limit) >> 32);
   }
 
+  /// True or false, each as likely.
   constexpr bool one_in_two() { return (next() >> 63) != 0; }
 
  private:

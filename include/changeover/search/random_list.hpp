@@ -18,11 +18,11 @@
 
 namespace changeover {
 
-/// A k-subset of the v elements, each as likely as any other.
+/// A k-subset of the v elements, each as likely as any other. O(v).
 [[nodiscard]] Block random_block(const Parameters& p, Random& random);
 
 /// A block that differs from this one in exactly m elements, each as likely as any other; needs
-/// v ≥ k + m.
+/// v ≥ k + m. O(v).
 [[nodiscard]] Block random_step(const Block& from, const Parameters& p, Random& random);
 
 /// The blocks strictly between `from` and `to` on a random way of exactly `steps` ≥ 1 steps;
@@ -32,7 +32,8 @@ namespace changeover {
                                                             Random& random);
 
 /// A list of `blocks` ≥ 1 blocks whose steps, the last one of a circular list included, change
-/// exactly m elements; nullopt if there is none. It covers what it covers.
+/// exactly m elements; nullopt if there is none. It covers what it covers. O(b·v), or as random_walk()
+/// if it is circular.
 [[nodiscard]] std::optional<Design> random_list(const Parameters& p, std::size_t blocks,
                                                 Random& random);
 

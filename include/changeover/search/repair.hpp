@@ -44,7 +44,7 @@ struct RepairResult {
 
 /// A design that has much of the list. A valid list is returned as it is.
 /// @throws ImpossibleParameters if there is no design with the list's parameters; BadInput if it
-/// has no block; InternalError if the result fails verification.
+/// has no block; InternalError if the result fails verification. Bound by: options.moves.
 [[nodiscard]] RepairResult repair(const Design& list, const RepairOptions& options,
                                   SearchControl& control);
 
@@ -65,7 +65,7 @@ struct ExtendResult {
 /// A design that begins with these blocks. Without a limit in `control` or `options` it ends only
 /// when enough is found.
 /// @throws BadInput if there is no block or a step is wrong, naming the first; ImpossibleParameters
-/// and InternalError as repair().
+/// and InternalError as repair(). Bound by: the limits.
 [[nodiscard]] ExtendResult extend(const Design& beginning, const ExtendOptions& options,
                                   SearchControl& control);
 

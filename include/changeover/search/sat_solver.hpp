@@ -20,6 +20,7 @@
 
 namespace changeover {
 
+/// What the solver says of a formula.
 enum class SatAnswer : std::uint8_t { satisfiable, unsatisfiable, unknown };
 
 struct SatOptions {
@@ -33,6 +34,7 @@ struct SatResult {
   SatAnswer answer = SatAnswer::unknown;  ///< unknown: the control or the limit stopped the solver
   std::vector<bool> model;                ///< by variable, if satisfiable; place 0 means nothing
 
+  /// Whether the literal holds in the model; there must be one.
   [[nodiscard]] bool is_true(Literal x) const {
     return x > 0 ? model[static_cast<std::size_t>(x)] : !model[static_cast<std::size_t>(-x)];
   }
@@ -40,7 +42,7 @@ struct SatResult {
 
 /// Decides a formula. Deterministic unless it is stopped.
 /// @throws MissingResource if the proof cannot be written whole; InternalError if the solver lacks an option
-/// that proofs need.
+/// that proofs need; whatever the control's callback throws. Bound by: the solver; exponential at worst.
 [[nodiscard]] SatResult solve_sat(const Cnf& cnf, std::span<const Literal> assumptions,
                                   const SatOptions& options, SearchControl& control);
 

@@ -68,6 +68,7 @@ class SegmentOrbits {
   [[nodiscard]] std::uint32_t count(Element x, Element y) const {
     return counts_[orbit_of_[std::size_t{x} * v_ + y]];
   }
+  /// The k elements of a base block, in no order.
   [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
     return std::span(elements_).subspan(std::size_t{index} * k_, k_);
   }
@@ -79,7 +80,9 @@ class SegmentOrbits {
   /// before the base blocks: it is counted from block −n·c.
   [[nodiscard]] SegmentSwap segment(std::uint32_t i, Element x, Element y) const;
 
+  /// A move at a random place.
   [[nodiscard]] SegmentSwap propose(Random& random) const;
+  /// A move that brings an uncovered pair together in some base block; missing() must not be 0.
   [[nodiscard]] SegmentSwap propose_aimed(Random& random) const;
 
   /// As SegmentPairs::attempt(), in orbits.
@@ -92,6 +95,7 @@ class SegmentOrbits {
     return true;
   }
 
+  /// Makes the move, with its images.
   void apply(const SegmentSwap& move) { exchange(move); }
 
  private:

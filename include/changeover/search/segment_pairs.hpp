@@ -61,9 +61,9 @@ class SegmentPairs {
     if (row_ > chunk) {
       row_ = (row_ + chunk - 1) / chunk * chunk;
     }
-    counts_.resize(v_ * row_);
-    members_.resize(b_ * row_);
-    keep_.resize(v_ * row_);
+    counts_.resize(std::size_t{v_} * row_);
+    members_.resize(std::size_t{b_} * row_);
+    keep_.resize(std::size_t{v_} * row_);
     gained_.resize(row_);
     blocks_of_.resize(v_);
     place_.assign(std::size_t{v_} * v_, absent);
@@ -94,12 +94,14 @@ class SegmentPairs {
   }
 
   [[nodiscard]] std::uint32_t block_count() const { return b_; }
+  /// How many pairs are in no block. O(1).
   [[nodiscard]] std::uint64_t missing() const { return uncovered_.size(); }
   [[nodiscard]] bool contains(std::uint32_t block, Element x) const {
     return lane(members_, block)[x] != 0;
   }
   /// In how many blocks both are; x ≠ y.
   [[nodiscard]] std::uint32_t count(Element x, Element y) const { return lane(counts_, x)[y]; }
+  /// The k elements of a block, in no order.
   [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
     return std::span(elements_).subspan(std::size_t{index} * k_, k_);
   }

@@ -30,7 +30,9 @@ class SegmentSubsets {
   explicit SegmentSubsets(const Design& design, std::size_t frozen = 0);
 
   [[nodiscard]] std::uint32_t block_count() const { return b_; }
+  /// How many t-subsets are in no block. O(1).
   [[nodiscard]] std::uint64_t missing() const { return uncovered_.size(); }
+  /// The k elements of a block, in no order.
   [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
     return std::span(elements_).subspan(std::size_t{index} * k_, k_);
   }
@@ -50,8 +52,10 @@ class SegmentSubsets {
   [[nodiscard]] SegmentSwap segment(std::uint32_t i, Element x, Element y,
                                     std::uint32_t longest) const;
 
+  /// A move at a random place.
   [[nodiscard]] SegmentSwap propose(Random& random) const;
-  /// A move that brings one more element of an uncovered subset into a block that has some.
+  /// A move that brings one more element of an uncovered subset into a block that has some; missing()
+  /// must not be 0.
   [[nodiscard]] SegmentSwap propose_aimed(Random& random) const;
 
   /// As SegmentPairs::attempt(), in subsets.
@@ -66,6 +70,7 @@ class SegmentSubsets {
     return false;
   }
 
+  /// Makes the move. Twice the same move is none.
   void apply(const SegmentSwap& move) { exchange(move); }
 
  private:
