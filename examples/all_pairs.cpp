@@ -350,7 +350,7 @@ int verdict_of(std::vector<Part> parts, const Processes& processes) {
   // What stopped the others comes before what was stopped.
   std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     const auto order = [](const Part& part) {
-      return part.code == 0 ? 2 : part.code == limit_reached ? 1 : 0;
+      return part.code == 0 ? 3 : part.code != limit_reached ? 0 : part.message[0] != '\0' ? 1 : 2;
     };
     return order(a) < order(b);
   });
@@ -369,6 +369,8 @@ int run(const Job& job, Processes& processes) {
     part.index = processes.index();
     if (part.code != 0 && !processes.told_to_stop()) {
       processes.give_up();
+    } else if (part.code == limit_reached) {
+      put(part.message, "");  // the one that gave up says why
     }
     return processes.gather(part);
   };

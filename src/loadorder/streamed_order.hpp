@@ -54,9 +54,9 @@ struct StreamedShape {
 [[nodiscard]] std::unique_ptr<StepSource> streamed_steps(const StreamedShape& shape);
 
 /// For LoadCheckOptions::kept_as: names by which a window is consecutive numbers, so that an item which passes needs one
-/// cache line of pairs, and the next windows need the same lines. At P = 65,535, C = 10 that makes the check about 1.7
-/// times as fast. In large windows bits of one word have to wait for each other, which costs more than it saves
-/// (C = 100: 1.4 times as slow), so there are no such names then: empty for rooms above 32, or without windows.
+/// cache line of pairs, and the next windows need the same lines. At P = 65,535 that made the
+/// check about half again as fast for C = 10, but 1.4 times as slow for C = 100, presumably since updates of one word
+/// wait for each other. So there are such names for rooms up to 32 only; otherwise, or without windows, none.
 [[nodiscard]] std::vector<Element> names_by_window(const StreamedShape& shape);
 
 /// Checks the differences of the base blocks; says how in one line. @throws InternalError if they are not
