@@ -101,8 +101,9 @@ Seconds parse_duration(const std::string& text, const std::string& option) {
 void RunRequest::add_to(Verb& verb, const std::string& limit) {
   default_time = limit;
   verb.option("--time", time, "DURATION",
-              "stop after so long, e.g. 90s, 5m, 2h (default " +
-                  (limit.empty() ? std::string("no limit") : limit) + ")");
+              limit == "0s" ? "search so long for a better answer, e.g. 90s, 5m, 2h (default: not)"
+                            : "stop after so long, e.g. 90s, 5m, 2h (default " +
+                                  (limit.empty() ? std::string("no limit") : limit) + ")");
   verb.option("--threads", threads, "N", "threads to use (default: all cores)");
   verb.option("--seed", seed, "N", "of the random numbers (default 1)");
   verb.flag("--quiet", quiet, "no progress on stderr");
