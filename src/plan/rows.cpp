@@ -66,7 +66,7 @@ std::optional<Defect> split(std::string_view line, std::size_t start, char separ
 
 }  // namespace
 
-RowText::RowText(std::string text, std::string name)
+RowText::RowText(std::string_view text, std::string name)
     : text_(io_detail::without_byte_order_mark(text)), name_(std::move(name)) {}
 
 void RowText::fail(std::size_t offset, std::string_view what) const {

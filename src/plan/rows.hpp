@@ -17,7 +17,7 @@ using Row = std::vector<Field>;
 /// A text with a name for messages.
 class RowText {
  public:
-  RowText(std::string text, std::string name);
+  RowText(std::string_view text, std::string name);
 
   /// All rows but comments and blank ones, split at commas, or at semicolons if one comes first.
   /// @throws BadInput with a place for control bytes and quotes that do not match.

@@ -92,6 +92,7 @@ std::string laid_out(std::vector<Column> columns, const std::vector<std::vector<
     text += line + "\n";
   };
   std::vector<std::string> cells;
+  cells.reserve(columns.size());
   for (const Column& column : columns) {
     cells.push_back(column.head);
   }
@@ -126,6 +127,7 @@ std::string sheet_as_table(const SheetDocument& document, std::size_t width) {
     text += line + "\n";
   }
   std::vector<std::vector<Cell>> rows;
+  rows.reserve(plan.sheet.steps.size());
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : plan.sheet.steps) {
     rows.push_back({one(fmt::format("{}", ++number)), names_of(job, step.take_out),
@@ -165,6 +167,7 @@ std::string what_if_as_table(const Job& job, const WhatIf& answer) {
           ? "If all change costs are multiplied by a factor, the cheapest plan that is known has\n"
           : "At a ratio of change cost to test cost, the cheapest plan that is known has\n";
   std::vector<std::vector<Cell>> rows;
+  rows.reserve(answer.ranges.size());
   for (const WhatIf::Range& range : answer.ranges) {
     rows.push_back({one(range.from ? range.from->to_string() : "0"),
                     one(range.to ? range.to->to_string() : "any"),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -67,7 +68,8 @@ Job at_ratio(const Job& job, const Ratio& ratio) {
       largest = std::max(largest, factor * static_cast<double>(cost.millionths));
     }
     const auto scaled = [&](double cost) {
-      return Amount{static_cast<std::uint64_t>(cost / std::max(1.0, largest) * scale + 0.5)};
+      return Amount{
+          static_cast<std::uint64_t>(std::llround(cost / std::max(1.0, largest) * scale))};
     };
     other.test_cost = scaled(static_cast<double>(job.test_cost.millionths));
     for (Amount& cost : other.change_costs) {

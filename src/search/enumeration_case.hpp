@@ -19,13 +19,17 @@ struct EnumerationCase {
   std::size_t fixed = 0;        ///< elements of every block that were taken away; no others then
   std::size_t longest_run = 0;  ///< circular: a run of this length begins the design; 0: no matter
 
-  [[nodiscard]] std::uint64_t all() const { return ~std::uint64_t{0} >> (64 - v); }
-  [[nodiscard]] std::uint64_t first_block() const { return ~std::uint64_t{0} >> (64 - k); }
+  [[nodiscard]] std::uint64_t all() const { return first_elements(v); }
+  [[nodiscard]] std::uint64_t first_block() const { return first_elements(k); }
   /// Circular: what is introduced in the first block, and what stays there from the last block.
-  [[nodiscard]] std::uint64_t first_introduced() const {
-    return ~std::uint64_t{0} >> (64 - change);
-  }
+  [[nodiscard]] std::uint64_t first_introduced() const { return first_elements(change); }
   [[nodiscard]] std::uint64_t last_unchanged() const { return first_block() & ~first_introduced(); }
+
+ private:
+  // Elements 0, …, n − 1; n ≤ 64.
+  [[nodiscard]] static constexpr std::uint64_t first_elements(std::size_t n) {
+    return n == 0 ? 0 : ~std::uint64_t{0} >> (64 - n);
+  }
 };
 
 /// Every design with b blocks, in standard form up to names, belongs to exactly one case and is found once

@@ -32,8 +32,8 @@ class OneTrees {
     // The vertex that is left out of the tree: the extra one, or block 0.
     const std::size_t begin = linear_ ? 0 : 1;
     std::int64_t length = tree(begin);
-    std::size_t one = n_;
-    std::size_t two = n_;
+    std::size_t one = 0;
+    std::size_t two = 0;
     if (linear_) {
       // Edges to two different blocks, a first and a last one.
       const auto to_first = [&](std::size_t i) {

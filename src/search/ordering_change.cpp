@@ -227,6 +227,7 @@ class HamiltonByCuts {
     }
     for (const auto& edges : edges_) {
       std::vector<Literal> literals;
+      literals.reserve(edges.size());
       for (const Edge& edge : edges) {
         literals.push_back(edge.literal);
       }

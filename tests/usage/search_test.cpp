@@ -48,10 +48,10 @@ TEST(Search, WhatItFindsCanBeStoredAndVerified) {
 
 TEST(Search, IsDeterministicWithOneThread) {
   const TemporaryFolder folder;
-  const Outcome first =
-      run("$changeover search 44 7 --blocks 88 --threads 1 --seed 5 --quiet -f text", folder.path());
-  const Outcome second =
-      run("$changeover search 44 7 --blocks 88 --threads 1 --seed 5 --quiet -f text", folder.path());
+  const Outcome first = run(
+      "$changeover search 44 7 --blocks 88 --threads 1 --seed 5 --quiet -f text", folder.path());
+  const Outcome second = run(
+      "$changeover search 44 7 --blocks 88 --threads 1 --seed 5 --quiet -f text", folder.path());
   EXPECT_EQ(first.code, 10) << first.err;
   EXPECT_EQ(first.out, second.out);
 }
