@@ -8,6 +8,7 @@
 #include "changeover/core/version.hpp"
 #include "search_request.hpp"
 #include "show_design.hpp"
+#include "team.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -102,6 +103,10 @@ int run(const SearchRequest& request) {
                    (request.repair_file.empty() ? 0 : 1);
   if (ways > 1) {
     throw UsageError{"--exact, --base-blocks, --order, --extend and --repair exclude each other"};
+  }
+  if (ways > 0 && !request.exact && Team::world().size() > 1) {
+    throw UsageError{
+        "several processes share local search and --exact only; run this without mpirun"};
   }
   if (!request.proof_directory.empty() && !request.exact) {
     throw UsageError{"--proof DIR keeps the proofs of --exact; give both"};

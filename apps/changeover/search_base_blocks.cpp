@@ -5,7 +5,6 @@
 #include "changeover/io/json_writer.hpp"
 #include "changeover/search/base_block_search.hpp"
 #include "search_request.hpp"
-#include "team.hpp"
 
 namespace changeover::cli {
 namespace {
@@ -47,9 +46,6 @@ int search_base_blocks(const SearchRequest& request) {
     lines.push_back("no automorphism of this kind is possible for these parameters");
   }
   lines.push_back(describe(result));
-  if (!Team::world().first()) {
-    return result.found() ? exit_code::found : exit_code::limit_reached;
-  }
   if (!result.found()) {
     std::string text;
     for (const std::string& line : lines) {

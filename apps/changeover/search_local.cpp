@@ -21,7 +21,6 @@ void share_best(ImproveResult& result, const Parameters& p) {
   }
   std::string own = fmt::format("{}\n{}\n", result.moves, result.how);
   own += result.design ? pack(*result.design) : "";
-  const Recipe recipe = result.design && result.design->recipe ? *result.design->recipe : Recipe{};
   std::uint64_t moves = 0;
   for (const std::string& said : team.exchange(own)) {
     const std::size_t line = said.find('\n');
