@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -81,15 +82,33 @@ std::string_view how_to_mend(int error) {
     case EISDIR:
       return "name a file in it";
     case EPIPE:
+    case ECONNRESET:
       return "the reader went away; keep it running";
+    case EFBIG:
+      return "raise the limit on the size of files (ulimit -f), or write elsewhere";
+    case EBADF:
+      return "the stream is closed; keep it open, or name a file";
+    case EIO:
+      return "the device failed; write elsewhere";
+    case ELOOP:
+      return "a symbolic link leads back to itself; correct it";
+    case EMFILE:
+    case ENFILE:
+      return "too many files are open; raise the limit (ulimit -n), or close some";
+    case ENAMETOOLONG:
+      return "use a shorter name";
     default:
       return "write elsewhere";
   }
 }
 
 [[noreturn]] void cannot_write(const std::string& path, int error) {
-  throw MissingResource(
-      fmt::format("{}: cannot write: {}; {}", path, std::strerror(error), how_to_mend(error)));
+  const std::string line =
+      fmt::format("{}: cannot write: {}; {}", path, std::strerror(error), how_to_mend(error));
+  if (error == EPIPE || error == ECONNRESET) {
+    throw ReaderGone(line);
+  }
+  throw MissingResource(line);
 }
 
 /// What the symbolic links of `path` end in; the file itself may be missing.
@@ -114,17 +133,34 @@ struct OutputFile::State {
   int slot = -1;
   int descriptor = -1;
   bool owned = false;  // the descriptor is ours to close
+  int failure = 0;     // the first error of the system; from then on the bytes are not whole
   std::vector<char> buffer;
 
   static constexpr std::size_t buffer_bytes = std::size_t{1} << 16;
 
+  [[noreturn]] void fail(int error) {
+    failure = failure != 0 ? failure : error;
+    cannot_write(name, failure);
+  }
+
+  // Whoever goes on after a fault must not end with a file that has a hole in it.
+  void require_whole() {
+    if (failure != 0) {
+      fail(failure);
+    }
+  }
+
   void write_through(std::string_view bytes) {
+    require_whole();
     while (!bytes.empty()) {
       const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
       if (count >= 0) {
         bytes.remove_prefix(static_cast<std::size_t>(count));
+      } else if (errno == EAGAIN) {  // a stream shared with a program that does not want to wait
+        pollfd ready{.fd = descriptor, .events = POLLOUT, .revents = 0};
+        ::poll(&ready, 1, -1);
       } else if (errno != EINTR) {
-        cannot_write(name, errno);
+        fail(errno);
       }
     }
   }
@@ -140,8 +176,20 @@ struct OutputFile::State {
       const int result = ::close(descriptor);
       descriptor = -1;
       if (result != 0 && errno != EINTR) {
-        cannot_write(name, errno);
+        fail(errno);
       }
+    }
+  }
+
+  // Makes the new name as durable as the bytes are. The file is in place by then and some file systems
+  // cannot do this, so that it fails is no fault.
+  void sync_folder() const {
+    const std::size_t slash = target.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : target.substr(0, slash + 1);
+    const int directory = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (directory >= 0) {
+      ::fsync(directory);
+      ::close(directory);
     }
   }
 
@@ -236,6 +284,7 @@ void OutputFile::write(std::string_view bytes) {
   if (large || s.buffer.size() + bytes.size() > State::buffer_bytes) {
     s.flush();
   }
+  s.require_whole();
   if (large) {  // whoever gathers this much has a buffer of its own
     s.write_through(bytes);
   } else {
@@ -253,14 +302,15 @@ void OutputFile::commit() {
     return;
   }
   if (::fsync(s.descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
-    cannot_write(s.name, errno);
+    s.fail(errno);
   }
   s.close();
   if (::rename(s.temporary.c_str(), s.target.c_str()) != 0) {
-    cannot_write(s.name, errno);
+    s.fail(errno);
   }
   unfinished.drop(s.slot);
   s.temporary.clear();
+  s.sync_folder();
 }
 
 std::string OutputFile::path_until_commit() const {

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -216,6 +217,117 @@ TEST_F(OutputFileTest, StandardOutputIsWrittenAndItsFaultsAreNoticed) {
   });
   EXPECT_EQ(status, 0);
   EXPECT_EQ(contents(path("out")), "to stdout\n");
+}
+
+// Limits the size of files for this process, as `ulimit -f` does.
+void limit_files_to(rlim_t bytes) {
+  signal(SIGXFSZ, SIG_IGN);
+  rlimit limit{.rlim_cur = bytes, .rlim_max = bytes};
+  setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+TEST_F(OutputFileTest, ALimitOnFileSizesIsSaidAndTheOldFileIsIntact) {
+  for (const std::size_t size : {2000U, 300'000U}) {  // noticed by commit(), and by write()
+    fill(path("old"), "precious");
+    const int status = ending_of([&] {
+      limit_files_to(1000);
+      const std::string line = refusal(path("old"), std::string(size, 'x'));
+      _exit(line.find("File too large; raise the limit") != std::string::npos ? 0 : 1);
+    });
+    EXPECT_EQ(status, 0);
+    EXPECT_EQ(contents(path("old")), "precious");
+    EXPECT_EQ(files(), 1U);
+  }
+}
+
+TEST_F(OutputFileTest, CommitAfterAFailedWriteThrowsAgainAndPutsNothingInPlace) {
+  fill(path("old"), "precious");
+  const int status = ending_of([&] {
+    signal(SIGXFSZ, SIG_IGN);
+    rlimit limit = {};
+    getrlimit(RLIMIT_FSIZE, &limit);
+    const rlimit before = limit;
+    limit.rlim_cur = 100'000;
+    setrlimit(RLIMIT_FSIZE, &limit);
+    OutputFile file(path("old"));
+    int faults = 0;
+    const auto attempt = [&](auto action) {
+      try {
+        action();
+      } catch (const MissingResource&) {
+        ++faults;
+      }
+    };
+    attempt([&] { file.write(std::string(300'000, 'x')); });
+    setrlimit(RLIMIT_FSIZE, &before);
+    attempt([&] { file.write("little"); });
+    attempt([&] { file.flush(); });
+    attempt([&] { file.commit(); });
+    _exit(faults == 4 ? 0 : 1);
+  });
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(contents(path("old")), "precious");
+}
+
+TEST_F(OutputFileTest, AFolderThatIsRemovedMeanwhileIsMissing) {
+  fs::create_directory(path("folder"));
+  OutputFile file(path("folder/file"));
+  file.write("x");
+  fs::remove_all(path("folder"));
+  EXPECT_THROW(file.commit(), MissingResource);
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(OutputFileTest, ATargetThatBecameAFolderIsNotReplaced) {
+  OutputFile file(path("target"));
+  file.write("x");
+  fs::create_directories(path("target/inside"));
+  EXPECT_THROW(file.commit(), MissingResource);
+  EXPECT_TRUE(fs::is_directory(path("target/inside")));
+}
+
+TEST_F(OutputFileTest, AReaderThatWentAwayIsAFaultOfItsOwn) {
+  const int status = ending_of([] {
+    signal(SIGPIPE, SIG_IGN);
+    int ends[2] = {};
+    if (pipe(ends) != 0) {
+      _exit(2);
+    }
+    dup2(ends[1], STDOUT_FILENO);
+    close(ends[0]);
+    try {
+      OutputFile file("-");
+      file.write("x");
+      file.commit();
+    } catch (const ReaderGone& fault) {
+      _exit(std::string(fault.what()).find("reader went away") != std::string::npos ? 0 : 1);
+    }
+    _exit(1);
+  });
+  EXPECT_EQ(status, 0);
+}
+
+TEST_F(OutputFileTest, AStreamThatWouldNotWaitIsWaitedFor) {
+  int ends[2] = {};
+  ASSERT_EQ(pipe2(ends, O_NONBLOCK), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    dup2(ends[1], STDOUT_FILENO);
+    _exit(refusal("-", std::string(1 << 20, 'x')).empty() ? 0 : 1);
+  }
+  close(ends[1]);
+  fcntl(ends[0], F_SETFL, 0);
+  std::size_t got = 0;
+  char buffer[4096];
+  for (ssize_t count = 0; (count = read(ends[0], buffer, sizeof buffer)) > 0;) {
+    got += static_cast<std::size_t>(count);
+  }
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(got, std::size_t{1} << 20);
 }
 
 TEST_F(OutputFileTest, ASignalRemovesTheTemporaryAndEndsTheProcess) {

@@ -42,6 +42,13 @@ class MissingResource : public Error {
   using Error::Error;
 };
 
+/// Whoever read what was being written went away: a pipe or connection is closed. It is told apart
+/// because for standard output it is often no fault at all: `changeover design 99 4 | head -3`.
+class ReaderGone : public MissingResource {
+ public:
+  using MissingResource::MissingResource;
+};
+
 /// A bug of this library: a result failed its own verification, an invariant broke.
 class InternalError : public Error {
  public:

@@ -33,14 +33,17 @@ class OutputFile final : public Sink {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// @throws MissingResource if the disk is full, the pipe closed, …
+  /// @throws MissingResource if the disk is full, …; ReaderGone, which is one, if a pipe is closed and
+  /// the process ignores SIGPIPE.
   void write(std::string_view bytes) override;
 
   /// Hands what is buffered to the system. For a regular file it stays invisible until commit().
   void flush();
 
-  /// Flushes, makes the bytes durable and puts the file in place; nothing may be written afterwards.
-  /// @throws MissingResource as write(); the old file is then intact.
+  /// Flushes, makes the bytes and the name durable and puts the file in place; nothing may be written
+  /// afterwards.
+  /// @throws MissingResource as write(), and again if a write() or flush() before failed: a file that is
+  /// not whole is never put in place. The old file is then intact.
   void commit();
 
   /// The file that holds the bytes until commit(), for reading it back after flush() or for handing it to
