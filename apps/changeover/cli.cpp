@@ -1,37 +1,54 @@
 #include "cli.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
+#include <algorithm>
+#include <cctype>
 #include <charconv>
-#include <cstdio>
-#include <cstring>
 #include <map>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/output_file.hpp"
+#include "changeover/core/printable.hpp"
+#include "changeover/run/scope.hpp"
+#include "deliver.hpp"
+#include "process.hpp"
+#include "spelling.hpp"
+#include "status_line.hpp"
 
 namespace changeover::cli {
 namespace {
 
+// One line on stderr, whatever the message holds.
 int complain(int code, const std::string& message) {
-  // One line, whatever the message holds.
+  constexpr std::size_t longest = 1000;
   std::string line = "changeover: " + message;
-  for (char& c : line) {
-    c = c == '\n' ? ' ' : c;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  line = printable(line);
+  if (line.size() > longest) {
+    std::size_t end = longest;
+    while ((static_cast<unsigned char>(line[end]) & 0xc0U) == 0x80U) {  // within a character
+      --end;
+    }
+    line.resize(end);
+    line += " … (shortened)";
   }
-  line += '\n';
-  std::fputs(line.c_str(), stderr);
+  status_line().say(line);
   return code;
 }
 
 int answer(const std::string& text) {
-  if (std::fputs(text.c_str(), stdout) < 0 || std::fflush(stdout) != 0) {
-    return complain(exit_code::missing_resource,
-                    std::string("cannot write to standard output: ") + std::strerror(errno));
+  try {
+    deliver(text, std::string("-"));
+    return exit_code::done;
+  } catch (const ReaderGone&) {
+    return leave_as_the_reader_did();
+  } catch (const MissingResource& fault) {
+    return complain(exit_code::missing_resource, fault.what());
   }
-  return exit_code::done;
 }
 
 // The parser's own words, made to say where help is.
@@ -56,13 +73,84 @@ std::string whole_number_defect(const std::string& given) {
                                                : "'" + given + "' is not a whole number";
 }
 
+// What is to be given, from its name in the help: FILE, DIR, DURATION, SIZE, A..B.
+std::string kind_of_value(const std::string& what) {
+  return what == "FILE"                            ? "file"
+         : what == "DIR"                           ? "folder"
+         : what == "DURATION"                      ? "duration"
+         : what == "SIZE"                          ? "size"
+         : what.find("..") != std::string::npos ? "range"
+                                                   : "text";
+}
+
+// "--change", "-m", … of an option; nothing for a positional.
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) {
+    names.push_back("-" + name);
+  }
+  for (const std::string& name : option.get_lnames()) {
+    names.push_back("--" + name);
+  }
+  return names;
+}
+
+// The parser complains of what is missing before what is misspelt, and cannot guess what was meant.
+std::string misspelt(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-' || argv[1][0] == '\0') {
+    return {};
+  }
+  const std::string verb_name = argv[1];
+  const CLI::App* verb = nullptr;
+  std::vector<std::string> verbs;
+  for (const CLI::App* each : program.get_subcommands({})) {
+    verb = each->get_name() == verb_name ? each : verb;
+    verbs.push_back(each->get_name());
+  }
+  if (verb == nullptr) {
+    return "there is no verb '" + verb_name + "'" + did_you_mean(verb_name, verbs) +
+           "; see changeover --help";
+  }
+  std::map<std::string, bool> takes_value;
+  std::vector<std::string> known;
+  for (const CLI::Option* option : verb->get_options()) {
+    for (const std::string& name : names_of(*option)) {
+      takes_value[name] = option->get_items_expected_max() > 0;
+      known.push_back(name);
+    }
+  }
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--") {
+      break;
+    }
+    const bool is_long = word.size() > 2 && word.starts_with("--");
+    const bool is_short =
+        !is_long && word.size() > 1 && word[0] == '-' && (std::isalpha(word[1]) != 0);
+    if (!is_long && !is_short) {
+      continue;
+    }
+    const std::string name = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
+    const auto found = takes_value.find(name);
+    if (found == takes_value.end()) {
+      return verb_name + " has no option " + name + did_you_mean(name, known) +
+             "; see changeover " + verb_name + " --help";
+    }
+    if (found->second && word.size() == name.size()) {
+      ++i;  // its value
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 struct Verb::State {
   CLI::App* app = nullptr;
   std::function<int()>
       action;  // runs after parsing, so that its faults are not taken for the parser's
-  std::map<const CLI::Option*, std::vector<std::string>> words;  // of choices, for completion
+  std::map<const CLI::Option*, std::vector<std::string>> words;  // of choices
+  std::map<const CLI::Option*, std::string> kinds;  // of values: number, text, file, …; flags have none
 };
 
 struct Program::State {
@@ -78,30 +166,37 @@ Verb::Verb(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Verb::~Verb() = default;
 
 void Verb::positional(const std::string& name, std::uint64_t& value, const std::string& help) {
-  state_->app->add_option(name, value, help)
-      ->required()
-      ->option_text("NUMBER")
-      ->check(whole_number_defect, "");
+  CLI::Option* option = state_->app->add_option(name, value, help);
+  option->required()->option_text("NUMBER")->check(whole_number_defect, "");
+  state_->kinds[option] = "number";
 }
 
 void Verb::positional(const std::string& name, std::string& value, const std::string& help,
                       bool required) {
-  state_->app->add_option(name, value, help)->required(required)->option_text(" ");
+  CLI::Option* option = state_->app->add_option(name, value, help);
+  option->required(required)->option_text(" ");
+  state_->kinds[option] = "file";
 }
 
 void Verb::positional(const std::string& name, std::optional<std::uint64_t>& value,
                       const std::string& help) {
-  state_->app->add_option(name, value, help)->option_text("NUMBER")->check(whole_number_defect, "");
+  CLI::Option* option = state_->app->add_option(name, value, help);
+  option->option_text("NUMBER")->check(whole_number_defect, "");
+  state_->kinds[option] = "number";
 }
 
 void Verb::option(const std::string& flags, std::optional<std::uint64_t>& value,
                   const std::string& what, const std::string& help) {
-  state_->app->add_option(flags, value, help)->option_text(what)->check(whole_number_defect, "");
+  CLI::Option* option = state_->app->add_option(flags, value, help);
+  option->option_text(what)->check(whole_number_defect, "");
+  state_->kinds[option] = "number";
 }
 
 void Verb::option(const std::string& flags, std::string& value, const std::string& what,
                   const std::string& help) {
-  state_->app->add_option(flags, value, help)->option_text(what);
+  CLI::Option* option = state_->app->add_option(flags, value, help);
+  option->option_text(what);
+  state_->kinds[option] = kind_of_value(what);
 }
 
 void Verb::choice(const std::string& flags, std::string& value,
@@ -123,6 +218,7 @@ void Verb::choice(const std::string& flags, std::string& value,
       },
       "");
   state_->words[option] = words;
+  state_->kinds[option] = "words";
 }
 
 void Verb::flag(const std::string& flags, bool& value, const std::string& help) {
@@ -163,10 +259,15 @@ Verb& Program::add(const std::string& name, const std::string& summary) {
 int Program::run(int argc, char** argv) {
   CLI::App& app = state_->app;
   if (argc == 1) {
-    std::fputs(app.help().c_str(), stderr);
+    std::string help = app.help();
+    help.erase(help.find_last_not_of('\n') + 1);
+    status_line().say(help);
     return exit_code::usage;
   }
   remove_unfinished_outputs_on_signals();
+  if (const std::string defect = misspelt(app, argc, argv); !defect.empty()) {
+    return complain(exit_code::usage, defect);
+  }
   const auto chosen = [&]() -> const CLI::App& {
     const auto verbs = app.get_subcommands();
     return verbs.empty() ? app : *verbs.front();
@@ -193,17 +294,60 @@ int Program::run(int argc, char** argv) {
     return complain(exit_code::usage, fault.what());
   } catch (const BadInput& fault) {
     return complain(exit_code::bad_input, fault.what());
+  } catch (const ReaderGone&) {
+    return leave_as_the_reader_did();
   } catch (const MissingResource& fault) {
     return complain(exit_code::missing_resource, fault.what());
+  } catch (const Stopped& stopped) {
+    return complain(exit_code::limit_reached,
+                    "stopped (" + std::string(to_string(stopped.why())) + ") before anything was found");
   } catch (const std::bad_alloc&) {
     return complain(exit_code::missing_resource, "not enough memory for these parameters");
-  } catch (const InternalError& fault) {
-    return complain(exit_code::bug,
-                    std::string("a bug of ours, please report it: ") + fault.what());
+  } catch (const std::length_error&) {
+    return complain(exit_code::missing_resource, "not enough memory for these parameters");
+  } catch (const std::system_error& fault) {  // of files, threads, …
+    return complain(exit_code::missing_resource, fault.what());
   } catch (const std::exception& fault) {
     return complain(exit_code::bug,
                     std::string("a bug of ours, please report it: ") + fault.what());
   }
+}
+
+std::vector<OptionDescription> Program::describe() const {
+  std::vector<OptionDescription> all;
+  for (const auto& entry : state_->verbs) {
+    const Verb::State& verb = *entry->state_;
+    for (const CLI::Option* option : verb.app->get_options()) {
+      if (option == verb.app->get_help_ptr()) {
+        continue;
+      }
+      OptionDescription each;
+      each.verb = verb.app->get_name();
+      each.names = names_of(*option);
+      each.positional = each.names.empty();
+      if (each.positional) {
+        each.names = {option->get_name(true)};
+      }
+      const auto kind = verb.kinds.find(option);
+      each.kind = kind == verb.kinds.end() ? "flag" : kind->second;
+      const auto words = verb.words.find(option);
+      if (words != verb.words.end()) {
+        each.words = words->second;
+      }
+      each.required = option->get_required();
+      each.help = option->get_description();
+      all.push_back(std::move(each));
+    }
+  }
+  return all;
+}
+
+std::vector<std::pair<std::string, std::string>> Program::verbs() const {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto& entry : state_->verbs) {
+    all.emplace_back(entry->state_->app->get_name(), entry->state_->app->get_description());
+  }
+  return all;
 }
 
 std::string Program::bash_completion() const {

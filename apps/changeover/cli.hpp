@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace changeover::cli {
@@ -69,6 +70,17 @@ class Verb {
   std::unique_ptr<State> state_;
 };
 
+/// An option or a positional argument of a verb, as completion, tests and other programs want to know it.
+struct OptionDescription {
+  std::string verb;
+  std::vector<std::string> names;  ///< "-m", "--change"; of a positional its name in the help
+  bool positional = false;
+  bool required = false;
+  std::string kind;                ///< number, text, words, flag, file, folder, duration, size, range
+  std::vector<std::string> words;  ///< if kind is words
+  std::string help;
+};
+
 /// All verbs and the parser.
 class Program {
  public:
@@ -81,6 +93,12 @@ class Program {
 
   /// Parses, runs the verb and maps faults to exit codes, one line on stderr each.
   int run(int argc, char** argv);
+
+  /// Every option of every verb, in the order of the help.
+  [[nodiscard]] std::vector<OptionDescription> describe() const;
+
+  /// The name and the summary of every verb.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> verbs() const;
 
   /// A script that completes verbs, options and their words in bash.
   [[nodiscard]] std::string bash_completion() const;

@@ -258,7 +258,7 @@ std::string hint(const LoadOrderRequest& request, const LoadOrderFacts& facts) {
              : "--time 30s may find an order with fewer\n";
 }
 
-void write_one(const LoadOrderRequest& request, LoadOrder& order, OutputFile& out) {
+void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFile& out) {
   const LoadOrderFacts& facts = order.facts();
   const std::string format = request.format();
   Audit audit(facts, request.run.seed.value_or(1));
@@ -277,7 +277,7 @@ void write_one(const LoadOrderRequest& request, LoadOrder& order, OutputFile& ou
                              facts.bound.reason, audit.text()));
   }
   LoadStep step;
-  while (order.next(step)) {
+  for (const auto steps = order.stream(); steps->next(step);) {
     audit.read(step);
     writer.write(step, 0);
   }
@@ -412,22 +412,23 @@ int run(const LoadOrderRequest& request) {
     running.emplace(request.run, request.output);
     options.improve = improve_by_search(running->control());
   }
-  const auto planned = [&] { running.reset(); };  // Ctrl-C ends the process again
-  OutputFile out(request.output.path);
+  OutputRequest output = request.output;
+  output.precious = running.has_value();  // Without a search the same command makes it again.
+  output.check_writable();
+  const auto answer = [&](const auto& write) {
+    running.reset();  // Ctrl-C ends the process again.
+    deliver(output, write);
+  };
   if (request.workers) {
     const WorkerSplit split = split_load_order(items, room, *request.workers, options);
-    planned();
-    write_workers(request, split, out);
+    answer([&](OutputFile& out) { write_workers(request, split, out); });
   } else if (request.prefetch) {
     const PrefetchPlan plan = plan_prefetch(items, room, options);
-    planned();
-    write_prefetch(request, plan, room, out);
+    answer([&](OutputFile& out) { write_prefetch(request, plan, room, out); });
   } else {
-    LoadOrder order = plan_load_order(items, room, options);
-    planned();
-    write_one(request, order, out);
+    const LoadOrder order = plan_load_order(items, room, options);
+    answer([&](OutputFile& out) { write_one(request, order, out); });
   }
-  out.commit();
   return exit_code::done;
 }
 
@@ -442,7 +443,7 @@ void add_loadorder(Program& program) {
   verb.option("--workers", request->workers, "W", "split it for W workers with room C each");
   verb.flag("--prefetch", request->prefetch,
             "say what is computed when, so that loads overlap computation");
-  request->run.add_to(verb, "0s");
+  request->run.add_to(verb, "0s", request->output);
   request->output.add_to(verb, {"text", "jsonl", "csv"});
   verb.flag("--json", request->json, "the same as --format jsonl: one object a line");
   verb.examples({"changeover loadorder --items 64 --room 16",

@@ -1,8 +1,12 @@
+#include "process.hpp"
+#include "run_request.hpp"
 #include "team.hpp"
 #include "verbs.hpp"
 
 int main(int argc, char** argv) {
   using namespace changeover::cli;
+  prepare_process();
+  const Watched watched;
   Program program;
   add_design(program);
   add_verify(program);
@@ -20,6 +24,7 @@ int main(int argc, char** argv) {
   add_paper(program);
   add_loadorder(program);
   add_completion(program);
+  add_describe(program);
   const int code = program.run(argc, argv);
   Team::leave(code);
   return code;

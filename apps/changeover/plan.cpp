@@ -8,6 +8,7 @@
 #include "changeover/plan/what_if.hpp"
 #include "request.hpp"
 #include "run_request.hpp"
+#include "terminal.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -203,7 +204,7 @@ void add_plan(Program& program) {
             "which plan is cheapest at which ratio of change to test cost");
   verb.option("--title", request->title, "TEXT", "the heading of the run sheet");
   verb.option("--steps", request->steps, "N", "moves of each local search (default: as suits)");
-  request->run.add_to(verb, "60s");
+  request->run.add_to(verb, "60s", request->output);
   request->output.add_to(verb, {"table", "csv", "json", "markdown", "html"});
   verb.examples(
       {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",

@@ -1,14 +1,9 @@
 #include "request.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cstdlib>
 #include <filesystem>
-#include <string_view>
 
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
@@ -57,12 +52,6 @@ void OutputRequest::check_writable() const {
   if (!path.empty() && path != "-" && (!exists(status) || is_regular_file(status))) {
     const OutputFile trial(path);  // Goes away without a trace.
   }
-}
-
-void deliver(const std::string& text, const std::string& path) {
-  OutputFile out(path);
-  out.write(text);
-  out.commit();
 }
 
 std::optional<Offer> best_known(const Parameters& p) {
@@ -168,29 +157,6 @@ std::string quality(const Judgement& judgement) {
 
 std::string count_of(std::uint64_t n, const std::string& singular) {
   return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
-}
-
-bool may_colour(const OutputFile& out) {
-  const char* no_colour = std::getenv("NO_COLOR");
-  return out.is_standard_output() && isatty(STDOUT_FILENO) != 0 &&
-         (no_colour == nullptr || *no_colour == '\0');
-}
-
-std::size_t terminal_width(const OutputFile& out) {
-  constexpr std::size_t fallback = 100;
-  if (const char* columns = std::getenv("COLUMNS")) {
-    std::size_t width = 0;
-    const std::string_view text(columns);
-    if (std::from_chars(text.data(), text.data() + text.size(), width).ec == std::errc() &&
-        width > 0) {
-      return width;
-    }
-  }
-  winsize size{};
-  if (out.is_standard_output() && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
-    return size.ws_col;
-  }
-  return fallback;
 }
 
 }  // namespace changeover::cli

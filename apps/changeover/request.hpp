@@ -1,5 +1,5 @@
-// What verbs share: the parameters that are asked for, where the answer goes, and the judgement that
-// every design passes before it is shown.
+// What verbs share: the parameters that are asked for, the form of the answer, and the judgement that
+// every design passes before it is shown. Where the answer goes: deliver.hpp.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,7 @@
 #include "changeover/io/output_file.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "cli.hpp"
+#include "deliver.hpp"
 
 namespace changeover::cli {
 
@@ -38,6 +39,7 @@ struct OutputRequest {
   std::string format;
   bool json = false;
   std::string path;
+  bool precious = false;  ///< long work makes it: it is not lost because FILE cannot be written
 
   /// The first word is the default.
   void add_to(Verb& verb, const std::vector<std::string>& formats);
@@ -48,9 +50,6 @@ struct OutputRequest {
   /// Tries whether FILE can be written, so that long work is not done in vain. @throws MissingResource.
   void check_writable() const;
 };
-
-/// Writes all of an answer to the output that was asked for; "" and "-" are standard output.
-void deliver(const std::string& text, const std::string& path);
 
 /// The best that is known of some parameters: what the constructions offer, and for v ≤ 120 also what the
 /// closure rules make of it.
@@ -79,11 +78,5 @@ struct Judgement {
 
 /// "C(v,2) pairs" etc. for a line about an element-wise summary; plural by count.
 [[nodiscard]] std::string count_of(std::uint64_t n, const std::string& singular);
-
-/// Whether answers to standard output may be coloured: a terminal, and NO_COLOR is not set.
-[[nodiscard]] bool may_colour(const OutputFile& out);
-
-/// The columns of the terminal, COLUMNS, or 100.
-[[nodiscard]] std::size_t terminal_width(const OutputFile& out);
 
 }  // namespace changeover::cli

@@ -1,18 +1,18 @@
 #include "run_request.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <charconv>
-#include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <thread>
 
-#include "request.hpp"
+#include "changeover/run/scope.hpp"
+#include "progress_line.hpp"
+#include "status_line.hpp"
 #include "team.hpp"
 
 namespace changeover::cli {
@@ -32,50 +32,13 @@ void ask_to_stop(int signal) {
   }
 }
 
-std::string clock_time(Seconds time) {
-  const auto whole = static_cast<std::uint64_t>(std::max(0.0, std::ceil(time.count())));
-  if (whole < 60) {
-    return fmt::format("{} s", whole);
-  }
-  return whole < 3600 ? fmt::format("{}:{:02} min", whole / 60, whole % 60)
-                      : fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
-}
-
-std::string short_number(double number) {
-  if (number < 1e4) {
-    return fmt::format("{:.0f}", number);
-  }
-  return number < 1e7 ? fmt::format("{:.0f} k", number / 1e3)
-                      : fmt::format("{:.0f} M", number / 1e6);
-}
-
-std::string line_of(const Progress& progress) {
-  std::string line = progress.phase;
-  const double seconds = progress.elapsed.count();
-  if (progress.steps > 0 && seconds > 0) {
-    line += fmt::format("; {} {} ({}/s)", short_number(static_cast<double>(progress.steps)),
-                        progress.unit, short_number(static_cast<double>(progress.steps) / seconds));
-  }
-  if (progress.missing) {
-    line += fmt::format("; {} missing", *progress.missing);
-  }
-  if (progress.best) {
-    line += fmt::format("; best {}", *progress.best);
-  }
-  if (progress.lower_bound) {
-    line += fmt::format("; bound {}", *progress.lower_bound);
-  }
-  line += "; " + clock_time(progress.elapsed);
-  return progress.left ? line + ", " + clock_time(*progress.left) + " left" : line;
-}
-
-// So that the line never wraps, which would leave its halves behind.
-std::size_t progress_width() {
-  constexpr std::size_t usual = 100;
-  constexpr std::size_t least = 20;
-  winsize size{};
-  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return std::max(least, known ? std::size_t{size.ws_col} : usual) - 1;
+std::uint64_t half_of_the_memory() {
+  const auto pages = ::sysconf(_SC_PHYS_PAGES);
+  const auto page = ::sysconf(_SC_PAGESIZE);
+  constexpr std::uint64_t fallback = 4'000'000'000;
+  return pages > 0 && page > 0
+             ? static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page) / 2
+             : fallback;
 }
 
 }  // namespace
@@ -98,12 +61,34 @@ Seconds parse_duration(const std::string& text, const std::string& option) {
   return Seconds(number * scale);
 }
 
-void RunRequest::add_to(Verb& verb, const std::string& limit) {
+std::uint64_t parse_size(const std::string& text, const std::string& option) {
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, failure] = std::from_chars(text.data(), end, number);
+  const std::string unit(rest, end);
+  const std::uint64_t scale = unit.empty() || unit == "B" ? 1
+                              : unit == "K"               ? 1'000
+                              : unit == "M"               ? 1'000'000
+                              : unit == "G"               ? 1'000'000'000
+                              : unit == "T"               ? 1'000'000'000'000
+                                                          : 0;
+  if (failure != std::errc() || scale == 0 || number == 0 || number > UINT64_MAX / scale) {
+    throw UsageError{fmt::format(
+        "{} '{}' is not a size; give a whole number of bytes, or with K, M, G or T, as in 4G",
+        option, text)};
+  }
+  return number * scale;
+}
+
+void RunRequest::add_to(Verb& verb, const std::string& limit, OutputRequest& output) {
   default_time = limit;
+  output.precious = true;
   verb.option("--time", time, "DURATION",
               limit == "0s" ? "search so long for a better answer, e.g. 90s, 5m, 2h (default: not)"
                             : "stop after so long, e.g. 90s, 5m, 2h (default " +
                                   (limit.empty() ? std::string("no limit") : limit) + ")");
+  verb.option("--memory", memory, "SIZE",
+              "refuse tables and formulas above it, e.g. 4G (default: half of the machine's)");
   verb.option("--threads", threads, "N", "threads to use (default: all cores)");
   verb.option("--seed", seed, "N", "of the random numbers (default 1)");
   verb.flag("--quiet", quiet, "no progress on stderr");
@@ -119,37 +104,13 @@ std::string RunRequest::command() const {
 
 struct Running::State {
   std::unique_ptr<RunControl> control;
-  struct sigaction old_interrupt {};
-  struct sigaction old_terminate {};
-  bool terminal = false;
-  std::size_t shown = 0;  // columns of the progress line that is on the terminal
-  Seconds last_line{0};
-
-  void show(const Progress& progress) {
-    if (!terminal) {  // In a log: a line every ten seconds.
-      constexpr Seconds interval{10};
-      if (progress.elapsed >= last_line + interval) {
-        last_line = progress.elapsed;
-        fmt::print(stderr, "changeover: {}\n", line_of(progress));
-      }
-      return;
-    }
-    std::string line = line_of(progress);
-    const std::size_t width = progress_width();
-    if (line.size() > width) {
-      line.resize(width);
-    }
-    const std::size_t columns = line.size();
-    line.resize(std::max(columns, shown), ' ');
-    shown = columns;
-    fmt::print(stderr, "\r{}", line);
-    std::fflush(stderr);
-  }
+  std::optional<RunScope> scope;
+  static constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, signals.size()> old_actions{};
 };
 
 Running::Running(const RunRequest& request, const OutputRequest& output)
     : state_(std::make_unique<State>()) {
-  output.check_writable();
   constexpr std::uint64_t most_threads = 1024;
   const Team& team = Team::world();
   RunControl::Settings settings;
@@ -157,12 +118,16 @@ Running::Running(const RunRequest& request, const OutputRequest& output)
   if (!limit.empty()) {
     settings.time = parse_duration(limit, "--time");
   }
+  settings.memory_bytes =
+      request.memory.empty() ? half_of_the_memory() : parse_size(request.memory, "--memory");
   if (request.threads && (*request.threads == 0 || *request.threads > most_threads)) {
     throw UsageError{
         fmt::format("--threads {} is out of range; give 1 to {}", *request.threads, most_threads)};
   }
+  output.check_writable();
   // Members of a team share the machine unless they say otherwise.
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1U,
+                                    static_cast<unsigned>(most_threads));
   settings.threads = request.threads   ? static_cast<unsigned>(*request.threads)
                      : team.size() > 1 ? 1
                                        : cores;
@@ -172,36 +137,61 @@ Running::Running(const RunRequest& request, const OutputRequest& output)
   if (team.size() > 1) {
     settings.found_elsewhere = [] { return Team::world().heard(); };
   }
-  state_->terminal = ::isatty(STDERR_FILENO) == 1;
   if (!request.quiet && team.index() == 0) {
-    settings.on_progress = [state = state_.get()](const Progress& progress) {
-      state->show(progress);
+    settings.on_progress = [](const Progress& progress) {
+      StatusLine& line = status_line();
+      line.show(progress_line(progress, line.width()), progress.elapsed);
     };
   }
   state_->control = std::make_unique<RunControl>(std::move(settings));
+  state_->scope.emplace(*state_->control);
 
   interrupted = false;
   struct sigaction action {};
   action.sa_handler = ask_to_stop;
   action.sa_flags = SA_RESTART;
   ::sigemptyset(&action.sa_mask);
-  ::sigaction(SIGINT, &action, &state_->old_interrupt);
-  ::sigaction(SIGTERM, &action, &state_->old_terminate);
+  for (std::size_t i = 0; i < State::signals.size(); ++i) {
+    ::sigaction(State::signals[i], nullptr, &state_->old_actions[i]);
+    if (state_->old_actions[i].sa_handler != SIG_IGN) {  // as nohup has it
+      ::sigaction(State::signals[i], &action, nullptr);
+    }
+  }
 }
 
 Running::~Running() {
   finish_progress();
-  ::sigaction(SIGINT, &state_->old_interrupt, nullptr);
-  ::sigaction(SIGTERM, &state_->old_terminate, nullptr);
+  for (std::size_t i = 0; i < State::signals.size(); ++i) {
+    ::sigaction(State::signals[i], &state_->old_actions[i], nullptr);
+  }
 }
 
 RunControl& Running::control() { return *state_->control; }
 
-void Running::finish_progress() {
-  if (state_->shown > 0) {
-    fmt::print(stderr, "\r{}\r", std::string(state_->shown, ' '));
-    state_->shown = 0;
+void Running::finish_progress() { status_line().clear(); }
+
+struct Watched::State {
+  RunControl control;
+  RunScope scope{control};
+
+  static RunControl::Settings settings() {
+    RunControl::Settings settings;
+    settings.memory_bytes = half_of_the_memory();
+    if (status_line().on_terminal()) {
+      settings.on_progress = [](const Progress& progress) {
+        constexpr Seconds patience{1};
+        if (progress.elapsed >= patience) {
+          StatusLine& line = status_line();
+          line.show(progress_line(progress, line.width()), progress.elapsed);
+        }
+      };
+    }
+    return settings;
   }
-}
+};
+
+Watched::Watched() : state_(new State{.control = RunControl(State::settings())}) {}
+
+Watched::~Watched() { status_line().clear(); }
 
 }  // namespace changeover::cli

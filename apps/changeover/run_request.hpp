@@ -1,7 +1,7 @@
 // What verbs that search share: limits, threads, seed, progress on stderr, and Ctrl-C.
 //
 //     RunRequest run;
-//     run.add_to(verb);
+//     run.add_to(verb, "60s", output);
 //     …
 //     Running running(run, output);               // from here on Ctrl-C asks the search to stop
 //     auto result = improve(p, options, running.control());
@@ -24,15 +24,19 @@ namespace changeover::cli {
 [[nodiscard]] std::chrono::duration<double> parse_duration(const std::string& text,
                                                            const std::string& option);
 
-/// [--time DURATION] [--threads N] [--seed N] [--quiet].
+/// "500M", "4G", "4000000000": a number of bytes, in powers of 1000. @throws UsageError that names `option`.
+[[nodiscard]] std::uint64_t parse_size(const std::string& text, const std::string& option);
+
+/// [--time DURATION] [--memory SIZE] [--threads N] [--seed N] [--quiet].
 struct RunRequest {
   std::string time;
+  std::string memory;
   std::optional<std::uint64_t> threads;
   std::optional<std::uint64_t> seed;
   bool quiet = false;
 
-  /// `default_time` as in "60s", or "" for no limit.
-  void add_to(Verb& verb, const std::string& default_time);
+  /// `default_time` as in "60s", or "" for no limit. What is searched for is precious to `output`.
+  void add_to(Verb& verb, const std::string& default_time, OutputRequest& output);
 
   /// The options as they would be typed, for provenance: "--seed 7 --threads 2 --time 60s".
   [[nodiscard]] std::string command() const;
@@ -40,8 +44,9 @@ struct RunRequest {
   std::string default_time;
 };
 
-/// A search under way: its control, its progress on stderr, and Ctrl-C, which asks it to stop; a second
-/// Ctrl-C ends the process. One at a time. Knows the team (team.hpp): only its first member shows progress.
+/// A search under way: its control, which this thread listens to (run/scope.hpp), its progress on stderr, and
+/// Ctrl-C, SIGTERM or a terminal that goes away, which ask it to stop; a second Ctrl-C ends the process. One at
+/// a time. Knows the team (team.hpp): only its first member shows progress.
 class Running {
  public:
   /// @throws UsageError if an option is wrong; MissingResource if the output cannot be written.
@@ -54,6 +59,21 @@ class Running {
 
   /// Ends the progress line, so that an answer can be written.
   void finish_progress();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Work without limits of its own: what lasts longer than a second is told on a terminal, tables that half of
+/// the machine's memory does not hold are refused, and Ctrl-C ends the process. For the whole program; a Running
+/// takes its place while it lives.
+class Watched {
+ public:
+  Watched();
+  ~Watched();
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
 
  private:
   struct State;

@@ -160,7 +160,7 @@ void add_search(Program& program) {
   verb.option("--checkpoint", request->checkpoint, "FILE",
               "keep the state of a local search in FILE, and go on from it if it is there");
   verb.flag("--leaving", request->leaving, "mark leaving elements too, in tables and LaTeX");
-  request->run.add_to(verb, "60s");
+  request->run.add_to(verb, "60s", request->output);
   request->output.add_to(verb, design_formats());
   verb.examples({"changeover search 20 5                           local search for 60 seconds",
                  "changeover search 9 4 --change 1 --exact         the minimum, with proof",

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "changeover/core/error.hpp"
 #include "changeover/io/csv.hpp"
 #include "changeover/io/figures.hpp"
 #include "changeover/io/latex.hpp"
 #include "changeover/io/table.hpp"
+#include "terminal.hpp"
 
 namespace changeover::cli {
 namespace {
@@ -16,17 +18,8 @@ Design in_memory(BlockSource& source, const Exhibit& exhibit) {
   return design;
 }
 
-}  // namespace
-
-const std::vector<std::string>& design_formats() {
-  static const std::vector<std::string> formats{"table", "text", "json", "csv",
-                                                "latex", "svg",  "tikz"};
-  return formats;
-}
-
-void show_design(BlockSource& source, const Exhibit& exhibit, const OutputRequest& output) {
-  const std::string format = output.chosen();
-  OutputFile out(output.path);
+void write_design(BlockSource& source, const Exhibit& exhibit, const std::string& format,
+                  OutputFile& out) {
   if (format == "text") {
     write_text(source, out, exhibit.header);
   } else if (format == "json") {
@@ -58,7 +51,25 @@ void show_design(BlockSource& source, const Exhibit& exhibit, const OutputReques
     out.write(exhibit.title + "\n\n");
     write_table(design, out, options);
   }
-  out.commit();
+}
+
+}  // namespace
+
+const std::vector<std::string>& design_formats() {
+  static const std::vector<std::string> formats{"table", "text", "json", "csv",
+                                                "latex", "svg",  "tikz"};
+  return formats;
+}
+
+void show_design(BlockSource& source, const Exhibit& exhibit, const OutputRequest& output) {
+  bool begun = false;
+  deliver(output, [&](OutputFile& out) {
+    if (begun && !source.rewind()) {
+      throw InternalError("a design that cannot be read twice");
+    }
+    begun = true;
+    write_design(source, exhibit, output.chosen(), out);
+  });
 }
 
 }  // namespace changeover::cli

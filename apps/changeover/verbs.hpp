@@ -21,5 +21,6 @@ void add_constructions(Program& program);
 void add_paper(Program& program);
 void add_loadorder(Program& program);
 void add_completion(Program& program);
+void add_describe(Program& program);
 
 }  // namespace changeover::cli

@@ -1,0 +1,74 @@
+#include "deliver.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "changeover/core/error.hpp"
+#include "request.hpp"
+#include "status_line.hpp"
+
+namespace changeover::cli {
+namespace {
+
+using Write = std::function<void(OutputFile&)>;
+
+void write_to(const std::string& path, const Write& write) {
+  OutputFile out(path);
+  if (out.is_standard_output()) {
+    status_line().end();
+  }
+  write(out);
+  out.commit();
+}
+
+// A name in the current folder that nothing has yet, like that of the target.
+std::string free_name(const std::string& target) {
+  const bool none = target.empty() || target == "-";
+  const std::string name =
+      none ? "changeover-answer" : std::filesystem::path(target).filename().string();
+  std::error_code ignored;
+  std::string free = name;
+  for (int i = 1; std::filesystem::exists(std::filesystem::symlink_status(free, ignored)); ++i) {
+    free = fmt::format("{}.{}", name, i);
+  }
+  return free;
+}
+
+}  // namespace
+
+void deliver(const OutputRequest& output, const Write& write) {
+  if (!output.precious) {
+    write_to(output.path, write);
+    return;
+  }
+  std::string fault;
+  try {
+    write_to(output.path, write);
+    return;
+  } catch (const ReaderGone&) {
+    throw;  // Nobody wants it.
+  } catch (const MissingResource& failure) {
+    fault = failure.what();
+  }
+  const std::string elsewhere = free_name(output.path);
+  bool printed = false;
+  try {
+    write_to(elsewhere, write);
+  } catch (const MissingResource&) {
+    write_to("-", write);
+    printed = true;
+  }
+  throw MissingResource(fault + (printed ? "; the answer was written to standard output instead"
+                                         : "; the answer was written to ./" + elsewhere + " instead"));
+}
+
+void deliver(const std::string& text, const OutputRequest& output) {
+  deliver(output, [&](OutputFile& out) { out.write(text); });
+}
+
+void deliver(const std::string& text, const std::string& path) {
+  write_to(path, [&](OutputFile& out) { out.write(text); });
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,15 @@
+// What this process asks of the system before it does anything else.
+#pragma once
+
+namespace changeover::cli {
+
+/// Call it first. A closed standard stream gets a descriptor that cannot be used, so that no file takes its
+/// number; a write to a pipe that nobody reads, or beyond the limit on the size of files, fails instead of
+/// ending the process.
+void prepare_process();
+
+/// The reader of standard output left: ends the process as it would have ended without prepare_process(), by
+/// SIGPIPE. Returns only if that is ignored by the parent's wish: then the exit code.
+[[nodiscard]] int leave_as_the_reader_did();
+
+}  // namespace changeover::cli
