@@ -27,6 +27,34 @@ static const u64 MAX_TABLE = 1ULL << 30; /* bytes, see make_room */
 
 /* ---- Messages: one line on stderr, and the end --------------------------- */
 
+/* The bytes of the UTF-8 character at s, or 0 if it is none to show: a control
+ * character, one that ends a line or turns the direction of writing, or other
+ * bytes.  A terminal could obey those, so names have none and messages show \xNN. */
+static size_t character(const char* s) {
+  static const unsigned long least[5] = {0, 0x20, 0x80, 0x800, 0x10000};
+  const unsigned char* u = (const unsigned char*)s;
+  size_t n = u[0] < 0x80 ? 1 : u[0] < 0xE0 ? 2 : u[0] < 0xF0 ? 3 : 4;
+  unsigned long c = n == 1 ? u[0] : u[0] & (0x7FU >> n);
+  if (u[0] >= 0xF8 || (u[0] >= 0x80 && u[0] < 0xC0)) return 0;
+  for (size_t i = 1; i < n; i++) {
+    if ((u[i] & 0xC0) != 0x80) return 0;
+    c = c << 6 | (u[i] & 0x3F);
+  }
+  if (c < least[n] || c > 0x10FFFF || (c >= 0xD800 && c <= 0xDFFF)) return 0;
+  if ((c >= 0x7F && c <= 0x9F) || (c >= 0x2028 && c <= 0x202E)) return 0;
+  return c >= 0x2066 && c <= 0x2069 ? 0 : n;
+}
+
+static void say(const char* text) {
+  for (size_t n; *text != '\0'; text += n) {
+    n = character(text);
+    if (n > 0)
+      fwrite(text, 1, n, stderr);
+    else
+      fprintf(stderr, "\\x%02x", (unsigned)(unsigned char)*text), n = 1;
+  }
+}
+
 /* Lines and columns count from 1; columns count bytes. */
 struct place {
   u64 line, column;
@@ -34,12 +62,17 @@ struct place {
 static const char* input_name = "<stdin>";
 
 static _Noreturn void stop(int code, const struct place* at, const char* format, ...) {
+  char message[8192]; /* a longer path is cut */
   va_list arguments;
-  fputs("checkdesign: ", stderr);
-  if (at != NULL) fprintf(stderr, "%s:%llu:%llu: ", input_name, at->line, at->column);
   va_start(arguments, format);
-  vfprintf(stderr, format, arguments);
+  vsnprintf(message, sizeof message, format, arguments);
   va_end(arguments);
+  fputs("checkdesign: ", stderr);
+  if (at != NULL) {
+    say(input_name);
+    fprintf(stderr, ":%llu:%llu: ", at->line, at->column);
+  }
+  say(message);
   fputc('\n', stderr);
   exit(code);
 }
@@ -137,6 +170,12 @@ static unsigned element(bool may_be_new) {
   unsigned h = 2166136261U; /* FNV-1a */
   if (word_length > MAX_NAME)
     stop(BAD_INPUT, &word_at, "name of more than %d bytes; use shorter names", MAX_NAME);
+  for (size_t i = 0, n; i < word_length; i += n) {
+    n = character(word + i);
+    if (n == 0 || strchr(",\"", word[i]) != NULL)
+      stop(BAD_INPUT, &word_at,
+           "name %s with a comma, a quote or bytes that are no text; rename it", word);
+  }
   for (const char* s = word; *s != '\0'; s++) h = (h ^ (unsigned char)*s) * 16777619U;
   for (h %= SLOTS; slots[h] != 0; h = (h + 1) % SLOTS)
     if (strcmp(name[slots[h] - 1], word) == 0) return slots[h] - 1;
@@ -168,8 +207,8 @@ static void check_names(void) {
 
 /* ---- Covering: one bit for each t-subset of the ids ---------------------- */
 
-static unsigned char* table;
-static u64 table_bytes, covered, events;
+static u64* table;
+static u64 table_words, covered, events;
 
 /* n over r, for r = 1 to 4: exact for n <= 65535 (n^4 < 2^64), and 0 if n < r. */
 static u64 choose(u64 n, unsigned r) {
@@ -195,42 +234,99 @@ static u64 rank_of(const unsigned set[]) {
 }
 
 static bool is_covered(u64 rank) {
-  return rank / 8 < table_bytes && (table[rank / 8] >> rank % 8 & 1) != 0;
+  return rank / 64 < table_words && (table[rank / 64] >> rank % 64 & 1) != 0;
 }
 
 /* Makes the table hold one bit for every t-subset of the names. */
 static void make_room(void) {
-  u64 need = choose(names, value[STRENGTH]) / 8 + 1;
-  u64 size = need > 2 * table_bytes ? need : 2 * table_bytes;
-  if (need <= table_bytes) return;
-  if (need > MAX_TABLE)
+  u64 need = choose(names, value[STRENGTH]) / 64 + 1;
+  u64 size = need > 2 * table_words ? need : 2 * table_words;
+  if (need <= table_words) return;
+  if (8 * need > MAX_TABLE)
     stop(SYSTEM, NULL, "%s: strength %u with %u elements needs %llu bytes of memory, limit %llu",
-         input_name, value[STRENGTH], names, need, MAX_TABLE);
-  table = realloc(table, (size_t)size);
-  if (table == NULL) stop(SYSTEM, NULL, "%s: out of memory: %llu bytes", input_name, size);
-  memset(table + table_bytes, 0, (size_t)(size - table_bytes));
-  table_bytes = size;
+         input_name, value[STRENGTH], names, 8 * need, MAX_TABLE);
+  if (8 * size > MAX_TABLE) size = need;
+  table = realloc(table, 8 * (size_t)size);
+  if (table == NULL) stop(SYSTEM, NULL, "%s: out of memory: %llu bytes", input_name, 8 * size);
+  memset(table + table_words, 0, 8 * (size_t)(size - table_words));
+  table_words = size;
+}
+
+/* The number of ones: sums of 1, then of 2, 4 and 8 neighbouring bits. */
+static u64 ones(u64 bits) {
+  bits -= bits >> 1 & 0x5555555555555555ULL;
+  bits = (bits & 0x3333333333333333ULL) + (bits >> 2 & 0x3333333333333333ULL);
+  bits = (bits + (bits >> 4)) & 0x0F0F0F0F0F0F0F0FULL;
+  return bits * 0x0101010101010101ULL >> 56;
+}
+
+/* Covers the t-subsets of the ranks 64 place + i for all bits i. */
+static void mark(u64 place, u64 bits) {
+  if (bits == 0) return;
+  covered += ones(bits & ~table[place]);
+  table[place] |= bits;
 }
 
 /* mixed[] is a block: first its `fresh` elements that are not in the block
- * before, then the others.  cover(t, 0) goes through all t-subsets of the block
- * with at least one fresh element: those whose first member is fresh.  Each is
- * a covering event.  The remaining t-subsets lie in the block before as well.
- * `left` members are still to be chosen, at mixed[from] or later. */
+ * before, then the others.  To be covered are all t-subsets of the block with at
+ * least one fresh element; the remaining ones lie in the block before as well.
+ * There are two ways to go through them, for few and for many fresh elements. */
 static unsigned mixed[MAX_ELEMENTS], fresh, subset[MAX_T];
 
+/* One by one: cover(t, 0) takes those whose first member in mixed[] is fresh.
+ * `left` members are still to be chosen, at mixed[from] or later. */
 static void cover(unsigned left, unsigned from) {
   if (left == 0) {
     u64 rank = rank_of(subset);
-    events++;
-    covered += !is_covered(rank);
-    table[rank / 8] |= (unsigned char)(1U << rank % 8);
+    mark(rank / 64, 1ULL << rank % 64);
     return;
   }
   for (unsigned i = from; i < (left == value[STRENGTH] ? fresh : value[K]); i++) {
     subset[left - 1] = mixed[i];
     cover(left - 1, i + 1);
   }
+}
+
+/* 64 at a time: t-subsets with the same members but for the smallest, a_1, have
+ * ranks base + a_1, so a set of ids, one bit each, shifted to `base` marks them.
+ * cover_rows(t, k, 0, false, names) chooses all members but a_1 from the sorted
+ * block[], the largest first.  `left` members are still to be chosen, at places
+ * below `from`, with ids below `above`.  If a fresh element is among the others, a_1
+ * may be any element of the block, and must be fresh if not. */
+static u64 all[MAX_ELEMENTS / 64 + 1], only_fresh[MAX_ELEMENTS / 64 + 1];
+static const unsigned* block;
+
+static void cover_rows(unsigned left, unsigned from, u64 base, bool has_fresh, unsigned above) {
+  const u64* set = has_fresh ? all : only_fresh;
+  for (unsigned i = 0; left > 1 && i < from; i++) {
+    unsigned id = block[i];
+    bool is_fresh = (only_fresh[id / 64] >> id % 64 & 1) != 0;
+    cover_rows(left - 1, i, base + choose(id, left), has_fresh || is_fresh, id);
+  }
+  for (unsigned id = 0; left == 1 && id < above; id += 64) {
+    u64 bits = above - id < 64 ? set[id / 64] & ((1ULL << (above - id)) - 1) : set[id / 64];
+    u64 rank = base + id;
+    mark(rank / 64, bits << rank % 64);
+    if (rank % 64 != 0) mark(rank / 64 + 1, bits >> (64 - rank % 64));
+  }
+}
+
+/* Covers what the sorted `ids` of a block cover after compare() has filled mixed[].
+ * Each of these t-subsets is one covering event. */
+static void cover_block(const unsigned* ids) {
+  events += choose(value[K], value[STRENGTH]) - choose(value[K] - fresh, value[STRENGTH]);
+  if (fresh <= names / 128) { /* a row has about names / 128 words */
+    cover(value[STRENGTH], 0);
+    return;
+  }
+  block = ids;
+  memset(all, 0, sizeof all[0] * (names / 64 + 1));
+  memset(only_fresh, 0, sizeof only_fresh[0] * (names / 64 + 1));
+  for (unsigned i = 0; i < value[K]; i++) {
+    all[mixed[i] / 64] |= 1ULL << mixed[i] % 64;
+    if (i < fresh) only_fresh[mixed[i] / 64] |= 1ULL << mixed[i] % 64;
+  }
+  cover_rows(value[STRENGTH], value[K], 0, false, names);
 }
 
 /* ---- Blocks and steps ---------------------------------------------------- */
@@ -282,16 +378,29 @@ static void add_to_block(void) {
   now[size++] = id;
 }
 
+/* k is known.  A step cannot change more elements than a block has, and a subset of
+ * it cannot be larger; no list of blocks would do, so that is no verdict. */
+static void check_parameters(void) {
+  static const struct place top = {1, 1};
+  if (given_by[CHANGE] == NOBODY && value[K] < 2) value[CHANGE] = 1;
+  for (int p = CHANGE; p <= STRENGTH; p++)
+    if (value[p] > value[K])
+      stop(given_by[p] == COMMAND ? USAGE : BAD_INPUT, given_by[p] == COMMAND ? NULL : &top,
+           "%s = %u exceeds k = %u, the elements of a block; correct one", key[p], value[p],
+           value[K]);
+}
+
 static void finish_block(void) {
   if (value[K] == 0) value[K] = size;
   if (size != value[K])
     stop(BAD_INPUT, &here, "block %llu has %u elements but k = %u; correct it, or k", blocks + 1,
          size, value[K]);
+  if (blocks == 0) check_parameters();
   if (names > value[V]) check_names();
   make_room();
   qsort(now, size, sizeof now[0], by_id);
   compare(before, blocks == 0 ? 0 : size, now);
-  cover(value[STRENGTH], 0);
+  cover_block(now);
   if (++blocks > 1)
     check_step(blocks - 1, blocks);
   else
@@ -353,11 +462,11 @@ static void read_input(void) {
   if (blocks == 0) stop(BAD_INPUT, &here, "no block found; write one block per line");
   check_names();
   if (value[V] == 0) value[V] = names;
-  if (value[KIND] == CIRCULAR) {                 /* before[] holds B_b */
+  if (value[KIND] == CIRCULAR && blocks > 1) {   /* before[] holds B_b */
     events -= choose(value[K], value[STRENGTH]); /* B_1 was counted as if linear */
     compare(before, value[K], first);
-    cover(value[STRENGTH], 0);
-    if (blocks > 1) check_step(blocks, 1);
+    cover_block(first);
+    check_step(blocks, 1);
   }
 }
 
@@ -396,6 +505,7 @@ static void report(u64 uncovered) {
   u64 fixed = 0, show = uncovered < MAX_SHOWN ? uncovered : MAX_SHOWN;
   bool circular = value[KIND] == CIRCULAR;
   for (unsigned id = 0; id < names; id++) fixed += times[id] == blocks;
+  u64 never = circular && blocks > 1 ? choose(fixed, value[STRENGTH]) : 0;
   printf("%s\nv %u\nk %u\nchange %u\nkind %s\nstrength %u\nblocks %llu\nuncovered %llu\n",
          uncovered == 0 && bad_steps == 0 ? "valid" : "invalid", value[V], value[K], value[CHANGE],
          circular ? "circular" : "linear", value[STRENGTH], blocks, uncovered);
@@ -404,8 +514,8 @@ static void report(u64 uncovered) {
   printf("bad-steps %llu\n", bad_steps);
   for (u64 i = 0; i < bad_steps && i < MAX_SHOWN; i++)
     printf("  step %llu %llu differs in %llu elements\n", bad[i][0], bad[i][1], bad[i][2]);
-  printf("excess %lld\n", (long long)events - (long long)covered);
-  printf("never-newly-covered %llu\n", circular ? choose(fixed, value[STRENGTH]) : 0);
+  printf("excess %llu\n", events - (covered - never));
+  printf("never-newly-covered %llu\n", never);
   printf("fixed %llu\n", fixed);
 }
 

@@ -6,8 +6,39 @@
 #include <unordered_set>
 
 #include "changeover/core/error.hpp"
+#include "changeover/core/utf8.hpp"
 
 namespace changeover {
+
+std::optional<std::string> label_defect(std::string_view label) {
+  if (label.empty()) {
+    return "an element has an empty name; name it";
+  }
+  for (const char c : label) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte <= 0x20 || byte == 0x7f) {
+      return "a name with a blank or control character; use '_' or '-' instead";
+    }
+    if (c == ',' || c == '"' || c == '#') {
+      return fmt::format("a name with {}, which not every format can carry; use another character",
+                         c == ','   ? "a comma"
+                         : c == '"' ? "a double quote"
+                                    : "'#'");
+    }
+  }
+  for (std::string_view rest = label; !rest.empty();) {
+    const CodePoint point = first_code_point(rest);
+    if (!point.valid) {
+      return "a name with bytes that are not UTF-8; save the file as UTF-8";
+    }
+    if (!is_printable(point)) {
+      return fmt::format("a name with the control character U+{:04X}; leave it out",
+                         static_cast<std::uint32_t>(point.value));
+    }
+    rest.remove_prefix(point.bytes);
+  }
+  return std::nullopt;
+}
 
 Design::Design(const Parameters& parameters) : parameters_(parameters) {
   check(parameters);
@@ -68,14 +99,8 @@ void Design::set_labels(std::vector<std::string> labels) {
   }
   std::unordered_set<std::string_view> seen;
   for (const std::string& label : labels) {
-    const bool bad = label.empty() || std::any_of(label.begin(), label.end(), [](char c) {
-                       const auto byte = static_cast<unsigned char>(c);
-                       return byte <= 0x20 || byte == 0x7f || c == ',' || c == '"' || c == '#';
-                     });
-    if (bad) {
-      throw BadInput(fmt::format(
-          "the label '{}' is empty or holds a blank, comma, quote, '#' or control character",
-          label));
+    if (const auto defect = label_defect(label)) {
+      throw BadInput(fmt::format("the label '{}': {}", label, *defect));
     }
     if (!seen.insert(label).second) {
       throw BadInput(fmt::format("the label '{}' names two elements", label));

@@ -18,7 +18,7 @@ std::string_view unquoted(std::string_view word) { return is_quoted(word) ? word
 std::optional<std::string> Collector::add(std::string_view word) {
   Element element = table_.find(word);
   if (element == TokenTable::none) {
-    if (auto defect = label_defect(unquoted(word))) {
+    if (auto defect = word_defect(unquoted(word))) {
       return defect;
     }
     // Twice the limit: "3" and 3 may turn out to be the same.
@@ -97,10 +97,6 @@ void Collector::settle(const Context& context) {
       element_of[i] = names.find(word);
       if (element_of[i] != TokenTable::none) {
         continue;
-      }
-      const auto number = plain_number(word);
-      if (!context.declared.v && !context.named && number && *number >= max_elements_in_memory) {
-        fail_at_word(i, too_large_defect(word));
       }
       if (names.size() == context.declared.v.value_or(max_elements_in_memory)) {
         fail_at_word(i, too_many_defect(word, context.declared.v));

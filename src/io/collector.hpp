@@ -32,7 +32,7 @@ class Collector {
   /// What the rest of the file said.
   struct Context {
     std::string name;
-    ReadOptions declared;
+    Declared declared;
     std::optional<std::vector<std::string>> labels;  ///< valid and distinct
     Place labels_place;
     Place place;         ///< where the parameters are, or the beginning

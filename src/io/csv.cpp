@@ -8,6 +8,7 @@
 #include <optional>
 #include <unordered_set>
 
+#include "changeover/io/csv_cell.hpp"
 #include "io/collector.hpp"
 #include "io/declared.hpp"
 #include "io/element_text.hpp"
@@ -137,7 +138,7 @@ class Records {
     if ((byte < 0x20 && byte != '\t') || byte == 0x7f) {
       fail(at_, byte == '\n' || byte == '\r'
                     ? std::string("a line end within quotes; close them before it")
-                    : fmt::format("control byte 0x{:02x}; the input must be plain text", byte));
+                    : io_detail::control_byte_defect(text_[at_]));
     }
     if (field.text.size() > io_detail::max_token_bytes) {
       fail(field.offset, fmt::format("a field of more than {} bytes; use shorter names",
@@ -219,8 +220,9 @@ class Columns {
         continue;
       }
       const Field& field = fields[column];
-      auto defect = io_detail::label_defect(field.text);
-      defect = defect ? defect : collector.add(field.text);
+      const std::string_view word = csv_text(field.text);
+      auto defect = io_detail::word_defect(word);
+      defect = defect ? defect : collector.add(word);
       if (defect) {
         records.fail(field.offset, *defect);
       }
@@ -329,7 +331,9 @@ Design read_csv(Input& input, const ReadOptions& options) {
 
 std::uint64_t write_csv(BlockSource& source, Sink& sink, const std::vector<std::string>& labels) {
   const Parameters& p = source.parameters();
-  io_detail::ElementText text(sink, p.v, labels, ',');
+  std::vector<std::string> cells(labels);
+  std::transform(cells.begin(), cells.end(), cells.begin(), csv_cell);
+  io_detail::ElementText text(sink, p.v, cells, ',');
   text.put("block,");
   for (std::uint64_t i = 1; i <= p.k; ++i) {
     text.put("element_");

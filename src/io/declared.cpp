@@ -94,8 +94,19 @@ std::optional<std::string> declare(ReadOptions& found, std::string_view key,
   return std::nullopt;
 }
 
-ReadOptions merged(const std::string& name, const ReadOptions& caller, const ReadOptions& file) {
-  ReadOptions both = caller;
+Declared merged(const std::string& name, const ReadOptions& caller, const ReadOptions& file) {
+  const auto require = [&](std::string_view key, const auto& value, std::uint64_t least,
+                           std::uint64_t most) {
+    if (value && (*value < least || *value > most)) {
+      throw BadReadOption(fmt::format("{}: {} = {} cannot be; give a whole number from {} to {}",
+                                      name, key, *value, least, most));
+    }
+  };
+  require("v", caller.v, 1, max_elements_in_memory);
+  require("k", caller.k, 1, max_elements_in_memory);
+  require("change", caller.change, 1, max_elements_in_memory);
+  require("strength", caller.strength, 2, max_strength);
+  Declared both{caller, caller};
   const auto take = [](auto& into, const auto& from) {
     if (!into) {
       into = from;
@@ -106,17 +117,10 @@ ReadOptions merged(const std::string& name, const ReadOptions& caller, const Rea
   take(both.change, file.change);
   take(both.kind, file.kind);
   take(both.strength, file.strength);
-  const std::uint64_t most = max_elements_in_memory;
-  if (both.v.value_or(1) < 1 || both.v.value_or(1) > most || both.k.value_or(1) < 1 ||
-      both.k.value_or(1) > most) {
-    const bool v_fits = both.v.value_or(1) >= 1 && both.v.value_or(1) <= most;
-    throw BadInput(fmt::format("{}: {} = {}: a design that is read has from 1 to {} elements", name,
-                               v_fits ? "k" : "v", v_fits ? *both.k : *both.v, most));
-  }
   return both;
 }
 
-Parameters completed(const std::string& name, Place place, const ReadOptions& declared,
+Parameters completed(const std::string& name, Place place, const Declared& declared,
                      std::uint64_t v, std::uint64_t k, std::uint64_t first_change) {
   Parameters p{.v = v, .k = k};
   p.change =
@@ -126,6 +130,13 @@ Parameters completed(const std::string& name, Place place, const ReadOptions& de
   try {
     check(p);
   } catch (const ImpossibleParameters& fault) {
+    const ReadOptions& caller = declared.by_caller;
+    const bool callers = p.k > p.v        ? caller.v.has_value()
+                         : p.change > p.k ? caller.change.has_value()
+                                          : caller.strength.has_value();
+    if (callers) {
+      throw BadReadOption(fmt::format("{}: {}", name, fault.what()));
+    }
     fail(name, place, fault.what());
   }
   return p;
@@ -209,13 +220,6 @@ std::string repeat_defect(std::uint64_t number, std::string_view word) {
 
 std::string above_v_defect(std::string_view word, std::uint64_t v) {
   return fmt::format("element {} is not below v = {}; count from 0, or correct v", shown(word), v);
-}
-
-std::string too_large_defect(std::string_view word) {
-  return fmt::format(
-      "element {} is above {}; number the elements from 0, or list their names as "
-      "labels",
-      shown(word), max_elements_in_memory - 1);
 }
 
 std::string unknown_label_defect(std::string_view word) {

@@ -16,16 +16,22 @@ namespace changeover::io_detail {
 [[nodiscard]] std::optional<std::string> declare(ReadOptions& found, std::string_view key,
                                                  std::string_view text);
 
-/// What the caller says, and else what the file says. @throws BadInput if the caller's v is too large.
-[[nodiscard]] ReadOptions merged(const std::string& name, const ReadOptions& caller,
-                                 const ReadOptions& file);
+/// What is declared, and which part of it by the caller.
+struct Declared : ReadOptions {
+  ReadOptions by_caller = {};
+};
+
+/// What the caller says, and else what the file says. @throws BadReadOption if what the caller says can
+/// be true of no file.
+[[nodiscard]] Declared merged(const std::string& name, const ReadOptions& caller,
+                              const ReadOptions& file);
 
 /// What merged() declares, completed: v and k are known by now, `first_change` is the number of
 /// elements in which the first two blocks differ, 0 if that says nothing.
-/// @throws BadInput at `place` if no blocks with these parameters can be written down.
-[[nodiscard]] Parameters completed(const std::string& name, Place place,
-                                   const ReadOptions& declared, std::uint64_t v, std::uint64_t k,
-                                   std::uint64_t first_change);
+/// @throws BadInput at `place` if no blocks with these parameters can be written down; BadReadOption if
+/// that comes from what the caller declared.
+[[nodiscard]] Parameters completed(const std::string& name, Place place, const Declared& declared,
+                                   std::uint64_t v, std::uint64_t k, std::uint64_t first_change);
 
 /// What is wrong with a list of labels for v elements, if v is declared.
 [[nodiscard]] std::optional<std::string> label_count_defect(std::size_t labels,
@@ -47,7 +53,6 @@ inline constexpr std::string_view no_blocks =
 [[nodiscard]] std::string surplus_defect(std::uint64_t number, std::uint64_t k, bool declared);
 [[nodiscard]] std::string repeat_defect(std::uint64_t number, std::string_view word);
 [[nodiscard]] std::string above_v_defect(std::string_view word, std::uint64_t v);
-[[nodiscard]] std::string too_large_defect(std::string_view word);
 [[nodiscard]] std::string unknown_label_defect(std::string_view word);
 [[nodiscard]] std::string too_many_defect(std::string_view word, std::optional<std::uint64_t> v);
 

@@ -163,8 +163,8 @@ std::string xml_escaped(std::string_view text) {
     const io_detail::CodePoint point = io_detail::first_code_point(text);
     const std::string_view piece = text.substr(0, point.bytes);
     text.remove_prefix(point.bytes);
-    if (!point.valid || point.value < 0x20) {
-      result += "\xEF\xBF\xBD";  // U+FFFD
+    if (!is_printable(point) || point.value == 0xFFFE || point.value == 0xFFFF) {
+      result += "\xEF\xBF\xBD";  // U+FFFD: XML cannot carry it, or no reader should obey it
     } else if (piece == "&") {
       result += "&amp;";
     } else if (piece == "<") {
@@ -245,8 +245,9 @@ std::string tikz_of(const Picture& picture) {
   const bool names_inside = node_size >= 0.25;
   const double width = picture.lines.size() > 200 ? 0.15 : picture.lines.size() > 60 ? 0.25 : 0.4;
 
-  std::string title = latex_escaped(picture.title);
-  std::replace(title.begin(), title.end(), '\n', ' ');  // it is a comment
+  std::string title = picture.title;  // it becomes a comment
+  std::replace(title.begin(), title.end(), '\n', ' ');
+  title = latex_escaped(title);
   std::string text = fmt::format("% {}\n\\begin{{tikzpicture}}\n", title);
   for (std::size_t i = 0; i < palette.size(); ++i) {
     text += fmt::format("\\definecolor{{factor{}}}{{HTML}}{{{}}}\n", i, palette[i].hex);

@@ -24,6 +24,11 @@ std::string_view how_to_mend(int error) {
       return "ask for permission to read it";
     case EISDIR:
       return "name a file in it";
+    case ELOOP:
+      return "a symbolic link leads back to itself; correct it";
+    case EMFILE:
+    case ENFILE:
+      return "too many files are open; raise the limit (ulimit -n), or close some";
     default:
       return "try again or copy it elsewhere";
   }

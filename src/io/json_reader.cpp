@@ -215,7 +215,7 @@ class DesignHandler final : public JsonHandler {
     if (event.type != Type::string && event.type != Type::natural) {
       wrong(event, "a label, a string,");
     }
-    if (const auto defect = io_detail::label_defect(event.text)) {
+    if (const auto defect = io_detail::word_defect(event.text)) {
       json_->fail(event.offset, *defect);
     }
     if (known_labels_.find(event.text) != io_detail::TokenTable::none) {
@@ -250,6 +250,8 @@ class DesignHandler final : public JsonHandler {
     } else if (event.type == Type::end_array) {
       where_ = Where::blocks;
       defect = collector_.end_block();
+    } else if (event.type == Type::other_number && io_detail::plain_number(event.text)) {
+      defect = collector_.add(event.text);  // too large for a machine word, not for a name
     } else if (event.type == Type::other_number) {
       defect = fmt::format("element {} is no whole number from 0 on; correct it",
                            io_detail::shown(event.text));

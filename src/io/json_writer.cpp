@@ -26,8 +26,11 @@ void append_json_string(std::string& out, std::string_view text) {
       out += text[0];
     } else {
       const io_detail::CodePoint point = io_detail::first_code_point(text);
-      if (point.valid) {
+      if (is_printable(point)) {
         out += text.substr(0, point.bytes);
+      } else if (point.valid) {  // all below U+10000, so one escape is enough
+        fmt::format_to(std::back_inserter(out), "\\u{:04x}",
+                       static_cast<std::uint32_t>(point.value));
       } else {
         out += "\xEF\xBF\xBD";  // U+FFFD
       }

@@ -6,6 +6,7 @@
 #include <unordered_set>
 
 #include "changeover/core/parameters.hpp"
+#include "changeover/core/printable.hpp"
 #include "io/block_name.hpp"
 
 namespace changeover {
@@ -53,7 +54,7 @@ std::string default_caption(const Design& design) {
 
 std::string latex_escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     switch (c) {
       case '\\':
         result += "\\textbackslash{}";

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
+#include "io/utf8.hpp"
 
 namespace changeover::io_detail {
 
@@ -24,14 +25,23 @@ void fail(const std::string& name, Place place, std::string_view what) {
   throw BadInput(fmt::format("{}:{}:{}: {}", name, place.line, place.column, what));
 }
 
+std::string control_byte_defect(char byte) {
+  return fmt::format("control byte 0x{:02x}; the input must be plain text",
+                     static_cast<unsigned char>(byte));
+}
+
 std::string shown(std::string_view word) {
   constexpr std::size_t longest = 40;
-  std::string text = "'";
-  for (const char c : word.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    text += byte < 0x20 || byte == 0x7f ? '?' : c;
+  std::string_view rest = word;
+  while (!rest.empty()) {
+    const std::size_t bytes = first_code_point(rest).bytes;
+    if (word.size() - rest.size() + bytes > longest) {
+      break;
+    }
+    rest.remove_prefix(bytes);
   }
-  return text + (word.size() > longest ? "…'" : "'");
+  const std::string_view front = word.substr(0, word.size() - rest.size());
+  return "'" + printable(front) + (rest.empty() ? "'" : "…'");
 }
 
 }  // namespace changeover::io_detail

@@ -23,6 +23,9 @@ struct Place {
 /// A text without the mark that some programs put before UTF-8.
 [[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
 
+/// What to say of a control byte.
+[[nodiscard]] std::string control_byte_defect(char byte);
+
 /// A word of the input as it can stand in a message: in quotes, on one line, not too long.
 [[nodiscard]] std::string shown(std::string_view word);
 

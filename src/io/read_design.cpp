@@ -78,9 +78,28 @@ struct Opened {
   Format format;
 };
 
+// JSON and CSV are read whole before they are understood, which would take long for a device or for what
+// only happens to begin like them.
+void refuse_binary(const PeekedInput& input) {
+  const std::string_view beginning = input.beginning();
+  const auto control = std::find_if(beginning.begin(), beginning.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
+  });
+  if (control != beginning.end()) {
+    io_detail::fail(
+        input.name(),
+        io_detail::place_of(beginning, static_cast<std::size_t>(control - beginning.begin())),
+        io_detail::control_byte_defect(*control));
+  }
+}
+
 Opened look_at(std::unique_ptr<Input> input) {
   auto peeked = std::make_unique<PeekedInput>(std::move(input));
   const Format format = guess_format(peeked->beginning());
+  if (format != Format::text) {
+    refuse_binary(*peeked);
+  }
   return {std::move(peeked), format};
 }
 

@@ -179,7 +179,7 @@ class TextSource final : public DesignInput {
     labels_place_ = place;
     TextScanner::CommentWord word;
     while (scanner_.comment_word(word, io_detail::max_token_bytes + 1)) {
-      if (const auto defect = io_detail::label_defect(word.text)) {
+      if (const auto defect = io_detail::word_defect(word.text)) {
         scanner_.fail(word.place, *defect);
       }
       if (table_.find(word.text) != TokenTable::none) {
@@ -283,21 +283,19 @@ class TextSource final : public DesignInput {
       return known;
     }
     const auto fail = [&](std::string_view what) { scanner_.fail(scanner_.word_place(), what); };
-    const auto number = io_detail::plain_number(word);
     if (rule_ == Rule::listed) {
       fail(io_detail::unknown_label_defect(word));
     } else if (rule_ == Rule::numbers) {
-      fail(number ? io_detail::above_v_defect(word, v_)
-                  : fmt::format("element {} is no number, but those before are; list all names "
-                                "in a line '# labels: …'",
-                                io_detail::shown(word)));
+      fail(io_detail::plain_number(word)
+               ? io_detail::above_v_defect(word, v_)
+               : fmt::format("element {} is no number, but those before are; list all names "
+                             "in a line '# labels: …'",
+                             io_detail::shown(word)));
     } else if (rule_ == Rule::surveyed) {
       fail("the file changes while it is read; try again");
-    } else if (rule_ == Rule::survey && number && *number >= TokenTable::not_small) {
-      fail(io_detail::too_large_defect(word));
     } else if (table_.size() == v_) {
       fail(io_detail::too_many_defect(word, declared_.v));
-    } else if (const auto defect = io_detail::label_defect(word)) {
+    } else if (const auto defect = io_detail::word_defect(word)) {
       fail(*defect);
     }
     return table_.add(word);
@@ -394,7 +392,8 @@ class TextSource final : public DesignInput {
   std::unique_ptr<Input> input_;
   TextScanner scanner_;
   TokenTable table_;
-  ReadOptions file_, declared_;
+  ReadOptions file_;
+  io_detail::Declared declared_;
   std::optional<Place> header_place_, labels_place_;
   Place first_block_place_;
   Rule rule_ = Rule::numbers;

@@ -49,7 +49,7 @@ void TextScanner::check_byte() {
       fail(here(),
            "this looks like a coloured table for people: write it with --format text or --json");
     }
-    fail(here(), fmt::format("control byte 0x{:02x}; the input must be plain text", byte));
+    fail(here(), control_byte_defect(*p_));
   }
 }
 

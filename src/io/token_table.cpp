@@ -7,6 +7,8 @@
 #include <numeric>
 #include <unordered_set>
 
+#include "changeover/core/design.hpp"
+
 namespace changeover::io_detail {
 
 std::optional<std::uint64_t> plain_number(std::string_view word) {
@@ -23,26 +25,11 @@ std::optional<std::uint64_t> plain_number(std::string_view word) {
   return word.size() > 19 ? std::numeric_limits<std::uint64_t>::max() : value;
 }
 
-std::optional<std::string> label_defect(std::string_view label) {
-  if (label.empty()) {
-    return "an element has an empty name; name it";
-  }
+std::optional<std::string> word_defect(std::string_view label) {
   if (label.size() > max_token_bytes) {
     return fmt::format("a name of more than {} bytes; use shorter names", max_token_bytes);
   }
-  for (const char c : label) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte <= 0x20 || byte == 0x7f) {
-      return "a name with a blank or control character; use '_' or '-' instead";
-    }
-    if (c == ',' || c == '"' || c == '#') {
-      return fmt::format("a name with {}, which not every format can carry; use another character",
-                         c == ','   ? "a comma"
-                         : c == '"' ? "a double quote"
-                                    : "'#'");
-    }
-  }
-  return std::nullopt;
+  return label_defect(label);
 }
 
 Element TokenTable::find(std::string_view word) const {
@@ -95,7 +82,12 @@ ElementSet element_set(std::span<const std::string> words) {
     }
     numbers.emplace_back(*n, static_cast<Element>(i));
   }
-  std::sort(numbers.begin(), numbers.end());
+  // By value: there are no leading zeros, so a longer number is larger, also where a value does not fit.
+  std::sort(numbers.begin(), numbers.end(), [&](const auto& a, const auto& b) {
+    const std::string& x = words[a.second];
+    const std::string& y = words[b.second];
+    return x.size() != y.size() ? x.size() < y.size() : x < y;
+  });
   for (std::size_t rank = 0; rank < numbers.size(); ++rank) {
     set.element_of[numbers[rank].second] = static_cast<Element>(rank);
     set.labels.push_back(words[numbers[rank].second]);

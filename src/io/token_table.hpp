@@ -22,8 +22,8 @@ inline constexpr std::size_t max_token_bytes = 255;
 /// ones give the largest value. nullopt for any other word.
 [[nodiscard]] std::optional<std::uint64_t> plain_number(std::string_view word);
 
-/// Why no element can have this name, with how to mend it; nullopt if it can.
-[[nodiscard]] std::optional<std::string> label_defect(std::string_view label);
+/// Why no element that is read can have this name: label_defect(), and it must not be too long.
+[[nodiscard]] std::optional<std::string> word_defect(std::string_view label);
 
 /// Numbers each new word as it comes: 0, 1, 2, … Small plain numbers are found by one array access.
 class TokenTable {

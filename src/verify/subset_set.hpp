@@ -11,6 +11,7 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/parameters.hpp"
+#include "element_bits.hpp"
 
 namespace changeover {
 
@@ -32,6 +33,13 @@ class SubsetSet {
 
   /// Adds the t-subsets of `block` that contain an element at or after place `introduced_from`.
   void insert_new(std::span<const Element> block, std::size_t introduced_from) {
+    if (ElementBits::pay(block.size() - introduced_from, v_)) {
+      bits_.assign(block, introduced_from, v_);
+      sorted_.assign(block.begin(), block.end());
+      std::sort(sorted_.begin(), sorted_.end());
+      insert_rows(sorted_, t_, 0, false, v_);
+      return;
+    }
     for (std::size_t i = introduced_from; i < block.size(); ++i) {
       chosen_[0] = block[i];
       choose(block.first(i), 1);
@@ -60,6 +68,21 @@ class SubsetSet {
       const std::array<Element, max_strength> subset = subset_at(place);
       visit(std::span<const Element>(subset).first(t_));
     });
+  }
+
+  // Chooses `left` − 1 more members from `from`, the largest first, and takes all smallest members below
+  // `above` at once: their places follow each other from `place` on.
+  void insert_rows(std::span<const Element> from, std::uint32_t left, std::uint64_t place,
+                   bool has_introduced, std::uint64_t above) {
+    if (left == 1) {
+      or_bits(words_, place, bits_.completing(has_introduced), above);
+      return;
+    }
+    // A member that has fewer than left − 1 elements below it in the block completes nothing.
+    for (std::size_t i = left - 1; i < from.size(); ++i) {
+      insert_rows(from.first(i), left - 1, place + binomials_[left][from[i]],
+                  has_introduced || bits_.is_introduced(from[i]), from[i]);
+    }
   }
 
   void choose(std::span<const Element> from, std::uint32_t have) {
@@ -96,6 +119,8 @@ class SubsetSet {
   std::vector<std::uint64_t> words_;
   std::array<std::vector<std::uint64_t>, max_strength + 1> binomials_;
   std::array<Element, max_strength> chosen_{};
+  ElementBits bits_;
+  Block sorted_;
 };
 
 }  // namespace changeover

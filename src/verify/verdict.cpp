@@ -11,6 +11,7 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
+#include "element_bits.hpp"
 #include "subset_set.hpp"
 
 namespace changeover {
@@ -289,6 +290,13 @@ class Pairs {
 
   // Elements from `introduced_from` on are introduced: mark each with all that stand before it.
   void insert_new(std::span<const Element> block, std::size_t introduced_from) {
+    if (ElementBits::pay(block.size() - introduced_from, set_.v())) {
+      bits_.assign(block, introduced_from, set_.v());
+      for (std::size_t i = 0; i < block.size(); ++i) {
+        set_.insert_below(block[i], bits_.completing(i >= introduced_from));
+      }
+      return;
+    }
     for (std::size_t i = introduced_from; i < block.size(); ++i) {
       const Element x = block[i];
       for (std::size_t j = 0; j < i; ++j) {
@@ -317,6 +325,7 @@ class Pairs {
   }
 
   PairSet set_;
+  ElementBits bits_;
 };
 
 /// Hands every block to `take`.

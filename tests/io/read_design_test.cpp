@@ -77,6 +77,59 @@ TEST(ReadDesignTest, WhatCannotBeReadGetsOneLine) {
   EXPECT_EQ(refusal(""), "'': cannot read: No such file or directory; check how the path is spelt");
 }
 
+TEST(ReadDesignTest, AControlCharacterInANameIsRefusedInEveryFormat) {
+  const auto refused = [](const std::string& text) {
+    const std::string line = message_of([&] { (void)read(text); });
+    EXPECT_TRUE(is_printable(line)) << line;
+    return line.starts_with("f:");
+  };
+  for (const std::string bad : {"a\x1b[m", "\u009b", "\x7f", "\u202e", "\u2028", "\xff", "M\xfc"}) {
+    EXPECT_TRUE(refused(bad + " b\nc d\n")) << printable(bad);
+    EXPECT_TRUE(refused("# labels: " + bad + " b\n" + bad + " b\n")) << printable(bad);
+    EXPECT_TRUE(refused(bad + ",b\nc,d\n")) << printable(bad);
+    EXPECT_TRUE(refused("{\"blocks\":[[\"" + bad + "\",\"b\"]]}")) << printable(bad);
+  }
+  EXPECT_TRUE(refused(R"({"blocks":[["\u001b","b"]]})"));
+  EXPECT_TRUE(refused(R"({"labels":["\u009b","b"],"blocks":[[0,1]]})"));
+}
+
+// Bytes for ever, as a device gives them.
+class EndlessBytes final : public Input {
+ public:
+  explicit EndlessBytes(std::string unit) : Input("endless"), unit_(std::move(unit)) {}
+  std::size_t read(std::span<char> buffer) override {
+    for (char& c : buffer) {
+      c = unit_[at_++ % unit_.size()];
+    }
+    return buffer.size();
+  }
+
+ private:
+  std::string unit_;
+  std::size_t at_ = 0;
+};
+
+TEST(ReadDesignTest, ADeviceThatNeverEndsIsRefusedAtItsFirstBytes) {
+  EXPECT_EQ(message_of([] { (void)read_design("/dev/zero"); }),
+            "/dev/zero:1:1: control byte 0x00; the input must be plain text");
+  for (const std::string unit :
+       {std::string("{\0", 2), std::string("a,b\x01"), std::string("\x7f")}) {
+    EXPECT_NE(message_of([&] {
+                (void)read_design(std::make_unique<EndlessBytes>(unit));
+              }).find("control byte"),
+              std::string::npos);
+  }
+}
+
+TEST(ReadDesignTest, LinksInACircleAreMissing) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("loop_" + std::to_string(getpid()))).string();
+  std::filesystem::create_symlink(path, path);
+  EXPECT_NE(message_of<MissingResource>([&] { (void)read_design(path); }).find("symbolic link"),
+            std::string::npos);
+  std::filesystem::remove(path);
+}
+
 TEST(ReadDesignTest, StandardInputIsAFileLikeOthers) {
   const int saved = dup(STDIN_FILENO);
   ASSERT_NE(freopen((data + "dccd_6_4_3.json").c_str(), "r", stdin), nullptr);

@@ -166,12 +166,6 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:3:3: element '3' is not below v = 3; count from 0, or correct v"},
       {"# changeover design v=3\n0 1\n1 99999999999999999999999\n",
        "f:3:3: element '99999999999999999999999' is not below v = 3; count from 0, or correct v"},
-      {"0 65535\n",
-       "f:1:3: element '65535' is above 65534; number the elements from 0, or list "
-       "their names as labels"},
-      {"0 123456789012345678901234567890\n",
-       "f:1:3: element '123456789012345678901234567890' is above 65534; number the elements from "
-       "0, or list their names as labels"},
       {"ab " + long_word + "\n",
        "f:1:4: a word of more than 255 bytes; elements are separated by "
        "blanks and blocks by line ends"},
@@ -254,13 +248,47 @@ TEST(TextTest, BlocksNamedLikeColumnsAreStillBlocks) {
 
 TEST(TextTest, TheCallersParametersAreCheckedToo) {
   EXPECT_EQ(complaint("0 1\n", {.v = 70'000}),
-            "f: v = 70000: a design that is read has from 1 to 65535 elements");
+            "f: v = 70000 cannot be; give a whole number from 1 to 65535");
   EXPECT_EQ(complaint("0 1\n", {.k = 0}),
-            "f: k = 0: a design that is read has from 1 to 65535 elements");
+            "f: k = 0 cannot be; give a whole number from 1 to 65535");
   EXPECT_EQ(complaint("0 1\n", {.k = 3}),
             "f:1:4: block 1 has 2 elements, not k = 3; correct it, or k");
   EXPECT_EQ(complaint("0 1\n", {.v = 1}),
             "f:1:3: element '1' is not below v = 1; count from 0, or correct v");
+}
+
+TEST(TextTest, WhatOnlyTheCallerSaysWrongIsToldApart) {
+  const auto blame = [](const std::string& text, const ReadOptions& options) {
+    return message_of<BadReadOption>([&] { (void)read(text, options); });
+  };
+  EXPECT_EQ(blame("0 1\n", {.change = 0}),
+            "f: change = 0 cannot be; give a whole number from 1 to 65535");
+  EXPECT_EQ(blame("0 1\n", {.strength = 5}),
+            "f: strength = 5 cannot be; give a whole number from 2 to 4");
+  EXPECT_EQ(blame("0 1\n", {.change = 3}),
+            "f: change = 3: consecutive blocks must differ in 1 to k = 2 elements");
+  EXPECT_EQ(blame("# changeover design change=2\n0 1\n", {.strength = 3}),
+            "f: strength = 3 exceeds k = 2: no block holds that many elements");
+  const auto is_callers_fault = [](const std::string& text, const ReadOptions& options) {
+    try {
+      (void)read(text, options);
+    } catch (const BadReadOption&) {
+      return true;
+    } catch (const BadInput&) {
+      return false;
+    }
+    ADD_FAILURE() << "nothing is wrong";
+    return false;
+  };
+  EXPECT_FALSE(is_callers_fault("# changeover design change=3\n0 1\n", {.v = 5}));
+  EXPECT_FALSE(is_callers_fault("7\n", {.change = 1}));
+}
+
+TEST(TextTest, NumbersTooLargeForElementsAreLabelsInIncreasingOrder) {
+  const std::string huge = "123456789012345678901234567890";
+  const Design design = read("0 65535\n" + huge + "1 18446744073709551616\n" + huge + " 65535\n");
+  EXPECT_EQ(design.labels(), (Labels{"0", "65535", "18446744073709551616", huge, huge + "1"}));
+  EXPECT_EQ(written(read(written(design))), written(design));
 }
 
 TEST(TextTest, HugeLinesAreRefusedEarlyAndHugeBlanksSkipped) {

@@ -148,6 +148,35 @@ TEST(Verdict, AgreesWithTheDefinitionOnRandomListsOfEveryStrength) {
   }
 }
 
+TEST(Verdict, AgreesWithTheDefinitionWhereManyElementsAreIntroducedAtOnce) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 30; ++round) {
+    const std::uint32_t strength = 2 + static_cast<std::uint32_t>(round % 3);
+    Parameters p{.v = 17 + random() % (strength == 2 ? 60 : 6), .strength = strength};
+    p.k = 16 + random() % (p.v - 15);
+    p.change = 1 + random() % p.k;
+    p.kind = round % 2 == 0 ? Kind::linear : Kind::circular;
+    Block all(p.v);
+    std::iota(all.begin(), all.end(), Element{0});
+    Design design(p);
+    for (std::uint64_t b = 1 + random() % 4; b > 0; --b) {
+      std::shuffle(all.begin(), all.end(), random);
+      design.append(std::span(all).first(p.k));
+    }
+    expect_agreement(design);
+  }
+}
+
+TEST(Verdict, OneBlockOfAllElementsThatThereCanBeIsJudgedInNoTime) {
+  const Parameters p{.v = 65'535, .k = 65'535};
+  Block all(p.v);
+  std::iota(all.begin(), all.end(), Element{0});
+  const Verdict verdict = verify(Design(p, std::vector<Block>{all}));
+  EXPECT_TRUE(verdict.valid());
+  EXPECT_EQ(verdict.excess, 0U);
+  EXPECT_EQ(verdict.covered, binomial(65'535, 2));
+}
+
 TEST(Verdict, FindsKnownDesignsTight) {
   for (std::uint32_t k = 2; k <= 30; ++k) {
     const Verdict verdict = verify(mcsorley(k));

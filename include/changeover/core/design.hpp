@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "changeover/core/block.hpp"
@@ -20,6 +21,11 @@
 #include "changeover/core/recipe.hpp"
 
 namespace changeover {
+
+/// Why no element can have this name, with how to mend it; nullopt if it can. So that every format can
+/// carry it and every terminal show it, a name is printable UTF-8 (core/printable.hpp), is not empty and
+/// has no white space, comma, double quote or '#'.
+[[nodiscard]] std::optional<std::string> label_defect(std::string_view label);
 
 /// Blocks in memory: b·k elements in one array.
 class Design {
@@ -60,8 +66,7 @@ class Design {
   [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
 
   /// Names the elements; an empty list, or one that only says "0", "1", …, removes all names.
-  /// @throws BadInput unless there are exactly v distinct labels, none empty, none with white space,
-  /// control characters, commas, quotes or '#' (so that every format can carry them).
+  /// @throws BadInput unless there are exactly v distinct labels, each one that label_defect() lets pass.
   void set_labels(std::vector<std::string> labels);
 
   /// How the blocks were made, if known.

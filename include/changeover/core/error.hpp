@@ -13,33 +13,36 @@
 #pragma once
 
 #include <stdexcept>
-#include <string>
+#include <string_view>
+
+#include "changeover/core/printable.hpp"
 
 namespace changeover {
 
-/// Base of every fault; catch it, but throw one of its subclasses.
+/// Base of every fault; catch it, but throw one of its subclasses. The message is one line that is safe to
+/// show, whatever file names and words from outside went into it (core/printable.hpp).
 class Error : public std::runtime_error {
  protected:
-  using std::runtime_error::runtime_error;
+  explicit Error(std::string_view line) : std::runtime_error(printable(line)) {}
 };
 
 /// What was given (a file, a block list, an argument) is malformed. The message is one line that says
 /// what is wrong, where, and how to mend it.
 class BadInput : public Error {
  public:
-  using Error::Error;
+  explicit BadInput(std::string_view line) : Error(line) {}
 };
 
 /// No design, factorization, … with these parameters can exist, or they exceed what is supported.
 class ImpossibleParameters : public Error {
  public:
-  using Error::Error;
+  explicit ImpossibleParameters(std::string_view line) : Error(line) {}
 };
 
 /// Something outside is missing: memory, disk space, a file, a permission.
 class MissingResource : public Error {
  public:
-  using Error::Error;
+  explicit MissingResource(std::string_view line) : Error(line) {}
 };
 
 /// Whoever read what was being written went away: a pipe or connection is closed. It is told apart
@@ -52,7 +55,7 @@ class ReaderGone : public MissingResource {
 /// A bug of this library: a result failed its own verification, an invariant broke.
 class InternalError : public Error {
  public:
-  using Error::Error;
+  explicit InternalError(std::string_view line) : Error(line) {}
 };
 
 }  // namespace changeover

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "changeover/core/bit_scan.hpp"
@@ -36,6 +37,14 @@ class PairSet {
   void insert(Element x, Element y) {
     const std::uint64_t r = rank(x, y);
     words_[static_cast<std::size_t>(r >> 6)] |= std::uint64_t{1} << (r & 63);
+  }
+
+  /// Adds {x,y} for every y < x whose bit is set in `below`, a set of elements with one bit each.
+  /// O(x / 64).
+  void insert_below(Element x, std::span<const std::uint64_t> below) {
+    if (x > 0) {
+      or_bits(words_, rank(0, x), below, x);
+    }
   }
 
   [[nodiscard]] bool contains(Element x, Element y) const {

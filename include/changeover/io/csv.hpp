@@ -8,7 +8,9 @@
 // One block a row, numbered from 1; the columns after the elements say the same in every row, so rows
 // can be sorted and filtered without losing what the design is. A column `strength` follows if it is
 // not 2, and a column `elements`, which then always says `labels`, if the elements are named by other
-// words than 0 … v−1: its cells are names even where they look like numbers. Rows end in LF.
+// words than 0 … v−1: its cells are names even where they look like numbers. A name that a spreadsheet
+// would compute, such as =1+1, has an apostrophe in front, which a reader takes back
+// (io/csv_cell.hpp). Rows end in LF.
 //
 // A reader finds the columns by their names, in any order, and ignores others; every column but the
 // elements may be missing, and so may the first row, if all rows hold nothing but elements. The

@@ -10,10 +10,11 @@
 //     numbers below v, or all are labels, numbered as they first occur, at most v of them. If it does
 //     not, the elements that occur are the whole set: numbers 0 … n−1 stay as they are, other
 //     numbers become labels in increasing order, anything else labels in the order of occurrence.
-//   - At most 65,535 elements, in a block and altogether; a name has at most 255 bytes.
+//   - At most 65,535 elements, in a block and altogether; a name has at most 255 bytes and is one that
+//     label_defect() lets pass, in every format: UTF-8 without control characters.
 //
 // A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`. Lines and
-// columns count from 1, columns in bytes.
+// columns count from 1, columns in bytes. If it is the caller's it is BadReadOption, without a place.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +24,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
+#include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/core/recipe.hpp"
 
@@ -35,6 +37,13 @@ struct ReadOptions {
   std::optional<std::uint64_t> change = {};
   std::optional<Kind> kind = {};
   std::optional<std::uint32_t> strength = {};
+};
+
+/// The caller declared what cannot be: v or k that no file can have, a change of 0 or of more than k
+/// elements, a strength above k. No fault of the file, and no correction of it would help.
+class BadReadOption : public BadInput {
+ public:
+  using BadInput::BadInput;
 };
 
 /// A design from outside as a stream.

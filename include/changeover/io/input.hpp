@@ -39,7 +39,7 @@ class Input {
   std::string name_;
 };
 
-/// Opens a file, or standard input for "-".
+/// Opens a file, or standard input for "-". A FIFO is waited for until somebody writes to it.
 /// @throws MissingResource with one line if it is missing, unreadable or a directory.
 [[nodiscard]] std::unique_ptr<Input> open_input(const std::string& path);
 

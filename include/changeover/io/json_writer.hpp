@@ -4,7 +4,8 @@
 //     json.begin_object().key("b").value(366).key("kind").value("circular").end_object();
 //     json.text();                               // {"b":366,"kind":"circular"}
 //
-// Compact, one line. Strings are escaped; bytes that are not UTF-8 become U+FFFD. Commas and colons
+// Compact, one line. Strings are escaped, so that nothing in them is a command to a terminal
+// (core/printable.hpp); bytes that are not UTF-8 become U+FFFD. Commas and colons
 // come by themselves; that keys and ends are balanced is the caller's part.
 #pragma once
 

@@ -1,8 +1,8 @@
-#include "io/utf8.hpp"
+#include "changeover/core/utf8.hpp"
 
 #include <array>
 
-namespace changeover::io_detail {
+namespace changeover {
 
 CodePoint first_code_point(std::string_view text) {
   const auto lead = static_cast<unsigned char>(text[0]);
@@ -28,4 +28,10 @@ CodePoint first_code_point(std::string_view text) {
   return {value, bytes, true};
 }
 
-}  // namespace changeover::io_detail
+bool is_printable(const CodePoint& point) {
+  const char32_t c = point.value;
+  return point.valid && c >= 0x20 && !(c >= 0x7f && c <= 0x9f) && !(c >= 0x2028 && c <= 0x202e) &&
+         !(c >= 0x2066 && c <= 0x2069);
+}
+
+}  // namespace changeover
