@@ -1,77 +1,24 @@
-// The files of the example: results that are written at any place, and files in memory to compare with.
+// The files of the example: files in memory to compare with, and what has to be looked at before
+// files are written.
 //
-//     const Output gram("vectors.gram", 0);
-//     gram.write(&value, sizeof value, offset);          // by any thread
-//     gram.sync();                                       // it is on the disk
 //     const Mapping data("vectors.f32");
 //     data.as<float>()[0];
 //
-// Both throw changeover::MissingResource, one line that names the file.
+// All throw changeover::MissingResource, one line that names the file.
 #pragma once
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
+#include <filesystem>
 #include <string>
-#include <utility>
 
 #include "changeover/core/error.hpp"
-
-// A file that is written in pieces, at any place.
-class Output {
- public:
-  Output(std::string path, int flags) : path_(std::move(path)) {
-    file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | flags, 0666);
-    if (file_ < 0) {
-      refuse();
-    }
-  }
-  ~Output() { ::close(file_); }
-  Output(const Output&) = delete;
-  Output& operator=(const Output&) = delete;
-
-  // Cuts off what an earlier result had beyond it.
-  void resize(std::uint64_t bytes) const {
-    if (::ftruncate(file_, static_cast<off_t>(bytes)) != 0) {
-      refuse();
-    }
-  }
-
-  void write(const void* bytes, std::size_t count, std::uint64_t offset) const {
-    const auto* from = static_cast<const char*>(bytes);
-    while (count > 0) {
-      const ssize_t written = ::pwrite(file_, from, count, static_cast<off_t>(offset));
-      if (written < 0 && errno != EINTR) {
-        refuse();
-      }
-      const auto done = static_cast<std::size_t>(written < 0 ? 0 : written);
-      from += done;
-      offset += done;
-      count -= done;
-    }
-  }
-
-  void sync() const {
-    if (::fdatasync(file_) != 0) {
-      refuse();
-    }
-  }
-
- private:
-  [[noreturn]] void refuse() const {
-    throw changeover::MissingResource(
-        fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
-  }
-
-  std::string path_;
-  int file_ = -1;
-};
 
 // A file in memory as far as the system likes.
 class Mapping {
@@ -103,3 +50,25 @@ class Mapping {
   void* start_ = MAP_FAILED;
   std::size_t bytes_ = 0;
 };
+
+// Refuses what the disk has no space for, before it is filled up with a part of it.
+inline void require_space(const std::string& path, std::uint64_t bytes) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  struct statvfs status {};
+  if (::statvfs(folder.empty() ? "." : folder.c_str(), &status) != 0) {
+    return;  // whoever opens the file says better what is wrong
+  }
+  const auto pages = static_cast<std::uint64_t>(status.f_bavail);
+  if (status.f_frsize != 0 && bytes / status.f_frsize >= pages) {
+    throw changeover::MissingResource(
+        fmt::format("{}: {} bytes are needed and {} are free; free some space or write elsewhere",
+                    path, bytes, pages * status.f_frsize));
+  }
+}
+
+// Whether two paths name the same file, or would if it were there.
+inline bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return std::filesystem::equivalent(a, b, error) ||
+         std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}

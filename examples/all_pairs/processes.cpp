@@ -60,6 +60,15 @@ class MpiProcesses final : public Processes {
     return told_;
   }
 
+  bool all_ready(bool ready) override {
+    const int mine = ready ? 1 : 0;
+    int all = 0;
+    MPI_Request request{};
+    MPI_Iallreduce(&mine, &all, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD, &request);
+    await(request);
+    return all == 1;
+  }
+
   std::vector<Part> gather(const Part& part) override {
     struct Message {
       Part part;
@@ -70,12 +79,7 @@ class MpiProcesses final : public Processes {
     MPI_Request request{};
     MPI_Iallgather(&mine, sizeof mine, MPI_BYTE, all.data(), sizeof mine, MPI_BYTE, MPI_COMM_WORLD,
                    &request);
-    for (int done = 0; done == 0;) {
-      MPI_Test(&request, &done, MPI_STATUS_IGNORE);
-      if (done == 0) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      }
-    }
+    await(request);
     std::vector<Part> parts;
     for (int other = 0; other < size_; ++other) {
       const Message& message = all[static_cast<std::size_t>(other)];
@@ -91,6 +95,16 @@ class MpiProcesses final : public Processes {
 
  private:
   static constexpr int stop = 1;
+
+  // Without keeping a core busy.
+  static void await(MPI_Request& request) {
+    for (int done = 0; done == 0;) {
+      MPI_Test(&request, &done, MPI_STATUS_IGNORE);
+      if (done == 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    }
+  }
 
   void hear(int other) {
     MPI_Recv(nullptr, 0, MPI_BYTE, other, stop, MPI_COMM_WORLD, MPI_STATUS_IGNORE);

@@ -6,8 +6,8 @@
 //     …
 //     std::vector<Part> parts = processes->gather(part);        // everybody's, in order of index
 //
-// All calls are made by one thread. A process that cannot go on says so (give_up) and then takes part in
-// gather() like all others: so everybody ends in good order, and one of them says why.
+// All calls are made by one thread. A process that cannot go on says so (give_up) and then takes
+// part in gather() like all others: so everybody ends in good order, and one of them says why.
 #pragma once
 
 #include <array>
@@ -21,12 +21,14 @@
 struct Part {
   int code = 0;                     ///< exit code
   std::array<char, 400> message{};  ///< one line, if code is not 0
+  std::array<char, 300> note{};     ///< one line about the journal, or empty
   std::array<char, 200> job{};    ///< what was computed; the same everywhere, or something is wrong
   std::array<char, 16> access{};  ///< FileItems::access()
   std::uint64_t index = 0;        ///< of the process
   std::uint64_t steps = 0;        ///< of this process
   std::uint64_t steps_done = 0;   ///< of these, earlier ones included
   std::uint64_t steps_resumed = 0;  ///< by an earlier run
+  std::uint64_t steps_lost = 0;     ///< recorded, but their results were not found again
   std::uint64_t loads = 0;
   std::uint64_t bytes_read = 0;
   std::uint64_t buffer_bytes = 0;
@@ -43,8 +45,8 @@ void put(std::array<char, size>& place, std::string_view text) {
 
 class Processes {
  public:
-  /// Those that a launcher of MPI started, if one did. @throws std::runtime_error if it did and this program was
-  /// built without MPI.
+  /// Those that a launcher of MPI started, if one did. @throws std::runtime_error if it did and
+  /// this program was built without MPI.
   [[nodiscard]] static std::unique_ptr<Processes> of_launcher();
 
   virtual ~Processes() = default;
@@ -59,6 +61,10 @@ class Processes {
 
   /// Whether another one has asked for that.
   [[nodiscard]] virtual bool told_to_stop() { return false; }
+
+  /// Whether all are ready; waits until each has said whether it is. Every process calls it once,
+  /// before gather().
+  [[nodiscard]] virtual bool all_ready(bool ready) { return ready; }
 
   /// Everybody's part; waits for all, without keeping a core busy.
   [[nodiscard]] virtual std::vector<Part> gather(const Part& part) { return {part}; }

@@ -2,20 +2,25 @@
 
 #include <utility>
 
+#include "loadorder/start_threads.hpp"
+
 namespace changeover {
 
 ComputePool::ComputePool(unsigned threads) {
-  for (unsigned i = 1; i < threads; ++i) {
-    threads_.emplace_back([this] { serve(); });
-  }
+  start_threads(
+      threads_, threads > 0 ? threads - 1 : 0, [this] { serve(); }, [this] { close(); });
 }
 
-ComputePool::~ComputePool() {
+void ComputePool::close() {
   {
     const std::lock_guard lock(mutex_);
     closing_ = true;
   }
   begin_.notify_all();
+}
+
+ComputePool::~ComputePool() {
+  close();
   for (std::thread& thread : threads_) {
     thread.join();
   }

@@ -16,6 +16,7 @@ namespace changeover {
 /// when all are done. The first exception is thrown to the caller; tasks not yet begun are then left out.
 class ComputePool {
  public:
+  /// @throws MissingResource if a thread cannot be started
   explicit ComputePool(unsigned threads);
   ~ComputePool();
   ComputePool(const ComputePool&) = delete;
@@ -24,6 +25,7 @@ class ComputePool {
   void run(std::size_t count, const std::function<void(std::size_t)>& task);
 
  private:
+  void close();
   void serve();
   void work(const std::function<void(std::size_t)>& task, std::size_t count);
 

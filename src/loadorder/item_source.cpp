@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -14,6 +15,7 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/loadorder/checksum.hpp"
 
 namespace changeover {
 
@@ -37,7 +39,8 @@ struct FileItems::State {
 
   [[nodiscard]] std::uint64_t data_bytes() const { return file_bytes - header_bytes; }
 
-  // Reads until `wanted` bytes are there, the file ends, or the system refuses: then errno says why.
+  // Reads until `wanted` bytes are there, the file ends, or the system refuses: then errno says
+  // why.
   static std::optional<std::size_t> read_at(int descriptor, std::byte* to, std::size_t wanted,
                                             std::uint64_t offset) {
     std::size_t done = 0;
@@ -111,6 +114,41 @@ std::string FileItems::describe() const {
                      state_->item_bytes);
 }
 
+std::string FileItems::fingerprint() const {
+  constexpr std::uint64_t page = 4096;
+  constexpr std::uint64_t most_pages = 64;
+  const State& s = *state_;
+  struct stat status {};
+  if (::fstat(s.file, &status) != 0) {
+    throw MissingResource(fmt::format("{}: cannot be read: {}", s.path, std::strerror(errno)));
+  }
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  const std::uint64_t pages = ceil_div(size, page);
+  Sha256 hash;
+  std::array<std::byte, page> bytes;
+  // The first and the last page, and one at random out of each of as many stretches between them as
+  // there are others.
+  std::uint64_t state = size;
+  for (std::uint64_t i = 0; i < std::min(pages, most_pages); ++i) {
+    std::uint64_t number = i;
+    if (pages > most_pages && i > 0) {
+      state = state * 6364136223846793005U + 1442695040888963407U;
+      const std::uint64_t stretch = (pages - 2) / (most_pages - 2);
+      number = i == most_pages - 1 ? pages - 1 : 1 + (i - 1) * stretch + (state >> 33) % stretch;
+    }
+    const auto got = State::read_at(s.file, bytes.data(), bytes.size(), number * page);
+    if (!got) {
+      throw MissingResource(fmt::format("{}: cannot be read: {}", s.path, std::strerror(errno)));
+    }
+    hash.add(bytes.data(), *got);
+  }
+  return fmt::format("{} bytes, changed {}.{:09} and {}.{:09}, sample {}", size,
+                     status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_ctim.tv_sec,
+                     status.st_ctim.tv_nsec, to_hex(hash.finish()));
+}
+
+std::uint64_t FileItems::data_bytes() const { return state_->data_bytes(); }
+
 std::string FileItems::access() const {
   return !state_->bypass ? "cached" : state_->direct_works ? "direct" : "dropped";
 }
@@ -157,11 +195,12 @@ std::span<const std::byte> FileItems::read(Element item, std::span<std::byte> bu
 }
 
 CallbackItems::CallbackItems(std::uint64_t items, std::size_t bytes_per_item, Read read,
-                             std::string description)
+                             std::string description, std::string fingerprint)
     : items_(items),
       bytes_(bytes_per_item),
       read_(std::move(read)),
-      description_(std::move(description)) {}
+      description_(std::move(description)),
+      fingerprint_(std::move(fingerprint)) {}
 
 std::span<const std::byte> CallbackItems::read(Element item, std::span<std::byte> buffer) {
   const std::size_t bytes = read_(item, buffer);

@@ -5,6 +5,7 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "loadorder/start_threads.hpp"
 
 namespace changeover {
 
@@ -23,17 +24,20 @@ Reader::Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsi
     }
     free_.push_back(i);
   }
-  for (unsigned i = 0; i < std::max(1U, threads); ++i) {
-    threads_.emplace_back([this] { serve(); });
-  }
+  start_threads(
+      threads_, std::max(1U, threads), [this] { serve(); }, [this] { close(); });
 }
 
-Reader::~Reader() {
+void Reader::close() {
   {
     const std::lock_guard lock(mutex_);
     closing_ = true;
   }
   wanted_.notify_all();
+}
+
+Reader::~Reader() {
+  close();
   for (std::thread& thread : threads_) {
     thread.join();
   }

@@ -22,7 +22,7 @@ namespace changeover {
 /// thread, the owner.
 class Reader {
  public:
-  /// @throws std::bad_alloc
+  /// @throws std::bad_alloc; MissingResource if a thread cannot be started
   Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsigned threads);
   ~Reader();
   Reader(const Reader&) = delete;
@@ -59,6 +59,7 @@ class Reader {
     std::exception_ptr fault;
   };
 
+  void close();
   void serve();
 
   ItemSource* source_;

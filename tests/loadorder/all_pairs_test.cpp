@@ -259,8 +259,12 @@ TEST(AllPairs, TakesALineThatACrashCutOffForNotWrittenAndRefusesOtherJournals) {
   spit(folder.file("journal"), "precious\n");
   EXPECT_THROW(all_pairs(file, order, nothing, options), BadInput);
   EXPECT_EQ(slurp(folder.file("journal")), "precious\n");
+  // What follows a line that is none of the journal's counts for nothing, and one line says so.
   spit(folder.file("journal"), text + "\nstep 99\n");
-  EXPECT_THROW(all_pairs(file, order, nothing, options), BadInput);
+  const AllPairsReport edited = all_pairs(file, order, nothing, options);
+  EXPECT_TRUE(edited.finished);
+  EXPECT_EQ(edited.steps_resumed, 21U);
+  EXPECT_NE(edited.note.find("line 23"), std::string::npos) << edited.note;
   options.journal = folder.file("no/such/folder");
   EXPECT_THROW(all_pairs(file, order, nothing, options), MissingResource);
 }

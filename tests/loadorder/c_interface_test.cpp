@@ -32,6 +32,42 @@ TEST(CInterface, SaysInOneLineWhatIsWrongAndKeepsToTheSizeOfTheText) {
   EXPECT_EQ(error_in_c(9, 1, nullptr, 0), 1);
 }
 
+TEST(CInterface, AnswersAbsurdArgumentsInOneLineAndThrowsNothing) {
+  char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
+  for (const std::uint64_t items :
+       {std::uint64_t{0}, std::uint64_t{5}, std::uint64_t{1} << 32, UINT64_MAX / 2, UINT64_MAX}) {
+    for (const std::uint64_t room :
+         {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{1} << 33, UINT64_MAX}) {
+      changeover_loadorder* order = changeover_loadorder_open(items, room, error, sizeof error);
+      if (order == nullptr) {
+        EXPECT_NE(std::string(error), "") << items << ' ' << room;
+        EXPECT_EQ(std::string(error).find('\n'), std::string::npos);
+      } else {
+        EXPECT_EQ(std::string(error), "");
+        EXPECT_EQ(items, 5U);
+      }
+      changeover_loadorder_close(order);
+    }
+  }
+}
+
+TEST(CInterface, TakesNothingForAnErrorAndNotForAnOrder) {
+  changeover_loadorder_step step;
+  EXPECT_EQ(changeover_loadorder_next(nullptr, &step), CHANGEOVER_LOADORDER_ERROR);
+  EXPECT_EQ(changeover_loadorder_rewind(nullptr), CHANGEOVER_LOADORDER_ERROR);
+  EXPECT_EQ(changeover_loadorder_loads(nullptr), 0U);
+  EXPECT_EQ(changeover_loadorder_steps(nullptr), 0U);
+  EXPECT_EQ(changeover_loadorder_lower_bound(nullptr), 0U);
+  EXPECT_NE(std::string(changeover_loadorder_error(nullptr)), "");
+  changeover_loadorder* order = changeover_loadorder_open(9, 4, nullptr, 100);
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(changeover_loadorder_next(order, nullptr), CHANGEOVER_LOADORDER_ERROR);
+  EXPECT_NE(std::string(changeover_loadorder_error(order)), "");
+  EXPECT_EQ(changeover_loadorder_next(order, &step), CHANGEOVER_LOADORDER_STEP);
+  EXPECT_EQ(step.number, 1U);
+  changeover_loadorder_close(order);
+}
+
 TEST(CInterface, StartsOverWhenAsked) {
   changeover_loadorder* order = changeover_loadorder_open(9, 4, nullptr, 0);
   ASSERT_NE(order, nullptr);

@@ -7,7 +7,9 @@
 
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/baselines.hpp"
+#include "changeover/loadorder/checksum.hpp"
 #include "changeover/loadorder/improve.hpp"
+#include "changeover/loadorder/job_results.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
@@ -40,6 +42,45 @@ TEST(HeaderExamples, AllPairs) {
   EXPECT_EQ(calls, 64 * 65 / 2);
   std::remove(path.c_str());
   std::remove(journal.c_str());
+}
+
+TEST(HeaderExamples, Checksum) {
+  Sha256 hash;
+  hash.add("ab");
+  hash.add("c");
+  EXPECT_EQ(to_hex(hash.finish()),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(HeaderExamples, JobResults) {
+  const std::string path = testing::TempDir() + "header_example.f64";
+  class Distances final : public JobResults {
+   public:
+    explicit Distances(const std::string& path) : file_(path) {}
+    std::string describe() const override { return "distances.f64, 300 rows of 300"; }
+    void open(const ResultsClaim& claim) override { file_.open(300 * 300 * 8, claim); }
+    Checksum checksum(const StepPairs& done) override {
+      Sha256 hash;
+      for (const auto& [x, y] : done.pairs) {
+        double distance = 0;
+        file_.read(&distance, sizeof distance, (x * std::uint64_t{300} + y) * sizeof distance);
+        hash.add(&distance, sizeof distance);
+      }
+      return hash.finish();
+    }
+    void sync() override { file_.sync(); }
+
+   private:
+    ResultFile file_;
+  };
+  {
+    Distances distances(path);
+    distances.open({sha256("a job"), {0, 1}});
+    distances.sync();
+    const std::vector<ItemPair> pairs = {{0, 0}, {0, 299}};
+    EXPECT_EQ(distances.checksum({1, pairs}), sha256(std::string(16, '\0')));
+  }
+  std::remove(path.c_str());
 }
 
 TEST(HeaderExamples, LoadCheck) {

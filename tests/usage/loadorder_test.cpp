@@ -241,7 +241,7 @@ TEST(AllPairsExample, FourProcessesHaveTheBytesOfOne) {
   EXPECT_EQ(slurp(folder.file("v.dist")), distances);
   // Each has a journal with work in it, and none is left to do.
   for (int i = 0; i < 4; ++i) {
-    EXPECT_NE(slurp(folder.file("job." + std::to_string(i))).find("step 2\n"), std::string::npos);
+    EXPECT_NE(slurp(folder.file("job." + std::to_string(i))).find("\nstep 2 "), std::string::npos);
   }
   // A run that lost the end of a journal goes on there, and does not touch the rest.
   EXPECT_EQ(run("sed -i '$d' job.2", folder.path()).code, 0);
@@ -253,6 +253,35 @@ TEST(AllPairsExample, FourProcessesHaveTheBytesOfOne) {
   ASSERT_NE(steps, std::string::npos) << again.out;
   const std::uint64_t all = std::stoull(again.out.substr(of + 4));
   EXPECT_EQ(std::stoull(again.out.substr(steps + 8)), all - 1) << again.out;
+}
+
+TEST(AllPairsExample, AProcessThatIsRefusedKeepsAllOthersFromWriting) {
+  const TemporaryFolder folder;
+  if (!have_mpirun(folder)) {
+    GTEST_SKIP() << "mpirun is not installed";
+  }
+  const std::string two = mpirun + "-n 2 $all_pairs ";
+  ASSERT_EQ(run_example("$all_pairs make v 60 300; " + two +
+                            "run v 300 --chunk 3 --memory 48K --journal job; rm job.0",
+                        folder)
+                .code,
+            0);
+  const std::string gram = slurp(folder.file("v.gram"));
+  ASSERT_EQ(gram.size(), 60U * 60U * 8U);
+  // For process 0 nothing speaks against another job, but the journal of process 1 does.
+  const Outcome other = run_example(two + "run v 600 --chunk 3 --memory 48K --journal job", folder);
+  EXPECT_EQ(other.code, 3) << other.err;
+  ASSERT_EQ(own_lines(other.err).size(), 1U) << other.err;
+  EXPECT_NE(own_lines(other.err)[0].find("job.1: is the journal of another job"),
+            std::string::npos);
+  EXPECT_EQ(slurp(folder.file("v.gram")), gram);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("job.0")));
+  // Results that were lost are computed again by the process that they belong to.
+  spit(folder.file("v.gram"), std::string(gram.size(), '\0'));
+  const Outcome again = run_example(two + "run v 300 --chunk 3 --memory 48K --journal job", folder);
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_NE(again.out.find("recorded but not found again"), std::string::npos) << again.out;
+  EXPECT_EQ(slurp(folder.file("v.gram")), gram);
 }
 
 TEST(AllPairsExample, OneProcessThatFailsEndsAllWithOneLine) {

@@ -1,4 +1,5 @@
-// Runs an all-pairs job out of core: loads items in the order that was planned, computes every pair once.
+// Runs an all-pairs job out of core: loads items in the order that was planned, computes every pair
+// once.
 //
 //     FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});
 //     PrefetchPlan plan = plan_prefetch(file.item_count(), room_for(file, 512 << 20));
@@ -6,28 +7,39 @@
 //       gram(pair.first.bytes, pair.second.bytes);        // first = second: the pairs within one item
 //     }, {.threads = 2, .read_ahead = plan.spare, .journal = "job.journal"});
 //
-// *Contract.* compute() is called exactly once for each pair of different items and once for each item
-// with itself, by `threads` threads at once, with the bytes of both in memory. Loads run on threads of
-// their own while pairs are computed (loadorder/prefetch.hpp, which also says why an order for one item
-// less with read_ahead = 1 is often faster). Never more than room + read_ahead items are in memory or on
-// their way: there are that many buffers, made at the start, and nothing else grows with the data.
+// *Contract.* compute() is called exactly once for each pair of different items and once for each
+// item with itself, by `threads` threads at once, with the bytes of both in memory. Loads run on
+// threads of their own while pairs are computed (loadorder/prefetch.hpp, which also says why an
+// order for one item less with read_ahead = 1 is often faster). Never more than room + read_ahead
+// items are in memory or on their way: there are that many buffers, made at the start, and nothing
+// else grows with the data.
 //
-// *Journal.* With a journal a step is recorded, and synced to the disk, after all its pairs are computed
-// and after on_step_done(step) has returned: that is where results are made durable. When a job is
-// started again with the same journal, recorded steps are not computed again; a step that was under way
-// is computed anew from its beginning. So results must be idempotent by step: PairWork says the step. A
-// journal of another job is refused.
+// *Journal.* With a journal a step is recorded, and synced to the disk, after all its pairs are
+// computed, on_step_done(step) has returned and `results` (loadorder/job_results.hpp) are on the
+// disk, with the checksum of its results. When a job is started again with the same journal, the
+// results of recorded steps are read again: a step whose checksum they have is not computed again;
+// a step that has lost them, or was under way, is computed anew from its beginning. So results must
+// be idempotent by step: PairWork says the step. Without `results` the journal can only say that
+// on_step_done() has returned, and what became of them afterwards is the caller's affair.
+//
+// A journal belongs to one job: the name, the data, as far as ItemSource::fingerprint() knows them
+// again, the order, the share and the place of the results. That of another job is refused before
+// anything is touched. Each line vouches for those before it (src/loadorder/journal.hpp); what was
+// edited, moved or added counts for nothing, nor does what follows. Checksums are no signatures:
+// who writes wrong results together with a journal that was made to fit them is believed.
 //
 // *Several processes.* With share = {i, n} this process takes the i-th of n stretches of the order
-// (loadorder/workers.hpp), and a pair belongs to the first stretch that has it: all processes together
-// compute what one alone would, each pair once, without talking to each other. examples/all_pairs.cpp does that with
-// the processes of mpirun.
+// (loadorder/workers.hpp), and a pair belongs to the first stretch that has it: all processes
+// together compute what one alone would, each pair once, without talking to each other.
+// examples/all_pairs.cpp does that with the processes of mpirun.
 //
 // *Faults.* What the source throws ends the job after the pairs under way, naming the item; what
-// compute() throws, too. A cancelled job returns a report that says so.
+// compute() throws, too. A cancelled job returns a report that says so. Data that change while they
+// are read are a fault at the end, since the results are then of neither. A killed or failed job
+// has changed the results of its own steps only.
 //
-// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits. An item is best a chunk of many
-// vectors.
+// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits. An item is best a chunk of
+// many vectors.
 #pragma once
 
 #include <atomic>
@@ -39,6 +51,7 @@
 #include <string>
 
 #include "changeover/loadorder/item_source.hpp"
+#include "changeover/loadorder/job_results.hpp"
 #include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
@@ -66,18 +79,16 @@ struct AllPairsProgress {
   std::uint64_t pairs = 0;  ///< computed, items with themselves included
 };
 
-/// The part of an order that a process takes.
-struct OrderShare {
-  std::uint64_t index = 0;
-  std::uint64_t of = 1;
-};
+/// More threads than that, of either kind, are refused.
+inline constexpr unsigned most_job_threads = 4096;
 
 struct AllPairsOptions {
   unsigned threads = 1;          ///< that compute
   unsigned readers = 1;          ///< that load
   std::uint64_t read_ahead = 0;  ///< buffers beyond the order's room, for loads on their way
   OrderShare share = {};
-  std::string journal = {};  ///< path; empty: none
+  std::string journal = {};       ///< path; empty: none
+  JobResults* results = nullptr;  ///< where they are; opened even without a journal
   std::string job = {};  ///< names what is computed, so that a journal of something else is refused
   std::optional<std::uint64_t> memory_bytes = {};  ///< refuse to start if the buffers need more
   const std::atomic<bool>* cancelled = nullptr;    ///< looked at before each pair
@@ -89,7 +100,9 @@ struct AllPairsReport {
   bool finished = false;            ///< false: cancelled
   std::uint64_t steps = 0;          ///< of this share
   std::uint64_t steps_done = 0;     ///< of these, recorded ones included
-  std::uint64_t steps_resumed = 0;  ///< recorded by an earlier run
+  std::uint64_t steps_resumed = 0;  ///< recorded by an earlier run, results found again
+  std::uint64_t steps_lost = 0;     ///< recorded, but without the results: computed again
+  std::string note;  ///< one line about lines of the journal that do not count, or empty
   std::uint64_t loads = 0;
   std::uint64_t bytes_read = 0;
   std::uint64_t pairs = 0;                 ///< calls of compute()
@@ -99,10 +112,11 @@ struct AllPairsReport {
   std::chrono::duration<double> elapsed{};
 };
 
-/// Runs a share of a job to its end.
-/// @throws BadInput if the order is none or not for the items of the source, the buffers exceed memory_bytes, the
-/// share is none, or the journal is another job's; ImpossibleParameters above 65,535 items; whatever the
-/// source, compute() or a callback throws; MissingResource if the journal cannot be written.
+/// Runs a share of a job to its end. @throws BadInput if the order is none or not for the items of
+/// the source, the buffers exceed memory_bytes, the share is none, there are too many threads, the
+/// journal is another job's, or the data have changed at the end; ImpossibleParameters above 65,535
+/// items; whatever the source, compute(), the results or a callback throws; MissingResource if the
+/// journal cannot be written or is in use, or threads cannot be started.
 AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairCompute& compute,
                          const AllPairsOptions& options = {});
 

@@ -12,7 +12,8 @@
  *
  * After the last step every pair of items has been in memory together, and never were more than `room`
  * there. The order is the best that is known, and verified: see loadorder/load_order.hpp. An order is used
- * by one thread at a time; different orders have nothing to do with each other. Nothing is thrown.
+ * by one thread at a time; different orders have nothing to do with each other. Nothing is thrown. NULL for an order is an error where one can
+ * be returned, and otherwise an order of no loads and no steps.
  */
 #ifndef CHANGEOVER_LOADORDER_H
 #define CHANGEOVER_LOADORDER_H
