@@ -187,28 +187,12 @@ class Relaxation {
       improve(linear, offer_of(cut_recipe(offer.recipe), offer.b));
     }
     constexpr std::size_t most_cuts = 64;
-    const std::size_t b = design.block_count();
     if (cell->best->b < offer.b || cell->best->b == cell->bound.blocks) {
       return;
     }
-    std::uint64_t fewest = cell->best->b;
-    std::size_t where = b;
-    for (std::size_t at = 0; at < b && at < most_cuts; ++at) {
-      Design opened(linear);
-      for (std::size_t i = 0; i < b; ++i) {
-        opened.append(design.block((at + i) % b));
-      }
-      const std::uint64_t needed = needed_block_count(opened);
-      if (needed < fewest) {
-        fewest = needed;
-        where = at;
-        if (fewest == cell->bound.blocks) {
-          break;
-        }
-      }
-    }
-    if (where < b) {
-      improve(linear, offer_of(drop_recipe(cut_recipe(offer.recipe, where)), fewest));
+    const BestCut cut = best_cut(design, most_cuts, cell->bound.blocks);
+    if (cut.needed < cell->best->b) {
+      improve(linear, offer_of(drop_recipe(cut_recipe(offer.recipe, cut.at)), cut.needed));
     }
   }
 
