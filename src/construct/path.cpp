@@ -101,9 +101,9 @@ Way::Way(std::shared_ptr<const Distances> distances, Block from, Block to)
   }
   const std::optional<std::uint64_t> steps = distances_->steps(distance);
   if (!steps || distance == 0) {
-    throw ImpossibleParameters(fmt::format(
-        "no way from a block to another by changes of {} for v = {}, k = {}", distances_->change(),
-        distances_->v(), distances_->k()));
+    throw ImpossibleParameters(
+        fmt::format("no way from a block to another by changes of {} for v = {}, k = {}",
+                    distances_->change(), distances_->v(), distances_->k()));
   }
   left_ = *steps - 1;
 }
@@ -113,8 +113,8 @@ bool Way::next(std::span<Element> block) {
     return false;
   }
   const std::uint64_t m = distances_->change();
-  const auto d = static_cast<std::uint64_t>(std::count_if(
-      here_.begin(), here_.end(), [this](Element x) { return !is_goal_[x]; }));
+  const auto d = static_cast<std::uint64_t>(
+      std::count_if(here_.begin(), here_.end(), [this](Element x) { return !is_goal_[x]; }));
   // Of the moves that come nearer, the first: few wrong elements go, few others come.
   const auto [a_range, h_range] = moves_at(d, distances_->k(), m, distances_->v());
   std::uint64_t a = a_range.low;

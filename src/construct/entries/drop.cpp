@@ -15,6 +15,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
@@ -25,11 +26,7 @@ namespace {
 class Dropping {
  public:
   explicit Dropping(const Design& design)
-      : design_(design),
-        b_(design.block_count()),
-        next_(b_),
-        previous_(b_),
-        stays_(b_, true) {
+      : design_(design), b_(design.block_count()), next_(b_), previous_(b_), stays_(b_, true) {
     find_candidates();
     if (candidates_.empty()) {
       return;
@@ -57,6 +54,7 @@ class Dropping {
     for (bool more = !tried.empty(); more && left > 3;) {
       more = false;
       for (const std::size_t i : tried) {
+        stop_if_asked();
         if (left <= 3) {
           break;
         }
@@ -112,6 +110,7 @@ class Dropping {
     std::vector<std::uint64_t> once(words, 0);
     std::vector<std::uint64_t> twice(words, 0);
     for (std::size_t i = 0; i < b_; ++i) {
+      stop_if_asked();
       for_each_pair(i, [&](std::size_t pair) {
         const std::uint64_t bit = std::uint64_t{1} << (pair % 64);
         twice[pair / 64] |= once[pair / 64] & bit;
@@ -120,9 +119,8 @@ class Dropping {
       });
     }
     for (std::size_t i = 0; i < b_; ++i) {
-      if (for_each_pair(i, [&](std::size_t pair) {
-            return (twice[pair / 64] >> (pair % 64) & 1) != 0;
-          })) {
+      if (for_each_pair(
+              i, [&](std::size_t pair) { return (twice[pair / 64] >> (pair % 64) & 1) != 0; })) {
         candidates_.push_back(i);
       }
     }

@@ -22,6 +22,7 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
@@ -87,6 +88,7 @@ class HoldAndStreamSource final : public BlockSource {
     count.total = groups_;
     last_ = round_block(groups_ - 1);
     while (true) {
+      stop_if_asked();
       count.after_round.push_back(count.total);
       advance({});
       for (const Leg& leg : legs_) {
@@ -191,7 +193,8 @@ class HoldAndStreamSource final : public BlockSource {
     const auto first = rest_.begin();
     const Block dropped(first, first + static_cast<std::ptrdiff_t>(held()));
     rest_.erase(first, first + static_cast<std::ptrdiff_t>(held()));
-    const std::size_t last_group = rest_.size() - static_cast<std::size_t>((groups_ - 1) * p_.change);
+    const std::size_t last_group =
+        rest_.size() - static_cast<std::size_t>((groups_ - 1) * p_.change);
     const std::size_t filled =
         groups_ < 2 ? std::size_t{0}
                     : std::min<std::size_t>(static_cast<std::size_t>(p_.change) - last_group,
@@ -335,6 +338,7 @@ class HoldAndStream final : public Construction {
       // After each round, any design of what is left may follow.
       Parameters rest = p;
       for (std::size_t i = 0; i < count.after_round.size() && i < most_rounds; ++i) {
+        stop_if_asked();
         rest.v -= p.k - p.change;
         if (rest.v < p.k + p.change) {
           break;

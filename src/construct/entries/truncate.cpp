@@ -12,6 +12,7 @@
 #include "changeover/construct/entry.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
@@ -188,6 +189,7 @@ std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design)
   }
   Truncation truncation(design);
   for (auto x = static_cast<Element>(design.v()); x-- > 0;) {
+    stop_if_asked();
     if (truncation.can_go(x)) {
       Parameters smaller = input.parameters;
       --smaller.v;
