@@ -292,6 +292,8 @@ int Program::run(int argc, char** argv) {
                     fault.message + "; see changeover " + chosen().get_name() + " --help");
   } catch (const ImpossibleParameters& fault) {
     return complain(exit_code::usage, fault.what());
+  } catch (const BadReadOption& fault) {  // the command line said so, not the file
+    return complain(exit_code::usage, fault.what());
   } catch (const BadInput& fault) {
     return complain(exit_code::bad_input, fault.what());
   } catch (const ReaderGone&) {

@@ -1,8 +1,8 @@
 // changeover explain V K: the tree of constructions with their theorems.
 #include <fmt/format.h>
 
-#include "changeover/core/error.hpp"
 #include "changeover/io/json_writer.hpp"
+#include "decline.hpp"
 #include "request.hpp"
 #include "verbs.hpp"
 
@@ -15,27 +15,40 @@ struct ExplainRequest {
   std::string construction;
 };
 
-/// A node of the tree that was built and verified.
+/// A node of the tree that was built. Its design is verified unless that takes long: a tree is shown for
+/// what it says, and of a node that was not read it says so.
 struct Step {
-  const Recipe* recipe = nullptr;
   const Construction* construction = nullptr;
-  Judgement judgement;
+  std::uint64_t b = 0;
+  std::optional<Judgement> judgement;
 };
 
 Step step(const Recipe& recipe) {
   const Registry& registry = Registry::standard();
-  Step step{&recipe, registry.find(recipe.construction), {}};
   const auto source = registry.build(recipe);
   Offer promise;
   promise.recipe = recipe;
   promise.b = source->block_count().value_or(0);
-  step.judgement = judge(*source, promise);
+  Step step{registry.find(recipe.construction), promise.b, judge_at_once(*source, promise)};
+  if (!step.judgement && !takes_long_to_judge(*source, promise)) {
+    step.judgement = judge(*source, promise);
+  }
   return step;
+}
+
+std::string quality(const Step& step, const Parameters& p) {
+  if (step.judgement) {
+    return quality(*step.judgement);
+  }
+  return fmt::format(
+      "not verified here, for that takes long: changeover design {} {} --change {} --{} "
+      "--format text -o FILE does",
+      p.v, p.k, p.change, to_string(p.kind));
 }
 
 void add_text(const Recipe& recipe, const std::string& indent, std::string& text) {
   const Step node = step(recipe);
-  const std::uint64_t b = node.judgement.verdict.b;
+  const std::uint64_t b = node.b;
   std::uint64_t before = 0;
   for (const Recipe& input : recipe.inputs) {
     before += Registry::standard().build(input)->block_count().value_or(0);
@@ -46,7 +59,7 @@ void add_text(const Recipe& recipe, const std::string& indent, std::string& text
   text += fmt::format("{}  by {}: {}\n", indent, recipe.construction,
                       node.construction->explain(recipe));
   text += fmt::format("{}  {}; {}\n", indent, node.construction->citation().to_string(),
-                      quality(node.judgement));
+                      quality(node, recipe.parameters));
   for (const Recipe& input : recipe.inputs) {
     text += indent + "  from\n";
     add_text(input, indent + "    ", text);
@@ -62,7 +75,8 @@ void add_json(const Recipe& recipe, JsonWriter& json) {
   json.key("kind").value(to_string(recipe.parameters.kind));
   json.key("explanation").value(node.construction->explain(recipe));
   json.key("citation").value(node.construction->citation().to_string());
-  json.key("verdict").raw(verdict_to_json(node.judgement.verdict));
+  json.key("b").value(node.b).key("verdict");
+  node.judgement ? json.raw(verdict_to_json(node.judgement->verdict)) : json.null();
   json.key("inputs").begin_array();
   for (const Recipe& input : recipe.inputs) {
     add_json(input, json);
@@ -74,13 +88,7 @@ int run(const ExplainRequest& request) {
   const std::vector<Parameters> asked = request.asked.parameters();
   const auto offer = best_offer(asked, request.construction);
   if (!offer) {
-    if (const auto reason = impossibility(asked.front())) {
-      throw MissingResource(fmt::format("no {} exists: {}", name(asked.front()), *reason));
-    }
-    throw MissingResource(
-        fmt::format("no construction {}serves {}; changeover design {} {} says what is near",
-                    request.construction.empty() ? "" : "of that name ",
-                    name(asked.front(), asked.size() == 1), request.asked.v, request.asked.k));
+    return decline(asked, request.construction, request.output);
   }
   std::string text;
   if (request.output.chosen() == "json") {

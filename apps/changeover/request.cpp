@@ -7,6 +7,7 @@
 
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/verify/difference.hpp"
 #include "changeover/verify/interval_difference.hpp"
 
@@ -106,34 +107,90 @@ static std::optional<DifferenceVerdict> certificate(const Recipe& recipe) {
   return std::nullopt;
 }
 
-Judgement judge(BlockSource& source, const Offer& promise) {
-  const Parameters& p = source.parameters();
+// Whether reading all blocks takes more than about a second.
+static bool is_long(const Parameters& p, std::uint64_t b) {
   constexpr std::uint64_t many_elements = 20'000'000;
-  const bool is_long = p.v > max_elements_in_memory || promise.b > many_elements / p.k;
-  Judgement judgement;
-  const auto differences = is_long ? certificate(promise.recipe) : std::nullopt;
-  if (differences) {
-    judgement.bound = lower_bound(p);
-    judgement.verdict = {.valid = differences->valid(),
-                         .tight = differences->tight,
-                         .economical = differences->tight,
-                         .b = differences->b,
-                         .lower_bound = judgement.bound.blocks,
-                         .minimum_proved = differences->b == judgement.bound.blocks};
-    judgement.certificate = "differences of the base blocks";
-  } else {
-    judgement = judge(verify(source));
-    if (!source.rewind()) {
-      throw InternalError("a construction that cannot be read twice");
-    }
-  }
+  constexpr std::uint64_t many_pairs_from_v = 20'000;
+  return p.v > many_pairs_from_v || b > many_elements / p.k;
+}
+
+static void hold_to_promise(const Judgement& judgement, const Offer& promise) {
   const DesignVerdict& verdict = judgement.verdict;
   if (!verdict.valid || verdict.b != promise.b || (promise.tight && !verdict.tight) ||
       (promise.economical && !verdict.economical)) {
     throw InternalError(fmt::format("the construction {} does not keep its promise for {}",
-                                    promise.recipe.construction, name(p)));
+                                    promise.recipe.construction, name(promise.recipe.parameters)));
   }
+}
+
+std::optional<Judgement> judge_at_once(const BlockSource& source, const Offer& promise) {
+  const Parameters& p = source.parameters();
+  const auto differences =
+      is_long(p, promise.b) ? certificate(promise.recipe) : std::optional<DifferenceVerdict>();
+  if (!differences) {
+    return std::nullopt;
+  }
+  Judgement judgement;
+  judgement.bound = lower_bound(p);
+  judgement.verdict = {.valid = differences->valid(),
+                       .tight = differences->tight,
+                       .economical = differences->tight,
+                       .b = differences->b,
+                       .lower_bound = judgement.bound.blocks,
+                       .minimum_proved = differences->b == judgement.bound.blocks};
+  judgement.certificate = "differences of the base blocks";
+  hold_to_promise(judgement, promise);
   return judgement;
+}
+
+bool takes_long_to_judge(const BlockSource& source, const Offer& promise) {
+  return is_long(source.parameters(), promise.b);
+}
+
+JudgedWhileRead::JudgedWhileRead(BlockSource& source, const Offer& promise)
+    : source_(source), promise_(promise), running_(source.parameters()) {}
+
+bool JudgedWhileRead::next(std::span<Element> block) {
+  if (source_.next(block)) {
+    running_.add(block);
+    constexpr std::uint64_t blocks_between_looks = 4096;
+    if (++blocks_ % blocks_between_looks == 0) {
+      stop_if_asked();
+      if (progress_due()) {
+        report_progress({.phase = fmt::format("verifying {} of {}", name(source_.parameters()),
+                                              count_of(promise_.b, "block")),
+                         .steps = blocks_,
+                         .unit = "blocks"});
+      }
+    }
+    return true;
+  }
+  if (!judgement_) {
+    Judgement judgement = judge(running_.finish());
+    hold_to_promise(judgement, promise_);
+    judgement_ = std::move(judgement);
+  }
+  return false;
+}
+
+const Judgement& JudgedWhileRead::judgement() const {
+  if (!judgement_) {
+    throw InternalError("a design was judged before its last block");
+  }
+  return *judgement_;
+}
+
+Judgement judge(BlockSource& source, const Offer& promise) {
+  if (std::optional<Judgement> judgement = judge_at_once(source, promise)) {
+    return *std::move(judgement);
+  }
+  JudgedWhileRead judged(source, promise);
+  for (Block block(static_cast<std::size_t>(source.parameters().k)); judged.next(block);) {
+  }
+  if (!source.rewind()) {
+    throw InternalError("a construction that cannot be read twice");
+  }
+  return judged.judgement();
 }
 
 std::string quality(const Judgement& judgement) {

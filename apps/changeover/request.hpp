@@ -68,7 +68,46 @@ struct Judgement {
 
 /// Verifies a stream of blocks and rewinds it. If the list is long and is the development of base blocks
 /// over Z_v, their differences are checked instead. @throws InternalError if what was promised does not hold.
+///
+/// A list of 10⁸ blocks without such a certificate takes a minute or more, in which nothing would be
+/// shown. So whoever only passes blocks on may do one of two things instead:
+///   - write them to a file, verified while they are written: the file appears whole when the verdict is
+///     good, and not at all when it is not;
+///   - write them to standard output and say first that they are verified while they are written, and
+///     last that they were. If the verdict is bad, the last line is missing and the exit code is 5.
 [[nodiscard]] Judgement judge(BlockSource& source, const Offer& promise);
+
+/// Whether that takes long unless there is a certificate.
+[[nodiscard]] bool takes_long_to_judge(const BlockSource& source, const Offer& promise);
+
+/// The part of judge() that reads no blocks: the judgement of a long list with a certificate, else nothing.
+[[nodiscard]] std::optional<Judgement> judge_at_once(const BlockSource& source,
+                                                     const Offer& promise);
+
+/// Hands on the blocks of a stream and verifies them on the way. Whoever reads the end of it has a
+/// design that was verified: next() @throws InternalError there if what was promised does not hold.
+class JudgedWhileRead final : public BlockSource {
+ public:
+  /// Both must outlive it.
+  JudgedWhileRead(BlockSource& source, const Offer& promise);
+
+  [[nodiscard]] const Parameters& parameters() const override { return source_.parameters(); }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return source_.block_count();
+  }
+  bool next(std::span<Element> block) override;
+  bool rewind() override { return false; }
+
+  /// Once next() was false.
+  [[nodiscard]] const Judgement& judgement() const;
+
+ private:
+  BlockSource& source_;
+  const Offer& promise_;
+  RunningVerdict running_;
+  std::uint64_t blocks_ = 0;
+  std::optional<Judgement> judgement_;
+};
 
 /// The same for a design without a promise, e.g. a user's; it need not be valid.
 [[nodiscard]] Judgement judge(const Verdict& verdict);

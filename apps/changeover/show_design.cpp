@@ -1,5 +1,7 @@
 #include "show_design.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
@@ -61,7 +63,30 @@ const std::vector<std::string>& design_formats() {
   return formats;
 }
 
+void check_format(const Parameters& p, std::uint64_t b, const OutputRequest& output) {
+  constexpr std::uint64_t most_blocks = 1'000'000;
+  constexpr std::uint64_t most_elements = 20'000'000;
+  constexpr std::uint64_t most_points = 1000;
+  const std::string format = output.chosen();
+  if (format == "text" || format == "json" || format == "csv") {
+    return;
+  }
+  if ((format == "svg" || format == "tikz") && p.v > most_points) {
+    throw UsageError{
+        fmt::format("--format {}: a picture has at most {} points, not v = {}; use --format text",
+                    format, most_points, p.v)};
+  }
+  if (b > most_blocks || b > most_elements / p.k) {
+    throw UsageError{
+        fmt::format("--format {}: {} of {} are too many to lay out; use --format text -o FILE",
+                    format, count_of(b, "block"), count_of(p.k, "element"))};
+  }
+}
+
 void show_design(BlockSource& source, const Exhibit& exhibit, const OutputRequest& output) {
+  if (const auto b = source.block_count()) {
+    check_format(source.parameters(), *b, output);
+  }
   bool begun = false;
   deliver(output, [&](OutputFile& out) {
     if (begun && !source.rewind()) {
@@ -69,6 +94,34 @@ void show_design(BlockSource& source, const Exhibit& exhibit, const OutputReques
     }
     begun = true;
     write_design(source, exhibit, output.chosen(), out);
+  });
+}
+
+bool can_be_judged_while_written(const OutputRequest& output) {
+  const std::string format = output.chosen();
+  const bool to_file = !output.path.empty() && output.path != "-";
+  return format == "text" || format == "json" || (format == "csv" && to_file);
+}
+
+void show_design_while_judging(JudgedWhileRead& source, const Exhibit& exhibit,
+                               const OutputRequest& output) {
+  const std::string format = output.chosen();
+  deliver(output, [&](OutputFile& out) {
+    if (format == "json") {
+      write_json(source, out, exhibit.header,
+                 [&] { return std::optional<DesignVerdict>(source.judgement().verdict); });
+    } else if (format == "csv") {
+      write_csv(source, out, exhibit.header.labels);
+    } else {
+      if (out.is_standard_output()) {
+        out.write("# verified while it is written: the last line says how it ended\n");
+      }
+      write_text(source, out, exhibit.header);
+      if (out.is_standard_output()) {
+        const Judgement& judgement = source.judgement();
+        out.write(fmt::format("# verified: {}; {}\n", judgement.certificate, quality(judgement)));
+      }
+    }
   });
 }
 

@@ -26,7 +26,22 @@ struct Exhibit {
   bool leaving = false;                      ///< mark leaving elements too
 };
 
+/// Whether a design of that size can be written in the chosen format: tables and LaTeX hold all blocks in
+/// memory, pictures have a limited number of points. @throws UsageError with one line.
+void check_format(const Parameters& p, std::uint64_t b, const OutputRequest& output);
+
 /// Writes the design that `source` streams to the output that was asked for, and commits it.
+/// @throws UsageError as check_format().
 void show_design(BlockSource& source, const Exhibit& exhibit, const OutputRequest& output);
+
+/// Whether the chosen output can begin before the verdict is known: see judge() in request.hpp. Text and
+/// JSON say on standard output what they are; CSV has no place for that, so only its files can.
+[[nodiscard]] bool can_be_judged_while_written(const OutputRequest& output);
+
+/// Writes a design and verifies it on the way; exhibit.judgement is not used. On standard output the
+/// first and the last line of the text say so; JSON has the verdict after the blocks anyway.
+/// @throws InternalError, and nothing is committed, if the verdict is not what was promised.
+void show_design_while_judging(JudgedWhileRead& source, const Exhibit& exhibit,
+                               const OutputRequest& output);
 
 }  // namespace changeover::cli

@@ -183,13 +183,29 @@ int run(const TableRequest& request) {
   }
   const Range k = range("--k", request.k, 2);
   const Range v = range("--v", request.v, k.from);
-  // Designs beyond the range help inside it: larger ones can be truncated, smaller blocks extended.
+  if (k.from < 2) {
+    throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", request.k)};
+  }
+  if (v.from < 2 || v.to > largest_v_of_a_plan) {
+    throw UsageError{
+        fmt::format("--v {}: a table goes from v = 2 to v = {}", request.v, largest_v_of_a_plan)};
+  }
+  if (request.change && *request.change < 1) {
+    throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
+  }
+  // Designs beyond the range help inside it: larger ones can be truncated, smaller blocks extended. An
+  // element less comes with a smaller block only, so few smaller v can matter.
   constexpr std::uint64_t margin = 8;
-  const PlanRange asked{.v_from = std::max<std::uint64_t>(2, std::min(v.from, k.from)),
-                        .v_to = v.to + margin,
-                        .k_from = std::max<std::uint64_t>(2, k.from > 2 ? k.from - 1 : 2),
+  const std::uint64_t k_from = std::max<std::uint64_t>(2, k.from - 1);
+  const PlanRange asked{.v_from = v.from - std::min(v.from - 2, k.to - k_from),
+                        .v_to = std::min(v.to + margin, largest_v_of_a_plan),
+                        .k_from = k_from,
                         .k_to = k.to,
                         .change = request.change.value_or(2)};
+  if (asked.k_to - asked.k_from >= most_cells_of_a_plan / 2 / (asked.v_to - asked.v_from + 1)) {
+    throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells", request.k,
+                                 request.v, most_cells_of_a_plan)};
+  }
   const Plan plan = plan_range(Registry::standard(), asked,
                                [](const Design& design) { return verify(design).valid(); });
   const std::string format = request.output.chosen();

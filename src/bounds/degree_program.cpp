@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "changeover/run/scope.hpp"
+
 namespace changeover {
 namespace {
 
@@ -45,6 +47,9 @@ struct Program {
     Number best = -1;
     const Number most = allowed(i) ? left : 0;
     for (Number count = 0; count <= most; ++count) {
+      if (i + 2 < last) {
+        stop_if_asked();
+      }
       const Number rest = least_sum(i + 1, last, left - count, sum - count * i);
       if (rest >= 0 && (best < 0 || rest + count * least_r(i) < best)) {
         best = rest + count * least_r(i);
@@ -59,6 +64,7 @@ struct Program {
     }
     const Number middle = i_sum / n;
     for (Number low = std::max<Number>(1, middle - m); low <= middle; ++low) {
+      stop_if_asked();
       const Number least = least_sum(low, low + m, n, i_sum);
       if (least >= 0 && least <= r_sum) {
         return true;

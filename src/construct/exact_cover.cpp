@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 
@@ -23,6 +24,9 @@ struct Meter {
 
   /// Before a node: whether it may be entered. If not, the outcome says why.
   [[nodiscard]] bool enter() {
+    if (nodes % 256 == 0) {
+      stop_if_asked();
+    }
     if (limits.nodes && nodes >= *limits.nodes) {
       outcome = SearchOutcome::limit;
     } else if (nodes % 256 == 0 && limits.stop && limits.stop()) {

@@ -9,12 +9,10 @@
 #include "changeover/bounds/counting_bound.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
-
-constexpr std::uint64_t largest_v = 1000;
-constexpr std::uint64_t most_cells = 1'000'000;
 
 Offer offer_of(Recipe recipe, std::uint64_t b) {
   Offer offer{std::move(recipe), b, false, false, false};
@@ -47,6 +45,7 @@ Plan::Plan(const PlanRange& range) : range_(range) {
         } else {
           cell.impossible = impossibility(cell.parameters);
           if (!cell.impossible) {
+            stop_if_asked();
             cell.bound = lower_bound(cell.parameters);
           }
         }
@@ -89,24 +88,38 @@ class Relaxation {
       : registry_(registry), plan_(plan), accept_(accept) {}
 
   void run() {
+    std::uint64_t asked = 0;
     for (const PlannedCell& cell : plan_.cells()) {
+      tell("asking the constructions", ++asked);
       if (!cell.impossible) {
         if (auto offer = registry_.best(cell.parameters)) {
           improve(cell.parameters, *std::move(offer));
         }
       }
     }
+    std::uint64_t settled = 0;
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
       queue_.pop();
       PlannedCell& cell = *plan_.find(entry.parameters);
       if (cell.best && cell.best->b == entry.b) {  // otherwise it was improved since
+        tell("building and verifying designs", ++settled);
         settle(cell);
       }
     }
   }
 
  private:
+  // Where the work is, and a place where it can stop.
+  void tell(const char* phase, std::uint64_t cells) const {
+    stop_if_asked();
+    if (progress_due()) {
+      report_progress({.phase = fmt::format("{} of {} cells", phase, plan_.cells().size()),
+                       .steps = cells,
+                       .unit = "cells"});
+    }
+  }
+
   struct Entry {
     std::uint64_t b;
     Parameters parameters;
@@ -187,28 +200,12 @@ class Relaxation {
       improve(linear, offer_of(cut_recipe(offer.recipe), offer.b));
     }
     constexpr std::size_t most_cuts = 64;
-    const std::size_t b = design.block_count();
     if (cell->best->b < offer.b || cell->best->b == cell->bound.blocks) {
       return;
     }
-    std::uint64_t fewest = cell->best->b;
-    std::size_t where = b;
-    for (std::size_t at = 0; at < b && at < most_cuts; ++at) {
-      Design opened(linear);
-      for (std::size_t i = 0; i < b; ++i) {
-        opened.append(design.block((at + i) % b));
-      }
-      const std::uint64_t needed = needed_block_count(opened);
-      if (needed < fewest) {
-        fewest = needed;
-        where = at;
-        if (fewest == cell->bound.blocks) {
-          break;
-        }
-      }
-    }
-    if (where < b) {
-      improve(linear, offer_of(drop_recipe(cut_recipe(offer.recipe, where)), fewest));
+    const BestCut cut = best_cut(design, most_cuts, cell->bound.blocks);
+    if (cut.needed < cell->best->b) {
+      improve(linear, offer_of(drop_recipe(cut_recipe(offer.recipe, cut.at)), cut.needed));
     }
   }
 
@@ -226,15 +223,16 @@ Plan plan_range(const Registry& registry, const PlanRange& range,
     throw ImpossibleParameters(fmt::format("the range v = {}..{}, k = {}..{} is empty or has k < 2",
                                            range.v_from, range.v_to, range.k_from, range.k_to));
   }
-  if (range.v_to > largest_v) {
-    throw ImpossibleParameters(
-        fmt::format("v = {} exceeds {}, the most that is planned at once", range.v_to, largest_v));
+  if (range.v_to > largest_v_of_a_plan) {
+    throw ImpossibleParameters(fmt::format("v = {} exceeds {}, the most that is planned at once",
+                                           range.v_to, largest_v_of_a_plan));
   }
   if (range.change < 1) {
     throw ImpossibleParameters("change = 0: consecutive blocks must differ in at least 1 element");
   }
-  if (2 * (range.v_to - range.v_from + 1) * (range.k_to - range.k_from + 1) > most_cells) {
-    throw ImpossibleParameters(fmt::format("the range has more than {} cells", most_cells));
+  if (range.k_to - range.k_from >= most_cells_of_a_plan / 2 / (range.v_to - range.v_from + 1)) {
+    throw ImpossibleParameters(
+        fmt::format("the range has more than {} cells", most_cells_of_a_plan));
   }
   Plan plan(range);
   Relaxation(registry, plan, accept).run();

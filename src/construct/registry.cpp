@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
@@ -152,6 +153,7 @@ std::vector<Offer> Registry::nearest(const Parameters& p, std::size_t limit,
         if (!can_be_written_down(near)) {
           continue;
         }
+        stop_if_asked();
         if (std::optional<Offer> offer = best(near)) {
           found.push_back(*std::move(offer));
         }

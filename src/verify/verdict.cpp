@@ -11,6 +11,7 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
+#include "changeover/run/scope.hpp"
 #include "element_bits.hpp"
 #include "subset_set.hpp"
 
@@ -328,16 +329,37 @@ class Pairs {
   ElementBits bits_;
 };
 
+/// Where reading blocks can stop: every few thousand elements.
+class StopPlace {
+ public:
+  explicit StopPlace(std::size_t k) : every_(std::max<std::size_t>(1, 4096 / (k + 1))) {}
+
+  void pass() {
+    if (--left_ == 0) {
+      left_ = every_;
+      stop_if_asked();
+    }
+  }
+
+ private:
+  std::size_t every_;
+  std::size_t left_ = 1;
+};
+
 /// Hands every block to `take`.
 void for_each_block(BlockSource& source, auto&& take) {
   Block block(static_cast<std::size_t>(source.parameters().k));
+  StopPlace place(block.size());
   while (source.next(block)) {
+    place.pass();
     take(std::span<const Element>(block));
   }
 }
 
 void for_each_block(const Design& design, auto&& take) {
+  StopPlace place(static_cast<std::size_t>(design.k()));
   for (std::size_t i = 0; i < design.block_count(); ++i) {
+    place.pass();
     take(design.block(i));
   }
 }
@@ -349,9 +371,7 @@ Verdict run(Blocks& blocks, const Parameters& p, const VerifyOptions& options) {
   return verification.finish();
 }
 
-template <typename Blocks>
-Verdict judge(Blocks& blocks, const VerifyOptions& options) {
-  const Parameters p = blocks.parameters();
+void check_size(const Parameters& p) {
   check(p);
   constexpr std::uint64_t most_bits = std::uint64_t{1} << 35;
   if (p.v > max_elements_in_memory) {
@@ -364,15 +384,67 @@ Verdict judge(Blocks& blocks, const VerifyOptions& options) {
                     "v or strength",
                     p.v, p.strength));
   }
+}
+
+MissingResource no_memory(const Parameters& p) {
+  return MissingResource(
+      fmt::format("not enough memory to verify v = {}: it takes C(v,{}) bits", p.v, p.strength));
+}
+
+template <typename Blocks>
+Verdict judge(Blocks& blocks, const VerifyOptions& options) {
+  const Parameters p = blocks.parameters();
+  check_size(p);
   try {
     return p.strength == 2 ? run<Pairs>(blocks, p, options) : run<SubsetSet>(blocks, p, options);
   } catch (const std::bad_alloc&) {
-    throw MissingResource(
-        fmt::format("not enough memory to verify v = {}: it takes C(v,{}) bits", p.v, p.strength));
+    throw no_memory(p);
   }
 }
 
 }  // namespace
+
+struct RunningVerdict::State {
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  virtual ~State() = default;
+  virtual void add(std::span<const Element> block) = 0;
+  virtual Verdict finish() = 0;
+};
+
+template <typename Set>
+struct RunningVerdict::StateOf final : RunningVerdict::State {
+  StateOf(const Parameters& p, const VerifyOptions& options) : verification(p, options, Set(p)) {}
+  void add(std::span<const Element> block) override { verification.add(block); }
+  Verdict finish() override { return verification.finish(); }
+
+  Verification<Set> verification;
+};
+
+RunningVerdict::RunningVerdict(const Parameters& p, const VerifyOptions& options) : k_(p.k) {
+  check_size(p);
+  try {
+    if (p.strength == 2) {
+      state_ = std::make_unique<StateOf<Pairs>>(p, options);
+    } else {
+      state_ = std::make_unique<StateOf<SubsetSet>>(p, options);
+    }
+  } catch (const std::bad_alloc&) {
+    throw no_memory(p);
+  }
+}
+
+RunningVerdict::~RunningVerdict() = default;
+
+void RunningVerdict::add(std::span<const Element> block) {
+  if (block.size() != k_) {
+    throw BadInput(fmt::format("a block of {} elements, not k = {}", block.size(), k_));
+  }
+  state_->add(block);
+}
+
+Verdict RunningVerdict::finish() { return state_->finish(); }
 
 Verdict verify(BlockSource& source, const VerifyOptions& options) { return judge(source, options); }
 

@@ -86,5 +86,27 @@ TEST(Path, FromABlockToItselfIsNone) {
   EXPECT_THROW((void)connecting_blocks({0, 1}, {0, 1}, 1, 5), ImpossibleParameters);
 }
 
+TEST(Path, AWayHandsOutTheSameBlocksOneByOne) {
+  const auto distances = std::make_shared<const Distances>(12, 5, 40);
+  Block from(12);
+  std::iota(from.begin(), from.end(), 0U);
+  Block to(12);
+  std::iota(to.begin(), to.end(), 10U);
+  const std::vector<Block> all = connecting_blocks(from, to, 5, 40);
+  Way way(distances, from, to);
+  EXPECT_EQ(way.left(), all.size());
+  std::vector<Block> handed_out;
+  for (Block block(12); way.next(block);) {
+    handed_out.push_back(block);
+  }
+  EXPECT_EQ(handed_out, all);
+}
+
+TEST(Path, CountsStepsOfManyElementsAtOnce) {
+  // m² moves at each of k distances would be 10¹³.
+  EXPECT_EQ(connecting_steps(25'000, 30'000, 20'000, 65'535), 2U);
+  EXPECT_EQ(connecting_steps(30'000, 30'000, 1, 65'535), 30'000U);
+}
+
 }  // namespace
 }  // namespace changeover

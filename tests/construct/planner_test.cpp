@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
 #include "oracle_minima.hpp"
@@ -85,6 +87,13 @@ TEST(Planner, RefusesRangesThatMakeNoSense) {
       (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 1, .k_to = 4, .change = 2},
                        valid),
       ImpossibleParameters);
+  // The number of cells would be 0 modulo 2⁶⁴.
+  EXPECT_THROW(
+      (void)plan_range(
+          registry(),
+          {.v_from = 5, .v_to = 8, .k_from = 3, .k_to = (std::uint64_t{1} << 61) + 2, .change = 2},
+          valid),
+      ImpossibleParameters);
   const Plan plan(PlanRange{.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2});
   EXPECT_THROW((void)plan.at({.v = 10, .k = 3}), BadInput);
 }
@@ -122,6 +131,16 @@ TEST(Truncate, TakesAnElementAwayFromEveryDesignThatAllowsIt) {
   EXPECT_GT(done, 300U);
 }
 
+TEST(Planner, StopsWhenTheControlAboveItWantsTo) {
+  std::atomic<bool> interrupted{true};
+  RunControl control({.interrupted = &interrupted});
+  const RunScope scope(control);
+  EXPECT_THROW(
+      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2},
+                       valid),
+      Stopped);
+}
+
 TEST(Truncate, RefusesAnElementThatIsInEveryBlock) {
   const auto offer =
       registry().best({.v = 7, .k = 5, .kind = Kind::circular});  // one fixed element
@@ -150,6 +169,39 @@ TEST(Drop, LeavesOutWhatIsNotNeededAndNothingElse) {
   EXPECT_LE(less.block_count(), once.block_count());
   // Of a tight circular design nothing can go.
   EXPECT_EQ(needed_block_count(once), once.block_count());
+}
+
+TEST(Drop, TheBestCutIsTheFirstOfThoseThatNeedFewestBlocks) {
+  std::size_t with_less = 0;
+  for (std::uint64_t v = 8; v <= 16; ++v) {
+    for (const std::uint64_t m : {1U, 2U, 3U}) {
+      const Parameters p{.v = v, .k = 4, .change = m, .kind = Kind::circular};
+      const auto offer = registry().find("hold-and-stream")->offer(p, registry());
+      if (!offer) {
+        continue;
+      }
+      const Design design = registry().build_design(offer->recipe);
+      const std::size_t b = design.block_count();
+      Parameters linear = p;
+      linear.kind = Kind::linear;
+      BestCut expected{0, b};
+      for (std::size_t at = 0; at < b; ++at) {
+        Design opened(linear);
+        for (std::size_t i = 0; i < b; ++i) {
+          opened.append(design.block((at + i) % b));
+        }
+        const std::uint64_t needed = needed_block_count(opened);
+        if (needed < expected.needed) {
+          expected = {at, needed};
+        }
+      }
+      const BestCut cut = best_cut(design, b, 0);
+      EXPECT_EQ(cut.at, expected.at) << name(p);
+      EXPECT_EQ(cut.needed, expected.needed) << name(p);
+      with_less += cut.needed < b ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(with_less, 3U);
 }
 
 TEST(Unfix, IsTheConverseOfFix) {

@@ -70,6 +70,9 @@ const std::vector<Case>& cases() {
       {"$changeover design 7 3 --circular --construction printed --json | $changeover expand -", 0,
        "by 1 new element"},
       {"$changeover explain 20 5", 0, "from"},
+      {"$changeover explain 4096 5", 0, "DCCD(4096,5)"},
+      {"$changeover explain 8000 4", 0, "not verified here"},
+      {"$changeover explain 8000 4 --json", 0, "\"verdict\":null"},
       {"$changeover factorize 8", 0, ""},
       {"$changeover table --k 3..5 --v 5..12", 0, "mean of b / lower bound"},
       {"$changeover table --k 3 --v ..9 --linear --json", 0, "\"status\":\"minimum\""},
@@ -99,7 +102,12 @@ const std::vector<Case>& cases() {
       {"$changeover factorize 7", 2, "7"},
       {"$changeover table --k 9..3", 2, "the range is empty"},
       {"$changeover table --v x", 2, "whole numbers"},
-      {"$changeover table --v ..5000", 2, "v = 5008"},
+      {"$changeover table --v ..5000", 2, "--v ..5000: a table goes from v = 2 to v = 1000"},
+      {"$changeover table --k 3 --v 0", 2, "--v 0: a table goes from v = 2"},
+      {"$changeover table --k 1 --v 5", 2, "--k 1"},
+      {"$changeover table --k 3..9223372036854775810 --v 5", 2, "more than 1000000 cells"},
+      {"$changeover design 1001 5 --format svg", 2, "at most 1000 points"},
+      {"$changeover design 65535 4", 2, "use --format text -o FILE"},
       {"$changeover completion fish", 2, "is not one of"},
       // 3: bad input
       {"$changeover verify empty.txt", 3, "empty.txt:1:1"},
@@ -120,6 +128,8 @@ const std::vector<Case>& cases() {
       // 4: nothing serves, or something is missing
       {"$changeover design 200 3 --change 3 >&2", 4, "No construction"},
       {"$changeover design 4 2 >&2", 4, "No circular DCCD(4,2) exists"},
+      {"$changeover explain 4 2 >&2", 4, "No circular DCCD(4,2) exists"},
+      {"$changeover explain 4 2 --json >&2", 4, "\"served\":false"},
       {"$changeover design 20 5 --construction cyclic >&2", 4, "cyclic does not serve"},
       {"$changeover design 61 4 --construction doubling >&2", 4, "doubling"},
       {"$changeover verify nowhere.txt", 4, "nowhere.txt"},
@@ -212,6 +222,20 @@ TEST(Output, LeavesTheOldFileIntactAfterAnyFailure) {
   EXPECT_EQ(run("ls -A | grep -c tmp", folder.path()).out, "0\n");
   EXPECT_EQ(run("$changeover design 253 13 --json -o old.json", folder.path()).code, 0);
   EXPECT_EQ(run("$changeover verify old.json", folder.path()).code, 0);
+}
+
+TEST(Output, ALongDesignWithoutACertificateIsVerifiedWhileItIsWritten) {
+  const TemporaryFolder folder;
+  const Outcome first = run("$changeover design 65535 4 --format text | head -n 2", folder.path());
+  EXPECT_NE(first.out.find("verified while it is written"), std::string::npos) << first.out;
+  EXPECT_NE(first.out.find("v=65535 k=4"), std::string::npos) << first.out;
+  const Outcome whole =
+      run("$changeover design 7500 4 --format text > streamed && tail -n 1 streamed && "
+          "$changeover design 7500 4 --format text -o filed && "
+          "sed '1d;$d' streamed | cmp - filed",
+          folder.path());
+  EXPECT_EQ(whole.code, 0) << whole.out;
+  EXPECT_NE(whole.out.find("# verified: every block read"), std::string::npos) << whole.out;
 }
 
 TEST(Output, EndsQuietlyWhenItsReaderDoes) {

@@ -55,7 +55,17 @@ namespace changeover {
 /// *Drop*: leave out blocks that are not needed, one after another, while any can go.
 [[nodiscard]] Recipe drop_recipe(const Recipe& input);
 
-/// How many blocks drop_recipe() would leave of this design. O(bk²) a round, few rounds; 4·C(v,2) bytes.
+/// How many blocks drop_recipe() would leave of this design. O(bk²); 4·C(v,2) bytes.
 [[nodiscard]] std::uint64_t needed_block_count(const Design& design);
+
+/// Where to cut a circular design, and what drop_recipe() then leaves of it.
+struct BestCut {
+  std::uint64_t at = 0;
+  std::uint64_t needed = 0;
+};
+
+/// The first of the cuts at 0, 1, …, most_cuts − 1 after which fewest blocks are needed, or the first
+/// that needs no more than `enough`. O(bk²) for all of them, and O(k²) for each block that is dropped.
+[[nodiscard]] BestCut best_cut(const Design& design, std::size_t most_cuts, std::uint64_t enough);
 
 }  // namespace changeover

@@ -6,19 +6,71 @@
 // Blocks that differ in d elements are (d, k, v) apart whatever their elements are, so the shortest way
 // is found among distances: a step from distance d can lead to every distance d − a + h where a of the
 // d wrong elements go, h elements outside both blocks come, and what is left over suffices.
+//
+// Who needs many ways, or long ones, makes the distances once and takes the blocks of a way one by one:
+//
+//     const auto distances = std::make_shared<const Distances>(k, m, v);
+//     Way way(distances, from, to);
+//     while (way.next(block)) { … }                              // memory: O(v)
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "changeover/core/block.hpp"
 
 namespace changeover {
 
+/// How many steps of `change` elements there are between k-subsets of a v-set, by their distance.
+class Distances {
+ public:
+  /// O(min(k, v−k)) time and memory. Of impossible parameters it knows no way.
+  Distances(std::uint64_t k, std::uint64_t change, std::uint64_t v);
+
+  [[nodiscard]] std::uint64_t k() const { return k_; }
+  [[nodiscard]] std::uint64_t change() const { return change_; }
+  [[nodiscard]] std::uint64_t v() const { return v_; }
+
+  /// As connecting_steps(). O(1).
+  [[nodiscard]] std::optional<std::uint64_t> steps(std::uint64_t distance) const;
+
+ private:
+  std::uint64_t k_;
+  std::uint64_t change_;
+  std::uint64_t v_;
+  std::vector<std::uint64_t> steps_;
+};
+
+/// The blocks of connecting_blocks() one by one.
+class Way {
+ public:
+  /// @throws ImpossibleParameters if there is no way or the blocks are the same.
+  Way(std::shared_ptr<const Distances> distances, Block from, Block to);
+
+  /// How many blocks are still to come before the goal.
+  [[nodiscard]] std::uint64_t left() const { return left_; }
+
+  /// The next block, false when only the goal is left. O(k + m²), and O(v) if elements of neither block
+  /// come.
+  bool next(std::span<Element> block);
+
+ private:
+  void take_step(std::uint64_t wrong_going, std::uint64_t others_coming);
+
+  std::shared_ptr<const Distances> distances_;
+  Block here_;
+  Block to_;
+  std::vector<bool> is_here_;
+  std::vector<bool> is_goal_;
+  std::uint64_t left_ = 0;
+};
+
 /// The least number of steps that change exactly `change` elements each and lead from a k-subset of a
 /// v-set to another that differs from it in `distance` elements; 0 if distance is 0; nullopt if there is
-/// no way (only for v < k + change, and for v = 2k, change = k). O(min(k, v−k)·m²).
+/// no way (only for v < k + change, and for v = 2k, change = k). O(min(k, v−k)).
 [[nodiscard]] std::optional<std::uint64_t> connecting_steps(std::uint64_t distance, std::uint64_t k,
                                                             std::uint64_t change, std::uint64_t v);
 

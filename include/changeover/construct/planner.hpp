@@ -30,6 +30,10 @@
 
 namespace changeover {
 
+/// The largest v of a range, and the most cells that it can have, both kinds counted.
+inline constexpr std::uint64_t largest_v_of_a_plan = 1000;
+inline constexpr std::uint64_t most_cells_of_a_plan = 1'000'000;
+
 struct PlanRange {
   std::uint64_t v_from = 0;
   std::uint64_t v_to = 0;

@@ -20,7 +20,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -105,5 +107,36 @@ struct Verdict {
 
 /// The same for a design in memory.
 [[nodiscard]] Verdict verify(const Design& design, const VerifyOptions& options = {});
+
+/// The same for blocks that pass by, where whoever has them does something else with them too:
+///
+///     RunningVerdict running(parameters);
+///     while (source.next(block)) {
+///       running.add(block);
+///       write(block);
+///     }
+///     Verdict verdict = running.finish();
+class RunningVerdict {
+ public:
+  /// @throws ImpossibleParameters and MissingResource as verify().
+  explicit RunningVerdict(const Parameters& p, const VerifyOptions& options = {});
+  ~RunningVerdict();
+  RunningVerdict(const RunningVerdict&) = delete;
+  RunningVerdict& operator=(const RunningVerdict&) = delete;
+
+  /// The next block. @throws BadInput as verify(), and if it has not k elements.
+  void add(std::span<const Element> block);
+
+  /// What is true of all blocks. Call it once, at the end.
+  [[nodiscard]] Verdict finish();
+
+ private:
+  struct State;
+  template <typename Set>
+  struct StateOf;
+
+  std::uint64_t k_;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace changeover

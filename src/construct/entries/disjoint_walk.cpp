@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <utility>
 
@@ -27,7 +28,15 @@ class Walk {
       : p_(p),
         v_(static_cast<std::size_t>(p.v)),
         k_(static_cast<std::size_t>(p.k)),
-        covered_(p.v) {}
+        covered_(p.v),
+        words_(ceil_div(p.v, 64)),
+        missing_(v_ * words_, 0) {
+    for (std::size_t x = 0; x < v_; ++x) {
+      for (std::size_t y = 0; y < v_; ++y) {
+        missing_[x * words_ + y / 64] |= x == y ? 0 : std::uint64_t{1} << (y % 64);
+      }
+    }
+  }
 
   std::vector<Block> run() {
     Block first(k_);
@@ -58,11 +67,17 @@ class Walk {
       for (std::size_t j = 0; j < i; ++j) {
         if (!covered_.contains(block[i], block[j])) {
           covered_.insert(block[i], block[j]);
+          meet(block[i], block[j]);
+          meet(block[j], block[i]);
           --left_;
         }
       }
     }
     blocks_.push_back(block);
+  }
+
+  void meet(Element x, Element y) {
+    missing_[x * words_ + y / 64] &= ~(std::uint64_t{1} << (y % 64));
   }
 
   [[nodiscard]] Block outside(const Block& block, const Block& also) const {
@@ -85,10 +100,15 @@ class Walk {
   // k elements of `from`, each the one with most uncovered pairs among those before it, the first the
   // one with most among all; empty if no pair is uncovered there.
   [[nodiscard]] Block best(const Block& from) const {
+    std::vector<std::uint64_t> among(words_, 0);
+    for (const Element y : from) {
+      among[y / 64] |= std::uint64_t{1} << (y % 64);
+    }
     std::vector<std::uint64_t> gain(from.size(), 0);
     for (std::size_t i = 0; i < from.size(); ++i) {
-      for (const Element y : from) {
-        gain[i] += y != from[i] && !covered_.contains(from[i], y) ? 1U : 0U;
+      for (std::size_t word = 0; word < words_; ++word) {
+        gain[i] += static_cast<std::uint64_t>(
+            std::popcount(missing_[from[i] * words_ + word] & among[word]));
       }
     }
     const auto next = std::max_element(gain.begin(), gain.end());
@@ -123,6 +143,8 @@ class Walk {
   std::size_t v_;
   std::size_t k_;
   PairSet covered_;
+  std::size_t words_;
+  std::vector<std::uint64_t> missing_;  // a row of bits for each x: the y that it has not met
   std::uint64_t left_ = binomial(p_.v, 2);
   std::vector<Block> blocks_;
 };

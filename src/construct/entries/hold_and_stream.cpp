@@ -9,7 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <deque>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "changeover/bounds/counting_bound.hpp"
@@ -19,17 +22,22 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
 
-/// The rounds as a list of pieces; each piece is one held set with its groups, or ready blocks.
+/// The rounds one after another, each a held set with its groups, and the ways between them.
 class HoldAndStreamSource final : public BlockSource {
  public:
   /// `tail` is a design of v − rounds·(k−m) elements, or nullptr with `rounds` ignored: to the end.
   HoldAndStreamSource(const Parameters& p, std::uint64_t b, std::uint64_t rounds,
                       std::unique_ptr<BlockSource> tail)
-      : p_(p), b_(b), rounds_(rounds), tail_(std::move(tail)) {
+      : p_(p),
+        b_(b),
+        rounds_(rounds),
+        tail_(std::move(tail)),
+        distances_(std::make_shared<const Distances>(p.k, p.change, p.v)) {
     begin();
   }
 
@@ -37,22 +45,39 @@ class HoldAndStreamSource final : public BlockSource {
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override { return b_; }
 
   bool next(std::span<Element> block) override {
-    while (position_ == ready_.size()) {
-      ready_.clear();
-      position_ = 0;
+    while (legs_.empty()) {
       if (group_ < groups_) {
-        ready_.push_back(round_block(group_++));
-      } else if (!advance()) {
+        last_ = round_block(group_++);
+        std::copy(last_.begin(), last_.end(), block.begin());
+        return true;
+      }
+      if (!advance(block)) {
         return false;
       }
+      if (in_tail_ && legs_.empty()) {  // advance() wrote a block of the tail
+        return true;
+      }
     }
-    last_ = ready_[position_++];
+    Leg& leg = legs_.front();
+    if (!way_ && leg.from) {
+      way_.emplace(distances_, *std::exchange(leg.from, std::nullopt), leg.to);
+    }
+    if (way_ && way_->next(block)) {
+      return true;
+    }
+    way_.reset();
+    const Leg done = std::move(leg);
+    legs_.pop_front();
+    if (!done.arrives) {
+      return next(block);
+    }
+    last_ = done.to;
     std::copy(last_.begin(), last_.end(), block.begin());
     return true;
   }
 
-  /// The number of blocks, and those of the first 1, 2, … rounds, when there is no tail. Only the
-  /// first and the last block of each round are made: O(v) a round.
+  /// The number of blocks, and those of the first 1, 2, … rounds, when there is no tail. No block is
+  /// made but the first and the last of each round: O(k log k) a round.
   struct Count {
     std::uint64_t total = 0;
     std::vector<std::uint64_t> after_round;
@@ -63,17 +88,18 @@ class HoldAndStreamSource final : public BlockSource {
     count.total = groups_;
     last_ = round_block(groups_ - 1);
     while (true) {
+      stop_if_asked();
       count.after_round.push_back(count.total);
-      ready_.clear();
-      advance();
-      count.total += ready_.size();
-      if (!ready_.empty()) {
-        last_ = ready_.back();
+      advance({});
+      for (const Leg& leg : legs_) {
+        count.total += steps(*leg.from, leg.to) - (leg.arrives ? 0 : 1);
+        last_ = leg.to;
       }
+      legs_.clear();
       if (finished_) {
         break;
       }
-      count.total += groups_ - 1;  // advance() made the first block of the round
+      count.total += groups_ - 1;  // the way led to the first block of the round
       last_ = round_block(groups_ - 1);
     }
     begin();
@@ -89,15 +115,30 @@ class HoldAndStreamSource final : public BlockSource {
   }
 
  private:
+  /// A shortest way between two blocks, without the first; the last is left out too unless it `arrives`.
+  struct Leg {
+    std::optional<Block> from;  // nothing once the way was begun
+    Block to;
+    bool arrives = true;
+  };
+
   [[nodiscard]] std::size_t held() const { return static_cast<std::size_t>(p_.k - p_.change); }
+
+  [[nodiscard]] std::uint64_t steps(const Block& from, const Block& to) const {
+    const auto steps = distances_->steps(difference(from, to).size());
+    if (!steps || *steps == 0) {
+      throw InternalError("hold-and-stream: no way to the next round");
+    }
+    return *steps;
+  }
 
   void begin() {
     rest_.resize(static_cast<std::size_t>(p_.v));
     std::iota(rest_.begin(), rest_.end(), 0U);
     round_ = 0;
     in_tail_ = finished_ = false;
-    ready_.clear();
-    position_ = 0;
+    legs_.clear();
+    way_.reset();
     start_round();
     first_ = round_block(0);
   }
@@ -131,48 +172,54 @@ class HoldAndStreamSource final : public BlockSource {
     return block;
   }
 
-  void go_to(const Block& block) {
-    for (Block& between : connecting_blocks(last_, block, p_.change, p_.v)) {
-      ready_.push_back(std::move(between));
-    }
-    ready_.push_back(block);
-  }
+  void go_to(Block block) { legs_.push_back({last_, std::move(block), true}); }
 
-  // What comes after a round: false at the end.
-  bool advance() {
+  // What comes after a round: legs, or in the tail a block, written to `block`; false at the end.
+  bool advance(std::span<Element> block) {
     if (finished_) {
       return false;
     }
     if (in_tail_) {
-      Block block(static_cast<std::size_t>(p_.k));
       if (!tail_->next(block)) {
         return false;
       }
       for (Element& x : block) {
         x = renamed_[x];
       }
-      ready_.push_back(std::move(block));
       return true;
     }
-    // Elements of the last block that are still in play come first in the next R.
-    const Block dropped(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(held()));
-    Block next = intersection(last_, std::span(rest_).subspan(held()));
-    const Block others = difference(std::span(rest_).subspan(held()), next);
-    const std::size_t kept = next.size();
-    next.insert(next.end(), others.begin(), others.end());
-    rest_ = std::move(next);
+    // The last block has in common with the next R its last group and what that was filled up with from
+    // the front. These elements come first in the next R. Everything happens at the ends of rest_.
+    const auto first = rest_.begin();
+    const Block dropped(first, first + static_cast<std::ptrdiff_t>(held()));
+    rest_.erase(first, first + static_cast<std::ptrdiff_t>(held()));
+    const std::size_t last_group =
+        rest_.size() - static_cast<std::size_t>((groups_ - 1) * p_.change);
+    const std::size_t filled =
+        groups_ < 2 ? std::size_t{0}
+                    : std::min<std::size_t>(static_cast<std::size_t>(p_.change) - last_group,
+                                            static_cast<std::size_t>((groups_ - 2) * p_.change));
+    const auto group = rest_.end() - static_cast<std::ptrdiff_t>(last_group);
+    Block kept(group, rest_.end());
+    kept.insert(kept.end(), rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(filled));
+    rest_.erase(group, rest_.end());
+    rest_.erase(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(filled));
     ++round_;
     if (tail_ && round_ == rounds_) {
+      rest_.insert(rest_.begin(), kept.begin(), kept.end());
       start_tail();
-    } else if (rest_.size() <= p_.k) {
-      finish(kept, dropped);
+    } else if (rest_.size() + kept.size() <= p_.k) {
+      rest_.insert(rest_.begin(), kept.begin(), kept.end());
+      finish(kept.size(), dropped);
     } else {
       // The last group becomes the first one; those to be held stand before it.
-      std::rotate(rest_.begin(), rest_.begin() + static_cast<std::ptrdiff_t>(kept),
-                  rest_.begin() + static_cast<std::ptrdiff_t>(kept + held()));
+      const auto end = rest_.begin() + static_cast<std::ptrdiff_t>(held());
+      Block front(rest_.begin(), end);
+      rest_.erase(rest_.begin(), end);
+      front.insert(front.end(), kept.begin(), kept.end());
+      rest_.insert(rest_.begin(), front.begin(), front.end());
       start_round();
-      const Block first = round_block(0);
-      go_to(first);
+      go_to(round_block(0));
       group_ = 1;
     }
     return true;
@@ -200,14 +247,14 @@ class HoldAndStreamSource final : public BlockSource {
       x = renamed_[x];
     }
     in_tail_ = true;
-    go_to(first);
+    go_to(std::move(first));
   }
 
   // One block for what is left, and the way back in a circular design.
   void finish(std::size_t kept, const Block& dropped) {
     finished_ = true;
     if (rest_.size() > kept) {
-      Block block = rest_;
+      Block block(rest_.begin(), rest_.end());
       // Fill with what is in the last block, unless less than m elements would change then.
       const std::size_t fresh = rest_.size() - kept;
       const auto missing = static_cast<std::size_t>(p_.change) > fresh
@@ -230,18 +277,20 @@ class HoldAndStreamSource final : public BlockSource {
       for (std::size_t i = 0; block.size() < p_.k && i < dropped.size(); ++i) {
         block.push_back(dropped[i]);
       }
+      std::vector<bool> in_block(static_cast<std::size_t>(p_.v), false);
+      for (const Element x : block) {
+        in_block[x] = true;
+      }
       for (const Element x : last_) {  // a padded last group
-        if (block.size() < p_.k && std::find(block.begin(), block.end(), x) == block.end()) {
+        if (block.size() < p_.k && !in_block[x]) {
           block.push_back(x);
         }
       }
-      go_to(block);
+      go_to(std::move(block));
     }
     if (p_.kind == Kind::circular) {
-      const Block end = ready_.empty() ? last_ : ready_.back();
-      for (Block& between : connecting_blocks(end, first_, p_.change, p_.v)) {
-        ready_.push_back(std::move(between));
-      }
+      Block end = legs_.empty() ? last_ : legs_.back().to;
+      legs_.push_back({std::move(end), first_, false});
     }
   }
 
@@ -249,11 +298,12 @@ class HoldAndStreamSource final : public BlockSource {
   std::uint64_t b_;
   std::uint64_t rounds_;
   std::unique_ptr<BlockSource> tail_;
-  Block rest_;   // R, those held first
-  Block first_;  // the first block of all
-  Block last_;   // the block handed out last
-  std::vector<Block> ready_;
-  std::size_t position_ = 0;
+  std::shared_ptr<const Distances> distances_;
+  std::deque<Element> rest_;  // R, those held first
+  Block first_;               // the first block of all
+  Block last_;                // the last block of a round, or the end of a leg
+  std::deque<Leg> legs_;
+  std::optional<Way> way_;  // of the first leg, once it was begun
   std::uint64_t groups_ = 0;
   std::uint64_t group_ = 0;
   std::uint64_t round_ = 0;
@@ -288,14 +338,18 @@ class HoldAndStream final : public Construction {
       // After each round, any design of what is left may follow.
       Parameters rest = p;
       for (std::size_t i = 0; i < count.after_round.size() && i < most_rounds; ++i) {
+        stop_if_asked();
         rest.v -= p.k - p.change;
         if (rest.v < p.k + p.change) {
           break;
         }
+        const std::uint64_t before = count.after_round[i] + steps_to_tail(p, i) - 1;
+        if (before + counting_bound(rest) >= best.b) {
+          continue;  // asking what serves the rest is dear, and nothing could be gained
+        }
         const std::optional<Offer> tail = best_leaf(rest, registry);
-        const std::uint64_t way = steps_to_tail(p, i);
-        if (tail && count.after_round[i] + way - 1 + tail->b < best.b) {
-          best.b = count.after_round[i] + way - 1 + tail->b;
+        if (tail && before + tail->b < best.b) {
+          best.b = before + tail->b;
           best.recipe.arguments = {{"rounds", static_cast<std::int64_t>(i + 1)}};
           best.recipe.inputs = {tail->recipe};
         }

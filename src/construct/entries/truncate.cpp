@@ -12,77 +12,123 @@
 #include "changeover/construct/entry.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
 
-/// The design without x; nullopt if some run leaves no element to put in its place. O(bk + runs·v).
-std::optional<std::vector<Block>> without(const Design& design, Element x) {
-  const std::size_t b = design.block_count();
-  const auto k = static_cast<std::size_t>(design.k());
-  const bool circular = design.parameters().kind == Kind::circular && b > 1;
-  std::vector<Block> blocks;
-  blocks.reserve(b);
-  std::vector<std::size_t> place(b, k);  // of x in the block
-  for (std::size_t i = 0; i < b; ++i) {
-    const auto block = design.block(i);
-    blocks.emplace_back(block.begin(), block.end());
-    place[i] = static_cast<std::size_t>(std::find(block.begin(), block.end(), x) - block.begin());
-  }
-  std::size_t start = 0;  // a block without x, after which runs are looked for
-  while (start < b && place[start] != k) {
-    ++start;
-  }
-  if (start == b) {
-    return std::nullopt;
-  }
-  if (!circular) {
-    start = 0;
-  }
-  std::vector<std::size_t> used(static_cast<std::size_t>(design.v()), 0);
-  std::size_t stamp = 0;
-  for (std::size_t step = 0; step < b;) {
-    const std::size_t first = (start + step) % b;
-    if (place[first] == k) {
-      ++step;
-      continue;
-    }
-    std::size_t length = 1;
-    while (step + length < b && place[(first + length) % b] != k) {
-      ++length;
-    }
-    ++stamp;
-    const auto mark = [&](std::size_t i) {
-      for (const Element y : blocks[i]) {
-        used[y] = stamp;
+/// Where the elements of a design are, to see which of them can go.
+class Truncation {
+ public:
+  explicit Truncation(const Design& design)
+      : design_(design),
+        b_(design.block_count()),
+        circular_(design.parameters().kind == Kind::circular && b_ > 1),
+        where_(static_cast<std::size_t>(design.v())),
+        used_(static_cast<std::size_t>(design.v()), 0) {
+    for (std::size_t i = 0; i < b_; ++i) {
+      for (const Element x : design.block(i)) {
+        where_[x].push_back(i);
       }
-    };
-    for (std::size_t i = 0; i < length; ++i) {
-      mark((first + i) % b);
     }
-    if (circular || first > 0) {
-      mark((first + b - 1) % b);
+  }
+
+  /// Whether each run of blocks that hold x leaves an element to put in its place. O(blocks with x · k).
+  bool can_go(Element x) {
+    if (where_[x].size() == b_) {
+      return false;
     }
-    if (circular || first + length < b) {
-      mark((first + length) % b);
+    for (const Run& run : runs(x)) {
+      // So few blocks cannot hold all elements.
+      if ((run.length + 2) * design_.k() >= design_.v() && !substitute(run)) {
+        return false;
+      }
     }
-    const auto free =
-        std::find_if(used.begin(), used.end(), [&](std::size_t s) { return s != stamp; });
-    if (free == used.end()) {
+    return true;
+  }
+
+  /// The design without x, if it can go.
+  std::optional<std::vector<Block>> without(Element x) {
+    if (where_[x].size() == b_) {
       return std::nullopt;
     }
-    for (std::size_t i = 0; i < length; ++i) {
-      const std::size_t at = (first + i) % b;
-      blocks[at][place[at]] = static_cast<Element>(free - used.begin());
+    std::vector<Block> blocks;
+    blocks.reserve(b_);
+    for (std::size_t i = 0; i < b_; ++i) {
+      blocks.emplace_back(design_.block(i).begin(), design_.block(i).end());
     }
-    step += length;
+    for (const Run& run : runs(x)) {
+      const std::optional<Element> other = substitute(run);
+      if (!other) {
+        return std::nullopt;
+      }
+      for (std::size_t i = 0; i < run.length; ++i) {
+        Block& block = blocks[(run.first + i) % b_];
+        std::replace(block.begin(), block.end(), x, *other);
+      }
+    }
+    const auto last = static_cast<Element>(design_.v() - 1);
+    for (Block& block : blocks) {
+      std::replace(block.begin(), block.end(), last, x);
+    }
+    return blocks;
   }
-  const auto last = static_cast<Element>(design.v() - 1);
-  for (Block& block : blocks) {
-    std::replace(block.begin(), block.end(), last, x);
+
+ private:
+  /// Consecutive blocks, modulo b, that hold an element; those before and after do not.
+  struct Run {
+    std::size_t first = 0;
+    std::size_t length = 0;
+  };
+
+  [[nodiscard]] std::vector<Run> runs(Element x) const {
+    std::vector<Run> runs;
+    for (const std::size_t i : where_[x]) {
+      if (!runs.empty() && runs.back().first + runs.back().length == i) {
+        ++runs.back().length;
+      } else {
+        runs.push_back({i, 1});
+      }
+    }
+    const bool wraps = circular_ && runs.size() > 1 && runs.front().first == 0 &&
+                       runs.back().first + runs.back().length == b_;
+    if (wraps) {
+      runs.back().length += runs.front().length;
+      runs.erase(runs.begin());
+    }
+    return runs;
   }
-  return blocks;
-}
+
+  // The least element that is in no block of the run nor beside it.
+  std::optional<Element> substitute(const Run& run) {
+    ++stamp_;
+    const auto mark = [this](std::size_t i) {
+      for (const Element y : design_.block(i)) {
+        used_[y] = stamp_;
+      }
+    };
+    for (std::size_t i = 0; i < run.length; ++i) {
+      mark((run.first + i) % b_);
+    }
+    if (circular_ || run.first > 0) {
+      mark((run.first + b_ - 1) % b_);
+    }
+    if (circular_ || run.first + run.length < b_) {
+      mark((run.first + run.length) % b_);
+    }
+    const auto free =
+        std::find_if(used_.begin(), used_.end(), [this](std::size_t s) { return s != stamp_; });
+    return free == used_.end() ? std::nullopt
+                               : std::optional(static_cast<Element>(free - used_.begin()));
+  }
+
+  const Design& design_;
+  std::size_t b_;
+  bool circular_;
+  std::vector<std::vector<std::size_t>> where_;  // by element: the blocks that hold it, in order
+  std::vector<std::size_t> used_;                // by element: the stamp of the last mark
+  std::size_t stamp_ = 0;
+};
 
 class Truncate final : public Construction {
  public:
@@ -105,7 +151,7 @@ class Truncate final : public Construction {
                                      const Registry& registry) const override {
     const Element x = deleted(recipe);
     const Design design = read_all(*registry.build(recipe.inputs.front()));
-    std::optional<std::vector<Block>> blocks = without(design, x);
+    std::optional<std::vector<Block>> blocks = Truncation(design).without(x);
     if (!blocks) {
       throw BadInput(fmt::format("truncate: no element can take the place of {} everywhere", x));
     }
@@ -141,8 +187,10 @@ std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design)
   if (design.v() <= design.k() + 1) {
     return std::nullopt;
   }
+  Truncation truncation(design);
   for (auto x = static_cast<Element>(design.v()); x-- > 0;) {
-    if (without(design, x)) {
+    stop_if_asked();
+    if (truncation.can_go(x)) {
       Parameters smaller = input.parameters;
       --smaller.v;
       return Recipe{"truncate", smaller, {{"element", x}}, {input}, {}};
