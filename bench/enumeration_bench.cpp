@@ -112,7 +112,7 @@ Parameters linear(const benchmark::State& state) {
 }
 
 std::uint64_t ours(const Parameters& p, std::uint64_t b, unsigned threads, std::uint64_t& nodes) {
-  SearchControl control({.threads = threads});
+  RunControl control({.threads = threads});
   const EnumerationRun run = enumerate_designs(p, b, control);
   nodes = run.nodes;
   return run.forms;

@@ -23,17 +23,17 @@
 #include "changeover/loadorder/baselines.hpp"
 #include "changeover/loadorder/improve.hpp"
 #include "changeover/loadorder/load_order.hpp"
-#include "changeover/search/control.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/run/random.hpp"
 
 namespace changeover::bench {
 namespace {
 
 LoadOrder best_order(std::uint64_t items, std::uint64_t room) {
   LoadOrderOptions options;
-  std::optional<SearchControl> control;
+  std::optional<RunControl> control;
   if (const char* seconds = std::getenv("CHANGEOVER_BENCH_SEARCH")) {
-    SearchControl::Settings settings;
+    RunControl::Settings settings;
     settings.time = std::chrono::duration<double>(std::strtod(seconds, nullptr));
     control.emplace(settings);
     options.improve = improve_by_search(*control);

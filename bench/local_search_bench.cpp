@@ -152,7 +152,7 @@ template <typename State>
 std::uint64_t run(const Design& start) {
   State state(start);
   Random random(2);
-  SearchControl control({});
+  RunControl control({});
   return anneal(state, {.moves = moves}, random, control).moves;
 }
 

@@ -40,7 +40,7 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/baselines.hpp"
 #include "changeover/loadorder/prefetch.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 
 namespace {
 

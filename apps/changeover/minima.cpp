@@ -47,7 +47,7 @@ int run(const MinimaRequest& request) {
   options.exact.conflicts_per_step = static_cast<std::uint32_t>(
       std::min(request.conflicts.value_or(usual_conflicts), most_conflicts));
   options.tries_above = 1;
-  SearchControl control({.time = std::chrono::seconds(request.time.value_or(0))});
+  RunControl control({.time = std::chrono::seconds(request.time.value_or(0))});
   // A row that cost nothing is written with the next one that did.
   fill_minima(range, rows, options, control, [&](const MinimaRow& row) {
     if (row.seconds > 0) {

@@ -49,7 +49,7 @@ std::string short_number(double number) {
                       : fmt::format("{:.0f} M", number / 1e6);
 }
 
-std::string line_of(const SearchProgress& progress) {
+std::string line_of(const Progress& progress) {
   std::string line = progress.phase;
   const double seconds = progress.elapsed.count();
   if (progress.steps > 0 && seconds > 0) {
@@ -118,14 +118,14 @@ std::string RunRequest::command() const {
 }
 
 struct Running::State {
-  std::unique_ptr<SearchControl> control;
+  std::unique_ptr<RunControl> control;
   struct sigaction old_interrupt {};
   struct sigaction old_terminate {};
   bool terminal = false;
   std::size_t shown = 0;  // columns of the progress line that is on the terminal
   Seconds last_line{0};
 
-  void show(const SearchProgress& progress) {
+  void show(const Progress& progress) {
     if (!terminal) {  // In a log: a line every ten seconds.
       constexpr Seconds interval{10};
       if (progress.elapsed >= last_line + interval) {
@@ -152,7 +152,7 @@ Running::Running(const RunRequest& request, const OutputRequest& output)
   output.check_writable();
   constexpr std::uint64_t most_threads = 1024;
   const Team& team = Team::world();
-  SearchControl::Settings settings;
+  RunControl::Settings settings;
   const std::string& limit = request.time.empty() ? request.default_time : request.time;
   if (!limit.empty()) {
     settings.time = parse_duration(limit, "--time");
@@ -174,11 +174,11 @@ Running::Running(const RunRequest& request, const OutputRequest& output)
   }
   state_->terminal = ::isatty(STDERR_FILENO) == 1;
   if (!request.quiet && team.index() == 0) {
-    settings.on_progress = [state = state_.get()](const SearchProgress& progress) {
+    settings.on_progress = [state = state_.get()](const Progress& progress) {
       state->show(progress);
     };
   }
-  state_->control = std::make_unique<SearchControl>(std::move(settings));
+  state_->control = std::make_unique<RunControl>(std::move(settings));
 
   interrupted = false;
   struct sigaction action {};
@@ -195,7 +195,7 @@ Running::~Running() {
   ::sigaction(SIGTERM, &state_->old_terminate, nullptr);
 }
 
-SearchControl& Running::control() { return *state_->control; }
+RunControl& Running::control() { return *state_->control; }
 
 void Running::finish_progress() {
   if (state_->shown > 0) {

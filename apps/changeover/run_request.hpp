@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 #include "cli.hpp"
 #include "request.hpp"
 
@@ -50,7 +50,7 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  [[nodiscard]] SearchControl& control();
+  [[nodiscard]] RunControl& control();
 
   /// Ends the progress line, so that an answer can be written.
   void finish_progress();

@@ -119,7 +119,7 @@ std::optional<Design> known_design(const Parameters& p) {
 
 // One question, shared by the team: each member takes its cubes. All return the same answer.
 Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOptions& options,
-                         SearchControl& control) {
+                         RunControl& control) {
   Team& team = Team::world();
   Decision own = decide(p, b, options, control);
   if (team.size() == 1) {

@@ -5,7 +5,7 @@
 namespace changeover {
 
 std::function<std::optional<Design>(const Design&, std::uint64_t)> improve_by_search(
-    SearchControl& control) {
+    RunControl& control) {
   return [&control](const Design& start, std::uint64_t least_blocks) -> std::optional<Design> {
     if (control.stop_wanted()) {
       return std::nullopt;

@@ -7,7 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 
 namespace changeover {
 

@@ -30,7 +30,7 @@ class Annealer {
     energy_ = energy();
   }
 
-  Annealed run(SearchControl& control) {
+  Annealed run(RunControl& control) {
     record();
     constexpr std::uint64_t batch = 1024;
     for (std::uint64_t step = 0; step < options_.steps; ++step) {
@@ -347,7 +347,7 @@ class Annealer {
 }  // namespace
 
 Annealed anneal(Sequence& sequence, const Annealing& options, Random& random,
-                SearchControl& control) {
+                RunControl& control) {
   Annealed best = Annealer(sequence, options, random).run(control);
   // What millions of moves kept up to date must be what a list built anew says.
   const Sequence anew(sequence.job(), sequence.weights(), sequence.setups());

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "changeover/search/control.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/run/random.hpp"
 #include "plan/sequence.hpp"
 
 namespace changeover::plan_detail {
@@ -39,11 +39,11 @@ struct Annealed {
 
 /// Anneals from the state that is given, which ends wherever it ends.
 Annealed anneal(Sequence& sequence, const Annealing& options, Random& random,
-                SearchControl& control);
+                RunControl& control);
 
 /// Covers what is uncovered by set-ups where they cost least, then takes away what is not needed. False,
 /// with pairs uncovered, if the control says stop before that is done. O(tests · at_once²) a pair.
-bool repair(Sequence& sequence, SearchControl& control);
+bool repair(Sequence& sequence, RunControl& control);
 
 /// Takes away set-ups, and parts from whole runs of set-ups, while this leaves no pair uncovered that was
 /// covered and costs no more.

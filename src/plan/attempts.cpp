@@ -6,7 +6,8 @@
 #include <array>
 #include <string>
 
-#include "plan/parallel.hpp"
+#include "changeover/run/threads.hpp"
+
 
 namespace changeover::plan_detail {
 namespace {
@@ -84,7 +85,7 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
     std::string from;
   };
   std::vector<Result> results(attempts);
-  in_parallel(*control_, attempts, [&](unsigned i) {
+  in_parallel(*control_, attempts, [&](std::size_t i) {
     // Every other attempt starts elsewhere: what is cheapest may be far from what could be.
     const Candidate& from =
         i % 2 == 0 || others.empty() ? best : others[(i / 2 + round) % others.size()];
@@ -138,7 +139,7 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
   // The weights are the costs, but for changes that cost nothing.
   const auto most = static_cast<std::int64_t>(budget.millionths);
   std::vector<Annealed> results(attempts);
-  in_parallel(*control_, attempts, [&](unsigned i) {
+  in_parallel(*control_, attempts, [&](std::size_t i) {
     Sequence sequence(*job_, weights, best.setups);
     const Style& style = styles[i % styles.size()];
     const double per_pair =

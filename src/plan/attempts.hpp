@@ -16,7 +16,7 @@ inline constexpr const char* search_name = "local search";
 
 class Attempts {
  public:
-  Attempts(const Job& job, const CostBound& bound, SearchControl& control)
+  Attempts(const Job& job, const CostBound& bound, RunControl& control)
       : job_(&job), bound_(&bound), control_(&control) {}
 
   /// Moves of an annealing that take some seconds at most for a list like this one.
@@ -39,7 +39,7 @@ class Attempts {
  private:
   const Job* job_;
   const CostBound* bound_;
-  SearchControl* control_;
+  RunControl* control_;
   std::atomic<std::uint64_t> steps_{0};
 };
 

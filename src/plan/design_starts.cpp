@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/run/threads.hpp"
 #include "changeover/search/local_search.hpp"
-#include "plan/parallel.hpp"
 #include "plan/starts.hpp"
 
 namespace changeover::plan_detail {
@@ -106,7 +106,7 @@ std::vector<Block> cheaper_direction(const Job& job, const std::vector<Element>&
 // The m-change design over so many parts, if there is one: the best known, or a better one.
 std::optional<Start> design_start(const Job& job, const std::vector<Element>& parts,
                                   std::uint64_t k, std::uint64_t m, std::uint64_t moves,
-                                  SearchControl& control) {
+                                  RunControl& control) {
   const Parameters p{.v = parts.size(), .k = k, .change = m, .kind = Kind::linear};
   if (impossibility(p) || control.stop_wanted()) {
     return std::nullopt;
@@ -119,7 +119,7 @@ std::optional<Start> design_start(const Job& job, const std::vector<Element>& pa
   constexpr std::uint64_t most_improved = 4;
   if (moves > 0 && m <= most_improved && design->block_count() > lower_bound(p).blocks &&
       !control.stop_wanted()) {
-    SearchControl own(settings_for_one_thread(control));
+    RunControl own(control, 1U);
     ImproveResult better = improve(p, {.moves = moves}, own);
     if (better.design && better.design->block_count() < design->block_count()) {
       how = fmt::format("local search; {} by {}", design->block_count(), how);
@@ -134,7 +134,7 @@ std::optional<Start> design_start(const Job& job, const std::vector<Element>& pa
 
 }  // namespace
 
-std::vector<Start> design_starts(const Job& job, std::uint64_t moves, SearchControl& control) {
+std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl& control) {
   const std::vector<Element> parts = free_parts(job);
   const std::uint64_t k = job.at_once - job.mounted.size();
   if (job.never.size() > 0 || parts.empty()) {
@@ -152,8 +152,9 @@ std::vector<Start> design_starts(const Job& job, std::uint64_t moves, SearchCont
   }
   control.tell({.phase = "looking for designs"});
   std::vector<std::optional<Start>> found(static_cast<std::size_t>(most));
-  in_parallel(control, static_cast<unsigned>(most),
-              [&](unsigned i) { found[i] = design_start(job, parts, k, i + 1, moves, control); });
+  in_parallel(control, static_cast<std::size_t>(most), [&](std::size_t i) {
+    found[i] = design_start(job, parts, k, i + 1, moves, control);
+  });
   std::vector<Start> starts;
   for (std::optional<Start>& start : found) {
     if (start) {

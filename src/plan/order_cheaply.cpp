@@ -2,7 +2,6 @@
 
 #include "changeover/search/ordering.hpp"
 #include "plan/anneal.hpp"
-#include "plan/parallel.hpp"
 #include "plan/starts.hpp"
 
 namespace changeover::plan_detail {
@@ -35,11 +34,11 @@ void nearest_next(const Job& job, const Weights& weights, std::vector<Block>& se
 }  // namespace
 
 std::vector<Block> order_cheaply(const Job& job, const Weights& weights, std::vector<Block> setups,
-                                 SearchControl& control) {
+                                 RunControl& control) {
   const bool one_weight = std::all_of(weights.change.begin(), weights.change.end(),
                                       [&](std::uint64_t w) { return w == weights.change.front(); });
   if (one_weight && job.start.empty()) {
-    SearchControl own(settings_for_one_thread(control));
+    RunControl own(control, 1U);
     setups = arranged(
         setups, order_for_least_change(setups, {.v = job.parts()}, {.bound_effort = 0}, own).order);
   } else {

@@ -69,7 +69,7 @@ void insert_pair(Sequence& s, Element x, Element y) {
 
 }  // namespace
 
-bool repair(Sequence& sequence, SearchControl& control) {
+bool repair(Sequence& sequence, RunControl& control) {
   while (sequence.uncovered() > 0) {
     if (control.stop_wanted()) {
       return false;

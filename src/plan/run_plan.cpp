@@ -79,7 +79,7 @@ Start affordable(const Job& job, const Candidate& plan, Amount budget) {
 
 class Planner {
  public:
-  Planner(const Job& job, const PlanOptions& options, SearchControl& control)
+  Planner(const Job& job, const PlanOptions& options, RunControl& control)
       : job_(&job), options_(&options), control_(&control) {}
 
   RunPlan run() {
@@ -199,12 +199,12 @@ class Planner {
 
   const Job* job_;
   const PlanOptions* options_;
-  SearchControl* control_;
+  RunControl* control_;
 };
 
 }  // namespace
 
-RunPlan make_run_plan(const Job& job, const PlanOptions& options, SearchControl& control) {
+RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {
   check(job);
   return Planner(job, options, control).run();
 }

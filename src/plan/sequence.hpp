@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 
 namespace changeover::plan_detail {
 

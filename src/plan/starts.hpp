@@ -20,7 +20,7 @@ struct Start {
 /// none if there are forbidden pairs. Each is the best that is known, and for m ≤ 4 what local search with so
 /// many moves makes of it.
 [[nodiscard]] std::vector<Start> design_starts(const Job& job, std::uint64_t moves,
-                                               SearchControl& control);
+                                               RunControl& control);
 
 /// Takes the step that tests most pairs for its cost, again and again. Serves every job without defects.
 [[nodiscard]] Start greedy_start(const Job& job);
@@ -29,6 +29,6 @@ struct Start {
 /// mounted at the start, else always the nearest next; then reversing stretches and moving short ones
 /// while it helps. O(tests²) a round.
 [[nodiscard]] std::vector<Block> order_cheaply(const Job& job, const Weights& weights,
-                                               std::vector<Block> setups, SearchControl& control);
+                                               std::vector<Block> setups, RunControl& control);
 
 }  // namespace changeover::plan_detail

@@ -118,7 +118,7 @@ WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
 }
 
 WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
-               SearchControl& control) {
+               RunControl& control) {
   std::vector<Candidate> candidates = plan.candidates;
   if (plan.complete) {
     candidates.push_back(*plan.complete);

@@ -113,7 +113,7 @@ std::vector<Block> random_base_blocks(const Parameters& p, const BaseBlockShape&
 
 BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p, const BaseBlockShape& shape,
                                             std::uint64_t moves, Random& random,
-                                            SearchControl& control) {
+                                            RunControl& control) {
   BaseBlockAnnealing result;
   result.missing = std::numeric_limits<std::uint64_t>::max();
   const ImposedAutomorphism pi{static_cast<std::uint32_t>(shape.n),

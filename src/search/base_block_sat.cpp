@@ -237,7 +237,7 @@ std::uint64_t sat_size(const BaseBlockShape& shape) {
 }
 
 SatOutcome base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape, bool tight,
-                              std::optional<std::uint64_t> conflicts, SearchControl& control) {
+                              std::optional<std::uint64_t> conflicts, RunControl& control) {
   Model model(p, shape, tight, control.seed());
   const Formula::Answer answer = model.formula.solve(control, conflicts);
   SatOutcome outcome;

@@ -25,7 +25,7 @@ constexpr std::array methods{std::pair{BaseBlockMethod::automatic, "automatic"},
 /// One search: what is asked, and what has been found out.
 class Search {
  public:
-  Search(const Parameters& p, const BaseBlockOptions& options, SearchControl& control)
+  Search(const Parameters& p, const BaseBlockOptions& options, RunControl& control)
       : p_(p), circular_(p), options_(options), control_(control), random_(control.seed()) {
     circular_.kind = Kind::circular;
   }
@@ -167,7 +167,7 @@ class Search {
   Parameters p_;
   Parameters circular_;
   const BaseBlockOptions& options_;
-  SearchControl& control_;
+  RunControl& control_;
   Random random_;
   bool registry_tight_ = false;
   BaseBlockResult result_;
@@ -203,7 +203,7 @@ std::string_view to_string(Comparison comparison) {
 }
 
 BaseBlockResult search_base_blocks(const Parameters& p, const BaseBlockOptions& options,
-                                   SearchControl& control) {
+                                   RunControl& control) {
   check(p);
   if (p.strength != 2) {
     throw ImpossibleParameters("base blocks are searched for strength 2 only");

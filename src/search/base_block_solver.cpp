@@ -9,7 +9,7 @@ namespace changeover {
 // Counts learned clauses, one a conflict, for the solver does not tell its conflicts.
 struct Formula::Solver final : CaDiCaL::Terminator, CaDiCaL::Learner {
   CaDiCaL::Solver sat;
-  SearchControl* control = nullptr;
+  RunControl* control = nullptr;
   std::uint64_t learned = 0;
 
   bool terminate() override {
@@ -33,7 +33,7 @@ Formula::Formula(std::uint64_t seed) : solver_(std::make_unique<Solver>()) {
 
 Formula::~Formula() { solver_->sat.disconnect_learner(); }
 
-Formula::Answer Formula::solve(SearchControl& control, std::optional<std::uint64_t> conflicts) {
+Formula::Answer Formula::solve(RunControl& control, std::optional<std::uint64_t> conflicts) {
   const auto literals = cnf.literals();
   for (; handed_over_ < literals.size(); ++handed_over_) {
     solver_->sat.add(literals[handed_over_]);

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "changeover/search/cnf.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
@@ -40,7 +40,7 @@ class Formula {
 
   /// Looks for a model of all clauses until the control wants to stop or `conflicts` more conflicts have
   /// been had.
-  [[nodiscard]] Answer solve(SearchControl& control, std::optional<std::uint64_t> conflicts);
+  [[nodiscard]] Answer solve(RunControl& control, std::optional<std::uint64_t> conflicts);
 
   /// Whether the literal holds in the model of the last solve().
   [[nodiscard]] bool holds(Literal literal) const;

@@ -36,7 +36,7 @@ std::optional<Design> single_block(const Parameters& p, std::uint64_t b) {
   return Design(p, std::vector<Block>{block});
 }
 
-EnumerationRun explore(const EnumerationTask& task, std::uint64_t b, SearchControl& control) {
+EnumerationRun explore(const EnumerationTask& task, std::uint64_t b, RunControl& control) {
   // Other shares must not find the single block again.
   const auto single = single_block(task.parameters, b);
   if (!single || control.settings().share.index != 0) {
@@ -51,7 +51,7 @@ EnumerationRun explore(const EnumerationTask& task, std::uint64_t b, SearchContr
 
 }  // namespace
 
-EnumerationRun enumerate_designs(const Parameters& p, std::uint64_t b, SearchControl& control,
+EnumerationRun enumerate_designs(const Parameters& p, std::uint64_t b, RunControl& control,
                                  const std::function<void(const Design&)>& on_design) {
   EnumerationTask task;
   task.parameters = p;
@@ -73,7 +73,7 @@ EnumerationRun enumerate_designs(const Parameters& p, std::uint64_t b, SearchCon
 }
 
 Classification classify_designs(const Parameters& p, std::uint64_t b,
-                                const ClassifyOptions& options, SearchControl& control) {
+                                const ClassifyOptions& options, RunControl& control) {
   const Sameness same{.rotation = true, .reversal = options.reversal};
   EnumerationTask task;
   task.parameters = p;

@@ -4,12 +4,11 @@
 
 #include <atomic>
 #include <bit>
-#include <exception>
 #include <memory>
 #include <mutex>
-#include <thread>
 #include <utility>
 
+#include "changeover/run/threads.hpp"
 #include "search/enumeration_tree.hpp"
 
 namespace changeover {
@@ -28,7 +27,7 @@ struct Prefix {
 // Collects the nodes at one depth.
 class PrefixCollector final : public EnumerationVisitor {
  public:
-  explicit PrefixCollector(SearchControl& control) : control_(&control) {}
+  explicit PrefixCollector(RunControl& control) : control_(&control) {}
 
   bool reached(std::span<const Mask> blocks) override {
     found.emplace_back(blocks.begin(), blocks.end());
@@ -43,7 +42,7 @@ class PrefixCollector final : public EnumerationVisitor {
   std::uint64_t nodes = 0;
 
  private:
-  SearchControl* control_;
+  RunControl* control_;
 };
 
 // The design of a list of masks: the elements that are in every block first.
@@ -67,23 +66,13 @@ Design design_of(const Parameters& p, std::size_t fixed, std::span<const Mask> b
 
 class Team {
  public:
-  Team(const EnumerationTask& task, SearchControl& control) : task_(task), control_(control) {}
+  Team(const EnumerationTask& task, RunControl& control) : task_(task), control_(control) {}
 
   EnumerationRun run() {
     cut();
     slots_.resize(mine_.size());
     const std::size_t threads = std::min<std::size_t>(control_.threads(), mine_.size());
-    if (threads <= 1) {
-      work();
-    } else {
-      std::vector<std::jthread> workers;
-      for (std::size_t i = 0; i < threads; ++i) {
-        workers.emplace_back([this] { work(); });
-      }
-    }
-    if (fault_) {
-      std::rethrow_exception(fault_);
-    }
+    run_together(control_, static_cast<unsigned>(threads), [this](unsigned) { work(); });
     // A limit may have left gaps; what lies behind them is still good.
     for (Slot& slot : slots_) {
       hand_out(slot.found);
@@ -117,12 +106,12 @@ class Team {
           team_.hand_out(found_);
         }
       }
-      return !team_.failed_;
+      return team_.control_.why_stopped() != WhyStopped::fault;
     }
     bool go_on(std::uint64_t nodes) override {
       team_.nodes_ += nodes;
       team_.tell();
-      return !team_.failed_ && !team_.control_.stop_wanted();
+      return !team_.control_.stop_wanted();
     }
 
     std::vector<DesignClass> found_;
@@ -133,7 +122,7 @@ class Team {
   };
 
   void cut() {
-    const SearchShare share = control_.settings().share;
+    const WorkShare share = control_.settings().share;
     for (std::size_t c = 0; c < task_.cases.size(); ++c) {
       const EnumerationCase& own = task_.cases[c];
       if (c == 0 || own.fixed != task_.cases[c - 1].fixed) {
@@ -163,29 +152,21 @@ class Team {
   }
 
   void work() {
-    try {
-      std::optional<EnumerationTree> tree;
-      std::size_t last_case = task_.cases.size();
-      for (std::size_t turn = next_++; turn < mine_.size(); turn = next_++) {
-        if (failed_ || control_.stop_wanted()) {
-          return;
-        }
-        const Prefix& prefix = prefixes_[mine_[turn]];
-        const EnumerationCase& own = task_.cases[prefix.own_case];
-        if (prefix.own_case != last_case) {
-          tree.emplace(own, *degrees_[prefix.own_case]);
-          last_case = prefix.own_case;
-        }
-        Explorer explorer(*this, turn);
-        tree->explore(prefix.blocks, own.b - 1, explorer);
-        finish(turn, std::move(explorer.found_));
+    std::optional<EnumerationTree> tree;
+    std::size_t last_case = task_.cases.size();
+    for (std::size_t turn = next_++; turn < mine_.size(); turn = next_++) {
+      if (control_.stop_wanted()) {
+        return;
       }
-    } catch (...) {
-      const std::scoped_lock lock(handing_out_);
-      if (!fault_) {
-        fault_ = std::current_exception();
+      const Prefix& prefix = prefixes_[mine_[turn]];
+      const EnumerationCase& own = task_.cases[prefix.own_case];
+      if (prefix.own_case != last_case) {
+        tree.emplace(own, *degrees_[prefix.own_case]);
+        last_case = prefix.own_case;
       }
-      failed_ = true;
+      Explorer explorer(*this, turn);
+      tree->explore(prefix.blocks, own.b - 1, explorer);
+      finish(turn, std::move(explorer.found_));
     }
   }
 
@@ -220,7 +201,7 @@ class Team {
   }
 
   const EnumerationTask& task_;
-  SearchControl& control_;
+  RunControl& control_;
   std::vector<std::shared_ptr<const DegreeTable>> degrees_;  // by case
   std::vector<Prefix> prefixes_;
   std::vector<std::size_t> mine_;  // prefixes of this share
@@ -228,15 +209,13 @@ class Team {
   std::atomic<std::size_t> next_{0};
   std::atomic<std::size_t> turn_{0};
   std::atomic<std::uint64_t> nodes_{0};
-  std::atomic<bool> failed_{false};
   std::mutex handing_out_;
-  std::exception_ptr fault_;
   EnumerationRun result_;
 };
 
 }  // namespace
 
-EnumerationRun explore_together(const EnumerationTask& task, SearchControl& control) {
+EnumerationRun explore_together(const EnumerationTask& task, RunControl& control) {
   return Team(task, control).run();
 }
 

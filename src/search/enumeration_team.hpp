@@ -24,6 +24,6 @@ struct EnumerationTask {
 };
 
 /// Explores all cases. `forms` of the answer counts what was handed out. @throws what judge and hand_out do.
-EnumerationRun explore_together(const EnumerationTask& task, SearchControl& control);
+EnumerationRun explore_together(const EnumerationTask& task, RunControl& control);
 
 }  // namespace changeover

@@ -7,16 +7,15 @@
 #include <atomic>
 #include <bit>
 #include <ctime>
-#include <exception>
 #include <filesystem>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/output_file.hpp"
 #include "changeover/proof/drat.hpp"
+#include "changeover/run/threads.hpp"
 #include "changeover/search/sat_solver.hpp"
 #include "changeover/verify/verdict.hpp"
 
@@ -69,7 +68,7 @@ std::string proof_folder(const ExactOptions& options) {
 class Question {
  public:
   Question(const Parameters& p, std::uint64_t b, const ExactOptions& options,
-           SearchControl& control)
+           RunControl& control)
       : options_(options),
         control_(control, options.time_per_step.value_or(no_limit)),
         stem_(file_stem(p, b)) {
@@ -78,11 +77,11 @@ class Question {
   }
 
   Decision run() {
-    const auto begin = SearchControl::Clock::now();
+    const auto begin = RunControl::Clock::now();
     const DesignFormula formula =
         encode_design(decision_.parameters, decision_.b, options_.encoding);
     formula_ = &formula;
-    const SearchShare share = control_.settings().share;
+    const WorkShare share = control_.settings().share;
     if (share.of == 0 || share.index >= share.of) {
       throw BadInput(fmt::format("share {} of {}: the index must be below the number of shares",
                                  share.index, share.of));
@@ -98,13 +97,13 @@ class Question {
     const std::uint64_t mine = (cubes_.size() - share.index + share.of - 1) / share.of;
     work(share, static_cast<unsigned>(std::min<std::uint64_t>(control_.threads(), mine)));
     conclude(mine, share);
-    decision_.time = SearchControl::Clock::now() - begin;
+    decision_.time = RunControl::Clock::now() - begin;
     return std::move(decision_);
   }
 
  private:
   // About 16 cubes for each process, or 8 for each thread: enough to even out their times.
-  void split(const SearchShare& share) {
+  void split(const WorkShare& share) {
     const std::uint64_t wanted =
         share.of > 1 ? 16 * share.of : 8 * static_cast<std::uint64_t>(control_.threads());
     constexpr int deepest = 12;
@@ -119,36 +118,17 @@ class Question {
   }
 
   // The threads take the cubes of this process one after another, in order.
-  void work(const SearchShare& share, unsigned threads) {
+  void work(const WorkShare& share, unsigned threads) {
     std::atomic<std::uint64_t> next{share.index};
-    const auto take = [&] {
-      try {
-        while (!control_.stop_wanted()) {
-          const std::uint64_t index = next.fetch_add(share.of);
-          if (index >= cubes_.size()) {
-            return;
-          }
-          solve_part(index);
+    run_together(control_, std::max(1U, threads), [&](unsigned) {
+      while (!control_.stop_wanted()) {
+        const std::uint64_t index = next.fetch_add(share.of);
+        if (index >= cubes_.size()) {
+          return;
         }
-      } catch (...) {
-        const std::scoped_lock lock(mutex_);
-        if (!fault_) {
-          fault_ = std::current_exception();
-        }
-        control_.stop(WhyStopped::interrupted);
+        solve_part(index);
       }
-    };
-    if (threads <= 1) {
-      take();
-    } else {
-      std::vector<std::jthread> pool;
-      for (unsigned i = 0; i < threads; ++i) {
-        pool.emplace_back(take);
-      }
-    }
-    if (fault_) {
-      std::rethrow_exception(fault_);
-    }
+    });
   }
 
   [[nodiscard]] std::string path_of(std::uint64_t index, const char* ending) const {
@@ -160,7 +140,7 @@ class Question {
     return (fs::path(folder_) / (front + stem_ + part + ending)).string();
   }
 
-  [[nodiscard]] SearchProgress progress(const char* doing) const {
+  [[nodiscard]] Progress progress(const char* doing) const {
     return {.phase =
                 fmt::format("{} {} with {} blocks", doing, name(decision_.parameters), decision_.b),
             .unit = "kB of proof"};
@@ -262,7 +242,7 @@ class Question {
     control_.stop(WhyStopped::found);
   }
 
-  void conclude(std::uint64_t mine, const SearchShare& share) {
+  void conclude(std::uint64_t mine, const WorkShare& share) {
     if (decision_.design) {
       discard_proofs();
       decision_.answer = Answer::found;
@@ -309,7 +289,7 @@ class Question {
   }
 
   const ExactOptions& options_;
-  SearchControl control_;
+  RunControl control_;
   std::string stem_;
   std::string folder_;
   const DesignFormula* formula_ = nullptr;
@@ -317,7 +297,6 @@ class Question {
   std::mutex mutex_;
   Decision decision_;
   std::uint64_t unproved_ = 0;
-  std::exception_ptr fault_;
 };
 
 }  // namespace
@@ -344,7 +323,7 @@ std::string file_stem(const Parameters& p, std::uint64_t b) {
 }
 
 Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,
-                SearchControl& control) {
+                RunControl& control) {
   check(p);
   if (b == 0) {
     throw BadInput("a design has at least one block");

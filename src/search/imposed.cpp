@@ -86,7 +86,7 @@ std::optional<std::vector<Block>> random_base_blocks(const Parameters& p,
 
 ImposedOutcome search_imposed(const Parameters& p, const ImposedAutomorphism& pi,
                               std::size_t base_blocks, const AnnealSchedule& schedule,
-                              Random& random, SearchControl& control, const AnnealWatch& watch) {
+                              Random& random, RunControl& control, const AnnealWatch& watch) {
   check(p);
   if (!pi.fits(p.v) || base_blocks == 0 || p.strength != 2 || p.v > largest_v) {
     throw BadInput(fmt::format(

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <exception>
 #include <limits>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -19,6 +17,7 @@
 #include "changeover/search/anneal.hpp"
 #include "changeover/search/checkpoint.hpp"
 #include "changeover/search/imposed.hpp"
+#include "changeover/run/threads.hpp"
 #include "changeover/search/random_list.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "search/local_search_arms.hpp"
@@ -49,7 +48,7 @@ struct Attempted {
 
 class Improver {
  public:
-  Improver(const Parameters& p, const ImproveOptions& options, SearchControl& control)
+  Improver(const Parameters& p, const ImproveOptions& options, RunControl& control)
       : parameters_(p),
         options_(options),
         control_(control),
@@ -65,15 +64,7 @@ class Improver {
       }
     }
     begin();
-    std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < control_.threads(); ++i) {
-      threads.emplace_back([this] { work(); });
-    }
-    work();
-    threads.clear();
-    if (fault_) {
-      std::rethrow_exception(fault_);
-    }
+    run_together(control_, control_.threads(), [this](unsigned) { work(); });
     if (!options_.checkpoint.empty()) {
       save();
     }
@@ -137,21 +128,13 @@ class Improver {
   }
 
   void work() {
-    try {
-      while (!control_.stop_wanted()) {
-        const std::optional<Attempt> attempt = next();
-        if (!attempt) {
-          return;
-        }
-        Attempted attempted = make(*attempt);
-        report(*attempt, std::move(attempted));
+    while (!control_.stop_wanted()) {
+      const std::optional<Attempt> attempt = next();
+      if (!attempt) {
+        return;
       }
-    } catch (...) {
-      const std::scoped_lock lock(mutex_);
-      if (!fault_) {
-        fault_ = std::current_exception();
-      }
-      control_.stop(WhyStopped::interrupted);
+      Attempted attempted = make(*attempt);
+      report(*attempt, std::move(attempted));
     }
   }
 
@@ -197,7 +180,7 @@ class Improver {
       arm = arms_.arms()[attempt.arm];
       best = best_;
     }
-    const SearchShare share = control_.settings().share;
+    const WorkShare share = control_.settings().share;
     Random random(seed_, 1 + attempt.number * share.of + share.index % share.of);
     if (arm.method == Method::imposed) {
       return impose(attempt, arm, random);
@@ -370,7 +353,7 @@ class Improver {
       return;
     }
     const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (lock.owns_lock() && SearchControl::Clock::now() >= next_save_) {
+    if (lock.owns_lock() && RunControl::Clock::now() >= next_save_) {
       save();
     }
   }
@@ -385,8 +368,8 @@ class Improver {
                       .best = best_},
                      options_.checkpoint);
     next_save_ =
-        SearchControl::Clock::now() +
-        std::chrono::duration_cast<SearchControl::Clock::duration>(options_.checkpoint_interval);
+        RunControl::Clock::now() +
+        std::chrono::duration_cast<RunControl::Clock::duration>(options_.checkpoint_interval);
   }
 
   ImproveResult result() {
@@ -409,7 +392,7 @@ class Improver {
 
   const Parameters parameters_;
   const ImproveOptions& options_;
-  SearchControl& control_;
+  RunControl& control_;
   const std::uint64_t bound_;
   const std::uint64_t goal_;
   SearchArms arms_;
@@ -423,14 +406,13 @@ class Improver {
   std::optional<Design> best_;
   std::optional<std::uint64_t> started_from_;
   std::string how_;
-  SearchControl::Clock::time_point next_save_ = SearchControl::Clock::now();
-  std::exception_ptr fault_;
+  RunControl::Clock::time_point next_save_ = RunControl::Clock::now();
   std::mutex mutex_;
 };
 
 }  // namespace
 
-ImproveResult improve(const Parameters& p, const ImproveOptions& options, SearchControl& control) {
+ImproveResult improve(const Parameters& p, const ImproveOptions& options, RunControl& control) {
   check(p);
   if (const auto why = impossibility(p)) {
     throw ImpossibleParameters(fmt::format("there is no {}: {}", name(p), *why));

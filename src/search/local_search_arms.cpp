@@ -23,7 +23,7 @@ constexpr std::uint64_t fewest_blocks_of_a_circle = 3;
 }  // namespace
 
 SearchArms::SearchArms(const Parameters& p, std::uint64_t goal, bool imposed,
-                       const SearchShare& share)
+                       const WorkShare& share)
     : parameters_(p), goal_(goal) {
   arms_.push_back({.method = Method::free, .budget = first_budget_free});
   arms_.push_back({.method = Method::reheated, .budget = first_budget_reheated});

@@ -13,7 +13,7 @@
 
 #include "changeover/core/parameters.hpp"
 #include "changeover/search/checkpoint.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/segment_orbits.hpp"
 
 namespace changeover {
@@ -31,7 +31,7 @@ struct Attempt {
 class SearchArms {
  public:
   /// Arms for p; `goal` blocks are enough.
-  SearchArms(const Parameters& p, std::uint64_t goal, bool imposed, const SearchShare& share);
+  SearchArms(const Parameters& p, std::uint64_t goal, bool imposed, const WorkShare& share);
 
   [[nodiscard]] const std::vector<SearchArm>& arms() const { return arms_; }
   /// Takes the place of the arms, from a checkpoint.

@@ -10,7 +10,7 @@ namespace changeover {
 namespace {
 
 template <typename State>
-Annealed run(State state, const AnnealSchedule& schedule, Random& random, SearchControl& control,
+Annealed run(State state, const AnnealSchedule& schedule, Random& random, RunControl& control,
              const AnnealWatch& watch) {
   Annealed annealed;
   annealed.outcome = anneal(state, schedule, random, control, watch);
@@ -23,7 +23,7 @@ Annealed run(State state, const AnnealSchedule& schedule, Random& random, Search
 }  // namespace
 
 Annealed anneal_blocks(const Design& start, std::size_t frozen, const AnnealSchedule& schedule,
-                       Random& random, SearchControl& control, const AnnealWatch& watch) {
+                       Random& random, RunControl& control, const AnnealWatch& watch) {
   using Bytes = SegmentPairs<std::uint8_t>;
   using Words = SegmentPairs<std::uint16_t>;
   if (start.parameters().strength != 2) {

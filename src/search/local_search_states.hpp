@@ -17,6 +17,6 @@ struct Annealed {
 /// Anneals all blocks but the first `frozen`.
 [[nodiscard]] Annealed anneal_blocks(const Design& start, std::size_t frozen,
                                      const AnnealSchedule& schedule, Random& random,
-                                     SearchControl& control, const AnnealWatch& watch = {});
+                                     RunControl& control, const AnnealWatch& watch = {});
 
 }  // namespace changeover

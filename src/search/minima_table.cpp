@@ -52,7 +52,7 @@ std::uint64_t limit_of(const MinimumOptions& options) {
 }
 
 MinimaRow settle(const Parameters& p, const Constructions& constructions,
-                 const MinimumOptions& options, SearchControl& control) {
+                 const MinimumOptions& options, RunControl& control) {
   MinimaRow row{.parameters = p};
   std::optional<Design> known;
   if (const auto recipe = constructions.best(p)) {
@@ -99,7 +99,7 @@ bool lower_upper_end(MinimaRow& row, const Constructions& constructions) {
 }  // namespace
 
 void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
-                 const MinimumOptions& options, SearchControl& control,
+                 const MinimumOptions& options, RunControl& control,
                  const std::function<void(const MinimaRow&)>& on_row) {
   const Constructions constructions(range);
   const std::uint64_t limit = limit_of(options);

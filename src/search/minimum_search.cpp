@@ -25,12 +25,12 @@ Bound lower_bound_on_paper(const Parameters& p) {
 namespace {
 
 Decision decide_by(const MinimumOptions& options, const ExactOptions& exact, const Parameters& p,
-                   std::uint64_t b, SearchControl& control) {
+                   std::uint64_t b, RunControl& control) {
   return options.decider ? options.decider(b, exact) : decide(p, b, exact, control);
 }
 
 // From the lower bound up: the first design ends the walk, the first number that stays open too.
-void walk(MinimumResult& result, const MinimumOptions& options, SearchControl& control) {
+void walk(MinimumResult& result, const MinimumOptions& options, RunControl& control) {
   while (!result.settled()) {
     if (control.stop_wanted()) {
       result.why = control.why_stopped();
@@ -56,7 +56,7 @@ void walk(MinimumResult& result, const MinimumOptions& options, SearchControl& c
 }
 
 // A better design, with more blocks than the number that stayed open.
-void look_above(MinimumResult& result, const MinimumOptions& options, SearchControl& control) {
+void look_above(MinimumResult& result, const MinimumOptions& options, RunControl& control) {
   ExactOptions quick = options.exact;
   quick.prove = false;
   for (std::uint64_t i = 1; i <= options.tries_above && !control.stop_wanted(); ++i) {
@@ -75,8 +75,8 @@ void look_above(MinimumResult& result, const MinimumOptions& options, SearchCont
 }  // namespace
 
 MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
-                           SearchControl& control, const std::optional<Design>& known) {
-  const auto begin = SearchControl::Clock::now();
+                           RunControl& control, const std::optional<Design>& known) {
+  const auto begin = RunControl::Clock::now();
   MinimumResult result;
   result.parameters = p;
   result.impossible = impossibility(p);
@@ -96,7 +96,7 @@ MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
   } else {
     look_above(result, options, control);
   }
-  result.time = SearchControl::Clock::now() - begin;
+  result.time = RunControl::Clock::now() - begin;
   return result;
 }
 

@@ -166,7 +166,7 @@ std::uint64_t element_bound(std::span<const Block> blocks, const LeastChangeWant
 
 std::uint64_t order_lower_bound(std::span<const Block> blocks, const Overlaps& overlaps,
                                 const LeastChangeWanted& wanted, std::uint64_t cost,
-                                std::uint64_t effort, SearchControl& control) {
+                                std::uint64_t effort, RunControl& control) {
   std::uint64_t bound = element_bound(blocks, wanted);
   const std::uint64_t n = blocks.size();
   const std::uint64_t a_round = n * n / 2 * overlaps.words();

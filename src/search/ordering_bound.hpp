@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/ordering.hpp"
 #include "search/ordering_overlap.hpp"
 
@@ -15,6 +15,6 @@ namespace changeover {
 [[nodiscard]] std::uint64_t order_lower_bound(std::span<const Block> blocks,
                                               const Overlaps& overlaps,
                                               const LeastChangeWanted& wanted, std::uint64_t cost,
-                                              std::uint64_t effort, SearchControl& control);
+                                              std::uint64_t effort, RunControl& control);
 
 }  // namespace changeover

@@ -10,7 +10,7 @@
 #include "changeover/core/transitions.hpp"
 #include "changeover/search/cardinality.hpp"
 #include "changeover/search/ordering.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 #include "search/base_block_solver.hpp"
 #include "search/ordering_overlap.hpp"
 
@@ -115,7 +115,7 @@ class Rotation {
       : graph_(graph), circular_(circular), random_(random), place_(graph.count()) {}
 
   // Whether it found an order.
-  bool run(std::uint64_t most, std::uint64_t& rotations, SearchControl& control) {
+  bool run(std::uint64_t most, std::uint64_t& rotations, RunControl& control) {
     const std::uint64_t patience = 20'000 + 100 * graph_.count();
     while (rotations < most && !control.stop_wanted()) {
       begin();
@@ -235,7 +235,7 @@ class HamiltonByCuts {
     }
   }
 
-  OrderAnswer run(std::uint64_t most, SearchControl& control) {
+  OrderAnswer run(std::uint64_t most, RunControl& control) {
     while (conflicts() < most) {
       const Formula::Answer answer = formula_.solve(control, most - conflicts());
       if (answer != Formula::Answer::satisfiable) {
@@ -329,7 +329,7 @@ void recount(std::span<const Block> blocks, const ChangeWanted& wanted,
 }  // namespace
 
 ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& wanted,
-                             const ChangeOrderOptions& options, SearchControl& control) {
+                             const ChangeOrderOptions& options, RunControl& control) {
   if (blocks.empty()) {
     throw BadInput("there are no blocks to order");
   }

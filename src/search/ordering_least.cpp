@@ -6,7 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/search/ordering.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 #include "search/ordering_bound.hpp"
 #include "search/ordering_overlap.hpp"
 #include "search/ordering_tour.hpp"
@@ -186,7 +186,7 @@ std::vector<City> nearest_first(const Overlaps& overlaps, const Neighbours& neig
 
 std::vector<std::size_t> searched_order(std::span<const Block> blocks, const Overlaps& overlaps,
                                         const LeastChangeWanted& wanted,
-                                        const LeastChangeOptions& options, SearchControl& control,
+                                        const LeastChangeOptions& options, RunControl& control,
                                         std::uint64_t& kicks) {
   Random random(control.seed());
   const std::size_t n = blocks.size();
@@ -241,7 +241,7 @@ std::vector<std::size_t> searched_order(std::span<const Block> blocks, const Ove
 
 LeastChangeOrder order_for_least_change(std::span<const Block> blocks,
                                         const LeastChangeWanted& wanted,
-                                        const LeastChangeOptions& options, SearchControl& control) {
+                                        const LeastChangeOptions& options, RunControl& control) {
   if (blocks.empty()) {
     throw BadInput("there are no blocks to order");
   }

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 
 namespace changeover {
 

@@ -140,7 +140,7 @@ void require_valid(const Design& design) {
 
 }  // namespace
 
-RepairResult repair(const Design& list, const RepairOptions& options, SearchControl& control) {
+RepairResult repair(const Design& list, const RepairOptions& options, RunControl& control) {
   require_possible(list);
   RepairResult result{Design(list.parameters())};
   const Verdict before = verify(list);

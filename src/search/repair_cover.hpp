@@ -2,7 +2,7 @@
 #pragma once
 
 #include "changeover/core/design.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 
 namespace changeover {
 

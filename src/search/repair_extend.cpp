@@ -68,7 +68,7 @@ void require_steps(const Design& beginning) {
 
 }  // namespace
 
-ExtendResult extend(const Design& beginning, const ExtendOptions& options, SearchControl& control) {
+ExtendResult extend(const Design& beginning, const ExtendOptions& options, RunControl& control) {
   const Parameters& p = beginning.parameters();
   check(p);
   if (beginning.block_count() == 0) {

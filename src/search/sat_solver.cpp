@@ -86,7 +86,7 @@ class ProofFile {
 /// Asked by the solver every few conflicts. What a callback throws waits until the solver has returned.
 class Terminator final : public CaDiCaL::Terminator {
  public:
-  Terminator(SearchControl& control, const SearchProgress& progress, const ProofFile& proof)
+  Terminator(RunControl& control, const Progress& progress, const ProofFile& proof)
       : control_(control), progress_(progress), proof_(proof) {}
 
   bool terminate() override {
@@ -113,8 +113,8 @@ class Terminator final : public CaDiCaL::Terminator {
   }
 
  private:
-  SearchControl& control_;
-  SearchProgress progress_;
+  RunControl& control_;
+  Progress progress_;
   const ProofFile& proof_;
   std::exception_ptr fault_;
 };
@@ -122,7 +122,7 @@ class Terminator final : public CaDiCaL::Terminator {
 }  // namespace
 
 SatResult solve_sat(const Cnf& cnf, std::span<const Literal> assumptions, const SatOptions& options,
-                    SearchControl& control) {
+                    RunControl& control) {
   SatResult result;
   if (control.stop_wanted()) {
     return result;

@@ -102,7 +102,7 @@ TEST(HeaderExamples, Prefetch) {
 }
 
 TEST(HeaderExamples, ImproveAndBaselines) {
-  SearchControl control({.time = std::chrono::seconds(1)});
+  RunControl control({.time = std::chrono::seconds(1)});
   LoadOrderOptions options;
   options.improve = improve_by_search(control);
   LoadOrder order = plan_load_order(37, 9, options);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "changeover/plan/job.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 
 namespace changeover::test {
 

@@ -17,7 +17,7 @@ Amount units(std::uint64_t n) { return Amount{n * 1'000'000}; }
 RunPlan planned(const Job& job, PlanOptions options = {}, unsigned threads = 1,
                 std::uint64_t seed = 1) {
   options.design_moves = std::min<std::uint64_t>(options.design_moves, 20'000);
-  SearchControl control({.threads = threads, .seed = seed});
+  RunControl control({.threads = threads, .seed = seed});
   return make_run_plan(job, options, control);
 }
 
@@ -201,7 +201,7 @@ TEST(RunPlan, PlansTheRest) {
 }
 
 TEST(RunPlan, StopsWhenItIsToldTo) {
-  SearchControl control({.time = std::chrono::seconds(0)});
+  RunControl control({.time = std::chrono::seconds(0)});
   const RunPlan plan = make_run_plan(make_job(30, 5, units(1), units(1)), {}, control);
   EXPECT_TRUE(plan.sheet.does_the_job());
   EXPECT_EQ(plan.why_stopped, WhyStopped::time_limit);

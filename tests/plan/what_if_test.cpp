@@ -57,7 +57,7 @@ TEST(Envelope, IsTheCheapestAtEveryRatio) {
 TEST(WhatIf, KnowsTheCheapestPlanOfTinyJobsAtManyRatios) {
   for (const auto& [v, k] : {std::pair{5U, 3U}, {5U, 2U}, {6U, 3U}}) {
     const Job job = make_job(v, k, units(1), units(1));
-    SearchControl control({});
+    RunControl control({});
     const PlanOptions options{.steps = 20'000, .design_moves = 10'000};
     const WhatIf answer = what_if(job, make_run_plan(job, options, control), options, control);
     EXPECT_EQ(answer.asked->to_string(), "1");
@@ -75,7 +75,7 @@ TEST(WhatIf, KnowsTheCheapestPlanOfTinyJobsAtManyRatios) {
 TEST(WhatIf, MultipliesTheCostsOfPartsByAFactor) {
   Job job = make_job(5, 3, units(3), units(1));
   job.change_costs[0] = units(4);
-  SearchControl control({});
+  RunControl control({});
   const PlanOptions options{.steps = 10'000, .design_moves = 10'000};
   const WhatIf answer = what_if(job, make_run_plan(job, options, control), options, control);
   EXPECT_TRUE(answer.by_factor);
@@ -96,7 +96,7 @@ TEST(WhatIf, MultipliesTheCostsOfPartsByAFactor) {
 TEST(WhatIf, OfNothingIsOneRange) {
   Job job = make_job(4, 3, units(1), units(1));
   job.needed = PairSet(4);
-  SearchControl control({});
+  RunControl control({});
   const WhatIf answer = what_if(job, make_run_plan(job, {}, control), {}, control);
   ASSERT_EQ(answer.ranges.size(), 1U);
   EXPECT_EQ(answer.ranges.front().plan.tests(), 0U);

@@ -32,7 +32,7 @@ BaseBlockOptions tight(std::optional<std::uint64_t> n = {}) {
 }
 
 BaseBlockResult search(const Parameters& p, const BaseBlockOptions& options) {
-  SearchControl control({});
+  RunControl control({});
   return search_base_blocks(p, options, control);
 }
 
@@ -238,7 +238,7 @@ TEST(BaseBlocksBySat, AgreeWithTryingEverything) {
                          {circular(7, 3, 3), {7, 1, 0, 1}}, {circular(7, 3, 3), {7, 1, 0, 2}},
                          {circular(8, 4, 3), {7, 1, 1, 1}}, {circular(8, 5), {4, 2, 0, 1}}}) {
     for (const bool want_tight : {false, true}) {
-      SearchControl control({});
+      RunControl control({});
       const SatOutcome outcome =
           base_blocks_by_sat(each.p, each.shape, want_tight, std::nullopt, control);
       EXPECT_NE(outcome.blocks.empty(), !outcome.none);
@@ -257,7 +257,7 @@ TEST(BaseBlocksBySat, AgreeWithTryingEverything) {
 }
 
 TEST(BaseBlocksBySat, GiveUpAtTheLimitOfConflicts) {
-  SearchControl control({});
+  RunControl control({});
   const SatOutcome outcome = base_blocks_by_sat(circular(27, 6), {3, 9, 0, 13}, true, 200, control);
   EXPECT_TRUE(outcome.blocks.empty());
   EXPECT_FALSE(outcome.none);
@@ -413,7 +413,7 @@ TEST(SearchBaseBlocks, SaysThatAllShapesAreExcluded) {
 }
 
 TEST(SearchBaseBlocks, StopsWhenToldTo) {
-  SearchControl control({.time = std::chrono::seconds(0)});
+  RunControl control({.time = std::chrono::seconds(0)});
   const BaseBlockResult result = search_base_blocks(circular(27, 6), tight(), control);
   EXPECT_FALSE(result.found());
   EXPECT_EQ(result.why, WhyStopped::time_limit);

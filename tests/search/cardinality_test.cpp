@@ -27,7 +27,7 @@ std::vector<Literal> chosen(const std::vector<Literal>& literals, unsigned bits)
 }
 
 bool possible(const Cnf& cnf, std::vector<Literal> assumptions) {
-  SearchControl control({});
+  RunControl control({});
   return solve_sat(cnf, assumptions, {}, control).answer == SatAnswer::satisfiable;
 }
 

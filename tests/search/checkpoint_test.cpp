@@ -46,7 +46,7 @@ class CheckpointFile : public testing::Test {
     for (const bool searching : {false, true}) {
       try {
         if (searching) {
-          SearchControl control({});
+          RunControl control({});
           static_cast<void>(improve(p, {.moves = 1000, .checkpoint = path()}, control));
         } else {
           static_cast<void>(read_checkpoint(path(), p));
@@ -140,9 +140,9 @@ TEST_F(CheckpointFile, IsRefusedWhenAnyByteIsDamaged) {
 
 TEST_F(CheckpointFile, GoesOnWhereTheSearchWas) {
   const Parameters p{.v = 47, .k = 9, .change = 1};
-  SearchControl first({.seed = 6});
+  RunControl first({.seed = 6});
   const ImproveResult before = improve(p, {.moves = 600'000, .checkpoint = path()}, first);
-  SearchControl second({.seed = 99});
+  RunControl second({.seed = 99});
   const ImproveResult after = improve(p, {.moves = 600'000, .checkpoint = path()}, second);
   EXPECT_GT(after.moves, before.moves);
   EXPECT_GT(after.attempts, before.attempts);
@@ -162,7 +162,7 @@ TEST_F(CheckpointFile, SurvivesAKill) {
     ASSERT_GE(child, 0);
     if (child == 0) {
       try {
-        SearchControl control({.time = std::chrono::seconds(60), .seed = 3});
+        RunControl control({.time = std::chrono::seconds(60), .seed = 3});
         static_cast<void>(improve(
             p, {.checkpoint = path(), .checkpoint_interval = std::chrono::duration<double>(0)},
             control));
@@ -189,7 +189,7 @@ TEST_F(CheckpointFile, SurvivesAKill) {
     ASSERT_TRUE(verify(state->best.value()).valid());
     moves = state->moves;
   }
-  SearchControl control({.seed = 3});
+  RunControl control({.seed = 3});
   const ImproveResult result = improve(p, {.moves = 10'000, .checkpoint = path()}, control);
   EXPECT_GT(result.moves, moves);
 }

@@ -19,8 +19,8 @@ Parameters parameters(std::uint64_t v, std::uint64_t k, std::uint64_t change, Ki
 }
 
 std::vector<Design> all_designs(const Parameters& p, std::uint64_t b, unsigned threads = 1,
-                                SearchShare share = {}) {
-  SearchControl control({.threads = threads, .share = share});
+                                WorkShare share = {}) {
+  RunControl control({.threads = threads, .share = share});
   std::vector<Design> designs;
   const EnumerationRun run =
       enumerate_designs(p, b, control, [&](const Design& design) { designs.push_back(design); });
@@ -30,8 +30,8 @@ std::vector<Design> all_designs(const Parameters& p, std::uint64_t b, unsigned t
 }
 
 Classification classes(const Parameters& p, std::uint64_t b, bool reversal = false,
-                       unsigned threads = 1, SearchShare share = {}) {
-  SearchControl control({.threads = threads, .share = share});
+                       unsigned threads = 1, WorkShare share = {}) {
+  RunControl control({.threads = threads, .share = share});
   return classify_designs(p, b, {.reversal = reversal, .keep = 1'000'000}, control);
 }
 
@@ -167,7 +167,7 @@ TEST(Enumeration, AgreesWithKnownMinimaAlsoWherePairsAreCoveredAgain) {
   for (const auto& [p, b] : minima) {
     SCOPED_TRACE(name(p));
     EXPECT_EQ(classes(p, b - 1).classes, 0U);
-    SearchControl control({.threads = 1});
+    RunControl control({.threads = 1});
     bool any = false;
     try {
       (void)enumerate_designs(p, b, control, [&](const Design& design) {
@@ -224,15 +224,15 @@ TEST(Enumeration, SharesOfSeveralProcessesAddUp) {
 TEST(Enumeration, StopsWhenItIsToldToAndSaysSo) {
   const Parameters p = parameters(20, 5, 1, Kind::linear);
   const std::atomic<bool> interrupted = true;
-  SearchControl stopped({.threads = 2, .interrupted = &interrupted});
+  RunControl stopped({.threads = 2, .interrupted = &interrupted});
   EXPECT_EQ(enumerate_designs(p, 46, stopped).why, WhyStopped::interrupted);
-  SearchControl timed({.time = std::chrono::milliseconds(50), .threads = 2});
+  RunControl timed({.time = std::chrono::milliseconds(50), .threads = 2});
   EXPECT_EQ(classify_designs(p, 46, {}, timed).why, WhyStopped::time_limit);
 }
 
 TEST(Enumeration, WhatTheCallbackThrowsComesOutFromAnyThread) {
   for (const unsigned threads : {1U, 3U}) {
-    SearchControl control({.threads = threads});
+    RunControl control({.threads = threads});
     EXPECT_THROW((void)enumerate_designs(parameters(9, 3, 2, Kind::linear), 12, control,
                                          [](const Design&) { throw std::out_of_range("stop"); }),
                  std::out_of_range);
@@ -241,9 +241,9 @@ TEST(Enumeration, WhatTheCallbackThrowsComesOutFromAnyThread) {
 
 TEST(Enumeration, TellsProgress) {
   std::atomic<int> told = 0;
-  SearchControl control({.threads = 2,
+  RunControl control({.threads = 2,
                          .on_progress =
-                             [&](const SearchProgress& progress) {
+                             [&](const Progress& progress) {
                                EXPECT_EQ(progress.unit, "nodes");
                                ++told;
                              },
@@ -253,7 +253,7 @@ TEST(Enumeration, TellsProgress) {
 }
 
 TEST(Enumeration, RefusesWhatItCannotDo) {
-  SearchControl control(SearchControl::Settings{});
+  RunControl control(RunControl::Settings{});
   EXPECT_THROW((void)enumerate_designs(parameters(65, 4, 1, Kind::linear), 9, control),
                ImpossibleParameters);
   EXPECT_THROW((void)enumerate_designs(parameters(9, 4, 1, Kind::linear), 5000, control),

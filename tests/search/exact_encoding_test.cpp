@@ -16,7 +16,7 @@ namespace {
 std::optional<Design> solution(const Parameters& p, std::uint64_t b,
                                const EncodingOptions& options) {
   const DesignFormula formula = encode_design(p, b, options);
-  SearchControl control({});
+  RunControl control({});
   const SatResult result = solve_sat(formula.cnf(), {}, {}, control);
   EXPECT_NE(result.answer, SatAnswer::unknown);
   if (result.answer != SatAnswer::satisfiable) {

@@ -36,7 +36,7 @@ std::set<std::string> names_in(const fs::path& folder) {
 
 TEST(Decide, FindsAVerifiedDesignAndLeavesNoFile) {
   const test::TemporaryFolder folder;
-  SearchControl control({});
+  RunControl control({});
   const Decision decision =
       decide(sccd_9_4, 12, {.proof_directory = folder.path().string()}, control);
   EXPECT_EQ(decision.answer, Answer::found);
@@ -51,7 +51,7 @@ TEST(Decide, FindsAVerifiedDesignAndLeavesNoFile) {
 
 TEST(Decide, ProvesThatThereIsNoneAndKeepsBothFiles) {
   const test::TemporaryFolder folder;
-  SearchControl control({});
+  RunControl control({});
   const Decision decision = decide(sccd_9_4, 11, {.proof_directory = folder.file("a/b")}, control);
   EXPECT_EQ(decision.answer, Answer::none);
   EXPECT_EQ(decision.why, WhyStopped::exhausted);
@@ -73,7 +73,7 @@ TEST(Decide, GivesTheSameProofEveryTime) {
   const test::TemporaryFolder one;
   const test::TemporaryFolder two;
   for (const test::TemporaryFolder* folder : {&one, &two}) {
-    SearchControl control({});
+    RunControl control({});
     (void)decide(sccd_9_4, 11, {.proof_directory = folder->path().string()}, control);
   }
   EXPECT_GT(names_in(one.path()).size(), 0U);
@@ -85,7 +85,7 @@ TEST(Decide, GivesTheSameProofEveryTime) {
 // A proof is of one formula: neither another one nor a damaged proof passes.
 TEST(Decide, WritesProofsThatFailWhenTheyAreMutated) {
   const test::TemporaryFolder folder;
-  SearchControl control({});
+  RunControl control({});
   const Decision decision =
       decide(sccd_9_4, 11, {.proof_directory = folder.path().string()}, control);
   ASSERT_EQ(decision.answer, Answer::none);
@@ -131,20 +131,20 @@ TEST(Decide, WritesProofsThatFailWhenTheyAreMutated) {
 }
 
 TEST(Decide, SaysNoneWithoutProofOnlyAsThat) {
-  SearchControl control({});
+  RunControl control({});
   EXPECT_EQ(decide(sccd_9_4, 11, {.prove = false}, control).answer, Answer::none_unproved);
   EXPECT_EQ(decide(sccd_9_4, 12, {.prove = false}, control).answer, Answer::found);
 }
 
 TEST(Decide, StopsWhenTheTimeIsUp) {
-  SearchControl none({.time = seconds(0)});
+  RunControl none({.time = seconds(0)});
   const Decision stopped = decide(sccd_9_4, 11, {}, none);
   EXPECT_EQ(stopped.answer, Answer::unknown);
   EXPECT_EQ(stopped.why, WhyStopped::time_limit);
   EXPECT_TRUE(stopped.parts.empty());
 
   const test::TemporaryFolder folder;
-  SearchControl control({});
+  RunControl control({});
   const Decision step = decide(
       {.v = 16, .k = 5, .change = 1}, 29,
       {.proof_directory = folder.path().string(), .time_per_step = std::chrono::milliseconds(200)},
@@ -158,7 +158,7 @@ TEST(Decide, StopsWhenTheTimeIsUp) {
 TEST(Decide, StopsAfterSoManyConflicts) {
   const Parameters p{.v = 13, .k = 5};
   for (const bool prove : {true, false}) {
-    SearchControl control({});
+    RunControl control({});
     const Decision decision = decide(p, 11, {.prove = prove, .conflicts_per_step = 100}, control);
     EXPECT_EQ(decision.answer, Answer::unknown);
     EXPECT_EQ(decision.why, WhyStopped::step_limit);
@@ -167,8 +167,8 @@ TEST(Decide, StopsAfterSoManyConflicts) {
 
 TEST(Decide, StopsWhenTheUserSaysSo) {
   std::atomic<bool> interrupted = false;
-  SearchControl control({.interrupted = &interrupted,
-                         .on_progress = [&](const SearchProgress&) { interrupted = true; },
+  RunControl control({.interrupted = &interrupted,
+                         .on_progress = [&](const Progress&) { interrupted = true; },
                          .progress_interval = std::chrono::duration<double>(0)});
   const Decision decision = decide({.v = 16, .k = 5, .change = 1}, 29, {}, control);
   EXPECT_EQ(decision.answer, Answer::unknown);
@@ -176,7 +176,7 @@ TEST(Decide, StopsWhenTheUserSaysSo) {
 }
 
 TEST(Decide, HandsOnWhatACallbackThrows) {
-  SearchControl control({.on_progress = [](const SearchProgress&) { throw BadInput("enough"); },
+  RunControl control({.on_progress = [](const Progress&) { throw BadInput("enough"); },
                          .progress_interval = std::chrono::duration<double>(0)});
   EXPECT_THROW((void)decide({.v = 16, .k = 5, .change = 1}, 29, {}, control), BadInput);
 }
@@ -184,7 +184,7 @@ TEST(Decide, HandsOnWhatACallbackThrows) {
 TEST(Decide, GivesTheSameAnswersWithTwoThreads) {
   const test::TemporaryFolder folder;
   for (const std::uint64_t b : {11U, 12U}) {
-    SearchControl control({.threads = 2});
+    RunControl control({.threads = 2});
     const Decision decision =
         decide(sccd_9_4, b, {.proof_directory = folder.path().string()}, control);
     EXPECT_EQ(decision.answer, b == 11 ? Answer::none : Answer::found);
@@ -218,7 +218,7 @@ TEST(Decide, SharesTheCubesBetweenProcesses) {
   std::vector<Cube> cubes;
   constexpr std::uint64_t processes = 3;
   for (std::uint64_t index = 0; index < processes; ++index) {
-    SearchControl control({.share = {index, processes}});
+    RunControl control({.share = {index, processes}});
     const Decision decision = decide(sccd_9_4, 11, {}, control);
     EXPECT_EQ(decision.answer, Answer::none_in_share);
     for (const CheckedPart& part : decision.parts) {
@@ -226,12 +226,12 @@ TEST(Decide, SharesTheCubesBetweenProcesses) {
     }
   }
   EXPECT_TRUE(cubes_cover_everything(cubes));
-  SearchControl wrong({.share = {3, 3}});
+  RunControl wrong({.share = {3, 3}});
   EXPECT_THROW((void)decide(sccd_9_4, 11, {}, wrong), BadInput);
 }
 
 TEST(Decide, KnowsTheCornerCases) {
-  SearchControl control({});
+  RunControl control({});
   const auto answer = [&](const Parameters& p, std::uint64_t b) {
     return decide(p, b, {}, control).answer;
   };
@@ -254,7 +254,7 @@ TEST(Decide, NamesFilesByParameters) {
 TEST(Decide, SaysWhenFilesCannotBeWritten) {
   const test::TemporaryFolder folder;
   test::spit(folder.file("file"), "");
-  SearchControl control({});
+  RunControl control({});
   try {
     (void)decide(sccd_9_4, 11, {.proof_directory = folder.file("file")}, control);
     FAIL() << "a file is no directory";
@@ -272,7 +272,7 @@ TEST(Decide, SaysWhenTheDiskIsFull) {
   for (const char* ending : {".cnf", ".drat"}) {
     const test::TemporaryFolder folder;
     fs::create_symlink("/dev/full", folder.file("linear-m1-v9-k4-b11" + std::string(ending)));
-    SearchControl control({});
+    RunControl control({});
     try {
       (void)decide(sccd_9_4, 11, {.proof_directory = folder.path().string()}, control);
       FAIL() << ending;
@@ -294,7 +294,7 @@ TEST(Decide, SaysWhenTheDiskGetsFullOnTheWay) {
     setrlimit(RLIMIT_FSIZE, &limit);
     int code = 0;
     try {
-      SearchControl control({});
+      RunControl control({});
       (void)decide({.v = 11, .k = 5}, 8, {.proof_directory = folder.path().string()}, control);
     } catch (const MissingResource&) {
       code = 17;

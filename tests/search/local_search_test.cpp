@@ -19,8 +19,8 @@ namespace changeover {
 namespace {
 
 ImproveResult search(const Parameters& p, const ImproveOptions& options,
-                     SearchControl::Settings settings = {}) {
-  SearchControl control(std::move(settings));
+                     RunControl::Settings settings = {}) {
+  RunControl control(std::move(settings));
   return improve(p, options, control);
 }
 
@@ -115,7 +115,7 @@ TEST(Improve, TellsHowFarItIs) {
   std::uint64_t least_bound = 1000;
   const ImproveResult found = search({.v = 47, .k = 9, .change = 1}, {.moves = 2'000'000},
                                      {.on_progress =
-                                          [&](const SearchProgress& progress) {
+                                          [&](const Progress& progress) {
                                             phases.insert(progress.phase);
                                             least_bound =
                                                 std::min(least_bound, progress.lower_bound.value());
@@ -245,7 +245,7 @@ TEST(Imposed, FindsTheTightDesignsThatWereFoundSo) {
     bool found = false;
     for (std::uint64_t seed = 1; seed <= 10 && !found; ++seed) {
       Random random(seed);
-      SearchControl control({});
+      RunControl control({});
       const ImposedOutcome outcome =
           search_imposed(p, of.pi, of.c, {.moves = 1'000'000}, random, control);
       ASSERT_TRUE(outcome.started);
@@ -263,7 +263,7 @@ TEST(Imposed, FindsTheTightDesignOnTwentyFiveElementsSlow) {
   bool found = false;
   for (std::uint64_t seed = 1; seed <= 10 && !found; ++seed) {
     Random random(seed);
-    SearchControl control({});
+    RunControl control({});
     const auto outcome = search_imposed({.v = 25, .k = 4, .kind = Kind::circular}, {5, 0}, 12,
                                         {.moves = 20'000'000}, random, control);
     found = outcome.design && verify(*outcome.design).tight();
@@ -273,7 +273,7 @@ TEST(Imposed, FindsTheTightDesignOnTwentyFiveElementsSlow) {
 
 TEST(Imposed, RefusesAnAutomorphismThatDoesNotFit) {
   Random random(1);
-  SearchControl control({});
+  RunControl control({});
   const Parameters p{.v = 10, .k = 4};
   EXPECT_THROW(static_cast<void>(search_imposed(p, {4, 0}, 3, {}, random, control)), BadInput);
   EXPECT_THROW(static_cast<void>(search_imposed(p, {5, 0}, 0, {}, random, control)), BadInput);

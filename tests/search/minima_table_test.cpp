@@ -17,7 +17,7 @@ const MinimaRange small{.k_from = 2, .k_to = 4, .v_to = 9};
 
 std::vector<MinimaRow> filled(std::vector<MinimaRow> rows, const MinimaRange& range,
                               std::size_t* calls = nullptr) {
-  SearchControl control({});
+  RunControl control({});
   MinimumOptions options;
   options.exact.conflicts_per_step = 20'000;
   fill_minima(range, rows, options, control, [&](const MinimaRow&) {

@@ -16,7 +16,7 @@ std::optional<Design> from_construction(const Parameters& p) {
 }
 
 void expect_minimum(const Parameters& p, std::uint64_t b, const std::optional<Design>& known) {
-  SearchControl control({});
+  RunControl control({});
   const MinimumResult result = find_minimum(p, {}, control, known);
   EXPECT_EQ(result.lower, b) << name(p);
   EXPECT_EQ(result.upper(), b) << name(p);
@@ -52,7 +52,7 @@ TEST(FindMinimum, ProvesThatNoKnownMinimumCanBeBeatenSlow) {
   std::size_t settled = 0;
   const auto minima = test::oracle_minima();
   for (const auto& [p, b] : minima) {
-    SearchControl control({});
+    RunControl control({});
     MinimumOptions options;
     options.exact.conflicts_per_step = 200'000;
     const MinimumResult result = find_minimum(p, options, control, from_construction(p));
@@ -77,7 +77,7 @@ TEST(FindMinimum, WorksForLargerStrengths) {
   // Strength 3: the least number of blocks for which search finds one, starting at 1.
   for (const Kind kind : {Kind::linear, Kind::circular}) {
     const Parameters p{.v = 6, .k = 4, .change = 1, .kind = kind, .strength = 3};
-    SearchControl control({});
+    RunControl control({});
     const MinimumResult result = find_minimum(p, {}, control);
     ASSERT_TRUE(result.settled());
     EXPECT_TRUE(test::naive_verdict(*result.best).valid);
@@ -91,7 +91,7 @@ TEST(FindMinimum, WorksForLargerStrengths) {
 }
 
 TEST(FindMinimum, SaysThatNothingIsPossible) {
-  SearchControl control({});
+  RunControl control({});
   const MinimumResult result = find_minimum({.v = 4, .k = 2}, {}, control);
   EXPECT_TRUE(result.impossible.has_value());
   EXPECT_FALSE(result.settled());
@@ -102,14 +102,14 @@ TEST(FindMinimum, LeavesAnIntervalWhenItIsStopped) {
   const Parameters p{.v = 16, .k = 5, .change = 1};
   const auto known = from_construction(p);
   ASSERT_TRUE(known.has_value());
-  SearchControl none({.time = std::chrono::seconds(0)});
+  RunControl none({.time = std::chrono::seconds(0)});
   const MinimumResult nothing = find_minimum(p, {}, none, known);
   EXPECT_EQ(nothing.lower, nothing.start.blocks);
   EXPECT_EQ(nothing.upper(), known->block_count());
   EXPECT_FALSE(nothing.settled());
   EXPECT_EQ(nothing.why, WhyStopped::time_limit);
 
-  SearchControl control({});
+  RunControl control({});
   MinimumOptions options;
   options.exact.time_per_step = std::chrono::milliseconds(100);
   options.tries_above = 2;
@@ -121,7 +121,7 @@ TEST(FindMinimum, LeavesAnIntervalWhenItIsStopped) {
 }
 
 TEST(FindMinimum, RefusesAWrongDesign) {
-  SearchControl control({});
+  RunControl control({});
   const Parameters p{.v = 6, .k = 4, .kind = Kind::circular};
   const Design half(p, std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}});
   EXPECT_THROW((void)find_minimum(p, {}, control, half), BadInput);

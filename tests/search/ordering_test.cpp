@@ -10,7 +10,7 @@
 
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {
@@ -68,13 +68,13 @@ std::size_t common(const Block& a, const Block& b) {
 
 ChangeOrder ordered(const std::vector<Block>& blocks, const ChangeWanted& wanted,
                     const ChangeOrderOptions& options = {}) {
-  SearchControl control({});
+  RunControl control({});
   return order_for_change(blocks, wanted, options, control);
 }
 
 LeastChangeOrder ordered(const std::vector<Block>& blocks, const LeastChangeWanted& wanted,
                          const LeastChangeOptions& options = {}) {
-  SearchControl control({});
+  RunControl control({});
   return order_for_least_change(blocks, wanted, options, control);
 }
 
@@ -231,7 +231,7 @@ TEST(OrderForChange, FindsItsWayThroughAShuffledDesign) {
 TEST(OrderForChange, IsDeterministicAndStops) {
   EXPECT_EQ(ordered(sts13, {13, 3, Kind::circular}).order,
             ordered(sts13, {13, 3, Kind::circular}).order);
-  SearchControl control({.time = std::chrono::seconds(0)});
+  RunControl control({.time = std::chrono::seconds(0)});
   const ChangeOrder order = order_for_change(sts13, {13, 3, Kind::circular}, {}, control);
   EXPECT_EQ(order.answer, OrderAnswer::unknown);
   EXPECT_EQ(order.why, WhyStopped::time_limit);
@@ -373,7 +373,7 @@ TEST(OrderForLeastChange, IsDeterministicAndStops) {
   EXPECT_EQ(once.order, again.order);
   EXPECT_EQ(once.lower_bound, again.lower_bound);
   EXPECT_EQ(once.kicks, 10'000U);
-  SearchControl control({.time = std::chrono::seconds(0)});
+  RunControl control({.time = std::chrono::seconds(0)});
   const LeastChangeOrder stopped =
       order_for_least_change(blocks, LeastChangeWanted{40}, {}, control);
   EXPECT_EQ(stopped.why, WhyStopped::time_limit);
@@ -405,7 +405,7 @@ TEST(OrderForLeastChange, RefusesMalformedInput) {
   EXPECT_THROW((void)change_cost(two, Order{0}, {2}), BadInput);
   EXPECT_THROW((void)change_cost(two, Order{0, 2}, {2}), BadInput);
   EXPECT_THROW((void)arranged(two, Order{2}), BadInput);
-  SearchControl control({});
+  RunControl control({});
   const std::vector<Block> many(10'000, Block{0});
   EXPECT_THROW((void)order_for_least_change(many, {std::uint64_t{1} << 32}, {}, control),
                MissingResource);

@@ -7,7 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/search/local_search.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 #include "changeover/search/random_list.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
@@ -16,7 +16,7 @@ namespace changeover {
 namespace {
 
 RepairResult mend(const Design& list, const RepairOptions& options = {}) {
-  SearchControl control({.seed = 3});
+  RunControl control({.seed = 3});
   return repair(list, options, control);
 }
 
@@ -117,7 +117,7 @@ TEST(Extend, KeepsTheBeginning) {
         for (std::size_t i = 0; i < kept; ++i) {
           beginning.append(whole.block(i));
         }
-        SearchControl control({.seed = 4});
+        RunControl control({.seed = 4});
         const ExtendResult result = extend(beginning, {.moves = 150'000}, control);
         EXPECT_TRUE(test::naive_verdict(result.design).valid);
         EXPECT_GE(result.design.block_count(), result.lower_bound);
@@ -138,7 +138,7 @@ TEST(Extend, FindsBackWhatWasTakenAway) {
   for (std::size_t i = 0; i + 4 < whole.block_count(); ++i) {
     beginning.append(whole.block(i));
   }
-  SearchControl control({.seed = 5});
+  RunControl control({.seed = 5});
   const ExtendResult result =
       extend(beginning, {.blocks = whole.block_count(), .moves = 20'000'000}, control);
   EXPECT_LE(result.design.block_count(), whole.block_count());
@@ -147,7 +147,7 @@ TEST(Extend, FindsBackWhatWasTakenAway) {
 
 TEST(Extend, RefusesAWrongStep) {
   const Parameters p{.v = 8, .k = 4, .change = 2};
-  SearchControl control({});
+  RunControl control({});
   const Design wrong(p, std::vector<Block>{{0, 1, 2, 3}, {0, 1, 2, 4}});
   try {
     static_cast<void>(extend(wrong, {}, control));

@@ -36,7 +36,7 @@ TEST(SatSolver, WritesAProofThatTheCheckerVerifies) {
   StringSink formula;
   write_dimacs(cnf, {}, {}, formula);
   test::spit(folder.file("a.cnf"), formula.text());
-  SearchControl control({});
+  RunControl control({});
   const SatResult result = solve_sat(cnf, {}, {.proof_path = folder.file("a.drat")}, control);
   EXPECT_EQ(result.answer, SatAnswer::unsatisfiable);
   EXPECT_TRUE(check_proof_files(folder.file("a.cnf"), folder.file("a.drat")).verified());
@@ -49,7 +49,7 @@ TEST(SatSolver, GivesAModel) {
   (void)cnf.new_variable();  // in no clause
   cnf.add({a, b});
   cnf.add({-a, -b});
-  SearchControl control({});
+  RunControl control({});
   const SatResult result = solve_sat(cnf, std::vector<Literal>{-a}, {}, control);
   ASSERT_EQ(result.answer, SatAnswer::satisfiable);
   EXPECT_FALSE(result.is_true(a));
@@ -58,13 +58,13 @@ TEST(SatSolver, GivesAModel) {
 }
 
 TEST(SatSolver, StopsWithItsControl) {
-  SearchControl control({.time = std::chrono::milliseconds(50)});
+  RunControl control({.time = std::chrono::milliseconds(50)});
   EXPECT_EQ(solve_sat(pigeons(13), {}, {}, control).answer, SatAnswer::unknown);
   EXPECT_EQ(control.why_stopped(), WhyStopped::time_limit);
 }
 
 TEST(SatSolver, SaysWhenTheProofCannotBeWritten) {
-  SearchControl control({});
+  RunControl control({});
   EXPECT_THROW((void)solve_sat(pigeons(4), {}, {.proof_path = "/nowhere/a.drat"}, control),
                MissingResource);
   if (test::has_full_device()) {

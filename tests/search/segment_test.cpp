@@ -146,7 +146,7 @@ TEST(SegmentPairs, BytesAndWordsGoTheSameWay) {
   const Design start = random_list({.v = 40, .k = 6, .kind = Kind::circular}, 60, random).value();
   SegmentPairs<std::uint8_t> bytes(start);
   SegmentPairs<std::uint16_t> words(start);
-  SearchControl control({});
+  RunControl control({});
   Random one(4);
   Random two(4);
   const AnnealSchedule schedule{.moves = 20'000, .hot = 1.0, .cold = 0.2};

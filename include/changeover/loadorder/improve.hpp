@@ -1,6 +1,6 @@
 // Local search as what improves load orders.
 //
-//     SearchControl control({.time = std::chrono::seconds(60)});
+//     RunControl control({.time = std::chrono::seconds(60)});
 //     LoadOrderOptions options;
 //     options.improve = improve_by_search(control);
 //     LoadOrder order = plan_load_order(37, 9, options);     // 93 loads or fewer after a few seconds
@@ -12,13 +12,13 @@
 #include <optional>
 
 #include "changeover/core/design.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
 /// For LoadOrderOptions::improve. The control must outlive what is returned; a search that it has
 /// stopped before is not begun.
 [[nodiscard]] std::function<std::optional<Design>(const Design& start, std::uint64_t least_blocks)>
-improve_by_search(SearchControl& control);
+improve_by_search(RunControl& control);
 
 }  // namespace changeover

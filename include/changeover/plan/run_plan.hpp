@@ -1,7 +1,7 @@
 // The cheapest run sheet for a job that we can find, what it was compared with, and how far it can be from
 // the cheapest there is.
 //
-//     SearchControl control({.time = std::chrono::seconds(10)});
+//     RunControl control({.time = std::chrono::seconds(10)});
 //     RunPlan plan = make_run_plan(make_job(9, 3, parse_amount("1"), parse_amount("5")), {}, control);
 //     plan.sheet.cost;  plan.bound.cost;             // e.g. 117 and 117
 //     for (const Candidate& c : plan.candidates) …   // cheapest first: the first one is the sheet
@@ -26,7 +26,7 @@
 #include "changeover/plan/cost_bound.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/plan/run_sheet.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
@@ -70,6 +70,6 @@ struct RunPlan {
 /// is not what it should be. Bound by: attempts · steps moves of local search, each
 /// O(stretch · at_once), besides the search for designs.
 [[nodiscard]] RunPlan make_run_plan(const Job& job, const PlanOptions& options,
-                                    SearchControl& control);
+                                    RunControl& control);
 
 }  // namespace changeover

@@ -48,6 +48,6 @@ struct WhatIf {
 /// The envelope of the candidates of a plan and of what searching at its break-even ratios finds.
 /// @throws as make_run_plan(), which is what it costs for each ratio.
 [[nodiscard]] WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
-                             SearchControl& control);
+                             RunControl& control);
 
 }  // namespace changeover

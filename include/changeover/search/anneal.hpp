@@ -21,8 +21,8 @@
 #include <functional>
 #include <limits>
 
-#include "changeover/search/control.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/run/random.hpp"
 #include "changeover/search/segment_swap.hpp"
 
 namespace changeover {
@@ -81,7 +81,7 @@ using AnnealWatch = std::function<bool(std::uint64_t moves, std::uint64_t missin
 /// are asked every anneal_moves_between_questions moves. O(moves · cost of a move).
 template <typename State>
 AnnealOutcome anneal(State& state, const AnnealSchedule& schedule, Random& random,
-                     SearchControl& control, const AnnealWatch& watch = {}) {
+                     RunControl& control, const AnnealWatch& watch = {}) {
   constexpr int halvings = 10;  // 1024 temperatures
   constexpr std::uint64_t levels = 1 << halvings;
   double ratio = schedule.cold / schedule.hot;

@@ -6,8 +6,8 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/search/base_block_shape.hpp"
-#include "changeover/search/control.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/run/random.hpp"
 
 namespace changeover {
 
@@ -30,6 +30,6 @@ struct BaseBlockAnnealing {
 [[nodiscard]] BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p,
                                                           const BaseBlockShape& shape,
                                                           std::uint64_t moves, Random& random,
-                                                          SearchControl& control);
+                                                          RunControl& control);
 
 }  // namespace changeover

@@ -18,7 +18,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/search/base_block_shape.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
@@ -36,6 +36,6 @@ struct SatOutcome {
 /// Cnf. Bound by: the solver.
 [[nodiscard]] SatOutcome base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape,
                                             bool tight, std::optional<std::uint64_t> conflicts,
-                                            SearchControl& control);
+                                            RunControl& control);
 
 }  // namespace changeover

@@ -1,6 +1,6 @@
 // Search for base blocks: circular designs with an imposed automorphism, as c blocks instead of cn.
 //
-//     SearchControl control({.time = std::chrono::seconds(60)});
+//     RunControl control({.time = std::chrono::seconds(60)});
 //     const BaseBlockResult result = search_base_blocks({.v = 26, .k = 4, .kind = Kind::circular},
 //                                                       {.tight = true}, control);
 //     if (result.found()) {
@@ -37,7 +37,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/core/recipe.hpp"
 #include "changeover/search/base_block_shape.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {
@@ -111,7 +111,7 @@ struct BaseBlockResult {
 /// options.conflicts for each shape.
 [[nodiscard]] BaseBlockResult search_base_blocks(const Parameters& p,
                                                  const BaseBlockOptions& options,
-                                                 SearchControl& control);
+                                                 RunControl& control);
 
 /// The recipe that stores base blocks: developed under π^shift, the residues renamed to match.
 /// @throws BadInput if shift is no unit of Z_n.

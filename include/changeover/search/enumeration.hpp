@@ -1,6 +1,6 @@
 // All designs with given parameters and number of blocks, each once up to the names of its elements.
 //
-//     SearchControl control({.threads = 2});
+//     RunControl control({.threads = 2});
 //     auto result = enumerate_designs({.v = 12, .k = 4, .change = 1}, 21, control,
 //                                     [](const Design& design) { … });
 //     result.forms;                     // 2554, if result.why is WhyStopped::exhausted
@@ -29,7 +29,7 @@
 //
 // Contract. Strength 2, v ≤ 64, b ≤ 4096. Every design passes verify() before it is handed out. Designs
 // come in an order that does not depend on the number of threads; so do all counts, unless a limit
-// stopped the search. Of several processes each takes the prefixes of its SearchShare: their counts add up.
+// stopped the search. Of several processes each takes the prefixes of its WorkShare: their counts add up.
 //
 // Bound by: exponential in b. Tight designs are easy up to v ≈ 13; every unit of excess costs a factor
 // of about 5 to 20.
@@ -43,7 +43,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
@@ -62,7 +62,7 @@ struct EnumerationRun {
 /// Hands out every standard form of a design with exactly b blocks, one at a time, never by two threads at
 /// once. Nothing is no error: zero forms. @throws ImpossibleParameters as check(), and if the strength
 /// is not 2 or v or b is too large; whatever `on_design` throws.
-EnumerationRun enumerate_designs(const Parameters& p, std::uint64_t b, SearchControl& control,
+EnumerationRun enumerate_designs(const Parameters& p, std::uint64_t b, RunControl& control,
                                  const std::function<void(const Design&)>& on_design = {});
 
 /// One class of designs that are the same.
@@ -98,6 +98,6 @@ struct Classification {
 /// memory does not grow with their number. @throws as enumerate_designs().
 [[nodiscard]] Classification classify_designs(const Parameters& p, std::uint64_t b,
                                               const ClassifyOptions& options,
-                                              SearchControl& control);
+                                              RunControl& control);
 
 }  // namespace changeover

@@ -1,6 +1,6 @@
 // Is there a change covering design with exactly b blocks? Found, or proved that there is none.
 //
-//     SearchControl control({.time = std::chrono::seconds(60)});
+//     RunControl control({.time = std::chrono::seconds(60)});
 //     Decision decision = decide({.v = 9, .k = 4, .change = 1}, 11, {.proof_directory = "proofs"}, control);
 //     decision.answer;                         // Answer::none
 //     decision.parts.front().proof_path;       // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
@@ -11,7 +11,7 @@
 // with another checker. docs/trust.md says what trust remains.
 //
 // With one thread and no share the formula is solved whole. With more, or if several processes share the
-// search (SearchControl::Settings::share), it is split into cubes; each has a formula and a proof of its own,
+// search (RunControl::Settings::share), it is split into cubes; each has a formula and a proof of its own,
 // and it is checked that the cubes leave nothing out. Every process makes the same cubes and takes every
 // share.of-th of them: there is none if all of them excluded their part (Answer::none_in_share).
 #pragma once
@@ -26,7 +26,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/proof/cubes.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/exact_encoding.hpp"
 
 namespace changeover {
@@ -86,7 +86,7 @@ struct Decision {
 /// MissingResource if a file cannot be written whole; InternalError if a design does not verify or a proof does
 /// not check. Bound by: the solver; checking takes about as long again.
 [[nodiscard]] Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,
-                              SearchControl& control);
+                              RunControl& control);
 
 /// The name of the files of a question, without folder and ending: "linear-m1-v9-k4-b11", with "-t3" before
 /// the number of blocks if the strength is 3.

@@ -22,8 +22,8 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/search/anneal.hpp"
-#include "changeover/search/control.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/run/random.hpp"
 #include "changeover/search/segment_orbits.hpp"
 
 namespace changeover {
@@ -58,7 +58,7 @@ struct ImposedOutcome {
 /// what was found fails verification. O(moves · segment · k).
 [[nodiscard]] ImposedOutcome search_imposed(const Parameters& p, const ImposedAutomorphism& pi,
                                             std::size_t base_blocks, const AnnealSchedule& schedule,
-                                            Random& random, SearchControl& control,
+                                            Random& random, RunControl& control,
                                             const AnnealWatch& watch = {});
 
 }  // namespace changeover

@@ -1,6 +1,6 @@
 // Better designs by local search, beyond the reach of exact methods.
 //
-//     SearchControl control({.time = std::chrono::seconds(60), .seed = 7});
+//     RunControl control({.time = std::chrono::seconds(60), .seed = 7});
 //     ImproveResult found = improve({.v = 100, .k = 10, .change = 2}, {}, control);
 //     found.design->block_count();          // 300 or fewer; the lower bound is 290
 //     found.how;                            // "3 base blocks under an automorphism of order 100 …"
@@ -20,7 +20,7 @@
 // An attempt first aims far below the best design, and nearer when it fails. The next one is that
 // which has cost least, weighted by how much it missed the last time, so that the budget goes where
 // the goal is near. Threads take attempts from one list. Of several processes, each begins at
-// another place of the list and with other random numbers (SearchShare).
+// another place of the list and with other random numbers (WorkShare).
 //
 // Strength 3 and 4 use blocks without symmetry only (segment_subsets.hpp). Bound by: the rate of
 // moves, about 15 million a second a core at (30,6).
@@ -33,7 +33,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
@@ -63,7 +63,7 @@ struct ImproveResult {
 /// BadInput if the start is not a valid design with these parameters, or for a checkpoint that is
 /// of other parameters or damaged; InternalError if a result fails verification.
 [[nodiscard]] ImproveResult improve(const Parameters& p, const ImproveOptions& options,
-                                    SearchControl& control);
+                                    RunControl& control);
 
 /// The linear design with fewest blocks that is cut from consecutive blocks of this one (circular,
 /// or linear itself) without blocks that are not needed. O(bk² + v²). For strength 2; other designs are

@@ -54,7 +54,7 @@ struct MinimaRange {
 /// calls on_row after each new row. Rows stay in the order of strength, m, kind, k and v.
 /// @throws as find_minimum() and plan_range().
 void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
-                 const MinimumOptions& options, SearchControl& control,
+                 const MinimumOptions& options, RunControl& control,
                  const std::function<void(const MinimaRow&)>& on_row);
 
 /// CSV with a line of names. Writing, reading and writing again gives the same bytes. @throws as

@@ -1,6 +1,6 @@
 // The least number of blocks: every smaller one excluded by a proof, and a design.
 //
-//     SearchControl control({.time = std::chrono::minutes(5)});
+//     RunControl control({.time = std::chrono::minutes(5)});
 //     MinimumResult result = find_minimum({.v = 10, .k = 4, .change = 1}, {}, control);
 //     result.settled();                     // true
 //     result.lower, result.upper();          // 15, 15: bounds on paper give 14, which a checked proof excludes
@@ -53,7 +53,7 @@ struct MinimumResult {
 /// Walks up to the minimum. `known` is a design with these parameters, from a construction say; it is verified.
 /// @throws as decide(), and BadInput if `known` is not a design with these parameters. Bound by: decide().
 [[nodiscard]] MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
-                                         SearchControl& control,
+                                         RunControl& control,
                                          const std::optional<Design>& known = std::nullopt);
 
 }  // namespace changeover

@@ -1,6 +1,6 @@
 // Orderings: given blocks, in which order do they change as wanted, or as little as possible.
 //
-//     SearchControl control({.time = std::chrono::seconds(10)});
+//     RunControl control({.time = std::chrono::seconds(10)});
 //     // The 12 blocks of a Steiner triple system on 9 points, consecutive ones sharing one point:
 //     const ChangeOrder order = order_for_change(triples, {.v = 9, .m = 2, .kind = Kind::circular},
 //                                                {}, control);
@@ -37,7 +37,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
@@ -79,7 +79,7 @@ struct ChangeOrder {
 [[nodiscard]] ChangeOrder order_for_change(std::span<const Block> blocks,
                                            const ChangeWanted& wanted,
                                            const ChangeOrderOptions& options,
-                                           SearchControl& control);
+                                           RunControl& control);
 
 /// What is to be least.
 struct LeastChangeWanted {
@@ -114,7 +114,7 @@ struct LeastChangeOrder {
 [[nodiscard]] LeastChangeOrder order_for_least_change(std::span<const Block> blocks,
                                                       const LeastChangeWanted& wanted,
                                                       const LeastChangeOptions& options,
-                                                      SearchControl& control);
+                                                      RunControl& control);
 
 /// What an order costs, counted from the blocks: elements introduced, from the last to the first block
 /// too if it is circular. @throws BadInput unless `order` is a permutation of the blocks. O(b + sizes).

@@ -14,7 +14,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 
 namespace changeover {
 

@@ -1,6 +1,6 @@
 // Lists of blocks that are not designs yet: repair them, or complete them.
 //
-//     SearchControl control({.time = std::chrono::seconds(10)});
+//     RunControl control({.time = std::chrono::seconds(10)});
 //     RepairResult mended = repair(list, {}, control);       // few blocks changed
 //     mended.kept;  mended.design->block_count();
 //
@@ -24,7 +24,7 @@
 #include <optional>
 
 #include "changeover/core/design.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
@@ -46,7 +46,7 @@ struct RepairResult {
 /// @throws ImpossibleParameters if there is no design with the list's parameters; BadInput if it
 /// has no block; InternalError if the result fails verification. Bound by: options.moves.
 [[nodiscard]] RepairResult repair(const Design& list, const RepairOptions& options,
-                                  SearchControl& control);
+                                  RunControl& control);
 
 struct ExtendOptions {
   std::optional<std::uint64_t> blocks =
@@ -67,6 +67,6 @@ struct ExtendResult {
 /// @throws BadInput if there is no block or a step is wrong, naming the first; ImpossibleParameters
 /// and InternalError as repair(). Bound by: the limits.
 [[nodiscard]] ExtendResult extend(const Design& beginning, const ExtendOptions& options,
-                                  SearchControl& control);
+                                  RunControl& control);
 
 }  // namespace changeover

@@ -16,7 +16,7 @@
 
 #include "changeover/proof/cubes.hpp"
 #include "changeover/search/cnf.hpp"
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
@@ -25,7 +25,7 @@ enum class SatAnswer : std::uint8_t { satisfiable, unsatisfiable, unknown };
 
 struct SatOptions {
   std::string proof_path = {};   ///< an existing file that the proof replaces; empty: no proof
-  SearchProgress progress = {};  ///< told while solving; its steps are the kilobytes of the proof
+  Progress progress = {};  ///< told while solving; its steps are the kilobytes of the proof
   /// After so many conflicts the solver gives up: a limit that does not depend on the machine.
   std::optional<std::uint32_t> conflicts = {};
 };
@@ -44,7 +44,7 @@ struct SatResult {
 /// @throws MissingResource if the proof cannot be written whole; InternalError if the solver lacks an option
 /// that proofs need; whatever the control's callback throws. Bound by: the solver; exponential at worst.
 [[nodiscard]] SatResult solve_sat(const Cnf& cnf, std::span<const Literal> assumptions,
-                                  const SatOptions& options, SearchControl& control);
+                                  const SatOptions& options, RunControl& control);
 
 /// Splits a formula into at most 2^depth cubes that leave nothing out: a binary tree whose inner nodes branch
 /// on one of the variables 1 … candidates, the one of which both values fix most others by unit

@@ -28,7 +28,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 #include "changeover/search/segment_swap.hpp"
 
 namespace changeover {

@@ -1,4 +1,4 @@
-#include "changeover/search/random.hpp"
+#include "changeover/run/random.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@ namespace {
 
 using std::chrono::seconds;
 
-TEST(SearchControl, RunsUntilItIsStopped) {
-  SearchControl control({});
+TEST(RunControl, RunsUntilItIsStopped) {
+  RunControl control({});
   EXPECT_FALSE(control.stop_wanted());
   EXPECT_EQ(control.why_stopped(), WhyStopped::running);
   control.stop(WhyStopped::found);
@@ -21,53 +21,53 @@ TEST(SearchControl, RunsUntilItIsStopped) {
   EXPECT_EQ(control.why_stopped(), WhyStopped::found);
 }
 
-TEST(SearchControl, StopsWhenTheTimeIsUp) {
-  SearchControl control({.time = seconds(0)});
+TEST(RunControl, StopsWhenTheTimeIsUp) {
+  RunControl control({.time = seconds(0)});
   EXPECT_TRUE(control.stop_wanted());
   EXPECT_EQ(control.why_stopped(), WhyStopped::time_limit);
   EXPECT_EQ(control.time_left()->count(), 0.0);
 }
 
-TEST(SearchControl, TakesALimitBeyondTheClockForNone) {
-  SearchControl control({.time = std::chrono::duration<double>(1e300)});
+TEST(RunControl, TakesALimitBeyondTheClockForNone) {
+  RunControl control({.time = std::chrono::duration<double>(1e300)});
   EXPECT_FALSE(control.stop_wanted());
   EXPECT_FALSE(control.time_left().has_value());
 }
 
-TEST(SearchControl, StopsWhenTheUserSaysSo) {
+TEST(RunControl, StopsWhenTheUserSaysSo) {
   std::atomic<bool> interrupted = false;
-  SearchControl control({.interrupted = &interrupted});
+  RunControl control({.interrupted = &interrupted});
   EXPECT_FALSE(control.stop_wanted());
   interrupted = true;
   EXPECT_TRUE(control.stop_wanted());
   EXPECT_EQ(control.why_stopped(), WhyStopped::interrupted);
 }
 
-TEST(SearchControl, StopsWhenAnotherProcessFoundIt) {
-  SearchControl control({.found_elsewhere = [] { return true; }});
+TEST(RunControl, StopsWhenAnotherProcessFoundIt) {
+  RunControl control({.found_elsewhere = [] { return true; }});
   EXPECT_TRUE(control.stop_wanted());
   EXPECT_EQ(control.why_stopped(), WhyStopped::elsewhere);
 }
 
-TEST(SearchControl, EndsAPhaseWithoutEndingTheWhole) {
-  SearchControl whole({});
-  SearchControl phase(whole, seconds(0));
+TEST(RunControl, EndsAPhaseWithoutEndingTheWhole) {
+  RunControl whole({});
+  RunControl phase(whole, seconds(0));
   EXPECT_TRUE(phase.stop_wanted());
   EXPECT_EQ(phase.why_stopped(), WhyStopped::time_limit);
   EXPECT_FALSE(whole.stop_wanted());
-  SearchControl next(whole, seconds(1000));
+  RunControl next(whole, seconds(1000));
   EXPECT_FALSE(next.stop_wanted());
   whole.stop(WhyStopped::interrupted);
   EXPECT_TRUE(next.stop_wanted());
   EXPECT_EQ(next.why_stopped(), WhyStopped::interrupted);
 }
 
-TEST(SearchControl, TellsFromOneThreadAtATime) {
+TEST(RunControl, TellsFromOneThreadAtATime) {
   std::atomic<int> inside = 0;
   std::atomic<int> told = 0;
   std::atomic<bool> overlapped = false;
-  SearchControl control({.on_progress =
-                             [&](const SearchProgress& progress) {
+  RunControl control({.on_progress =
+                             [&](const Progress& progress) {
                                overlapped = overlapped || ++inside > 1;
                                EXPECT_GE(progress.elapsed.count(), 0.0);
                                ++told;

@@ -1,20 +1,24 @@
-#include "changeover/search/control.hpp"
+#include "changeover/run/control.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "changeover/core/error.hpp"
 
 namespace changeover {
 namespace {
 
 constexpr std::chrono::milliseconds question_interval{20};
 
-SearchControl::Clock::duration ticks(std::chrono::duration<double> time) {
-  return std::chrono::duration_cast<SearchControl::Clock::duration>(time);
+RunControl::Clock::duration ticks(std::chrono::duration<double> time) {
+  return std::chrono::duration_cast<RunControl::Clock::duration>(time);
 }
 
 // A limit so far away that the clock cannot hold it is none.
-std::optional<SearchControl::Clock::time_point> end_after(
-    SearchControl::Clock::time_point begin, std::optional<std::chrono::duration<double>> time) {
+std::optional<RunControl::Clock::time_point> end_after(
+    RunControl::Clock::time_point begin, std::optional<std::chrono::duration<double>> time) {
   constexpr std::chrono::duration<double> forever = std::chrono::hours(24 * 365 * 50);
   if (!time || !(*time < forever)) {
     return std::nullopt;
@@ -40,19 +44,37 @@ std::string_view to_string(WhyStopped why) {
       return "interrupted";
     case WhyStopped::elsewhere:
       return "found elsewhere";
+    case WhyStopped::fault:
+      return "a fault";
   }
   return "";
 }
 
-SearchControl::SearchControl(Settings settings)
+RunControl::RunControl(Settings settings)
     : settings_(std::move(settings)), end_(end_after(begin_, settings_.time)) {}
 
-SearchControl::SearchControl(SearchControl& parent, std::chrono::duration<double> time)
+RunControl::RunControl(RunControl& parent, std::chrono::duration<double> time)
     : settings_(parent.settings_), parent_(&parent), end_(end_after(begin_, time)) {
   settings_.time = time;
 }
 
-bool SearchControl::stop_wanted() {
+RunControl::RunControl(RunControl& parent, unsigned threads)
+    : settings_(parent.settings_), parent_(&parent), quiet_(true) {
+  settings_.threads = threads;
+}
+
+void RunControl::require_memory(std::uint64_t bytes, std::string_view what) const {
+  const auto limit = settings_.memory_bytes;
+  if (limit && bytes > *limit) {
+    constexpr double giga = 1e9;
+    throw MissingResource(
+        fmt::format("{} would take about {:.1f} GB of memory, more than the {:.1f} GB allowed; "
+                    "allow more, or ask for something smaller",
+                    what, static_cast<double>(bytes) / giga, static_cast<double>(*limit) / giga));
+  }
+}
+
+bool RunControl::stop_wanted() {
   if (why_stopped() != WhyStopped::running) {
     return true;
   }
@@ -87,12 +109,12 @@ bool SearchControl::stop_wanted() {
   return false;
 }
 
-void SearchControl::stop(WhyStopped why) {
+void RunControl::stop(WhyStopped why) {
   WhyStopped running = WhyStopped::running;
   why_.compare_exchange_strong(running, why);
 }
 
-std::optional<std::chrono::duration<double>> SearchControl::time_left() const {
+std::optional<std::chrono::duration<double>> RunControl::time_left() const {
   std::optional<std::chrono::duration<double>> left;
   if (end_) {
     left = std::max<std::chrono::duration<double>>(*end_ - Clock::now(),
@@ -107,7 +129,10 @@ std::optional<std::chrono::duration<double>> SearchControl::time_left() const {
   return left;
 }
 
-bool SearchControl::progress_due() const {
+bool RunControl::progress_due() const {
+  if (quiet_) {
+    return false;
+  }
   if (parent_ != nullptr) {
     return parent_->progress_due();
   }
@@ -115,7 +140,10 @@ bool SearchControl::progress_due() const {
          Clock::now().time_since_epoch().count() >= next_progress_.load(std::memory_order_relaxed);
 }
 
-void SearchControl::tell(SearchProgress progress, bool now) {
+void RunControl::tell(Progress progress, bool now) {
+  if (quiet_) {
+    return;
+  }
   if (parent_ != nullptr) {
     parent_->tell(std::move(progress), now);
     return;

@@ -1,13 +1,14 @@
-// When a search stops, and whom it tells how far it is.
+// When long work stops, how much memory it may take, and whom it tells how far it is.
 //
-//     SearchControl control({.time = std::chrono::seconds(60), .threads = 2, .seed = 7,
-//                            .on_progress = [](const SearchProgress& p) { … }});
+//     RunControl control({.time = std::chrono::seconds(60), .threads = 2, .seed = 7,
+//                         .on_progress = [](const Progress& p) { … }});
 //     auto result = anneal(p, options, control);
 //     control.why_stopped();                 // e.g. WhyStopped::time_limit
 //
 // One control is shared by all threads of a search. The inner loop asks stop_wanted() every few thousand
 // steps; a call costs a relaxed load and a look at the clock. Searches never print and never install
-// signal handlers: whoever owns Ctrl-C sets the flag that `interrupted` points to.
+// signal handlers: whoever owns Ctrl-C sets the flag that `interrupted` points to. Work that is deep below
+// a search, or has no search above it, listens through run/scope.hpp; threads come from run/threads.hpp.
 //
 // With threads = 1 a search is deterministic in its seed as long as no clock stops it.
 #pragma once
@@ -32,13 +33,14 @@ enum class WhyStopped : std::uint8_t {
   step_limit,   ///< the number of steps that was allowed was used up
   interrupted,  ///< the user said stop
   elsewhere,    ///< another process that searches for the same found it
+  fault,        ///< a thread of it threw; the exception arrives where the work was called
 };
 
 /// "time limit", …
 [[nodiscard]] std::string_view to_string(WhyStopped why);
 
-/// What a running search tells.
-struct SearchProgress {
+/// What running work tells.
+struct Progress {
   std::string phase;                       ///< what it is doing, e.g. "annealing with 40 blocks"
   std::uint64_t steps = 0;                 ///< done so far, over all threads
   std::string_view unit = "moves";         ///< what a step is
@@ -52,37 +54,42 @@ struct SearchProgress {
 };
 
 /// The part of a search that this process takes when several share it: every `of`-th, from `index`.
-struct SearchShare {
+struct WorkShare {
   std::uint64_t index = 0;
   std::uint64_t of = 1;
 };
 
-class SearchControl {
+class RunControl {
  public:
   using Clock = std::chrono::steady_clock;
 
   struct Settings {
     std::optional<std::chrono::duration<double>> time = {};  ///< nothing: no limit
+    std::optional<std::uint64_t> memory_bytes = {};  ///< for one table or formula; nothing: no limit
     unsigned threads = 1;
     std::uint64_t seed = 1;
-    SearchShare share = {};                          ///< of several processes
+    WorkShare share = {};                          ///< of several processes
     const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler
     std::function<bool()> found_elsewhere =
         {};  ///< asked now and then, never by two threads at once
-    std::function<void(const SearchProgress&)> on_progress =
+    std::function<void(const Progress&)> on_progress =
         {};  ///< never called by two threads at once
     std::chrono::duration<double> progress_interval{0.5};
   };
 
   /// The clock of the time limit starts now.
-  explicit SearchControl(Settings settings);
+  explicit RunControl(Settings settings);
 
   /// A control for one phase of a longer search: it stops with its parent, or after `time`. It shares the
   /// parent's settings and callback, and stopping it does not stop the parent.
-  SearchControl(SearchControl& parent, std::chrono::duration<double> time);
+  RunControl(RunControl& parent, std::chrono::duration<double> time);
 
-  SearchControl(const SearchControl&) = delete;
-  SearchControl& operator=(const SearchControl&) = delete;
+  /// The same without a time of its own, for `threads` threads, telling nobody: one of several attempts that
+  /// run side by side.
+  RunControl(RunControl& parent, unsigned threads);
+
+  RunControl(const RunControl&) = delete;
+  RunControl& operator=(const RunControl&) = delete;
 
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] unsigned threads() const { return settings_.threads == 0 ? 1 : settings_.threads; }
@@ -90,6 +97,10 @@ class SearchControl {
 
   /// Whether to stop now. Thread-safe; call it every 10 to 100 microseconds at most.
   [[nodiscard]] bool stop_wanted();
+
+  /// Checks that a table, a formula, … of so many bytes may be made. `what` names it for the message, as in
+  /// "the formula of DCCD(60,5)". @throws MissingResource with one line if it is more than memory_bytes.
+  void require_memory(std::uint64_t bytes, std::string_view what) const;
 
   /// Stops the search for this reason, unless it was stopped before. Thread-safe.
   void stop(WhyStopped why);
@@ -105,11 +116,12 @@ class SearchControl {
   [[nodiscard]] bool progress_due() const;
 
   /// Calls the callback if it is due, or if `now`. Thread-safe.
-  void tell(SearchProgress progress, bool now = false);
+  void tell(Progress progress, bool now = false);
 
  private:
   Settings settings_;
-  SearchControl* parent_ = nullptr;
+  RunControl* parent_ = nullptr;
+  bool quiet_ = false;
   Clock::time_point begin_ = Clock::now();
   std::optional<Clock::time_point> end_;
   std::atomic<WhyStopped> why_{WhyStopped::running};
