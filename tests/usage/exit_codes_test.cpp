@@ -234,8 +234,7 @@ TEST(Output, HasNoColourUnlessATerminalAsksForIt) {
   }
   const std::string script = "TERM=xterm script -qec \"$changeover design 7 3\" /dev/null";
   EXPECT_NE(run("unset NO_COLOR; " + script, folder.path()).out.find('\x1b'), std::string::npos);
-  EXPECT_EQ(run("export NO_COLOR=1; " + script, folder.path()).out.find('\x1b'),
-            std::string::npos);
+  EXPECT_EQ(run("export NO_COLOR=1; " + script, folder.path()).out.find('\x1b'), std::string::npos);
 }
 
 TEST(Completion, IsAScriptThatBashReadsAndThatKnowsTheVerbs) {
