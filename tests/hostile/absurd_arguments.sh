@@ -102,7 +102,7 @@ named() {
 attack() { # the verb and its words
   local name text changed=no now
   attacks=$((attacks + 1))
-  if [[ "$* " == *" --time 200ms "* || " $* " != *' --time '* ]]; then
+  if [[ "$* " == *" --time 100ms "* || " $* " != *' --time '* ]]; then
     run 10 "$CHANGEOVER" "$@"
   else # It may have been given much time, so it is asked to stop.
     { timeout --preserve-status -s INT -k 8 2 "$CHANGEOVER" "$@" >"$out" 2>"$err" </dev/null; } 2>/dev/null
@@ -194,7 +194,7 @@ for verb in "${verbs[@]}"; do
     for option in ${options[$verb]}; do
       [[ $option != --help && $option != -h ]] || continue
       brief=("${limits[@]}")
-      [[ $option == --time ]] || ! has_option "$verb" --time || [[ $verb == minima ]] || brief+=(--time 200ms)
+      [[ $option == --time ]] || ! has_option "$verb" --time || [[ $verb == minima ]] || brief+=(--time 100ms)
       if [[ ${kinds[$verb $option]} == flag ]]; then
         ! due || attack "$verb" "${words[@]}" "$option" "${brief[@]}"
         continue
@@ -204,7 +204,7 @@ for verb in "${verbs[@]}"; do
       done
     done
     brief=("${limits[@]}")
-    ! has_option "$verb" --time || [[ $verb == minima ]] || brief+=(--time 200ms)
+    ! has_option "$verb" --time || [[ $verb == minima ]] || brief+=(--time 100ms)
     # Each word of the command line replaced, and one word more.
     for ((i = 0; i <= ${#words[@]}; ++i)); do
       for value in "${values[@]}"; do

@@ -76,8 +76,16 @@ inputs() {
   printf '# changeover design v=24 k=4 change=2 kind=linear\n0 1 2 3\n0 1 4 5\n' >part.txt
 }
 
+# The quick round takes every other command.
+turn=$((RANDOM % 2))
+due() {
+  turn=$((turn + 1))
+  ((rounds > 1 || turn % 2 == 0))
+}
+
 # A limit on the size of files, for anybody.
 for command in "${writers[@]}"; do
+  due || continue
   attacks=$((attacks + 1))
   cp "$scratch/tools/old" old
   start 1 "$command -o old"
@@ -90,6 +98,7 @@ for command in "${writers[@]}"; do
 done
 inputs
 for command in "${searches[@]}"; do
+  due || continue
   attacks=$((attacks + 1))
   cp "$scratch/tools/old" old
   start 1 "$command -o old"
@@ -107,7 +116,7 @@ await
 documented "$code" || fault "ulimit -f 1; changeover search 41 6 --checkpoint state: exit code $code ${said:0:200}"
 delivered || fault "ulimit -f 1; changeover search 41 6 --checkpoint state: the design was lost"
 nothing_left "ulimit -f 1; changeover search 41 6 --checkpoint state" .
-start 1 'search 10 4 -m 1 --exact --proof proofs --time 5s --format text'
+start 1 'search 10 4 -m 1 --exact --proof proofs --time 3s --format text'
 await
 refused "ulimit -f 1; changeover search 10 4 -m 1 --exact --proof proofs"
 nothing_left "ulimit -f 1; changeover search --exact --proof proofs" .
@@ -134,7 +143,7 @@ fresh_disk() {
 
 for command in "${writers[@]}"; do
   for left in 0 4096; do
-    ((rounds > 1)) || [[ $left == 0 || $command == design* ]] || continue
+    ((rounds > 1)) || { [[ $left == 0 ]] && due; } || continue
     attacks=$((attacks + 1))
     fresh_disk
     fill $left
@@ -154,7 +163,7 @@ for ((round = 0; round < rounds; ++round)); do
   for command in "${searches[@]}"; do
     # Full at once and from the middle on; the folder taken away.
     for how in full fills vanishes; do
-      ((rounds > 1)) || [[ $how == fills || $command == 'search 41'* ]] || continue
+      due || continue
       attacks=$((attacks + 1))
       fresh_disk
       mkdir "$disk/folder"
@@ -186,11 +195,11 @@ for ((round = 0; round < rounds; ++round)); do
     attacks=$((attacks + 1))
     fresh_disk
     [[ $how != full ]] || fill 0
-    start unlimited 'search 41 6 --time 2s --checkpoint disk/state --format text -o x.txt'
+    start unlimited 'search 41 6 --time 1s --checkpoint disk/state --format text -o x.txt'
     sleep 0.5
     [[ $how != fills ]] || fill 0
     await
-    tried="changeover search 41 6 --time 2s --checkpoint disk/state -o x.txt, the disk $how"
+    tried="changeover search 41 6 --time 1s --checkpoint disk/state -o x.txt, the disk $how"
     documented "$code" || fault "$tried: exit code $code"
     # Refused before it began, or the result is there.
     [[ $how == full && $code == 4 && $said == changeover:\ * ]] || whole_design x.txt ||
@@ -209,7 +218,7 @@ for ((round = 0; round < rounds; ++round)); do
       usual_tmpdir=$TMPDIR
       option='--proof disk/proofs'
       [[ $place != tmp ]] || { option=; TMPDIR=$disk; }
-      start unlimited "search 11 4 -m 1 --exact --time 2s $option --format text -o x.txt"
+      start unlimited "search 11 4 -m 1 --exact --time 1s $option --format text -o x.txt"
       sleep 0.4
       [[ $how != fills ]] || fill 0
       await

@@ -3,7 +3,7 @@
 # code in time, one clean line, no file changed but what was named. A checkpoint with a right checksum and
 # wrong contents is either refused or leads to a design that is verified.
 #
-# A round is a few hundred files.
+# A round is some 250 attacks.
 # shellcheck source=support/attack.sh
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
@@ -78,7 +78,7 @@ planners=(
 turn=0
 for ((round = 0; round < rounds; ++round)); do
   for origin in "${designs[@]}"; do
-    mutated 24 "$origin"
+    mutated 12 "$origin"
     for file in "$mutants"/*; do
       # Searches cost more than readings, so each file meets some verbs only.
       for ((i = 0; i < 2; ++i)); do
@@ -97,13 +97,13 @@ for ((round = 0; round < rounds; ++round)); do
   for entry in "${planners[@]}"; do
     origin=${entry%%|*}
     read -r -a words <<<"${entry#*|}"
-    mutated 10 "$origin"
+    mutated 6 "$origin"
     for file in "$mutants"/*; do
       attack "$file" "${words[@]}"
     done
   done
   origin=state
-  mutated 40 state checkpoint
+  mutated 20 state checkpoint
   for file in "$mutants"/*; do
     cp "$file" before
     rm -f x.txt
@@ -116,7 +116,7 @@ for ((round = 0; round < rounds; ++round)); do
   done
   rm -f before x.txt
   origin=minima.csv
-  mutated 20 minima.csv
+  mutated 10 minima.csv
   for file in "$mutants"/*; do
     attack "$file" minima --data @ --v 4
   done
