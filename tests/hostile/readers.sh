@@ -107,7 +107,7 @@ for ((round = 0; round < rounds; ++round)); do
   for file in "$mutants"/*; do
     cp "$file" before
     rm -f x.txt
-    attack "$file" search 24 5 --checkpoint @ --time 50ms --quiet --format text -o x.txt
+    attack "$file" search 24 5 --checkpoint @ --time 150ms --quiet --format text -o x.txt
     if [[ $code == 3 ]]; then
       cmp -s before "$file" || fault "search --checkpoint, mutant ${file##*/} of seed $seed: refused, but changed"
     elif [[ $code == 10 || $code == 30 ]]; then
