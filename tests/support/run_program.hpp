@@ -53,6 +53,12 @@ inline void spit(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
 }
 
+/// A bare machine may have no /dev/full; whoever writes to it there makes a file of that name.
+inline bool has_full_device() {
+  std::error_code ignored;
+  return std::filesystem::is_character_file("/dev/full", ignored);
+}
+
 /// Runs `command` with bash; $changeover and $checkdesign are the programs. Its folder is `folder`.
 inline Outcome run(const std::string& command, const std::filesystem::path& folder) {
   const TemporaryFolder streams;

@@ -186,6 +186,9 @@ TEST(ExitCodes, AreThoseOfTheTable) {
   const TemporaryFolder folder;
   prepare(folder);
   for (const Case& each : cases()) {
+    if (each.command.find("/dev/full") != std::string::npos && !has_full_device()) {
+      continue;
+    }
     const Outcome outcome = run(each.command, folder.path());
     EXPECT_EQ(outcome.code, each.code) << each.command << "\n"
                                        << outcome.out.substr(0, 500) << outcome.err;
@@ -249,12 +252,13 @@ TEST(Output, EndsQuietlyWhenItsReaderDoes) {
 TEST(Output, HasNoColourUnlessATerminalAsksForIt) {
   const TemporaryFolder folder;
   EXPECT_EQ(run("$changeover design 7 3", folder.path()).out.find('\x1b'), std::string::npos);
-  const std::string script = "script -qec \"$changeover design 7 3\" /dev/null";
-  if (run("command -v script", folder.path()).code == 0) {
-    EXPECT_NE(run("unset NO_COLOR; " + script, folder.path()).out.find('\x1b'), std::string::npos);
-    EXPECT_EQ(run("export NO_COLOR=1; " + script, folder.path()).out.find('\x1b'),
-              std::string::npos);
+  // A machine without devpts, such as a bare root folder, opens no pseudo-terminal.
+  if (run("script -qec true /dev/null", folder.path()).code != 0) {
+    GTEST_SKIP() << "script (util-linux) is missing or cannot open a pseudo-terminal here";
   }
+  const std::string script = "TERM=xterm script -qec \"$changeover design 7 3\" /dev/null";
+  EXPECT_NE(run("unset NO_COLOR; " + script, folder.path()).out.find('\x1b'), std::string::npos);
+  EXPECT_EQ(run("export NO_COLOR=1; " + script, folder.path()).out.find('\x1b'), std::string::npos);
 }
 
 TEST(Completion, IsAScriptThatBashReadsAndThatKnowsTheVerbs) {

@@ -145,6 +145,9 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 9 --room 4 --time soon", 2, "duration"},
            {"--items 9 --room 4 -o no/such/folder/x", 4, "no/such/folder/x"},
            {"--items 999999 --room 100000 -o /dev/full", 4, "/dev/full"}}) {
+    if (each.command.find("/dev/full") != std::string::npos && !has_full_device()) {
+      continue;
+    }
     const Outcome outcome = run("$changeover loadorder " + each.command, folder.path());
     EXPECT_EQ(outcome.code, each.code) << each.command << "\n" << outcome.err;
     const std::string& said = each.code == 0 ? outcome.out : outcome.err;
@@ -162,8 +165,9 @@ const std::string mpirun =
     "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
     "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun ";
 
+// Installed, and able to start processes: it needs a network of its own and more.
 bool have_mpirun(const TemporaryFolder& folder) {
-  return run("command -v mpirun", folder.path()).code == 0;
+  return run(mpirun + "-n 4 true", folder.path()).code == 0;
 }
 
 // The lines that are not mpirun's.
@@ -223,7 +227,7 @@ TEST(AllPairsExample, SaysInOneLineWhatIsWrong) {
 TEST(AllPairsExample, FourProcessesHaveTheBytesOfOne) {
   const TemporaryFolder folder;
   if (!have_mpirun(folder)) {
-    GTEST_SKIP() << "mpirun is not installed";
+    GTEST_SKIP() << "mpirun is not installed, or starts nothing here";
   }
   const std::string job = "$all_pairs run v 300 --chunk 3 --memory 48K ";
   ASSERT_EQ(run_example("$all_pairs make v 60 300; " + job, folder).code, 0);
@@ -287,7 +291,7 @@ TEST(AllPairsExample, AProcessThatIsRefusedKeepsAllOthersFromWriting) {
 TEST(AllPairsExample, OneProcessThatFailsEndsAllWithOneLine) {
   const TemporaryFolder folder;
   if (!have_mpirun(folder)) {
-    GTEST_SKIP() << "mpirun is not installed";
+    GTEST_SKIP() << "mpirun is not installed, or starts nothing here";
   }
   ASSERT_EQ(run_example("$all_pairs make v 60 300; mkdir job.2", folder).code, 0);
   for (const auto& [command, code, says] : std::vector<std::tuple<std::string, int, std::string>>{
