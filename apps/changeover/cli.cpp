@@ -11,6 +11,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
+#include "changeover/io/design_input.hpp"
 #include "changeover/io/output_file.hpp"
 #include "changeover/core/printable.hpp"
 #include "changeover/run/scope.hpp"
@@ -293,7 +294,8 @@ int Program::run(int argc, char** argv) {
   } catch (const ImpossibleParameters& fault) {
     return complain(exit_code::usage, fault.what());
   } catch (const BadReadOption& fault) {  // the command line said so, not the file
-    return complain(exit_code::usage, fault.what());
+    return complain(exit_code::usage, std::string(fault.what()) + "; see changeover " +
+                                          chosen().get_name() + " --help");
   } catch (const BadInput& fault) {
     return complain(exit_code::bad_input, fault.what());
   } catch (const ReaderGone&) {

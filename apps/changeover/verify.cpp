@@ -142,17 +142,8 @@ void add_elements(const Verdict& verdict, const Labels& labels, std::string& tex
   }
 }
 
-// What only the options say wrong is no fault of the file.
-std::unique_ptr<DesignInput> open(const VerifyRequest& request) {
-  try {
-    return open_design(request.path, read_options(request));
-  } catch (const BadReadOption& fault) {
-    throw UsageError{fault.what()};
-  }
-}
-
 int run(const VerifyRequest& request) {
-  const auto input = open(request);
+  const auto input = open_design(request.path, read_options(request));
   const Verdict verdict = verify(*input, {.unchanged = true});
   const Judgement judgement = judge(verdict);
   const Labels& labels = input->labels();
