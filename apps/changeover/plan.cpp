@@ -6,6 +6,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/plan/sheet_formats.hpp"
 #include "changeover/plan/what_if.hpp"
+#include "input_files.hpp"
 #include "request.hpp"
 #include "run_request.hpp"
 #include "terminal.hpp"
@@ -93,8 +94,31 @@ Job parts_of(const PlanRequest& request) {
                       list.names[i])};
     }
   }
+  if (list.names.size() < 2) {
+    throw BadInput(fmt::format("{}: one part is listed; a pair needs two", input->name()));
+  }
   job.names = std::move(list.names);
   return job;
+}
+
+// The set-ups that were done.
+std::vector<Block> done_before(const PlanRequest& request, const Job& job) {
+  if (request.done.empty()) {
+    if (request.done_first) {
+      throw UsageError{"--done-first needs --done FILE"};
+    }
+    return {};
+  }
+  const auto input = open_input(request.done);
+  std::vector<Block> done = read_setups(*input, job.names, job.at_once);
+  if (request.done_first) {
+    if (*request.done_first > done.size()) {
+      throw UsageError{fmt::format("--done-first {}: {} has {}", *request.done_first, input->name(),
+                                   count_of(done.size(), "set-up"))};
+    }
+    done.resize(static_cast<std::size_t>(*request.done_first));
+  }
+  return done;
 }
 
 Job job_of(const PlanRequest& request) {
@@ -104,7 +128,11 @@ Job job_of(const PlanRequest& request) {
     job.needed = all_pairs_but(job.never);
   }
   if (!request.pairs.empty()) {
-    job.needed = read_pairs(*open_input(request.pairs), job.names);
+    const auto input = open_input(request.pairs);
+    job.needed = read_pairs(*input, job.names);
+    if (job.needed.size() == 0) {
+      throw BadInput(fmt::format("{}: no pair is listed; write A,B, a pair a line", input->name()));
+    }
   }
   const auto parts = [&](const std::string& option, const std::string& text) {
     return text.empty() ? Block{}
@@ -113,20 +141,11 @@ Job job_of(const PlanRequest& request) {
   job.mounted = parts("--mounted", request.mounted);
   job.start = parts("--start", request.start);
   check(job);
-  if (!request.done.empty()) {
-    std::vector<Block> done = read_setups(*open_input(request.done), job.names);
-    if (request.done_first && *request.done_first < done.size()) {
-      done.resize(static_cast<std::size_t>(*request.done_first));
-    }
-    mark_done(job, done);
-  } else if (request.done_first) {
-    throw UsageError{"--done-first needs --done FILE"};
-  }
+  mark_done(job, done_before(request, job));
   return job;
 }
 
-std::string plan_text(const SheetDocument& document, const std::string& format,
-                      const OutputFile& out) {
+std::string plan_text(const SheetDocument& document, const std::string& format, std::size_t width) {
   if (format == "csv") {
     return sheet_as_csv(document);
   }
@@ -136,7 +155,7 @@ std::string plan_text(const SheetDocument& document, const std::string& format,
   if (format == "markdown") {
     return sheet_as_markdown(document);
   }
-  return format == "html" ? sheet_as_html(document) : sheet_as_table(document, terminal_width(out));
+  return format == "html" ? sheet_as_html(document) : sheet_as_table(document, width);
 }
 
 std::string what_if_text(const Job& job, const WhatIf& answer, const std::string& format) {
@@ -154,29 +173,39 @@ int run(const PlanRequest& request) {
   if (request.what_if && format == "html") {
     throw UsageError{"--what-if is written as table, csv, json or markdown"};
   }
-  const Job job = job_of(request);
+  if (const auto defect = text_defect(request.title)) {
+    throw UsageError{"--title: " + *defect};
+  }
+  refuse_to_overwrite_inputs(request.output.path, {{"the parts list", request.parts},
+                                                   {"--pairs", request.pairs},
+                                                   {"--never", request.never},
+                                                   {"--done", request.done}});
   PlanOptions options;
   options.steps = request.steps.value_or(0);
   options.budget = amount("--budget", request.budget);
   // A time that was asked for is used; otherwise as many moves as suit, so that answers repeat.
   options.until_stopped = !request.run.time.empty() && !request.steps && !request.what_if;
-  OutputFile out(
-      request.output.path);  // before the search: nothing is lost if it cannot be written
+  const Job job = job_of(request);
+  const std::size_t width = terminal_width(OutputFile(request.output.path));
+  // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
   Running running(request.run, request.output);
   const RunPlan plan = make_run_plan(job, options, running.control());
   std::string text;
+  std::optional<std::string> shortage = plan.shortage;
   if (request.what_if) {
     const WhatIf answer = what_if(job, plan, options, running.control());
-    running.finish_progress();
+    shortage = answer.shortage;
     text = what_if_text(job, answer, format);
   } else {
-    running.finish_progress();
     SheetDocument document{.job = &job, .plan = &plan, .budget = options.budget};
     document.title = request.title.empty() ? document.title : request.title;
-    text = plan_text(document, format, out);
+    text = plan_text(document, format, width);
   }
-  out.write(text);
-  out.commit();
+  running.finish_progress();
+  deliver(text, request.output.path);
+  if (shortage) {
+    throw MissingResource("the plan may not be the best that could be found: " + *shortage);
+  }
   return exit_code::done;
 }
 

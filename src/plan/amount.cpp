@@ -6,8 +6,8 @@
 #include <limits>
 #include <string>
 
-#include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "io/place.hpp"
 
 namespace changeover {
 namespace {
@@ -15,10 +15,12 @@ namespace {
 constexpr std::uint64_t unit = 1'000'000;
 constexpr unsigned most_decimals = 6;
 constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+constexpr std::uint64_t too_many = std::numeric_limits<std::uint64_t>::max();
 
 Amount in_range(std::uint64_t millionths) {
   if (millionths > largest) {
-    throw ImpossibleParameters("these costs are too large: a total exceeds 9.2e12");
+    throw ImpossibleParameters(
+        "these costs are too large: a total exceeds 9.2e12; use a larger unit");
   }
   return {millionths};
 }
@@ -27,10 +29,16 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 
-Amount operator+(Amount a, Amount b) { return in_range(checked_add(a.millionths, b.millionths)); }
+Amount operator+(Amount a, Amount b) {
+  std::uint64_t sum = 0;
+  const bool wrapped = __builtin_add_overflow(a.millionths, b.millionths, &sum);
+  return in_range(wrapped ? too_many : sum);
+}
 
 Amount operator*(Amount a, std::uint64_t times) {
-  return in_range(checked_multiply(a.millionths, times));
+  std::uint64_t product = 0;
+  const bool wrapped = __builtin_mul_overflow(a.millionths, times, &product);
+  return in_range(wrapped ? too_many : product);
 }
 
 Amount operator-(Amount a, Amount b) {
@@ -41,31 +49,33 @@ Amount operator-(Amount a, Amount b) {
 }
 
 Amount parse_amount(std::string_view text) {
-  const std::string shown(text.substr(0, 40));
+  const std::string shown = io_detail::shown(text);
   if (text.starts_with('-')) {
-    throw BadInput(fmt::format("the cost '{}' is negative; give 0 or more", shown));
+    throw BadInput(fmt::format("the cost {} is negative; give 0 or more", shown));
   }
   const std::size_t point = std::min(text.find('.'), text.size());
   const std::string_view whole = text.substr(0, point);
   const std::string_view decimals = point < text.size() ? text.substr(point + 1) : "";
   if (whole.size() + decimals.size() == 0 || !std::all_of(whole.begin(), whole.end(), is_digit) ||
       !std::all_of(decimals.begin(), decimals.end(), is_digit)) {
-    throw BadInput(fmt::format("'{}' is not a cost; write it as 12 or 12.50", shown));
+    throw BadInput(fmt::format("{} is not a cost; write it as 12 or 12.50", shown));
   }
   if (decimals.size() > most_decimals) {
-    throw BadInput(fmt::format("the cost '{}' has more than six decimals; round it", shown));
+    throw BadInput(fmt::format("the cost {} has more than six decimals; round it", shown));
   }
-  std::uint64_t millionths = 0;
+  std::uint64_t units = 0;
   for (const char c : whole) {
-    millionths =
-        in_range(checked_add(checked_multiply(millionths, 10), static_cast<std::uint64_t>(c - '0')))
-            .millionths;
+    units = 10 * units + static_cast<std::uint64_t>(c - '0');
+    if (units > largest / unit) {
+      throw ImpossibleParameters(fmt::format(
+          "the cost {} is too large; a total can be 9.2e12, so use a larger unit", shown));
+    }
   }
-  millionths = in_range(checked_multiply(millionths, unit)).millionths;
+  std::uint64_t millionths = units * unit;
   std::uint64_t weight = unit;
   for (const char c : decimals) {
     weight /= 10;
-    millionths = checked_add(millionths, static_cast<std::uint64_t>(c - '0') * weight);
+    millionths += static_cast<std::uint64_t>(c - '0') * weight;
   }
   return in_range(millionths);
 }

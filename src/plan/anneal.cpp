@@ -33,11 +33,17 @@ class Annealer {
   Annealed run(RunControl& control) {
     record();
     constexpr std::uint64_t batch = 1024;
-    for (std::uint64_t step = 0; step < options_.steps; ++step) {
+    // A move on a long list of large set-ups takes as long as thousands on a short one.
+    constexpr std::uint64_t work = 1'000'000;
+    const std::uint64_t room = s_->job().room();
+    const std::uint64_t work_a_move = 1 + s_->size() + room * room;
+    const std::uint64_t look = std::clamp<std::uint64_t>(work / work_a_move, 1, batch);
+    std::uint64_t step = 0;
+    for (; step < options_.steps; ++step) {
+      if ((step % batch) % look == 0 && control.stop_wanted()) {
+        break;
+      }
       if (step % batch == 0) {
-        if (control.stop_wanted()) {
-          break;
-        }
         const double left = 1.0 - static_cast<double>(step) / static_cast<double>(options_.steps);
         temperature_ = options_.cold + (options_.hot - options_.cold) * left * left * left;
         if (control.progress_due()) {
@@ -46,6 +52,7 @@ class Annealer {
       }
       move();
     }
+    best_.steps = step;
     return std::move(best_);
   }
 
@@ -81,7 +88,7 @@ class Annealer {
                                    (s_->uncovered() == best_.uncovered && s_->cost() < best_.cost))
                             : s_->uncovered() == 0 && (!best_.setups || s_->cost() < best_.cost);
     if (better) {
-      best_ = {s_->setups(), s_->cost(), s_->uncovered()};
+      best_ = {s_->setups(), s_->cost(), s_->uncovered(), 0};
     }
   }
 
@@ -291,7 +298,7 @@ class Annealer {
     }
     const Job& job = s_->job();
     std::erase_if(setup, [&](Element z) { return job.never.contains(z, x); });
-    while (setup.size() >= job.at_once) {
+    while (setup.size() >= job.room()) {
       std::size_t most = 32;
       std::size_t victim = below(setup.size());
       while (most-- > 0 && (!s_->is_movable(setup[victim]) || is_protected(setup[victim]))) {
@@ -346,9 +353,11 @@ class Annealer {
 
 }  // namespace
 
-Annealed anneal(Sequence& sequence, const Annealing& options, Random& random,
-                RunControl& control) {
+Annealed anneal(Sequence& sequence, const Annealing& options, Random& random, RunControl& control) {
   Annealed best = Annealer(sequence, options, random).run(control);
+  if (control.stop_wanted()) {
+    return best;  // At once: the referee counts what becomes of it.
+  }
   // What millions of moves kept up to date must be what a list built anew says.
   const Sequence anew(sequence.job(), sequence.weights(), sequence.setups());
   if (anew.cost() != sequence.cost() || anew.uncovered() != sequence.uncovered()) {

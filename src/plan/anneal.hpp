@@ -35,18 +35,18 @@ struct Annealed {
   std::optional<std::vector<Block>> setups;
   std::int64_t cost = 0;  ///< in weights
   std::size_t uncovered = 0;
+  std::uint64_t steps = 0;  ///< moves that were made
 };
 
 /// Anneals from the state that is given, which ends wherever it ends.
-Annealed anneal(Sequence& sequence, const Annealing& options, Random& random,
-                RunControl& control);
+Annealed anneal(Sequence& sequence, const Annealing& options, Random& random, RunControl& control);
 
 /// Covers what is uncovered by set-ups where they cost least, then takes away what is not needed. False,
 /// with pairs uncovered, if the control says stop before that is done. O(tests · at_once²) a pair.
 bool repair(Sequence& sequence, RunControl& control);
 
 /// Takes away set-ups, and parts from whole runs of set-ups, while this leaves no pair uncovered that was
-/// covered and costs no more.
-void prune(Sequence& sequence);
+/// covered and costs no more, or until the control says stop.
+void prune(Sequence& sequence, RunControl& control);
 
 }  // namespace changeover::plan_detail

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 
 #include "changeover/run/threads.hpp"
-
 
 namespace changeover::plan_detail {
 namespace {
@@ -37,7 +37,7 @@ std::uint64_t Attempts::suitable_steps(const Candidate& like) const {
   // A move costs some tens of nanoseconds for each part of each set-up of its stretch.
   constexpr std::uint64_t least = 400'000;
   constexpr std::uint64_t most = 6'000'000;
-  return std::clamp<std::uint64_t>(like.tests() * job_->at_once * 12'000, least, most);
+  return std::clamp<std::uint64_t>(like.tests() * job_->room() * 12'000, least, most);
 }
 
 Start Attempts::covering(const Candidate& from, std::uint64_t steps) {
@@ -58,14 +58,14 @@ Start Attempts::covering(const Candidate& from, std::uint64_t steps) {
                                  .most_tests = limit,
                                  .phase = "looking for a covering with few tests"},
                                 random, *control_);
-  steps_ += steps;
+  steps_ += found.steps;
   std::vector<Block> setups = found.setups.value_or(from.setups);
   if (repair(sequence, *control_) && sequence.size() < setups.size()) {
     setups = sequence.setups();
   }
   setups = order_cheaply(*job_, true_weights, std::move(setups), *control_);
   Sequence ordered(*job_, true_weights, setups);
-  prune(ordered);
+  prune(ordered, *control_);
   return {"ordered covering",
           fmt::format("a covering with {} set-ups, in a cheap order", ordered.size()),
           ordered.setups()};
@@ -84,13 +84,15 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
     std::vector<Block> setups;
     std::string from;
   };
-  std::vector<Result> results(attempts);
+  // Whatever cuts an attempt short, nothing is worse than the best.
+  std::vector<Result> results(attempts,
+                              {std::numeric_limits<std::int64_t>::max(), best.setups, best.name});
   in_parallel(*control_, attempts, [&](std::size_t i) {
     // Every other attempt starts elsewhere: what is cheapest may be far from what could be.
     const Candidate& from =
         i % 2 == 0 || others.empty() ? best : others[(i / 2 + round) % others.size()];
     Sequence sequence(*job_, weights, best.setups);
-    prune(sequence);
+    prune(sequence, *control_);
     results[i] = {sequence.cost(), sequence.setups(), best.name};
     if (control_->stop_wanted()) {
       return;
@@ -109,19 +111,20 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
                                    .most_tests = limit,
                                    .phase = fmt::format("local search {} of {}", i + 1, attempts)},
                                   random, *control_);
-    steps_ += steps;
-    const auto consider = [&](Sequence& state) {
-      prune(state);
-      if (state.cost() < results[i].cost) {
-        results[i] = {state.cost(), state.setups(), from.name};
-      }
-    };
-    if (repair(sequence, *control_)) {
-      consider(sequence);
+    steps_ += found.steps;
+    if (repair(sequence, *control_) && sequence.cost() < results[i].cost) {
+      results[i] = {sequence.cost(), sequence.setups(), from.name};
     }
     if (found.setups) {
+      const std::int64_t least = results[i].cost;
+      if (found.cost < least) {
+        results[i] = {found.cost, *found.setups, from.name};
+      }
       Sequence met(*job_, weights, *found.setups);
-      consider(met);
+      prune(met, *control_);
+      if (met.cost() < least) {
+        results[i] = {met.cost(), met.setups(), from.name};
+      }
     }
   });
   const Result& cheapest =
@@ -136,14 +139,15 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
                        unsigned attempts) {
   const std::size_t limit = most_tests(*job_, best.setups.size());
   const Weights weights = Weights::of(*job_, limit);
-  // The weights are the costs, but for changes that cost nothing.
-  const auto most = static_cast<std::int64_t>(budget.millionths);
+  // The weights are the costs, rounded up: what weighs no more than the budget costs no more.
+  const auto most = static_cast<std::int64_t>(budget.millionths / weights.unit);
   std::vector<Annealed> results(attempts);
   in_parallel(*control_, attempts, [&](std::size_t i) {
     Sequence sequence(*job_, weights, best.setups);
     const Style& style = styles[i % styles.size()];
-    const double per_pair =
-        static_cast<double>(bound_->cost.millionths) / static_cast<double>(job_->needed.size());
+    const double per_pair = static_cast<double>(bound_->cost.millionths) /
+                            static_cast<double>(weights.unit) /
+                            static_cast<double>(job_->needed.size());
     const double penalty = 1.5 * style.penalty * std::max(1.0, per_pair);
     Random random(control_->seed(), 2'000'000 + i);
     results[i] =
@@ -156,7 +160,7 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
                 .most_tests = limit,
                 .phase = fmt::format("local search {} of {} within the budget", i + 1, attempts)},
                random, *control_);
-    steps_ += steps;
+    steps_ += results[i].steps;
   });
   Start start{search_name, "any number of changes a step, within the budget", best.setups};
   std::size_t least = static_cast<std::size_t>(job_->needed.size() - best.pairs_tested);

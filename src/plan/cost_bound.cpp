@@ -10,9 +10,12 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/checked.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
+
+__extension__ using Wide = unsigned __int128;
 
 constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
 
@@ -85,7 +88,7 @@ Numbers numbers_of(const Job& job) {
       }
     }
   }
-  n.room = std::min(job.at_once - job.mounted.size(), clique_bound(job, n.parts));
+  n.room = std::min(job.room() - job.mounted.size(), clique_bound(job, n.parts));
   return n;
 }
 
@@ -188,7 +191,7 @@ class DegreeCosts {
       cost += offer.cost * whole;
       left -= whole * offer.gain;
       if (whole < offer.times) {  // left < gain: a part of one introduction, rounded down
-        cost += Amount{checked_multiply(offer.cost.millionths, left) / offer.gain};
+        cost += Amount{static_cast<std::uint64_t>(Wide{offer.cost.millionths} * left / offer.gain)};
         break;
       }
     }
@@ -271,12 +274,71 @@ Least least_introductions(const Job& job, const Numbers& n, std::uint64_t once) 
   }
   if (n.pairs == choose_two(v) && n.room >= 2 && v > n.room) {
     const Parameters p{.v = v, .k = n.room, .change = 1, .kind = Kind::linear};
-    const std::uint64_t b = lower_bound(p).blocks;
+    std::uint64_t b = 0;
+    try {
+      b = lower_bound(p).blocks;
+    } catch (const Stopped&) {
+      return least;
+    }
     const std::uint64_t needed = n.room - 1 + b;
     least.at_least(needed - std::min(needed, start),
                    fmt::format("one change at a time takes {} blocks: {}", b, name(p, false)));
   }
   return least;
+}
+
+// Numbers of tests and of introductions of parts of F that cost least.
+struct Cheapest {
+  Amount cost;
+  std::uint64_t tests = 0;
+  std::uint64_t introductions = 0;
+};
+
+// The least over all numbers that (1) to (4) allow. @throws Stopped
+Cheapest cheapest_numbers(const Job& job, const Numbers& n, const IntroductionCosts& costs,
+                          std::uint64_t least_tests, std::uint64_t least_introductions) {
+  std::optional<DegreeCosts> degrees;
+  constexpr std::uint64_t most_parts = 150;
+  if (n.room >= 2 && n.parts.size() <= most_parts) {
+    degrees.emplace(job, n);
+  }
+  std::optional<Cheapest> best;
+  std::optional<std::uint64_t> counted;  // I(t) of the last t that can cover all; it only falls
+  for (std::uint64_t t = least_tests;; ++t) {
+    stop_if_asked();
+    const std::uint64_t most = n.room * t;
+    if (most_pairs(n, t, most) < n.pairs) {
+      continue;
+    }
+    counted = counted.value_or(most);
+    while (*counted > 0 && most_pairs(n, t, *counted - 1) >= n.pairs) {
+      stop_if_asked();
+      --*counted;
+    }
+    std::uint64_t i = std::max(*counted, least_introductions);
+    for (; i <= most; ++i) {
+      stop_if_asked();
+      const auto five = costs(i);
+      if (!five || (best && job.test_cost * t + *five + n.mounting >= best->cost)) {
+        break;  // More introductions cost no less.
+      }
+      const Amount six = degrees ? (*degrees)(t, i) : Amount{};
+      const Amount total = job.test_cost * t + std::max(*five, six) + n.mounting;
+      if (!best || total < best->cost) {
+        best = Cheapest{total, t, i};
+      }
+      if (six <= *five) {
+        break;
+      }
+    }
+    // More tests help only as long as some step that matters has two changes.
+    const bool cannot_help = best && job.test_cost * (t + 1) + n.mounting >= best->cost;
+    if (cannot_help || (best && t > i + 1) ||
+        (best && !degrees && *counted <= least_introductions)) {
+      break;
+    }
+  }
+  return best.value_or(Cheapest{job.test_cost * least_tests, 0, 0});
 }
 
 }  // namespace
@@ -293,58 +355,25 @@ CostBound cost_bound(const Job& job) {
   const Least tests = least_tests(n);
   const Least introductions = least_introductions(job, n, costs.once());
 
-  std::optional<DegreeCosts> degrees;
-  constexpr std::uint64_t most_parts = 150;
-  if (n.room >= 2 && n.parts.size() <= most_parts) {
-    degrees.emplace(job, n);
-  }
-
-  std::optional<Amount> best;
-  std::uint64_t best_tests = 0;
-  std::uint64_t best_introductions = 0;
-  std::optional<std::uint64_t> counted;  // I(t) of the last t that can cover all; it only falls
-  for (std::uint64_t t = tests.number;; ++t) {
-    const std::uint64_t most = n.room * t;
-    if (most_pairs(n, t, most) < n.pairs) {
-      continue;
-    }
-    counted = counted.value_or(most);
-    while (*counted > 0 && most_pairs(n, t, *counted - 1) >= n.pairs) {
-      --*counted;
-    }
-    const std::uint64_t least = std::max(*counted, introductions.number);
-    std::uint64_t i = least;
-    for (; i <= most; ++i) {
-      const auto five = costs(i);
-      if (!five || (best && job.test_cost * t + *five + n.mounting >= *best)) {
-        break;  // More introductions cost no less.
-      }
-      const Amount six = degrees ? (*degrees)(t, i) : Amount{};
-      const Amount total = job.test_cost * t + std::max(*five, six) + n.mounting;
-      if (!best || total < *best) {
-        best = total;
-        best_tests = t;
-        best_introductions = i;
-      }
-      if (six <= *five) {
-        break;
-      }
-    }
-    // More tests help only as long as some step that matters has two changes.
-    const bool cannot_help = best && job.test_cost * (t + 1) + n.mounting >= *best;
-    if (cannot_help || (best && t > i + 1) ||
-        (best && !degrees && *counted <= introductions.number)) {
-      break;
-    }
-  }
-  bound.cost = best.value_or(job.test_cost * tests.number);
+  Cheapest cheapest;
   bound.tests = tests.number;
   bound.introductions = introductions.number + n.mounted_introductions;
+  const std::string least =
+      fmt::format("at least {} tests ({}), at least {} changes ({})", tests.number, tests.why,
+                  bound.introductions, introductions.why);
+  try {
+    cheapest = cheapest_numbers(job, n, costs, tests.number, introductions.number);
+  } catch (const Stopped&) {
+    bound.cost =
+        job.test_cost * tests.number + costs(introductions.number).value_or(Amount{}) + n.mounting;
+    bound.reason = least;
+    return bound;
+  }
+  bound.cost = cheapest.cost;
   bound.reason = fmt::format(
-      "at least {} tests ({}), at least {} changes ({}), and j changes of {} bring at most "
-      "C(j,2) + j({}-j) new pairs: {} tests with {} changes cost least",
-      tests.number, tests.why, bound.introductions, introductions.why, n.room, n.room, best_tests,
-      best_introductions + n.mounted_introductions);
+      "{}, and j changes of {} bring at most C(j,2) + j({}-j) new pairs: {} tests with {} changes "
+      "cost least",
+      least, n.room, n.room, cheapest.tests, cheapest.introductions + n.mounted_introductions);
   return bound;
 }
 

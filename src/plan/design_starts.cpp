@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/run/threads.hpp"
 #include "changeover/search/local_search.hpp"
 #include "plan/starts.hpp"
@@ -96,8 +98,11 @@ std::string change_name(std::uint64_t m) {
 }
 
 std::vector<Block> cheaper_direction(const Job& job, const std::vector<Element>& parts,
-                                     const Design& design) {
+                                     const Design& design, RunControl& control) {
   std::vector<Block> forwards = as_setups(job, parts, design, false);
+  if (control.stop_wanted()) {
+    return forwards;
+  }
   std::vector<Block> backwards = as_setups(job, parts, design, true);
   const bool better = run_sheet(job, backwards).cost < run_sheet(job, forwards).cost;
   return better ? backwards : forwards;
@@ -120,7 +125,12 @@ std::optional<Start> design_start(const Job& job, const std::vector<Element>& pa
   if (moves > 0 && m <= most_improved && design->block_count() > lower_bound(p).blocks &&
       !control.stop_wanted()) {
     RunControl own(control, 1U);
-    ImproveResult better = improve(p, {.moves = moves}, own);
+    ImproveResult better;
+    try {
+      better = improve(p, {.moves = moves}, own);
+    } catch (const Stopped&) {
+      // The design that is known will do.
+    }
     if (better.design && better.design->block_count() < design->block_count()) {
       how = fmt::format("local search; {} by {}", design->block_count(), how);
       design = std::move(better.design);
@@ -129,14 +139,14 @@ std::optional<Start> design_start(const Job& job, const std::vector<Element>& pa
   return Start{
       change_name(m) + " design",
       fmt::format("linear {} with {} blocks ({})", name(p, false), design->block_count(), how),
-      cheaper_direction(job, parts, *design)};
+      cheaper_direction(job, parts, *design, control)};
 }
 
 }  // namespace
 
 std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl& control) {
   const std::vector<Element> parts = free_parts(job);
-  const std::uint64_t k = job.at_once - job.mounted.size();
+  const std::uint64_t k = job.room() - job.mounted.size();
   if (job.never.size() > 0 || parts.empty()) {
     return {};
   }
@@ -153,7 +163,11 @@ std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl
   control.tell({.phase = "looking for designs"});
   std::vector<std::optional<Start>> found(static_cast<std::size_t>(most));
   in_parallel(control, static_cast<std::size_t>(most), [&](std::size_t i) {
-    found[i] = design_start(job, parts, k, i + 1, moves, control);
+    try {
+      found[i] = design_start(job, parts, k, i + 1, moves, control);
+    } catch (const ImpossibleParameters&) {
+      // It costs more than can be counted, and others do not.
+    }
   });
   std::vector<Start> starts;
   for (std::optional<Start>& start : found) {

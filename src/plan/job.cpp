@@ -7,6 +7,9 @@
 #include <unordered_set>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "io/place.hpp"
+#include "plan/plain_text.hpp"
 
 namespace changeover {
 namespace {
@@ -16,10 +19,6 @@ constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
 
 std::string pair_name(const Job& job, Element x, Element y) {
   return fmt::format("{} and {}", job.names[x], job.names[y]);
-}
-
-bool contains(const Block& block, Element x) {
-  return std::find(block.begin(), block.end(), x) != block.end();
 }
 
 // Malformed in a way that makes no sense of what follows.
@@ -36,7 +35,11 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
   }
   std::unordered_set<std::string> seen;
   for (const std::string& name : job.names) {
-    if (!seen.insert(name).second) {
+    if (const auto defect = text_defect(name)) {
+      found.push_back(fmt::format("the name {}: {}", io_detail::shown(name), *defect));
+    } else if (name.empty()) {
+      found.push_back("a part has no name; name it");
+    } else if (!seen.insert(name).second) {
       found.push_back(fmt::format("two parts are called {}; rename one", name));
     }
   }
@@ -75,17 +78,23 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
   if (!found.empty()) {
     return;
   }
-  const auto never_with_mounted = [&](Element x) {
-    return std::find_if(job.mounted.begin(), job.mounted.end(),
-                        [&](Element m) { return m != x && job.never.contains(m, x); });
-  };
+  // By part: whether it stays mounted, and the first mounted part that it must never meet.
+  std::vector<bool> stays(job.names.size());
+  std::vector<std::optional<Element>> enemy(job.names.size());
+  for (const Element m : job.mounted) {
+    stays[m] = true;
+    for (Element x = 0; x < job.parts(); ++x) {
+      if (x != m && !enemy[x] && job.never.contains(m, x)) {
+        enemy[x] = m;
+      }
+    }
+  }
   const std::size_t mounted = job.mounted.size();
   job.needed.for_each(all_of_them, [&](Element x, Element y) {
     if (found.size() >= most_defects) {
       return;
     }
-    const std::size_t together =
-        mounted + (contains(job.mounted, x) ? 0U : 1U) + (contains(job.mounted, y) ? 0U : 1U);
+    const std::size_t together = mounted + (stays[x] ? 0U : 1U) + (stays[y] ? 0U : 1U);
     if (job.never.contains(x, y)) {
       found.push_back(
           fmt::format("{} must meet and must never be in one set-up", pair_name(job, x, y)));
@@ -96,10 +105,10 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
                       pair_name(job, x, y), mounted));
     } else {
       for (const Element z : {x, y}) {
-        if (const auto enemy = never_with_mounted(z); enemy != job.mounted.end()) {
+        if (enemy[z]) {
           found.push_back(fmt::format(
               "{} must meet, but {} must never be in one set-up with {}, which stays mounted",
-              pair_name(job, x, y), job.names[z], job.names[*enemy]));
+              pair_name(job, x, y), job.names[z], job.names[*enemy[z]]));
         }
       }
     }
@@ -156,28 +165,36 @@ void check(const Job& job) {
 }
 
 void mark_done(Job& job, const std::vector<Block>& setups) {
-  PairSet done(job.parts());
+  // For each part a row of bits: with whom it was.
+  const std::size_t words = (job.names.size() + 63) / 64;
+  std::vector<std::uint64_t> met(words * job.names.size(), 0);
+  std::vector<std::uint64_t> together(words);
   for (const Block& setup : setups) {
+    stop_if_asked();
     if (setup.size() > job.at_once) {
       throw BadInput(fmt::format("a test that was done has {} parts, but only {} fit at once",
                                  setup.size(), job.at_once));
     }
-    for (std::size_t i = 0; i < setup.size(); ++i) {
-      if (setup[i] >= job.parts()) {
-        throw BadInput(fmt::format("a test that was done names part {} of {}",
-                                   std::uint64_t{setup[i]} + 1, job.parts()));
+    together.assign(words, 0);
+    for (const Element x : setup) {
+      if (x >= job.parts()) {
+        throw BadInput(fmt::format("a test that was done names part {} of {}", std::uint64_t{x} + 1,
+                                   job.parts()));
       }
-      for (std::size_t j = 0; j < i; ++j) {
-        if (setup[i] == setup[j]) {
-          throw BadInput(fmt::format("a test that was done has {} twice", job.names[setup[i]]));
-        }
-        done.insert(setup[i], setup[j]);
+      if ((together[x / 64] >> (x % 64) & 1) != 0) {
+        throw BadInput(fmt::format("a test that was done has {} twice", job.names[x]));
+      }
+      together[x / 64] |= std::uint64_t{1} << (x % 64);
+    }
+    for (const Element x : setup) {
+      for (std::size_t w = 0; w < words; ++w) {
+        met[x * words + w] |= together[w];
       }
     }
   }
   PairSet rest(job.parts());
   job.needed.for_each(all_of_them, [&](Element x, Element y) {
-    if (!done.contains(x, y)) {
+    if ((met[x * words + y / 64] >> (y % 64) & 1) == 0) {
       rest.insert(x, y);
     }
   });

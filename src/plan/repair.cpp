@@ -4,6 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "plan/anneal.hpp"
+#include "plan/listener.hpp"
 
 namespace changeover::plan_detail {
 namespace {
@@ -23,7 +24,7 @@ std::optional<Block> with_pair(const Sequence& s, std::span<const Element> besid
     }
   }
   for (const Element z : beside) {
-    if (setup.size() < job.at_once && !holds(z) &&
+    if (setup.size() < job.room() && !holds(z) &&
         std::none_of(setup.begin(), setup.end(),
                      [&](Element other) { return job.never.contains(other, z); })) {
       setup.push_back(z);
@@ -32,8 +33,8 @@ std::optional<Block> with_pair(const Sequence& s, std::span<const Element> besid
   return setup.size() <= job.at_once ? std::optional(setup) : std::nullopt;
 }
 
-// Inserts the cheapest set-up that covers the pair.
-void insert_pair(Sequence& s, Element x, Element y) {
+// Inserts the cheapest set-up that covers the pair; false, with nothing inserted, if it is to stop.
+bool insert_pair(Sequence& s, Element x, Element y, Listener& listener) {
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   std::size_t most_covered = 0;
   std::size_t place = 0;
@@ -42,6 +43,9 @@ void insert_pair(Sequence& s, Element x, Element y) {
     for (const bool before : {true, false}) {
       if ((before && at == 0 && s.size() > 0) || (!before && at == s.size())) {
         continue;
+      }
+      if (listener.stop_wanted(s.job().room() * s.job().room())) {
+        return false;
       }
       const std::span<const Element> beside = !before   ? s.setup(at)
                                               : at == 0 ? std::span<const Element>(s.job().start)
@@ -65,27 +69,33 @@ void insert_pair(Sequence& s, Element x, Element y) {
     }
   }
   s.insert(place, chosen);
+  return true;
 }
 
 }  // namespace
 
 bool repair(Sequence& sequence, RunControl& control) {
+  Listener listener(control);
   while (sequence.uncovered() > 0) {
-    if (control.stop_wanted()) {
+    const auto [x, y] = sequence.uncovered_pair(0);
+    if (!insert_pair(sequence, x, y, listener)) {
       return false;
     }
-    const auto [x, y] = sequence.uncovered_pair(0);
-    insert_pair(sequence, x, y);
   }
-  prune(sequence);
+  prune(sequence, control);
   return true;
 }
 
-void prune(Sequence& sequence) {
+void prune(Sequence& sequence, RunControl& control) {
+  const std::uint64_t room = sequence.job().room();
+  Listener listener(control);
   bool again = true;
   while (again) {
     again = false;
     for (std::size_t at = sequence.size(); at-- > 0;) {
+      if (listener.stop_wanted(room * room + sequence.size() / 16)) {
+        return;
+      }
       const std::size_t missing = sequence.uncovered();
       const std::int64_t cost = sequence.cost();
       const std::uint32_t handle = sequence.take_out(at);
@@ -98,6 +108,9 @@ void prune(Sequence& sequence) {
     }
     for (const Element x : sequence.movable()) {
       for (std::size_t at = 0; at < sequence.size(); ++at) {
+        if (listener.stop_wanted(sequence.holds(at, x) ? room : 1)) {
+          return;
+        }
         if (!sequence.holds(at, x)) {
           continue;
         }

@@ -2,33 +2,50 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "changeover/io/input.hpp"
 
 namespace changeover::plan_detail {
 
 struct Field {
   std::string text;        ///< without quotes and the blanks around it
-  std::size_t offset = 0;  ///< in the text
+  std::size_t offset = 0;  ///< of its first byte in the line
 };
 using Row = std::vector<Field>;
 
-/// A text with a name for messages.
-class RowText {
+/// Reads an input row by row; it holds a line at a time, so that endless inputs end with a fault.
+class RowReader {
  public:
-  RowText(std::string_view text, std::string name);
+  /// The input must outlive this.
+  explicit RowReader(Input& input) : input_(&input) {}
 
-  /// All rows but comments and blank ones, split at commas, or at semicolons if one comes first.
-  /// @throws BadInput with a place for control bytes and quotes that do not match.
-  [[nodiscard]] std::vector<Row> rows() const;
+  /// The next row but comments and blank ones, split at commas, or at semicolons if one comes first in
+  /// the first row; nothing at the end.
+  /// @throws BadInput with a place for what is no plain text, quotes that do not match and lines or lists
+  /// beyond all measure; MissingResource if reading fails; Stopped if the scope of this thread
+  /// (run/scope.hpp) wants to stop.
+  [[nodiscard]] std::optional<Row> next();
 
-  /// @throws BadInput with the place of the byte at `offset`.
+  /// @throws BadInput with the place of this offset in the line of the last row.
   [[noreturn]] void fail(std::size_t offset, std::string_view what) const;
 
  private:
-  std::string text_;
-  std::string name_;
+  /// The next line without its end; false at the end of the input.
+  bool next_line();
+
+  Input* input_;
+  std::string buffer_;       // bytes that were read and are not yet a line
+  std::size_t begin_ = 0;    // in the buffer
+  std::uint64_t bytes_ = 0;  // read so far
+  std::uint64_t rows_ = 0;
+  std::uint64_t line_number_ = 0;
+  std::string line_;
+  char separator_ = '\0';  // not known yet
+  bool ended_ = false;
 };
 
 /// One row at commas. @throws BadInput without a place.

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <tuple>
 #include <utility>
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "plan/attempts.hpp"
 #include "plan/starts.hpp"
@@ -34,7 +36,10 @@ void verify_as_design(const Job& job, const RunSheet& sheet) {
   }
 }
 
+// Counting what was found is short, and is not stopped: nothing is shown without it.
 Candidate counted(const Job& job, const Start& start) {
+  RunControl undisturbed({});
+  const RunScope scope(undisturbed);
   const RunSheet sheet = run_sheet(job, start.setups);
   if (!sheet.faults.empty()) {
     throw InternalError(fmt::format("{}: {}", start.name, sheet.faults.front()));
@@ -83,8 +88,11 @@ class Planner {
       : job_(&job), options_(&options), control_(&control) {}
 
   RunPlan run() {
+    const RunScope scope(*control_);
     RunPlan plan;
     plan.bound = cost_bound(*job_);
+    require_memory(bytes_of_plans(plan.bound.tests),
+                   fmt::format("a plan of {} tests", plan.bound.tests));
     if (job_->needed.size() == 0) {
       plan.candidates.push_back(counted(*job_, {"no test", "nothing is left to test", {}}));
     } else {
@@ -93,6 +101,9 @@ class Planner {
     if (options_->budget) {
       find_affordable(plan);
     }
+    std::stable_sort(plan.candidates.begin(), plan.candidates.end(),
+                     within_budget_ ? tests_more : cheaper);
+    drop_repeated(plan.candidates);
     plan.sheet = run_sheet(*job_, plan.candidates.front().setups);
     plan.why_stopped = control_->why_stopped();
     if (plan.why_stopped == WhyStopped::running) {
@@ -102,40 +113,92 @@ class Planner {
   }
 
  private:
+  // Candidates and sheets of so many tests, about.
+  [[nodiscard]] std::uint64_t bytes_of_plans(std::uint64_t tests) const {
+    constexpr std::uint64_t a_test = 500;
+    constexpr std::uint64_t a_part = 40;
+    constexpr std::uint64_t a_pair = 16;
+    return tests * (a_test + a_part * (job_->mounted.size() + 2)) +
+           a_pair * job_->parts() * job_->parts();
+  }
+
+  // The slots, counts and copies of all local searches, about.
+  [[nodiscard]] std::uint64_t bytes_of_search(const Candidate& like) const {
+    constexpr std::uint64_t a_test = 300;
+    constexpr std::uint64_t a_part = 12;
+    constexpr std::uint64_t a_pair = 12;
+    const std::uint64_t searches = std::min<std::uint64_t>(control_->threads(), options_->attempts);
+    return searches * (like.tests() * (a_test + a_part * job_->room() + job_->parts() / 8) +
+                       a_pair * job_->parts() * job_->parts());
+  }
+
+  // Does what may go on for long, or want more than there is: what was found before stays.
+  template <typename Work>
+  void keep_what_there_is(RunPlan& plan, Work&& work) const {
+    try {
+      work();
+    } catch (const Stopped&) {
+      // The control knows why.
+    } catch (const MissingResource& fault) {
+      plan.shortage = fault.what();
+    } catch (const std::bad_alloc&) {
+      plan.shortage = fmt::format("not enough memory to go on searching among lists of {} tests",
+                                  plan.candidates.front().tests());
+    }
+  }
+
   void find_complete(RunPlan& plan) {
+    add(plan, plan_detail::greedy_start(*job_, *control_));
+    keep_what_there_is(plan, [&] { search(plan); });
+  }
+
+  void add(RunPlan& plan, const Start& start) const {
     std::vector<Candidate>& all = plan.candidates;
-    const auto add = [&](const Start& start) {
+    try {
       all.push_back(counted_complete(*job_, start));
-      if (all.back().cost < plan.bound.cost) {
-        throw InternalError(fmt::format("{} costs less than the lower bound", start.name));
+    } catch (const ImpossibleParameters&) {
+      if (all.empty()) {
+        throw;
       }
-    };
-    add(plan_detail::greedy_start(*job_));
+      return;  // It costs more than can be counted, and others do not.
+    }
+    if (all.back().cost < plan.bound.cost) {
+      throw InternalError(fmt::format("{} costs less than the lower bound", start.name));
+    }
+  }
+
+  void search(RunPlan& plan) {
+    std::vector<Candidate>& all = plan.candidates;
     for (const Start& start :
          plan_detail::design_starts(*job_, options_->design_moves, *control_)) {
-      add(start);
+      add(plan, start);
     }
-    const auto best = [&] { return *std::min_element(all.begin(), all.end(), cheaper); };
+    const auto best = [&]() -> const Candidate& {
+      return *std::min_element(all.begin(), all.end(), cheaper);
+    };
+    require_memory(bytes_of_search(best()),
+                   fmt::format("searching among lists of {} tests", best().tests()));
     plan_detail::Attempts attempts(*job_, plan.bound, *control_);
     std::uint64_t steps = options_->steps == 0 ? attempts.suitable_steps(best()) : options_->steps;
-    if (!control_->stop_wanted() && best().tests() > 1) {
-      add(attempts.covering(*std::min_element(all.begin(), all.end(),
-                                              [](const Candidate& a, const Candidate& b) {
-                                                return a.tests() < b.tests();
-                                              }),
-                            steps / 4));
-    }
-    // Longer and longer searches, if that is wished, each from the best so far.
-    for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
-      add(attempts.cheaper_than(best(), next_best(all), steps, options_->attempts, round));
-      if (!options_->until_stopped) {
-        break;
+    keep_what_there_is(plan, [&] {
+      if (!control_->stop_wanted() && best().tests() > 1) {
+        add(plan, attempts.covering(*std::min_element(all.begin(), all.end(),
+                                                      [](const Candidate& a, const Candidate& b) {
+                                                        return a.tests() < b.tests();
+                                                      }),
+                                    steps / 4));
       }
-      steps += steps / 2;
-    }
+      // Longer and longer searches, if that is wished, each from the best so far.
+      for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
+        add(plan, attempts.cheaper_than(best(), next_best(all), steps, options_->attempts, round));
+        if (!options_->until_stopped) {
+          break;
+        }
+        constexpr std::uint64_t longest = std::uint64_t{1} << 60;
+        steps = std::min(longest, steps + steps / 2);
+      }
+    });
     plan.steps += attempts.steps();
-    std::stable_sort(all.begin(), all.end(), cheaper);
-    drop_repeated(all);
   }
 
   // The cheapest few that are no results of the search, but for the cheapest of all.
@@ -169,12 +232,17 @@ class Planner {
 
   void find_affordable(RunPlan& plan) {
     const Amount budget = *options_->budget;
+    std::stable_sort(plan.candidates.begin(), plan.candidates.end(), cheaper);
+    drop_repeated(plan.candidates);
     plan.complete = plan.candidates.front();
     if (plan.complete->cost <= budget) {
       return;
     }
     std::vector<Candidate> within;
     for (const Candidate& whole : plan.candidates) {
+      if (!within.empty() && control_->stop_wanted()) {
+        break;
+      }
       Start part = affordable(*job_, whole, budget);
       part.name = "beginning of: " + whole.name;
       part.how = fmt::format("the first {} of its {} tests", part.setups.size(), whole.tests());
@@ -184,22 +252,26 @@ class Planner {
     plan_detail::Attempts attempts(*job_, plan.bound, *control_);
     const std::uint64_t steps =
         options_->steps == 0 ? attempts.suitable_steps(*plan.complete) : options_->steps;
-    within.push_back(
-        counted(*job_, attempts.within(budget, within.front(), steps, options_->attempts)));
+    keep_what_there_is(plan, [&] {
+      if (!control_->stop_wanted()) {
+        within.push_back(
+            counted(*job_, attempts.within(budget, within.front(), steps, options_->attempts)));
+      }
+    });
     plan.steps += attempts.steps();
     for (const Candidate& candidate : within) {
       if (candidate.cost > budget) {
         throw InternalError(candidate.name + " exceeds the budget");
       }
     }
-    std::stable_sort(within.begin(), within.end(), tests_more);
     plan.candidates = std::move(within);
-    drop_repeated(plan.candidates);
+    within_budget_ = true;
   }
 
   const Job* job_;
   const PlanOptions* options_;
   RunControl* control_;
+  bool within_budget_ = false;  // the candidates need not test all pairs
 };
 
 }  // namespace

@@ -5,22 +5,38 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
-#include <set>
+#include <utility>
+#include <vector>
 
 #include "changeover/core/error.hpp"
 
 namespace changeover {
 namespace {
 
-// Deliberately plain: sets of pairs and set differences, nothing that a search would use.
-using Pair = std::pair<Element, Element>;
+// Deliberately plain: a table of pairs and set differences, nothing that a search would use.
+class PairTable {
+ public:
+  explicit PairTable(const PairSet& pairs) {
+    for (std::uint64_t i = 0; i < pairs.v(); ++i) {
+      rows_.emplace_back(static_cast<std::size_t>(pairs.v()), false);
+    }
+    pairs.for_each(std::numeric_limits<std::uint64_t>::max(), [&](Element x, Element y) {
+      rows_[x][y] = rows_[y][x] = true;
+      ++size_;
+    });
+  }
 
-std::set<Pair> pairs_of(const PairSet& pairs) {
-  std::set<Pair> result;
-  pairs.for_each(std::numeric_limits<std::uint64_t>::max(),
-                 [&](Element x, Element y) { result.emplace(x, y); });
-  return result;
-}
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  [[nodiscard]] bool contains(Element x, Element y) const { return rows_[x][y]; }
+  void erase(Element x, Element y) {
+    rows_[x][y] = rows_[y][x] = false;
+    --size_;
+  }
+
+ private:
+  std::vector<std::vector<bool>> rows_;
+  std::uint64_t size_ = 0;
+};
 
 Block sorted(const Job& job, Block block) {
   for (const Element x : block) {
@@ -54,8 +70,8 @@ std::optional<std::uint64_t> RunSheet::constant_change() const {
 }
 
 RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
-  const std::set<Pair> never = pairs_of(job.never);
-  std::set<Pair> missing = pairs_of(job.needed);
+  const PairTable never(job.never);
+  PairTable missing(job.needed);
   const Block mounted = sorted(job, job.mounted);
   RunSheet sheet;
   sheet.pairs_needed = missing.size();
@@ -63,32 +79,42 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
   for (const Block& given : setups) {
     RunStep step;
     step.setup = sorted(job, given);
-    const std::string where = fmt::format("set-up {}", sheet.steps.size() + 1 + job.tests_done);
+    const auto where = [&] {
+      return fmt::format("set-up {}", sheet.steps.size() + 1 + job.tests_done);
+    };
     if (std::adjacent_find(step.setup.begin(), step.setup.end()) != step.setup.end()) {
-      sheet.faults.push_back(where + " names a part twice");
+      sheet.faults.push_back(where() + " names a part twice");
     }
     if (step.setup.size() > job.at_once) {
       sheet.faults.push_back(
-          fmt::format("{} has {} parts, {} fit", where, step.setup.size(), job.at_once));
+          fmt::format("{} has {} parts, {} fit", where(), step.setup.size(), job.at_once));
     }
     if (!without(mounted, step.setup).empty()) {
-      sheet.faults.push_back(where + " lacks a part that stays mounted");
+      sheet.faults.push_back(where() + " lacks a part that stays mounted");
     }
-    for (std::size_t i = 0; i < step.setup.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        const Pair pair{step.setup[j], step.setup[i]};
-        if (never.count(pair) != 0) {
-          sheet.faults.push_back(fmt::format("{} holds {} and {}, which must never meet", where,
+    step.take_out = without(before, step.setup);
+    step.put_in = without(step.setup, before);
+    // A pair that meets here first has a part that was put in; in the first set-up, any pair may be it.
+    const bool is_first = sheet.steps.empty();
+    for (const Element x : is_first ? step.setup : step.put_in) {
+      for (const Element y : step.setup) {
+        const bool seen_from_y =
+            y >= x && (is_first || std::binary_search(step.put_in.begin(), step.put_in.end(), y));
+        if (seen_from_y) {
+          continue;
+        }
+        const std::pair<Element, Element> pair = std::minmax({x, y});
+        if (never.contains(x, y)) {
+          sheet.faults.push_back(fmt::format("{} holds {} and {}, which must never meet", where(),
                                              job.names[pair.first], job.names[pair.second]));
         }
-        if (missing.erase(pair) != 0) {
+        if (missing.contains(x, y)) {
+          missing.erase(x, y);
           step.new_pairs.push_back(pair);
         }
       }
     }
     std::sort(step.new_pairs.begin(), step.new_pairs.end());
-    step.take_out = without(before, step.setup);
-    step.put_in = without(step.setup, before);
     before = step.setup;
     step.cost = job.test_cost;
     for (const Element x : step.put_in) {

@@ -6,8 +6,14 @@
 #include <utility>
 
 #include "changeover/core/checked.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover::plan_detail {
+namespace {
+
+__extension__ using Wide = unsigned __int128;
+
+}  // namespace
 
 Weights Weights::of(const Job& job, std::uint64_t tests) {
   Weights weights;
@@ -17,18 +23,25 @@ Weights Weights::of(const Job& job, std::uint64_t tests) {
     weights.change.push_back(std::max<std::uint64_t>(1, cost.millionths));
     largest = std::max(largest, weights.change.back());
   }
-  const std::uint64_t each = checked_add(weights.test, checked_multiply(job.at_once, largest));
   // A search weighs costs a few times over.
-  constexpr std::uint64_t margin = 64;
-  if (checked_multiply(checked_multiply(each, tests + 1), margin) >
-      static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
-    throw ImpossibleParameters("these costs are too large to be compared: use a larger unit");
+  constexpr Wide margin = 64;
+  constexpr Wide most = std::numeric_limits<std::int64_t>::max();
+  const Wide total = (weights.test + Wide{job.room()} * largest) * (Wide{tests} + 1) * margin;
+  if (total > most) {
+    weights.unit = static_cast<std::uint64_t>((total + most - 1) / most);
+    weights.test = ceil_div(weights.test, weights.unit);
+    for (std::uint64_t& weight : weights.change) {
+      weight = ceil_div(weight, weights.unit);
+    }
   }
   return weights;
 }
 
 Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& setups)
-    : job_(&job), weights_(std::move(weights)), parts_(job.names.size()) {
+    : job_(&job),
+      weights_(std::move(weights)),
+      parts_(job.names.size()),
+      room_(static_cast<std::size_t>(job.room())) {
   const std::size_t words = (parts_ + 63) / 64;
   one_weight_ = std::all_of(weights_.change.begin(), weights_.change.end(),
                             [&](std::uint64_t w) { return w == weights_.change.front(); });
@@ -63,6 +76,7 @@ Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& se
     put(start_, x);
   }
   for (const Block& setup : setups) {
+    stop_if_asked();
     insert(size(), setup);
   }
 }
@@ -232,7 +246,7 @@ void Sequence::insert(std::size_t at, std::span<const Element> setup) {
   if (free_.empty()) {
     handle = static_cast<std::uint32_t>(slots_.size());
     slots_.emplace_back();
-    slots_.back().elements.reserve(static_cast<std::size_t>(job_->at_once));
+    slots_.back().elements.reserve(room_);
   } else {
     handle = free_.back();
     free_.pop_back();
@@ -245,6 +259,27 @@ void Sequence::insert(std::size_t at, std::span<const Element> setup) {
     put(slot, x);
   }
   put_back(at, handle);
+}
+
+std::int64_t Sequence::rise_of_reverse(Stretch where) const {
+  const Slot& first = slots_[order_[where.first]];
+  const Slot& last = slots_[order_[where.last]];
+  std::int64_t rise = step(slot_before(where.first), last) - step_into(where.first);
+  if (where.last + 1 < size()) {
+    rise += step(first, slots_[order_[where.last + 1]]) - step_into(where.last + 1);
+  }
+  return rise + first.weight - last.weight;
+}
+
+std::int64_t Sequence::rise_of_rotate(std::size_t first, std::size_t middle,
+                                      std::size_t end) const {
+  const auto slot = [&](std::size_t at) -> const Slot& { return slots_[order_[at]]; };
+  std::int64_t rise = step(slot_before(first), slot(middle)) - step_into(first) +
+                      step(slot(end - 1), slot(first)) - step_into(middle);
+  if (end < size()) {
+    rise += step(slot(middle - 1), slot(end)) - step_into(end);
+  }
+  return rise;
 }
 
 void Sequence::reverse(Stretch where) {

@@ -18,9 +18,11 @@ namespace changeover::plan_detail {
 struct Weights {
   std::uint64_t test = 0;
   std::vector<std::uint64_t> change;  ///< by part
+  std::uint64_t unit = 1;             ///< how many millionths a weight of 1 stands for
 
   /// The true costs in millionths; a change that costs nothing weighs one millionth, so that no search
-  /// wanders among lists of many changes. @throws ImpossibleParameters if `tests` tests could overflow.
+  /// wanders among lists of many changes. If `tests` tests could overflow, a larger unit is taken and the
+  /// weights are rounded up: no list weighs less than it costs.
   static Weights of(const Job& job, std::uint64_t tests);
 };
 
@@ -33,6 +35,7 @@ struct Stretch {
 class Sequence {
  public:
   /// Set-ups that break no constraint but may leave pairs uncovered. The job must outlive this.
+  /// @throws Stopped if the scope of this thread (run/scope.hpp) wants to stop.
   Sequence(const Job& job, Weights weights, const std::vector<Block>& setups);
 
   [[nodiscard]] std::int64_t cost() const { return cost_; }
@@ -55,10 +58,10 @@ class Sequence {
     return bit(slots_[order_[at]].bits, x);
   }
   [[nodiscard]] bool full(std::size_t at) const {
-    return slots_[order_[at]].elements.size() == job_->at_once;
+    return slots_[order_[at]].elements.size() >= room_;
   }
   /// Room left over all set-ups.
-  [[nodiscard]] std::uint64_t slack() const { return size() * job_->at_once - occupied_; }
+  [[nodiscard]] std::uint64_t slack() const { return size() * room_ - occupied_; }
   /// Whether y may be where `leaving` goes; pass y itself if none goes.
   [[nodiscard]] bool may_join(std::size_t at, Element y, Element leaving) const;
 
@@ -76,8 +79,13 @@ class Sequence {
   void forget(std::uint32_t handle) { free_.push_back(handle); }
   /// Reverses a stretch; its own inverse.
   void reverse(Stretch where);
+  /// What reverse() would add to the cost. O(at_once).
+  [[nodiscard]] std::int64_t rise_of_reverse(Stretch where) const;
   /// Swaps two adjacent stretches [first, middle) and [middle, end).
   void rotate(std::size_t first, std::size_t middle, std::size_t end);
+  /// What rotate() would add to the cost. O(at_once).
+  [[nodiscard]] std::int64_t rise_of_rotate(std::size_t first, std::size_t middle,
+                                            std::size_t end) const;
 
  private:
   using Bits = std::vector<std::uint64_t>;
@@ -111,6 +119,7 @@ class Sequence {
   const Job* job_;
   Weights weights_;
   std::size_t parts_;
+  std::size_t room_;
   bool one_weight_ = false;
   bool has_never_ = false;
   std::vector<Bits> never_;  // by part, if there are forbidden pairs

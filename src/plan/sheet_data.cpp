@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "changeover/io/csv_cell.hpp"
 #include "changeover/io/json_writer.hpp"
 #include "changeover/plan/read_job.hpp"
-#include "plan/rows.hpp"
 #include "plan/sheet_words.hpp"
 
 namespace changeover {
@@ -50,14 +50,28 @@ std::string markdown_list(const Job& job, const Block& parts) {
 std::string sheet_as_csv(const SheetDocument& document) {
   const Job& job = *document.job;
   const Money money(job, document.budget);
-  std::string text = "step,take_out,put_in,set_up,new_pairs,cost,cost_so_far\n";
+  std::size_t slots = 0;
+  for (const RunStep& step : document.plan->sheet.steps) {
+    slots = std::max(slots, step.setup.size());
+  }
+  std::vector<std::string> cells;  // by part: made once, for a part may be in every set-up
+  cells.reserve(job.names.size());
+  for (const std::string& name : job.names) {
+    cells.push_back("," + csv_cell(name));
+  }
+  std::string text = "step,take_out,put_in";
+  for (std::size_t i = 1; i <= slots; ++i) {
+    text += fmt::format(",slot_{}", i);
+  }
+  text += ",new_pairs,cost,cost_so_far\n";
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : document.plan->sheet.steps) {
-    const auto list = [&](const Block& parts) {
-      return parts.empty() ? std::string() : quoted(parts_text(parts, job.names));
-    };
-    text += fmt::format("{},{},{},{},{},{},{}\n", ++number, list(step.take_out), list(step.put_in),
-                        list(step.setup), step.new_pairs.size(), money(step.cost),
+    text += fmt::format("{},{},{}", ++number, csv_cell(parts_text(step.take_out, job.names)),
+                        csv_cell(parts_text(step.put_in, job.names)));
+    for (std::size_t i = 0; i < slots; ++i) {
+      text += i < step.setup.size() ? cells[step.setup[i]] : ",";
+    }
+    text += fmt::format(",{},{},{}\n", step.new_pairs.size(), money(step.cost),
                         money(step.cost_so_far));
   }
   return text;
@@ -144,7 +158,7 @@ std::string what_if_as_csv(const Job& job, const WhatIf& answer) {
   for (const WhatIf::Range& range : answer.ranges) {
     text += fmt::format("{},{},{},{},{},{}\n", ratio_text(range.from), ratio_text(range.to),
                         range.plan.tests(), range.plan.changes, money(range.plan.change_cost),
-                        quoted(range.plan.name));
+                        csv_cell(range.plan.name));
   }
   return text;
 }

@@ -34,12 +34,16 @@ struct Column {
 // The lines of a cell that are no longer than `width`, unless a word is.
 std::vector<std::string> lines_of(const Cell& cell, std::size_t width) {
   std::vector<std::string> lines;
+  std::size_t columns = 0;  // of the last line
   for (std::size_t i = 0; i < cell.size(); ++i) {
     const std::string word = cell[i] + (i + 1 < cell.size() ? "," : "");
-    if (!lines.empty() && columns_of(lines.back()) + 1 + columns_of(word) <= width) {
+    const std::size_t more = columns_of(word);
+    if (!lines.empty() && columns + 1 + more <= width) {
       lines.back() += " " + word;
+      columns += 1 + more;
     } else {
       lines.push_back(word);
+      columns = more;
     }
   }
   return lines;

@@ -22,12 +22,13 @@ struct Start {
 [[nodiscard]] std::vector<Start> design_starts(const Job& job, std::uint64_t moves,
                                                RunControl& control);
 
-/// Takes the step that tests most pairs for its cost, again and again. Serves every job without defects.
-[[nodiscard]] Start greedy_start(const Job& job);
+/// Takes the step that tests most pairs for its cost, again and again. Serves every job without defects. Once
+/// the control says stop, it takes any steps, so that a complete list comes soon.
+[[nodiscard]] Start greedy_start(const Job& job, RunControl& control);
 
 /// The set-ups in a cheap order: that of search/ordering.hpp if all changes cost the same and nothing is
 /// mounted at the start, else always the nearest next; then reversing stretches and moving short ones
-/// while it helps. O(tests²) a round.
+/// while it helps and the control does not say stop. O(tests²) a round.
 [[nodiscard]] std::vector<Block> order_cheaply(const Job& job, const Weights& weights,
                                                std::vector<Block> setups, RunControl& control);
 

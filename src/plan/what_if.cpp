@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "plan/attempts.hpp"
 
 namespace changeover {
@@ -119,6 +122,7 @@ WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
 
 WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
                RunControl& control) {
+  const RunScope scope(control);
   std::vector<Candidate> candidates = plan.candidates;
   if (plan.complete) {
     candidates.push_back(*plan.complete);
@@ -135,6 +139,9 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
     const CostBound bound = cost_bound(other);
     std::optional<Candidate> best;
     for (const Candidate& candidate : candidates) {
+      if (control.stop_wanted()) {
+        return false;
+      }
       Candidate there = candidate;
       there.cost = run_sheet(other, candidate.setups).cost;
       if (candidate.pairs_tested == job.needed.size() && (!best || there.cost < best->cost)) {
@@ -153,6 +160,9 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
       return false;
     }
     const RunSheet sheet = run_sheet(job, start.setups);
+    if (!sheet.does_the_job()) {
+      throw InternalError("a plan for other costs leaves pairs untested");
+    }
     candidates.push_back({.name = start.name,
                           .how = start.how,
                           .setups = start.setups,
@@ -163,20 +173,29 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
     return true;
   };
   constexpr std::uint64_t far = 1000;
-  search({1, far});
-  search({far, 1});
-  constexpr unsigned most_rounds = 12;
-  WhatIf answer = envelope(job, candidates);
-  for (unsigned round = 0; round < most_rounds; ++round) {
-    bool found = false;
-    for (const WhatIf::Range& range : answer.ranges) {
-      found = (range.to && search(*range.to)) || found;
+  std::optional<std::string> shortage = plan.shortage;
+  try {
+    search({1, far});
+    search({far, 1});
+    constexpr unsigned most_rounds = 12;
+    for (unsigned round = 0; round < most_rounds; ++round) {
+      bool found = false;
+      for (const WhatIf::Range& range : envelope(job, candidates).ranges) {
+        found = (range.to && search(*range.to)) || found;
+      }
+      if (!found) {
+        break;
+      }
     }
-    if (!found) {
-      break;
-    }
-    answer = envelope(job, candidates);
+  } catch (const Stopped&) {
+    // What was found before is the answer.
+  } catch (const MissingResource& fault) {
+    shortage = fault.what();
+  } catch (const std::bad_alloc&) {
+    shortage = "not enough memory to search at all ratios";
   }
+  WhatIf answer = envelope(job, candidates);
+  answer.shortage = shortage;
   return answer;
 }
 

@@ -1,5 +1,6 @@
 #include "changeover/plan/amount.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -48,6 +49,22 @@ RC_GTEST_PROP(Amount, SurvivesWritingAndReading, (std::uint32_t whole, std::uint
   const Amount amount{std::uint64_t{whole} * 1'000'000 + part % 1'000'000};
   RC_ASSERT(parse_amount(to_string(amount)) == amount);
   RC_ASSERT(parse_amount(to_string(amount, 6)) == amount);
+}
+
+TEST(Amount, SaysThatACostIsTooLargeAndWhatToDo) {
+  for (const std::string& given :
+       {std::string("9223372036854775807"), std::string("18446744073709551615"),
+        "1" + std::string(400, '0'), std::string(100'000, '9'),
+        std::string("9223372036854.775808")}) {
+    try {
+      (void)parse_amount(given);
+      ADD_FAILURE() << given;
+    } catch (const ImpossibleParameters& fault) {
+      EXPECT_THAT(fault.what(), testing::HasSubstr("use a larger unit"));
+      EXPECT_LT(std::string(fault.what()).size(), 200U);
+    }
+  }
+  EXPECT_EQ(to_string(parse_amount("9223372036854.775807")), "9223372036854.775807");
 }
 
 }  // namespace

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
@@ -72,6 +76,27 @@ TEST(CostBound, CountsLargeJobs) {
   const CostBound bound = cost_bound(make_job(1000, 10, units(1), units(1)));
   EXPECT_GT(bound.cost, units(66'000));
   EXPECT_LT(bound.cost, units(90'000));
+}
+
+TEST(CostBound, IsWeakerButTrueWhenItIsStopped) {
+  std::atomic<bool> interrupted = true;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    const Job job = test::random_job(seed, 8);
+    const CostBound whole = cost_bound(job);
+    RunControl control({.interrupted = &interrupted});
+    const RunScope scope(control);
+    const CostBound soon = cost_bound(job);
+    EXPECT_LE(soon.cost, whole.cost) << seed;
+    EXPECT_FALSE(soon.reason.empty());
+  }
+}
+
+TEST(CostBound, CountsWithTheLargestCosts) {
+  const Amount large = parse_amount("30000000000");
+  const Amount one = parse_amount("1");
+  EXPECT_EQ(cost_bound(make_job(20, 3, large, large)).cost.millionths,
+            cost_bound(make_job(20, 3, one, one)).cost.millionths * 30'000'000'000U);
+  EXPECT_THROW((void)cost_bound(make_job(40, 3, large, large)), ImpossibleParameters);
 }
 
 }  // namespace

@@ -125,5 +125,42 @@ TEST(Job, NeedsTheRestOnceTestsAreDone) {
   EXPECT_EQ(other.tests_done, 1U);
 }
 
+TEST(Job, HasRoomForNoMorePartsThanThereAre) {
+  Job job = five();
+  EXPECT_EQ(job.room(), 3U);
+  job.at_once = ~std::uint64_t{0};
+  EXPECT_EQ(job.room(), 5U);
+  EXPECT_THAT(defects(job), IsEmpty());
+}
+
+TEST(Job, NamesThatCannotStandOnASheetAreDefects) {
+  for (const std::string& name :
+       {std::string("a\nb"), std::string("\x1b[2J"), std::string("a\tb"), std::string("a\0b", 3),
+        std::string("\x7f"), std::string("\xff"), std::string("caf\xe9"), std::string("\xc2\x9b"),
+        std::string("\xe2\x80\xae") + "abc", std::string("\xe2\x81\xa6"),
+        std::string("\xe2\x80\xa8"), std::string()}) {
+    Job job = five();
+    job.names[2] = name;
+    EXPECT_EQ(defects(job).size(), 1U) << testing::PrintToString(name);
+  }
+  for (const char* name : {"=1+1", "<script>", "Größe", "\xe2\x80\x8f\xd7\x90", "a b", "'\""}) {
+    EXPECT_EQ(text_defect(name), std::nullopt) << name;
+  }
+}
+
+TEST(Job, NeedsTheRestOfManyLargeTests) {
+  Job job = make_job(130, 130, units(1), units(1));
+  Block half;
+  Block ends{0, 64, 129};
+  for (Element x = 0; x < 65; ++x) {
+    half.push_back(x);
+  }
+  mark_done(job, {half, ends});
+  EXPECT_EQ(job.needed.size(), 130U * 129 / 2 - 65 * 64 / 2 - 2);
+  EXPECT_FALSE(job.needed.contains(64, 129));
+  EXPECT_FALSE(job.needed.contains(63, 64));
+  EXPECT_TRUE(job.needed.contains(63, 129));
+}
+
 }  // namespace
 }  // namespace changeover

@@ -3,9 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <set>
 
 #include "changeover/core/error.hpp"
+#include "changeover/plan/what_if.hpp"
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
@@ -213,6 +216,101 @@ TEST(RunPlan, RefusesWhatCannotBe) {
   EXPECT_THROW((void)planned(job), BadInput);
   EXPECT_THROW((void)planned(make_job(100, 5, parse_amount("9000000000000"), units(1))),
                ImpossibleParameters);
+}
+
+TEST(RunPlan, MoreRoomThanPartsIsRoomForAll) {
+  for (const std::uint64_t at_once :
+       {std::uint64_t{9}, std::uint64_t{1} << 31, std::uint64_t{1} << 32,
+        (std::uint64_t{1} << 63) - 1, std::uint64_t{1} << 63, ~std::uint64_t{0}}) {
+    Job job = make_job(9, at_once, units(1), units(5));
+    const RunPlan plan = planned(job);
+    EXPECT_EQ(plan.sheet.steps.size(), 1U) << at_once;
+    EXPECT_TRUE(plan.proved_cheapest());
+    job.never.insert(0, 1);
+    job.never.insert(2, 3);
+    job.needed = all_pairs_but(job.never);
+    const RunPlan other = planned(job, {.steps = 5000});
+    EXPECT_TRUE(other.sheet.does_the_job());
+    expect_sound(job, other.candidates.front().setups, other.sheet.cost, true);
+  }
+}
+
+TEST(RunPlan, StoppedAtOnceItIsStillComplete) {
+  std::atomic<bool> interrupted = true;
+  for (const std::uint64_t at_once : {2U, 3U, 40U, 200U}) {
+    Job job = make_job(400, at_once, units(1), units(5));
+    if (at_once == 40) {
+      for (Element x = 0; x + 1 < 400; ++x) {
+        job.never.insert(x, x + 1);
+      }
+      job.needed = all_pairs_but(job.never);
+    }
+    RunControl control({.interrupted = &interrupted});
+    const RunPlan plan = make_run_plan(job, {.until_stopped = true}, control);
+    EXPECT_TRUE(plan.sheet.does_the_job());
+    EXPECT_EQ(plan.why_stopped, WhyStopped::interrupted);
+    EXPECT_LE(plan.bound.cost, plan.sheet.cost);
+    EXPECT_EQ(plan.steps, 0U);
+    if (at_once != 2) {
+      expect_sound(job, plan.candidates.front().setups, plan.sheet.cost, true);
+    }
+    const WhatIf answer = what_if(job, plan, {}, control);
+    EXPECT_EQ(answer.ranges.size(), 1U);
+  }
+}
+
+TEST(RunPlan, AThousandPartsTakeLittleLongerThanTheirTime) {
+  RunControl control({.time = std::chrono::milliseconds(200), .threads = 2});
+  const RunPlan plan =
+      make_run_plan(make_job(1000, 5, units(1), units(5)), {.until_stopped = true}, control);
+  EXPECT_TRUE(plan.sheet.does_the_job());
+  EXPECT_LT(control.elapsed().count(), 20.0) << "for a limit of 0.2 s";
+}
+
+TEST(RunPlan, StoppedUnderABudgetItStaysWithinIt) {
+  std::atomic<bool> interrupted = true;
+  const Job job = make_job(100, 5, units(1), units(1));
+  RunControl control({.interrupted = &interrupted});
+  const RunPlan plan = make_run_plan(job, {.budget = units(50)}, control);
+  EXPECT_LE(plan.sheet.cost, units(50));
+  EXPECT_GT(plan.sheet.pairs_tested, 0U);
+  ASSERT_TRUE(plan.complete);
+  EXPECT_EQ(plan.complete->pairs_tested, job.needed.size());
+}
+
+TEST(RunPlan, CostsNearTheLargestAreStillSearched) {
+  // 64 times the total would not fit in 64 bits, the total does.
+  const Amount large = parse_amount("100000000000");
+  const RunPlan plan = planned(make_job(9, 3, large, large), {.steps = 20'000});
+  EXPECT_TRUE(plan.sheet.does_the_job());
+  EXPECT_GT(plan.steps, 0U);
+  const RunPlan small = planned(make_job(9, 3, units(1), units(1)), {.steps = 20'000});
+  EXPECT_EQ(plan.sheet.cost, small.sheet.cost * 100'000'000'000U);
+  const RunPlan within =
+      planned(make_job(9, 3, large, large), {.steps = 20'000, .budget = large * 20});
+  EXPECT_LE(within.sheet.cost, large * 20);
+  EXPECT_GT(within.sheet.pairs_tested, 10U);
+  EXPECT_THROW((void)planned(make_job(9, 3, large * 10, large * 10)), ImpossibleParameters);
+}
+
+TEST(RunPlan, AShortageLeavesWhatWasFoundBefore) {
+  const Job job = make_job(60, 4, units(1), units(1));
+  RunControl tiny({.memory_bytes = 1000});
+  EXPECT_THROW((void)make_run_plan(job, {}, tiny), MissingResource);
+  RunControl small({.memory_bytes = 290'000, .threads = 4});
+  const RunPlan plan = make_run_plan(job, {.steps = 1000, .design_moves = 0}, small);
+  ASSERT_TRUE(plan.shortage);
+  EXPECT_THAT(*plan.shortage, testing::HasSubstr("searching among lists of"));
+  EXPECT_TRUE(plan.sheet.does_the_job());
+  EXPECT_EQ(plan.steps, 0U);
+}
+
+TEST(RunPlan, NoNumberOfStepsOverflows) {
+  RunControl control({.time = std::chrono::milliseconds(100)});
+  const RunPlan plan = make_run_plan(make_job(12, 4, units(1), units(1)),
+                                     {.steps = ~std::uint64_t{0}, .design_moves = 1000}, control);
+  EXPECT_TRUE(plan.sheet.does_the_job());
+  EXPECT_LT(plan.steps, 1'000'000'000U) << "steps that were made, not those that were allowed";
 }
 
 }  // namespace

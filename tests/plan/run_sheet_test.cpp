@@ -83,5 +83,17 @@ TEST(RunSheet, RecognisesAConstantChange) {
   EXPECT_TRUE(sheet.does_the_job());
 }
 
+TEST(RunSheet, ReportsAForbiddenPairOfAnyStep) {
+  Job job = make_job(6, 3, units(1), units(1));
+  job.never.insert(0, 4);
+  job.needed = all_pairs_but(job.never);
+  EXPECT_THAT(run_sheet(job, {{1, 2, 3}, {1, 2, 0}, {1, 4, 0}}).faults,
+              ElementsAre(HasSubstr("set-up 3 holds 1 and 5")));
+  EXPECT_THAT(run_sheet(job, {{1, 2, 4}, {1, 4, 3}, {0, 4, 3}}).faults,
+              ElementsAre(HasSubstr("set-up 3 holds 1 and 5")));
+  EXPECT_THAT(run_sheet(job, {{1, 2, 3}, {0, 4, 5}}).faults,
+              ElementsAre(HasSubstr("set-up 2 holds 1 and 5")));
+}
+
 }  // namespace
 }  // namespace changeover

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+#include <vector>
+
 #include "changeover/plan/read_job.hpp"
 
 namespace changeover {
@@ -40,13 +44,13 @@ class SheetFormats : public testing::Test {
 
 TEST_F(SheetFormats, Csv) {
   EXPECT_EQ(sheet_as_csv(document),
-            "step,take_out,put_in,set_up,new_pairs,cost,cost_so_far\n"
+            "step,take_out,put_in,slot_1,slot_2,slot_3,new_pairs,cost,cost_so_far\n"
             "1,,\"Pump, \"\"Valve, large\"\", \"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\","
-            "\"Pump, \"\"Valve, large\"\", \"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\",3,4.75,4.75\n"
+            "Pump,\"Valve, large\",\"<b>\"\"Motor\"\"</b>\",3,4.75,4.75\n"
             "2,\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\",Fan | 4*,"
-            "\"Pump, \"\"Valve, large\"\", Fan | 4*\",2,3.00,7.75\n"
+            "Pump,\"Valve, large\",Fan | 4*,2,3.00,7.75\n"
             "3,\"Pump, \"\"Valve, large\"\"\",\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\","
-            "\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\", Fan | 4*\",1,3.00,10.75\n");
+            "\"<b>\"\"Motor\"\"</b>\",Fan | 4*,,1,3.00,10.75\n");
 }
 
 TEST_F(SheetFormats, CsvIsReadBackAsTestsThatWereDone) {
@@ -135,6 +139,84 @@ TEST_F(SheetFormats, NothingToDoIsSaid) {
                                   sheet_as_html(document), sheet_as_json(document)}) {
     EXPECT_THAT(text, HasSubstr("nothing is left to test"));
   }
+}
+
+// The cells of a line of CSV, without their quotes.
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells{""};
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') {
+      if (quoted && i + 1 < line.size() && line[i + 1] == '"') {
+        cells.back() += line[++i];
+      } else {
+        quoted = !quoted;
+      }
+    } else if (line[i] == ',' && !quoted) {
+      cells.emplace_back();
+    } else {
+      cells.back() += line[i];
+    }
+  }
+  return cells;
+}
+
+TEST_F(SheetFormats, NoCellOfCsvIsAFormulaAndAllNamesComeBack) {
+  const std::vector<std::vector<std::string>> hostile{
+      {"=1+1", "C", "D", "E"},
+      {"+x", "-x", "@SUM(A1)", "'=x"},
+      {"''=x", "=x", "'x", " =x"},
+      {"-1.5", "007", "2", "1"},
+      {"step", "slot_1", "set_up", "#x"},
+      {"=\"a,b\"", "-\"", "\"=", ";"},
+      {"step", "take_out", "put_in", "cost_so_far"}};
+  for (const std::vector<std::string>& names : hostile) {
+    job.names = names;
+    const std::string text = sheet_as_csv(document);
+    EXPECT_EQ(read_setups(*input_from_text(text), job.names), plan.candidates.front().setups)
+        << text;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      for (const std::string& cell : cells_of(line)) {
+        const bool number =
+            !cell.empty() && cell.find_first_not_of("-.0123456789") == std::string::npos;
+        EXPECT_TRUE(cell.empty() || number ||
+                    std::string("=+-@\t\r").find(cell[0]) == std::string::npos)
+            << cell;
+      }
+    }
+  }
+}
+
+TEST_F(SheetFormats, SheetsWithAllPartsInOneCellAreStillRead) {
+  const std::string old =
+      "step,take_out,put_in,set_up,new_pairs,cost,cost_so_far\n"
+      "1,,\"Pump, \"\"Valve, large\"\"\",\"Pump, \"\"Valve, large\"\"\",1,4.75,4.75\n"
+      "2,,Fan | 4*,\"Pump, Fan | 4*\",2,3.00,7.75\n";
+  EXPECT_EQ(read_setups(*input_from_text(old), job.names), (std::vector<Block>{{0, 1}, {0, 3}}));
+}
+
+TEST_F(SheetFormats, HtmlHoldsNoMarkupOfANameOrTitle) {
+  job.names = {"<script>alert(1)</script>", "\" onload=\"x", "' onload='x", "a & b <img src=x>"};
+  document.title = "</title><script>";
+  const std::string page = sheet_as_html(document);
+  for (const char* markup : {"<script", "<img", "\" onload", "' onload", "& b"}) {
+    EXPECT_THAT(page, Not(HasSubstr(markup)));
+  }
+  EXPECT_THAT(page, HasSubstr("&lt;script&gt;alert(1)&lt;/script&gt;"));
+  EXPECT_THAT(page, HasSubstr("&quot; onload=&quot;x"));
+}
+
+TEST_F(SheetFormats, TablesOfVeryLongListsAreLaidOutAtOnce) {
+  constexpr std::size_t many = 1000;
+  job = make_job(many, many, parse_amount("1"), parse_amount("1"));
+  Block all;
+  for (Element x = 0; x < many; ++x) {
+    job.names[x] = std::to_string(x) + std::string(240, 'x');
+    all.push_back(x);
+  }
+  plan.sheet = run_sheet(job, {all});
+  EXPECT_GT(sheet_as_table(document, 80).size(), many * 240);
 }
 
 }  // namespace

@@ -139,5 +139,130 @@ TEST(Plan, HonoursForbiddenPairsAndMountedParts) {
                                  HasSubstr("\"mounted\":[\"E\"]")));
 }
 
+TEST(Plan, AbsurdNumbersAreRefusedOrAnsweredAtOnce) {
+  const TemporaryFolder folder;
+  const std::string ten_to_400 = "1" + std::string(400, '0');
+  const auto plan = [&](const std::string& arguments) {
+    return run("timeout 20 $changeover plan --time 100ms --quiet --json " + arguments,
+               folder.path());
+  };
+  for (const std::string& number :
+       {std::string("0"), std::string("-1"), std::string("2147483648"), std::string("4294967296"),
+        std::string("9223372036854775807"), std::string("9223372036854775808"),
+        std::string("18446744073709551615"), std::string("18446744073709551616"),
+        std::string("nan"), std::string("1e308"), std::string("9,00"), ten_to_400}) {
+    const std::string costs = " --test-cost 1 --change-cost 1";
+    for (const std::string& arguments :
+         {"--items " + number + " -k 3" + costs, "--items 9 -k " + number + costs,
+          "--items 9 -k 3 --change-cost 1 --test-cost " + number,
+          "--items 9 -k 3 --test-cost 1 --change-cost " + number,
+          "--items 9 -k 3 --budget " + number + costs, "--items 9 -k 3 --seed " + number + costs,
+          "--items 9 -k 3 --steps " + number + costs}) {
+      const Outcome outcome = plan(arguments);
+      const bool refused = outcome.code == 2 && outcome.out.empty() &&
+                           std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1;
+      const bool answered = outcome.code == 0 && outcome.err.empty() && !outcome.out.empty();
+      EXPECT_TRUE(refused || answered) << arguments << '\n' << outcome.code << outcome.err;
+    }
+  }
+  EXPECT_THAT(plan("--items 9 -k 9223372036854775807 --test-cost 1 --change-cost 5").out,
+              HasSubstr("\"tests\":1,\"changes\":9,\"cost\":46,"));
+}
+
+TEST(Plan, NeverWritesOverWhatItReads) {
+  const TemporaryFolder folder;
+  const std::string parts = "A,1\nB,2\nC,3\nD,4\n";
+  spit(folder.file("parts.csv"), parts);
+  spit(folder.file("pairs.csv"), "A,B\n");
+  spit(folder.file("done.csv"), "A,C\n");
+  const Outcome links =
+      run("ln -s parts.csv soft.csv && ln parts.csv hard.csv && mkdir sub && "
+          "ln -s .. sub/up",
+          folder.path());
+  ASSERT_EQ(links.code, 0) << links.err;
+  for (const std::string output : {"parts.csv", "./parts.csv", "sub/../parts.csv",
+                                   "sub/up/parts.csv", "soft.csv", "hard.csv"}) {
+    const Outcome outcome =
+        run("$changeover plan parts.csv -k 3 --test-cost 1 --format csv -o " + output + fast,
+            folder.path());
+    EXPECT_EQ(outcome.code, 2) << output;
+    EXPECT_THAT(outcome.err, HasSubstr("is the same file as the parts list"));
+    EXPECT_EQ(slurp(folder.file("parts.csv")), parts) << output;
+  }
+  for (const std::string option : {"--pairs pairs.csv", "--never pairs.csv", "--done done.csv"}) {
+    const std::string file = option.substr(option.find(' ') + 1);
+    const Outcome outcome =
+        run("$changeover plan parts.csv -k 3 --test-cost 1 " + option + " -o ./" + file + fast,
+            folder.path());
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_THAT(outcome.err, HasSubstr("same file as " + option.substr(0, option.find(' '))));
+  }
+  EXPECT_EQ(
+      run("$changeover plan - -k 3 --test-cost 1 -o parts.csv < parts.csv" + fast, folder.path())
+          .code,
+      2);
+  EXPECT_EQ(slurp(folder.file("parts.csv")), parts);
+  spit(folder.file("sheet.csv"), "an older sheet");
+  EXPECT_EQ(
+      run("$changeover plan parts.csv -k 3 --test-cost 1 -o sheet.csv" + fast, folder.path()).code,
+      0);
+}
+
+TEST(Plan, SaysInOneLineWhichFileIsAtFault) {
+  const TemporaryFolder folder;
+  spit(folder.file("parts.csv"), "A,1\nB,2\nC,3\nD,4\n");
+  spit(folder.file("one.csv"), "A,1\n");
+  spit(folder.file("empty.csv"), "");
+  spit(folder.file("large.csv"), "A,B\nA,B,C,D\n");
+  spit(folder.file("escape.csv"), "A\x1b[2J,1\nB,2\n");
+  spit(folder.file("latin.csv"),
+       "Gr\xf6\xdf"
+       "e,1\nB,2\n");
+  ASSERT_EQ(run("ln -s loop.csv loop.csv", folder.path()).code, 0);
+  const std::string costs = " -k 3 --test-cost 1 ";
+  struct Case {
+    std::string arguments;
+    int code;
+    std::string says;
+  };
+  for (const Case& c : std::vector<Case>{
+           {"one.csv" + costs, 3, "one.csv: one part is listed"},
+           {"empty.csv" + costs, 3, "empty.csv:1:1: no part is listed"},
+           {"parts.csv --pairs empty.csv" + costs, 3, "empty.csv: no pair is listed"},
+           {"parts.csv --done large.csv" + costs, 3, "large.csv:2:1: 4 parts stand here"},
+           {"parts.csv --done large.csv --done-first 9 -k 4 --test-cost 1", 2,
+            "large.csv has 2 set-ups"},
+           {"escape.csv" + costs, 3, "escape.csv:1:2: control byte 0x1b"},
+           {"latin.csv" + costs, 3, "latin.csv:1:3: byte 0xf6 is not UTF-8"},
+           {"parts.csv --title $'a\\e[2Jb'" + costs, 2, "--title: control byte 0x1b"},
+           {"/dev/zero" + costs, 3, "/dev/zero:1:1: control byte 0x00"},
+           {"/dev/null" + costs, 3, "/dev/null:1:1: no part is listed"},
+           {". " + costs, 4, "directory"},
+           {"loop.csv" + costs, 4, "loop.csv"},
+           {"parts.csv --never ." + costs, 4, "directory"},
+           {"parts.csv --done loop.csv" + costs, 4, "loop.csv"},
+       }) {
+    const Outcome outcome = run("timeout 20 $changeover plan " + c.arguments + fast, folder.path());
+    EXPECT_EQ(outcome.code, c.code) << c.arguments << '\n' << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(c.says)) << c.arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << c.arguments;
+    EXPECT_EQ(outcome.out, "") << c.arguments;
+  }
+}
+
+TEST(Plan, CtrlCDeliversTheBestSoFar) {
+  const TemporaryFolder folder;
+  // Once there are two threads, the search is under way.
+  const Outcome outcome = run(
+      "$changeover plan --items 400 -k 6 --test-cost 1 --change-cost 1 --time 10m --quiet --json "
+      "--threads 2 -o plan.json & until [[ $(ls /proc/$!/task | wc -l) -ge 2 ]]; do sleep 0.02; "
+      "done; kill -INT $!; wait $!; echo $?",
+      folder.path());
+  EXPECT_EQ(outcome.out, "0\n") << outcome.err;
+  EXPECT_THAT(slurp(folder.file("plan.json")),
+              HasSubstr("\"pairs_needed\":79800,\"pairs_tested\":79800"));
+}
+
 }  // namespace
 }  // namespace changeover::test

@@ -52,8 +52,9 @@ struct CostBound {
   std::string reason;               ///< one line with the numbers filled in
 };
 
-/// No list of set-ups that does the job costs less.
-/// @throws BadInput as check(); ImpossibleParameters if a cost overflows. O(P·at_once).
+/// No list of set-ups that does the job costs less. If the scope of this thread (run/scope.hpp) wants to stop,
+/// the bound is that of (2), (3) and (5), which is known soon.
+/// @throws BadInput as check(); ImpossibleParameters if a cost overflows. O(P·K).
 [[nodiscard]] CostBound cost_bound(const Job& job);
 
 }  // namespace changeover

@@ -16,7 +16,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "changeover/core/block.hpp"
@@ -40,9 +42,16 @@ struct Job {
   std::uint64_t tests_done = 0;      ///< tests before the first; only for numbering
 
   [[nodiscard]] std::uint64_t parts() const { return names.size(); }
+  /// The most parts that a set-up can have: at_once, however large, but no more than there are.
+  [[nodiscard]] std::uint64_t room() const { return at_once < parts() ? at_once : parts(); }
   /// All change costs are the same.
   [[nodiscard]] bool one_change_cost() const;
 };
+
+/// Why a text cannot stand on a run sheet, as the name of a part or as its title: it is not UTF-8, or has
+/// control characters or those that turn the direction of writing around, which would make a sheet say
+/// something else than it holds. Nothing if it can.
+[[nodiscard]] std::optional<std::string> text_defect(std::string_view text);
 
 /// A job with parts "1", …, "v" in which all pairs must meet. @throws BadInput if v > max_parts.
 [[nodiscard]] Job make_job(std::uint64_t v, std::uint64_t at_once, Amount test_cost,
@@ -53,7 +62,7 @@ struct Job {
 
 /// Why no list of set-ups can do the job, or why the job is malformed: a line for each reason, at most
 /// ten; none if there is one. The reasons are complete: without one, a set-up for each needed pair, of
-/// this pair and the mounted parts, does the job. O(v² · mounted parts).
+/// this pair and the mounted parts, does the job. O(v²).
 [[nodiscard]] std::vector<std::string> defects(const Job& job);
 
 /// @throws BadInput with the first of defects() and how many more there are.
@@ -61,7 +70,8 @@ void check(const Job& job);
 
 /// Takes tests that were already done off a job: their pairs are needed no more, and unless the job says
 /// what is mounted at the start, the last of them is. @throws BadInput if one is larger than at_once, has a
-/// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once²).
+/// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once · v/64). Stopped
+/// if the scope of this thread (run/scope.hpp) wants to stop; the job is then as it was.
 void mark_done(Job& job, const std::vector<Block>& setups);
 
 }  // namespace changeover

@@ -13,10 +13,15 @@
 //     for names and for costs (the first one that says "cost") are found by it, and others are ignored.
 //   - Pairs: two parts a row.
 //   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/sheet_formats.hpp) is taken too: its
-//     column set_up counts, and its rows in their order.
+//     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, and its rows in
+//     their order.
+// Lists are UTF-8; control characters and those that turn the direction of writing around are refused.
+// They are read a line at a time: at most 16 MiB a line, 1 GiB and 4,194,304 rows in all.
 // A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,9 +46,11 @@ struct PartList {
 /// part with itself, rows that are no pair; MissingResource if reading fails.
 [[nodiscard]] PairSet read_pairs(Input& input, const std::vector<std::string>& names);
 
-/// The set-ups in order, each of any size. @throws BadInput for unknown or repeated parts;
-/// MissingResource if reading fails.
-[[nodiscard]] std::vector<Block> read_setups(Input& input, const std::vector<std::string>& names);
+/// The set-ups in order. @throws BadInput for unknown or repeated parts and for a set-up of more than
+/// `at_once`; MissingResource if reading fails.
+[[nodiscard]] std::vector<Block> read_setups(
+    Input& input, const std::vector<std::string>& names,
+    std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
 
 /// Parts in one line, "Pump A, 3"; fields as in files. @throws BadInput (without a place) for unknown or
 /// repeated parts.

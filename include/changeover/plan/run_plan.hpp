@@ -58,6 +58,9 @@ struct RunPlan {
   CostBound bound;                    ///< of testing all needed pairs
   std::uint64_t steps = 0;            ///< moves of local search, over all attempts
   WhyStopped why_stopped = WhyStopped::running;
+  /// What was missing, in one line, if the search ended early for want of memory, threads or the like: the
+  /// plan is then the best of what was found before.
+  std::optional<std::string> shortage;
 
   /// The sheet does the job at the cost of the bound: nothing is cheaper.
   [[nodiscard]] bool proved_cheapest() const {
@@ -65,9 +68,10 @@ struct RunPlan {
   }
 };
 
-/// The best plan that was found; there always is one, also if the control says stop at once.
-/// @throws BadInput as check(Job); ImpossibleParameters if costs overflow; InternalError if a candidate
-/// is not what it should be. Bound by: attempts · steps moves of local search, each
+/// The best plan that was found; there always is one, also if the control says stop at once: it comes within
+/// about a second for a thousand parts.
+/// @throws BadInput as check(Job); ImpossibleParameters if costs overflow; MissingResource if a plan needs
+/// more memory than the control allows; InternalError if a candidate is not what it should be. Bound by: attempts · steps moves of local search, each
 /// O(stretch · at_once), besides the search for designs.
 [[nodiscard]] RunPlan make_run_plan(const Job& job, const PlanOptions& options,
                                     RunControl& control);

@@ -44,7 +44,7 @@ struct RunSheet {
 };
 
 /// Counts everything. @throws BadInput if an element is not below job.parts();
-/// ImpossibleParameters if the cost overflows. O(tests · at_once²).
+/// ImpossibleParameters if the cost overflows. O(v² + introductions · room).
 [[nodiscard]] RunSheet run_sheet(const Job& job, const std::vector<Block>& setups);
 
 }  // namespace changeover

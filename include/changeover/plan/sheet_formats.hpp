@@ -9,8 +9,11 @@
 // Costs of one document have the same number of decimals. Names are escaped as each format asks.
 //
 // CSV, one row a step, in LF lines; read_setups() (plan/read_job.hpp) reads it back:
-//     step,take_out,put_in,set_up,new_pairs,cost,cost_so_far
-//     2,Valve 2,"Motor, small","Pump A, ""Motor, small""",1,6,22
+//     step,take_out,put_in,slot_1,slot_2,slot_3,new_pairs,cost,cost_so_far
+//     2,Valve 2,"Motor, small",Pump A,"Motor, small",,1,6,22
+// The parts of a set-up have a column each, as many as the largest set-up has parts; what is taken out and put
+// in is a list for people. No cell is a formula to a spreadsheet: a text that would be one begins with an
+// apostrophe (io/csv_cell.hpp), which read_setups() takes back; numbers stay numbers.
 // JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost}], at_once, test_cost, mounted,
 // start, tests_done, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
 // tests, changes, reason}, budget (or null), steps [{step, take_out, put_in, set_up, new_pairs [[a,b]], cost,
@@ -36,7 +39,7 @@ struct SheetDocument {
 
 /// For a terminal: lists are broken between parts where a line would be longer than `width`.
 [[nodiscard]] std::string sheet_as_table(const SheetDocument& document, std::size_t width);
-/// As shown above, with names quoted where CSV needs it.
+/// As shown above, with names quoted and escaped where CSV and spreadsheets need it.
 [[nodiscard]] std::string sheet_as_csv(const SheetDocument& document);
 /// One line, as described above.
 [[nodiscard]] std::string sheet_as_json(const SheetDocument& document);

@@ -38,7 +38,8 @@ struct WhatIf {
   };
   bool by_factor = false;  ///< change costs differ: ratios are factors of all change costs
   std::vector<Range> ranges;
-  std::optional<Ratio> asked;  ///< where the job stands; nothing if its tests cost nothing
+  std::optional<Ratio> asked;           ///< where the job stands; nothing if its tests cost nothing
+  std::optional<std::string> shortage;  ///< as in RunPlan
 };
 
 /// The envelope of some candidates, without any search. O(n log n).

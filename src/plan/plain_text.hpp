@@ -1,0 +1,20 @@
+// Which texts can stand on a run sheet.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace changeover::plan_detail {
+
+struct TextDefect {
+  std::size_t offset = 0;  ///< of the first byte that is at fault
+  std::string what;        ///< what it is and how to mend it, without a place
+};
+
+/// The first byte that is not UTF-8, control character, end of a line or character that turns the
+/// direction of writing around; nothing if there is none. Tabs are control characters unless allowed.
+[[nodiscard]] std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs);
+
+}  // namespace changeover::plan_detail
