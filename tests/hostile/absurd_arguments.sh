@@ -120,7 +120,9 @@ attack() { # the verb and its words
     while IFS= read -r name; do
       [[ $'\n'$before$'\n' != *$'\n'"$name"$'\n'* ]] || continue
       changed=yes
+      # A result that could not be written where it should be is put here, and said to be.
       [[ -z $name ]] || named "$name" "$@" || [[ "$*" == *$'\n'* || $name == state* ]] ||
+        [[ $code == 4 && $said == *"./$name"* ]] ||
         fault "changeover $(quoted "$@"): left $(quoted "$name")"
     done <<<"$now"
     while IFS= read -r name; do
@@ -214,7 +216,7 @@ for verb in "${verbs[@]}"; do
     done
     # Two options at once, with values of all kinds.
     read -r -a names <<<"${options[$verb]}"
-    for ((i = 0; i < 40; ++i)); do
+    for ((i = 0; i < 40 && ${#names[@]} > 0; ++i)); do
       due || continue
       pair=()
       for _ in 1 2; do

@@ -38,7 +38,7 @@ delivered() {
   local name
   whole_design "$out" && return 0
   while IFS= read -r name; do
-    [[ ! -f $name || $name == old || $name == blocks.txt || $name == part.txt ]] || { whole_design "$name" && return 0; }
+    [[ ! -f $name || $name == blocks.txt || $name == part.txt ]] || { whole_design "$name" && return 0; }
   done < <(names_here)
   return 1
 }

@@ -42,8 +42,9 @@ for ((round = 0; round < rounds; ++round)); do
     moment=$((RANDOM % 1800)) # milliseconds
     ((rounds > 1)) || moment=$((1000 + moment / 6))
     tried="changeover $command -o precious, SIG$signal after $moment ms"
-    # shellcheck disable=SC2086
-    "$CHANGEOVER" $command -o precious >"$out" 2>"$err" </dev/null &
+    # A shell lets what it starts in the background ignore interrupts.
+    # shellcheck disable=SC2086 # the words of the command
+    env --default-signal=INT "$CHANGEOVER" $command -o precious >"$out" 2>"$err" </dev/null &
     process=$!
     printf -v pause '%d.%03d' $((moment / 1000)) $((moment % 1000))
     sleep "$pause"
