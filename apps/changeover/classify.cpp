@@ -213,7 +213,7 @@ int run(const ClassifyRequest& request) {
         request.designs ? std::numeric_limits<std::uint64_t>::max() : shown_by_default;
     const Classification mine = classify_designs(
         p, answer.b, {.reversal = request.reversal, .keep = keep}, running.control());
-    running.finish_progress();
+    running.finish();
     answer.found = of_all(mine, p);
     answer.seconds = running.control().elapsed().count();
   }

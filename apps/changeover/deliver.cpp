@@ -24,9 +24,10 @@ void write_to(const std::string& path, const Write& write) {
 
 // A name in the current folder that nothing has yet, like that of the target.
 std::string free_name(const std::string& target) {
-  const bool none = target.empty() || target == "-";
-  const std::string name =
-      none ? "changeover-answer" : std::filesystem::path(target).filename().string();
+  std::string name = std::filesystem::path(target).filename().string();
+  if (name.empty() || name == "-" || name == "." || name == "..") {
+    name = "changeover-answer";
+  }
   std::error_code ignored;
   std::string free = name;
   for (int i = 1; std::filesystem::exists(std::filesystem::symlink_status(free, ignored)); ++i) {

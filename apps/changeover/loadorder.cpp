@@ -407,27 +407,25 @@ int run(const LoadOrderRequest& request) {
     throw UsageError{fmt::format("--workers {}: give 1 to {}", *request.workers, most_workers)};
   }
   LoadOrderOptions options;
-  std::optional<Running> running;
-  if (!request.run.time.empty() && parse_duration(request.run.time, "--time").count() > 0) {
-    running.emplace(request.run, request.output);
-    options.improve = improve_by_search(running->control());
-  }
   OutputRequest output = request.output;
-  output.precious = running.has_value();  // Without a search the same command makes it again.
+  output.precious = false;  // Without a search the same command makes it again.
   output.check_writable();
-  const auto answer = [&](const auto& write) {
-    running.reset();  // Ctrl-C ends the process again.
-    deliver(output, write);
-  };
+  if (request.run.settings().time->count() > 0) {
+    options.improve = [&](const Design& start, std::uint64_t blocks) {
+      output.precious = true;
+      Running running(request.run, request.output);  // The time is for the search alone.
+      return improve_by_search(running.control())(start, blocks);
+    };
+  }
   if (request.workers) {
     const WorkerSplit split = split_load_order(items, room, *request.workers, options);
-    answer([&](OutputFile& out) { write_workers(request, split, out); });
+    deliver(output, [&](OutputFile& out) { write_workers(request, split, out); });
   } else if (request.prefetch) {
     const PrefetchPlan plan = plan_prefetch(items, room, options);
-    answer([&](OutputFile& out) { write_prefetch(request, plan, room, out); });
+    deliver(output, [&](OutputFile& out) { write_prefetch(request, plan, room, out); });
   } else {
     const LoadOrder order = plan_load_order(items, room, options);
-    answer([&](OutputFile& out) { write_one(request, order, out); });
+    deliver(output, [&](OutputFile& out) { write_one(request, order, out); });
   }
   return exit_code::done;
 }

@@ -201,7 +201,7 @@ int run(const PlanRequest& request) {
     document.title = request.title.empty() ? document.title : request.title;
     text = plan_text(document, format, width);
   }
-  running.finish_progress();
+  running.finish();
   deliver(text, request.output.path);
   if (shortage) {
     throw MissingResource("the plan may not be the best that could be found: " + *shortage);

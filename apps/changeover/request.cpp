@@ -50,7 +50,8 @@ std::string OutputRequest::chosen() const { return json ? "json" : format; }
 void OutputRequest::check_writable() const {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
-  if (!path.empty() && path != "-" && (!exists(status) || is_regular_file(status))) {
+  const bool as_a_whole = !exists(status) || is_regular_file(status) || is_directory(status);
+  if (!path.empty() && path != "-" && as_a_whole) {
     const OutputFile trial(path);  // Goes away without a trace.
   }
 }

@@ -102,6 +102,24 @@ std::string RunRequest::command() const {
   return time.empty() ? text : text + " --time " + time;
 }
 
+RunControl::Settings RunRequest::settings() const {
+  constexpr std::uint64_t most_threads = 1024;
+  RunControl::Settings settings;
+  const std::string& limit = time.empty() ? default_time : time;
+  if (!limit.empty()) {
+    settings.time = parse_duration(limit, "--time");
+  }
+  settings.memory_bytes = memory.empty() ? half_of_the_memory() : parse_size(memory, "--memory");
+  if (threads && (*threads == 0 || *threads > most_threads)) {
+    throw UsageError{
+        fmt::format("--threads {} is out of range; give 1 to {}", *threads, most_threads)};
+  }
+  settings.threads = static_cast<unsigned>(threads.value_or(
+      std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, most_threads)));
+  settings.seed = seed.value_or(1);
+  return settings;
+}
+
 struct Running::State {
   std::unique_ptr<RunControl> control;
   std::optional<RunScope> scope;
@@ -111,27 +129,11 @@ struct Running::State {
 
 Running::Running(const RunRequest& request, const OutputRequest& output)
     : state_(std::make_unique<State>()) {
-  constexpr std::uint64_t most_threads = 1024;
-  const Team& team = Team::world();
-  RunControl::Settings settings;
-  const std::string& limit = request.time.empty() ? request.default_time : request.time;
-  if (!limit.empty()) {
-    settings.time = parse_duration(limit, "--time");
-  }
-  settings.memory_bytes =
-      request.memory.empty() ? half_of_the_memory() : parse_size(request.memory, "--memory");
-  if (request.threads && (*request.threads == 0 || *request.threads > most_threads)) {
-    throw UsageError{
-        fmt::format("--threads {} is out of range; give 1 to {}", *request.threads, most_threads)};
-  }
+  RunControl::Settings settings = request.settings();
   output.check_writable();
+  const Team& team = Team::world();
   // Members of a team share the machine unless they say otherwise.
-  const unsigned cores = std::clamp(std::thread::hardware_concurrency(), 1U,
-                                    static_cast<unsigned>(most_threads));
-  settings.threads = request.threads   ? static_cast<unsigned>(*request.threads)
-                     : team.size() > 1 ? 1
-                                       : cores;
-  settings.seed = request.seed.value_or(1);
+  settings.threads = request.threads || team.size() == 1 ? settings.threads : 1;
   settings.share = {team.index(), team.size()};
   settings.interrupted = &interrupted;
   if (team.size() > 1) {
@@ -160,7 +162,7 @@ Running::Running(const RunRequest& request, const OutputRequest& output)
 }
 
 Running::~Running() {
-  finish_progress();
+  finish();
   for (std::size_t i = 0; i < State::signals.size(); ++i) {
     ::sigaction(State::signals[i], &state_->old_actions[i], nullptr);
   }
@@ -168,7 +170,10 @@ Running::~Running() {
 
 RunControl& Running::control() { return *state_->control; }
 
-void Running::finish_progress() { status_line().clear(); }
+void Running::finish() {
+  state_->scope.reset();
+  status_line().clear();
+}
 
 struct Watched::State {
   RunControl control;

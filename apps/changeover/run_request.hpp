@@ -41,6 +41,9 @@ struct RunRequest {
   /// The options as they would be typed, for provenance: "--seed 7 --threads 2 --time 60s".
   [[nodiscard]] std::string command() const;
 
+  /// What a control needs of it; the rest is added by Running. @throws UsageError if an option is wrong.
+  [[nodiscard]] RunControl::Settings settings() const;
+
   std::string default_time;
 };
 
@@ -57,8 +60,9 @@ class Running {
 
   [[nodiscard]] RunControl& control();
 
-  /// Ends the progress line, so that an answer can be written.
-  void finish_progress();
+  /// The search is over: no progress is shown any more, and this thread listens to no limit while what was
+  /// found is verified and written.
+  void finish();
 
  private:
   struct State;

@@ -35,7 +35,7 @@ int search_base_blocks(const SearchRequest& request) {
   options.shapes.most_blocks = request.blocks;
   Running running(request.run, request.output);
   const BaseBlockResult result = search_base_blocks(p, options, running.control());
-  running.finish_progress();
+  running.finish();
 
   std::vector<std::string> lines;
   lines.reserve(result.attempts.size() + 2);

@@ -246,7 +246,7 @@ int search_exactly(const SearchRequest& request) {
     result = find_minimum(p, {.exact = options, .tries_above = 0, .decider = decider},
                           running.control(), known_design(p));
   }
-  running.finish_progress();
+  running.finish();
   if (Team::world().first()) {
     show(request, result);
   }

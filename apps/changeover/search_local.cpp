@@ -80,7 +80,7 @@ int search_locally(const SearchRequest& request) {
   Running running(request.run, request.output);
   ImproveResult result = improve(p, options, running.control());
   share_best(result, p);
-  running.finish_progress();
+  running.finish();
 
   const std::optional<std::uint64_t> before = result.started_from;
   const std::uint64_t wanted = request.blocks.value_or(bound.blocks);

@@ -85,7 +85,7 @@ int search_order(const SearchRequest& request) {
   if (request.change) {
     ChangeOrder found = order_for_change(
         blocks, {.v = given.v(), .m = *request.change, .kind = kind}, {}, running.control());
-    running.finish_progress();
+    running.finish();
     if (found.answer == OrderAnswer::none) {
       return decline(fmt::format("No {} order of these {} changes {} at every step: {}.",
                                  to_string(kind), count_of(blocks.size(), "block"),
@@ -103,7 +103,7 @@ int search_order(const SearchRequest& request) {
   } else {
     LeastChangeOrder found =
         order_for_least_change(blocks, {.v = given.v(), .kind = kind}, {}, running.control());
-    running.finish_progress();
+    running.finish();
     ordered.lines = {fmt::format(
         "{}: {} introduced in all, {} in the order given; no order has less than {}{}",
         count_of(blocks.size(), "block"), count_of(found.cost, "element"), found.first_cost,

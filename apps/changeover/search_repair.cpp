@@ -30,7 +30,7 @@ int search_repair(const SearchRequest& request) {
   const Design list = given_list(request, request.repair_file);
   Running running(request.run, request.output);
   RepairResult result = repair(list, {}, running.control());
-  running.finish_progress();
+  running.finish();
   SearchFind find{std::move(result.design), {}};
   find.lines.push_back(
       fmt::format("repaired: the list had {}, {} and {}; {} of its blocks are kept",
@@ -47,7 +47,7 @@ int search_extend(const SearchRequest& request) {
   Running running(request.run, request.output);
   ExtendResult result =
       extend(beginning, {.blocks = request.blocks, .moves = {}}, running.control());
-  running.finish_progress();
+  running.finish();
   SearchFind find{std::move(result.design), {}};
   find.lines.push_back(
       fmt::format("begins with the {} given; no design that does has fewer than {}; stopped: {}",

@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/random.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 
@@ -178,8 +179,15 @@ LoadVerdict check_loads(StepSource& steps, std::uint64_t items, std::uint64_t ro
                         const LoadCheckOptions& options) {
   LoadCheck check(items, room, options);
   LoadStep step;
-  while (steps.next(step)) {
+  constexpr std::uint64_t steps_between_looks = 4096;
+  for (std::uint64_t count = 0; steps.next(step); ++count) {
     check.read(step);
+    if (count % steps_between_looks == 0) {
+      stop_if_asked();
+      if (progress_due()) {
+        report_progress({.phase = "checking the load order", .steps = count, .unit = "steps"});
+      }
+    }
   }
   return check.finish();
 }
