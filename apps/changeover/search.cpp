@@ -3,9 +3,11 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
+#include <filesystem>
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
+#include "changeover/io/json_writer.hpp"
 #include "search_request.hpp"
 #include "show_design.hpp"
 #include "team.hpp"
@@ -70,6 +72,24 @@ void show_find(const SearchFind& find, const SearchRequest& request) {
   show_design(source, exhibit, request.output);
 }
 
+std::string checkpoint_of(const SearchRequest& request, std::uint64_t process) {
+  return process == 0 ? request.checkpoint : fmt::format("{}.{}", request.checkpoint, process);
+}
+
+void show_none(const SearchRequest& request, const std::string& words, const std::string& json) {
+  if (request.output.chosen() == "json") {
+    deliver(json + "\n", request.output.path);
+  } else {
+    deliver(words + "\n", "-");
+  }
+}
+
+void show_none(const SearchRequest& request, const std::string& words) {
+  JsonWriter json;
+  json.begin_object().key("found").value(false).key("explanation").value(words).end_object();
+  show_none(request, words, json.take());
+}
+
 std::string pack(const Design& design) {
   return fmt::format("{}", fmt::join(design.elements(), " "));
 }
@@ -97,6 +117,61 @@ Design unpack(const Parameters& p, std::string_view message) {
 
 namespace {
 
+// The file that a path names when it is written: links are followed, also to where nothing is yet.
+std::filesystem::path written_file(std::filesystem::path path) {
+  constexpr int most_links = 40;
+  std::error_code ignored;
+  for (int links = 0; links < most_links && std::filesystem::is_symlink(path, ignored); ++links) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
+  }
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const std::filesystem::path real = std::filesystem::weakly_canonical(folder, ignored);
+  return (real.empty() ? folder : real) / path.filename();
+}
+
+bool same_file(const std::string& one, const std::string& other) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(one, other, ignored) ||
+         written_file(one) == written_file(other);
+}
+
+// The answer must not replace the state of the search, of any of the processes that share it.
+void require_another_output(const SearchRequest& request) {
+  const std::string& output = request.output.path;
+  if (request.checkpoint.empty() || output.empty() || output == "-") {
+    return;
+  }
+  for (std::uint64_t i = 0; i < Team::world().size(); ++i) {
+    const std::string state = checkpoint_of(request, i);
+    if (same_file(output, state) || same_file(output, state + ".lock")) {
+      throw UsageError{fmt::format(
+          "-o {} would replace the checkpoint {}; give the answer another file", output, state)};
+    }
+  }
+}
+
+// Options that only one way of searching knows.
+void require_the_right_way(const SearchRequest& request, int ways) {
+  if (!request.proof_directory.empty() && !request.exact) {
+    throw UsageError{"--proof DIR keeps the proofs of --exact; give both"};
+  }
+  if (!request.base_blocks) {
+    const char* const option = request.tight          ? "--tight"
+                               : request.cycle_length ? "--cycle N"
+                               : request.fixed_points ? "--fixed-points F"
+                                                      : nullptr;
+    if (option != nullptr) {
+      throw UsageError{fmt::format("{} is for --base-blocks; give both", option)};
+    }
+  }
+  if (!request.checkpoint.empty() && ways > 0) {
+    throw UsageError{"--checkpoint FILE is for local search; other ways keep no state"};
+  }
+  if (request.blocks && (!request.order_file.empty() || !request.repair_file.empty())) {
+    throw UsageError{"--blocks B has no meaning with --order and --repair; leave it out"};
+  }
+}
+
 int run(const SearchRequest& request) {
   const int ways = (request.exact ? 1 : 0) + (request.base_blocks ? 1 : 0) +
                    (request.order_file.empty() ? 0 : 1) + (request.extend_file.empty() ? 0 : 1) +
@@ -108,9 +183,8 @@ int run(const SearchRequest& request) {
     throw UsageError{
         "several processes share local search and --exact only; run this without mpirun"};
   }
-  if (!request.proof_directory.empty() && !request.exact) {
-    throw UsageError{"--proof DIR keeps the proofs of --exact; give both"};
-  }
+  require_the_right_way(request, ways);
+  require_another_output(request);
   if (request.exact) {
     return search_exactly(request);
   }

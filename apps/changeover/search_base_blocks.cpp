@@ -25,7 +25,7 @@ std::string line_of(const ShapeAttempt& attempt) {
 int search_base_blocks(const SearchRequest& request) {
   const Parameters p = request.parameters(Kind::circular);
   if (const auto reason = impossibility(p)) {
-    deliver(fmt::format("No {} exists: {}.\n", name(p), *reason), "-");
+    show_none(request, fmt::format("No {} exists: {}.", name(p), *reason));
     return exit_code::proved_none;
   }
   BaseBlockOptions options;
@@ -42,21 +42,14 @@ int search_base_blocks(const SearchRequest& request) {
   for (const ShapeAttempt& attempt : result.attempts) {
     lines.push_back(line_of(attempt));
   }
-  if (result.attempts.empty()) {
+  if (result.attempts.empty() && result.why == WhyStopped::exhausted) {
     lines.push_back("no automorphism of this kind is possible for these parameters");
   }
   lines.push_back(describe(result));
   if (!result.found()) {
-    std::string text;
-    for (const std::string& line : lines) {
-      text += line + "\n";
-    }
-    if (request.output.chosen() == "json") {
-      JsonWriter json;
-      json.begin_object().key("found").value(false).key("attempts").value(lines).end_object();
-      text = json.take() + "\n";
-    }
-    deliver(text, request.output.chosen() == "json" ? request.output.path : "-");
+    JsonWriter json;
+    json.begin_object().key("found").value(false).key("attempts").value(lines).end_object();
+    show_none(request, fmt::format("{}", fmt::join(lines, "\n")), json.take());
     return exit_code::limit_reached;
   }
   SearchFind find{*result.design, lines};

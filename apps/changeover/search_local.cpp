@@ -1,8 +1,9 @@
 // changeover search V K: fewer blocks by local search.
 #include <fmt/format.h>
 
+#include <cstdio>
+
 #include "changeover/core/error.hpp"
-#include "changeover/io/json_writer.hpp"
 #include "changeover/search/local_search.hpp"
 #include "search_request.hpp"
 #include "team.hpp"
@@ -19,15 +20,23 @@ void share_best(ImproveResult& result, const Parameters& p) {
   if (result.why_stopped == WhyStopped::found) {
     team.announce();
   }
-  std::string own = fmt::format("{}\n{}\n", result.moves, result.how);
+  std::string own = fmt::format("{}\n{}\n{}\n", result.moves, result.how, result.checkpoint_fault);
   own += result.design ? pack(*result.design) : "";
   std::uint64_t moves = 0;
   for (const std::string& said : team.exchange(own)) {
-    const std::size_t line = said.find('\n');
-    const std::size_t end = said.find('\n', line + 1);
-    moves += std::stoull(said.substr(0, line));
-    const std::string how = said.substr(line + 1, end - line - 1);
-    Design design = unpack(p, std::string_view(said).substr(end + 1));
+    std::string_view rest = said;
+    const auto line = [&rest] {
+      const std::string text(rest.substr(0, rest.find('\n')));
+      rest.remove_prefix(text.size() + 1);
+      return text;
+    };
+    moves += std::stoull(line());
+    const std::string how = line();
+    const std::string fault = line();
+    if (result.checkpoint_fault.empty()) {
+      result.checkpoint_fault = fault;
+    }
+    Design design = unpack(p, rest);
     if (design.block_count() > 0 &&
         (!result.design || design.block_count() < result.design->block_count())) {
       result.design = std::move(design);
@@ -37,18 +46,21 @@ void share_best(ImproveResult& result, const Parameters& p) {
   result.moves = moves;
 }
 
-// What is to be said if there is no design to show.
+// The first of several processes speaks.
 void say_none(const SearchRequest& request, const std::string& explanation) {
-  if (!Team::world().first()) {
-    return;
+  if (Team::world().first()) {
+    show_none(request, explanation);
   }
-  std::string text = explanation + "\n";
-  if (request.output.chosen() == "json") {
-    JsonWriter json;
-    json.begin_object().key("found").value(false).key("explanation").value(explanation);
-    text = json.end_object().take() + "\n";
+}
+
+// Why the design that is known is shown without a search: above a table, else on stderr.
+void say_unsearched(const SearchRequest& request, SearchFind& find, const std::string& reason) {
+  const std::string line = "no search was made: " + reason;
+  if (request.output.chosen() == "table") {
+    find.lines.push_back(line);
+  } else {
+    std::fputs(("changeover: " + line + "\n").c_str(), stderr);
   }
-  deliver(text, "-");
 }
 
 int decline(const SearchRequest& request, const Parameters& p, const std::string& reason) {
@@ -73,9 +85,8 @@ int search_locally(const SearchRequest& request) {
   }
   ImproveOptions options;
   options.target = request.blocks;
-  options.checkpoint = request.checkpoint;
-  if (!request.checkpoint.empty() && !Team::world().first()) {
-    options.checkpoint += fmt::format(".{}", Team::world().index());
+  if (!request.checkpoint.empty()) {
+    options.checkpoint = checkpoint_of(request, Team::world().index());
   }
   Running running(request.run, request.output);
   ImproveResult result = improve(p, options, running.control());
@@ -91,32 +102,40 @@ int search_locally(const SearchRequest& request) {
   if (!Team::world().first()) {
     return code;
   }
+  if (!result.design) {
+    say_none(request, fmt::format("No {} yet: stopped ({}) before there was one; at "
+                                  "least {}: {}",
+                                  name(p), to_string(result.why_stopped),
+                                  count_of(bound.blocks, "block"), bound.reason));
+    return code;
+  }
   const double seconds = result.elapsed.count();
   const std::string effort =
       fmt::format("{} moves in {:.1f} s ({:.1f} million/s), {}; stopped: {}", result.moves, seconds,
                   seconds > 0 ? static_cast<double>(result.moves) / seconds / 1e6 : 0.0,
                   count_of(result.attempts, "attempt"), to_string(result.why_stopped));
-  if (!result.design) {
-    say_none(request, fmt::format("No {} found; at least {}: {}\n{}", name(p),
-                                  count_of(bound.blocks, "block"), bound.reason, effort));
-    return code;
-  }
-  SearchFind find{*result.design, {}};
-  if (better) {
+  SearchFind find{*std::move(result.design), {}};
+  if (better || !find.design.recipe) {
     find.design.recipe = literal_recipe(find.design, request.provenance(p, ""));
-    find.lines.push_back(fmt::format(
-        "found by local search: {}{}", result.how,
-        before ? fmt::format("; {} were known", count_of(*before, "block")) : std::string()));
+    find.lines.push_back(
+        fmt::format("found by local search{}: {}{}", better ? "" : " in an earlier run", result.how,
+                    better && before ? fmt::format("; {} were known", count_of(*before, "block"))
+                                     : std::string()));
   } else {
-    find.lines.push_back("the best recipe known; local search found nothing better");
-    if (!find.design.recipe) {
-      if (const auto known = best_known(p)) {
-        find.design.recipe = known->recipe;
-      }
-    }
+    find.lines.push_back(result.unsearched.empty()
+                             ? "the best recipe known; local search found nothing better"
+                             : "the best recipe known");
+  }
+  if (!result.unsearched.empty()) {
+    say_unsearched(request, find, result.unsearched);
   }
   find.lines.push_back(effort);
   show_find(find, request);
+  if (!result.checkpoint_fault.empty()) {
+    throw MissingResource(
+        fmt::format("the answer is complete, but the checkpoint is not as far as the search: {}",
+                    result.checkpoint_fault));
+  }
   return code;
 }
 

@@ -58,8 +58,8 @@ void show_list(const Design& arranged, const Ordered& ordered, const SearchReque
   deliver(text, request.output.path);
 }
 
-int decline(const std::string& text, int code) {
-  deliver(text + "\n", "-");
+int decline(const SearchRequest& request, const std::string& words, int code) {
+  show_none(request, words);
   return code;
 }
 
@@ -87,13 +87,15 @@ int search_order(const SearchRequest& request) {
         blocks, {.v = given.v(), .m = *request.change, .kind = kind}, {}, running.control());
     running.finish();
     if (found.answer == OrderAnswer::none) {
-      return decline(fmt::format("No {} order of these {} changes {} at every step: {}.",
+      return decline(request,
+                     fmt::format("No {} order of these {} changes {} at every step: {}.",
                                  to_string(kind), count_of(blocks.size(), "block"),
                                  count_of(*request.change, "element"), found.reason),
                      exit_code::proved_none);
     }
     if (found.answer == OrderAnswer::unknown) {
-      return decline(fmt::format("No such order was found; stopped: {}.", to_string(found.why)),
+      return decline(request,
+                     fmt::format("No such order was found; stopped: {}.", to_string(found.why)),
                      exit_code::limit_reached);
     }
     ordered.order = std::move(found.order);

@@ -19,9 +19,19 @@ Design given_list(const SearchRequest& request, const std::string& path) {
     options.kind = request.circular ? Kind::circular : Kind::linear;
   }
   if (request.strength) {
+    if (*request.strength < 2 || *request.strength > max_strength) {
+      throw UsageError{fmt::format("--strength {} is out of range; give 2 to {}", *request.strength,
+                                   max_strength)};
+    }
     options.strength = static_cast<std::uint32_t>(*request.strength);
   }
   return read_design(path, options);
+}
+
+int decline(const SearchRequest& request, WhyStopped why) {
+  show_none(request, fmt::format("No design yet: stopped ({}) before everything was covered.",
+                                 to_string(why)));
+  return exit_code::limit_reached;
 }
 
 }  // namespace
@@ -31,11 +41,17 @@ int search_repair(const SearchRequest& request) {
   Running running(request.run, request.output);
   RepairResult result = repair(list, {}, running.control());
   running.finish();
-  SearchFind find{std::move(result.design), {}};
+  if (!result.design) {
+    return decline(request, result.why_stopped);
+  }
+  SearchFind find{*std::move(result.design), {}};
   find.lines.push_back(
       fmt::format("repaired: the list had {}, {} and {}; {} of its blocks are kept",
                   count_of(result.given, "block"), count_of(result.bad_steps, "wrong step"),
                   count_of(result.uncovered, "uncovered pair"), result.kept));
+  if (!result.unsearched.empty()) {
+    find.lines.push_back("blocks were added one by one: " + result.unsearched);
+  }
   find.design.recipe =
       literal_recipe(find.design, request.provenance(find.design.parameters(), "--repair"));
   show_find(find, request);
@@ -48,11 +64,17 @@ int search_extend(const SearchRequest& request) {
   ExtendResult result =
       extend(beginning, {.blocks = request.blocks, .moves = {}}, running.control());
   running.finish();
-  SearchFind find{std::move(result.design), {}};
+  if (!result.design) {
+    return decline(request, result.why_stopped);
+  }
+  SearchFind find{*std::move(result.design), {}};
   find.lines.push_back(
       fmt::format("begins with the {} given; no design that does has fewer than {}; stopped: {}",
                   count_of(beginning.block_count(), "block"), count_of(result.lower_bound, "block"),
                   to_string(result.why_stopped)));
+  if (!result.unsearched.empty()) {
+    find.lines.push_back("blocks were added one by one: " + result.unsearched);
+  }
   find.design.recipe =
       literal_recipe(find.design, request.provenance(find.design.parameters(), "--extend"));
   const bool enough = result.why_stopped == WhyStopped::found;

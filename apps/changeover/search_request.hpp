@@ -53,6 +53,15 @@ struct SearchFind {
 /// @throws InternalError if it is not valid.
 void show_find(const SearchFind& find, const SearchRequest& request);
 
+/// The checkpoint of one of the processes that search together: FILE, FILE.1, FILE.2, …
+[[nodiscard]] std::string checkpoint_of(const SearchRequest& request, std::uint64_t process);
+
+/// Shows that there is no design, or none yet. The JSON document goes where the answer was to go; words go to
+/// standard output, for they do not replace a file of designs.
+void show_none(const SearchRequest& request, const std::string& words, const std::string& json);
+/// With a document that says found: false and the words as the explanation.
+void show_none(const SearchRequest& request, const std::string& words);
+
 /// A design as a message to another member of the team: all its elements, in order.
 [[nodiscard]] std::string pack(const Design& design);
 /// @throws InternalError if the message is none.

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/anneal.hpp"
 #include "changeover/search/segment_orbits.hpp"
 
@@ -13,6 +16,7 @@ namespace {
 
 constexpr std::uint64_t first_anneal = 100'000;  // moves
 constexpr int most_starts = 20;
+constexpr std::uint64_t steps_between_questions = 64;
 
 /// Blocks of any kind, and by how much their steps miss m changes.
 class Descent {
@@ -27,6 +31,7 @@ class Descent {
         blocks_(c_),
         member_(std::size_t{c_} * v_, 0) {
     for (std::uint32_t i = 0; i < c_; ++i) {
+      stop_if_asked();
       while (blocks_[i].size() < k_) {
         const Element x = random_.below(v_);
         if (member(i, x) == 0) {
@@ -41,10 +46,14 @@ class Descent {
   bool run() {
     std::uint64_t total = 0;
     for (std::uint32_t i = 0; i < c_; ++i) {
+      stop_if_asked();
       total += defect(i);
     }
     const std::uint64_t steps = 2000ULL * c_ + 500ULL * v_;
     for (std::uint64_t step = 0; step < steps && total > 0; ++step) {
+      if (step % steps_between_questions == 0) {
+        stop_if_asked();
+      }
       const std::uint32_t i = random_.below(c_);
       Element& place = blocks_[i][random_.below(k_)];
       const Element out = place;
@@ -102,6 +111,12 @@ class Descent {
 
 std::vector<Block> random_base_blocks(const Parameters& p, const BaseBlockShape& shape,
                                       Random& random) {
+  constexpr std::uint64_t most_base_blocks = std::numeric_limits<std::uint32_t>::max();
+  if (shape.base_blocks > most_base_blocks) {
+    throw MissingResource(fmt::format("{} base blocks do not fit into memory", shape.base_blocks));
+  }
+  require_memory(checked_multiply(shape.base_blocks, checked_add(p.v, 4 * p.k)),
+                 fmt::format("{} base blocks", shape.base_blocks));
   for (int start = 0; start < most_starts; ++start) {
     Descent descent(p, shape, random);
     if (descent.run()) {
@@ -123,6 +138,8 @@ BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p, const BaseBlock
     if (begin.empty() || control.stop_wanted()) {
       break;
     }
+    control.require_memory(SegmentOrbits::bytes(p, pi, begin.size()),
+                           "annealing " + to_string(shape));
     SegmentOrbits state(p, pi, begin);
     const AnnealOutcome outcome =
         anneal(state, {.moves = std::min(length, moves - result.moves)}, random, control,

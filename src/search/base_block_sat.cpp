@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "changeover/core/checked.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/base_block_orbits.hpp"
 #include "changeover/search/cardinality.hpp"
 #include "search/base_block_degrees.hpp"
@@ -75,6 +76,7 @@ class Model {
     const auto k = static_cast<std::size_t>(p_.k);
     const auto m = static_cast<std::size_t>(p_.change);
     for (std::size_t i = 0; i < c_; ++i) {
+      stop_if_asked();
       std::vector<Literal> leaving;
       for (Element x = 0; x < v_; ++x) {
         introduced_.push_back(and_not(in(i, x), before(i, x)));
@@ -95,6 +97,7 @@ class Model {
     std::vector<std::vector<Literal>> covers(orbits_.count());
     for (std::size_t i = 0; i < c_; ++i) {
       for (Element y = 1; y < v_; ++y) {
+        stop_if_asked();
         for (Element x = 0; x < y; ++x) {
           const Literal both = formula.cnf.new_variable();
           formula.cnf.add({-both, in(i, x)});
@@ -113,6 +116,7 @@ class Model {
     std::vector<std::vector<Literal>> covers(orbits_.count());
     for (std::size_t i = 0; i < c_; ++i) {
       for (Element y = 1; y < v_; ++y) {
+        stop_if_asked();
         for (Element x = 0; x < y; ++x) {
           const Literal newly = cnf.new_variable();
           cnf.add({-newly, in(i, x)});
@@ -125,6 +129,7 @@ class Model {
       }
     }
     for (const std::vector<Literal>& orbit : covers) {
+      stop_if_asked();
       cnf.add(orbit);
       at_most_one(cnf, orbit);
     }
@@ -191,6 +196,7 @@ class Model {
     for (std::uint64_t cycle = 0; cycle < shape_.cycles; ++cycle) {
       const auto first = static_cast<Element>(cycle * shape_.n);
       std::vector<Literal> met;
+      stop_if_asked();
       for (std::size_t i = 0; i < c_; ++i) {
         const Literal meet = cnf.new_variable();
         std::vector<Literal> some{-meet};
@@ -236,8 +242,25 @@ std::uint64_t sat_size(const BaseBlockShape& shape) {
   return checked_multiply(shape.base_blocks, binomial(shape.v(), 2));
 }
 
+// Literals of the pairs' clauses, with the zeros that end them: 8 for covering; 26 for covering exactly once, with
+// those of the chain that allows at most one. The rest, counters of blocks and steps, grows with c·v·k.
+std::uint64_t sat_bytes(const Parameters& p, const BaseBlockShape& shape, bool tight) {
+  // Ours take 4 bytes. The solver's, with its clauses, watches and copies: some 40 were seen.
+  constexpr std::uint64_t bytes_of_a_literal = 44;
+  const std::uint64_t of_pairs = checked_multiply(tight ? 26 : 8, sat_size(shape));
+  constexpr std::uint64_t of_a_counter = 30;
+  const std::uint64_t of_counters = checked_multiply(
+      of_a_counter, checked_multiply(checked_multiply(shape.base_blocks, p.v), p.k + 2 * p.change));
+  // Which block meets a cycle first.
+  const std::uint64_t of_symmetry =
+      checked_multiply(checked_multiply(shape.base_blocks, shape.base_blocks), shape.cycles);
+  return checked_multiply(bytes_of_a_literal,
+                          checked_add(checked_add(of_pairs, of_counters), of_symmetry));
+}
+
 SatOutcome base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape, bool tight,
                               std::optional<std::uint64_t> conflicts, RunControl& control) {
+  control.require_memory(sat_bytes(p, shape, tight), "the formula for " + to_string(shape));
   Model model(p, shape, tight, control.seed());
   const Formula::Answer answer = model.formula.solve(control, conflicts);
   SatOutcome outcome;

@@ -10,7 +10,9 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
+#include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/grace.hpp"
 #include "changeover/search/base_block_anneal.hpp"
 #include "changeover/search/base_block_sat.hpp"
 
@@ -31,6 +33,21 @@ class Search {
   }
 
   BaseBlockResult run() {
+    const RunScope scope(control_);
+    try {
+      work();
+    } catch (const Stopped&) {
+      // What is known by now is the result.
+    }
+    if (!result_.found() && !left_out_.empty() && result_.moves + result_.conflicts == 0) {
+      throw MissingResource(left_out_);  // nothing could be tried
+    }
+    result_.why = why();
+    return std::move(result_);
+  }
+
+ private:
+  void work() {
     if (const auto best = Registry::standard().best(p_)) {
       result_.registry_b = best->b;
       result_.registry_construction = best->recipe.construction;
@@ -43,20 +60,24 @@ class Search {
       }
     }
     for (const BaseBlockShape& shape : shapes) {
-      if (control_.stop_wanted() || attempt(shape)) {
+      if (control_.stop_wanted()) {
         break;
       }
+      try {
+        if (attempt(shape)) {
+          break;
+        }
+      } catch (const MissingResource& fault) {
+        left_out_ = fault.what();  // a smaller one may follow
+      }
     }
-    result_.why = why();
-    return std::move(result_);
   }
 
- private:
   ShapeOptions shape_options() const {
     ShapeOptions options = options_.shapes;
     if (!options.tight && !options.base_blocks && !options.most_blocks) {
-      options.most_blocks =
-          result_.registry_b ? *result_.registry_b : 2 * lower_bound(circular_).blocks;
+      options.most_blocks = result_.registry_b ? *result_.registry_b
+                                               : checked_multiply(2, lower_bound(circular_).blocks);
     }
     return options;
   }
@@ -115,7 +136,9 @@ class Search {
     return true;
   }
 
+  // Stopped or not.
   void take(const BaseBlockShape& shape, std::vector<Block> blocks, const ShapeAttempt& attempt) {
+    const RunGrace to_the_end(control_);
     result_.shape = shape;
     result_.base_blocks = std::move(blocks);
     const std::string provenance =
@@ -170,6 +193,7 @@ class Search {
   RunControl& control_;
   Random random_;
   bool registry_tight_ = false;
+  std::string left_out_;  // why a shape was not tried
   BaseBlockResult result_;
 };
 

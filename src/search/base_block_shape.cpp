@@ -8,12 +8,14 @@
 #include "changeover/bounds/counting_bound.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/checked.hpp"
+#include "changeover/run/scope.hpp"
 #include "search/base_block_degrees.hpp"
 
 namespace changeover {
 namespace {
 
 constexpr std::size_t most_shapes = 10'000;
+constexpr std::uint64_t most_counted = std::uint64_t{1} << 62;
 
 std::string plural(std::uint64_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
@@ -52,6 +54,7 @@ std::optional<std::string> tight_obstruction(const Parameters& p, const BaseBloc
   std::vector<bool> sums(wanted + 1, false);
   sums[0] = true;
   for (std::uint64_t cycle = 0; cycle < shape.cycles; ++cycle) {
+    stop_if_asked();
     std::vector<bool> next(wanted + 1, false);
     for (std::size_t sum = 0; sum <= wanted; ++sum) {
       for (const Degree& degree : of_cycles) {
@@ -152,8 +155,9 @@ std::vector<BaseBlockShape> base_block_shapes(const Parameters& p, const ShapeOp
     return shapes;
   }
   const std::uint64_t first_fixed = options.fixed.value_or(0);
-  const std::uint64_t last_fixed = options.fixed.value_or(options.tight ? 1 : 2);
-  for (std::uint64_t fixed = first_fixed; fixed <= last_fixed && fixed + 2 <= p.v; ++fixed) {
+  const std::uint64_t last_fixed = std::min(options.fixed.value_or(options.tight ? 1 : 2),
+                                            p.v - std::min<std::uint64_t>(p.v, 2));
+  for (std::uint64_t fixed = first_fixed; fixed <= last_fixed; ++fixed) {
     const std::uint64_t moved = p.v - fixed;
     for (std::uint64_t cycles = 1; cycles <= moved / 2; ++cycles) {
       const std::uint64_t n = moved / cycles;
@@ -169,7 +173,9 @@ std::vector<BaseBlockShape> base_block_shapes(const Parameters& p, const ShapeOp
         from = std::max(from, *options.base_blocks);
         to = *options.base_blocks;
       }
+      to = std::min(to, most_counted / n);  // so that the number of blocks can be counted
       for (std::uint64_t c = from; c <= to && shapes.size() < most_shapes; ++c) {
+        stop_if_asked();
         const BaseBlockShape shape{n, cycles, fixed, c};
         if ((!options.most_blocks || shape.b() <= *options.most_blocks) &&
             (!options.tight || !tight_obstruction(circular, shape))) {

@@ -2,21 +2,33 @@
 
 #include <algorithm>
 #include <cadical.hpp>
+#include <exception>
 #include <limits>
+#include <utility>
 
 namespace changeover {
 
-// Counts learned clauses, one a conflict, for the solver does not tell its conflicts.
+// Counts learned clauses, one a conflict, for the solver does not tell its conflicts. What is thrown while it
+// asks must not pass through the solver: it is kept, and thrown after it.
 struct Formula::Solver final : CaDiCaL::Terminator, CaDiCaL::Learner {
   CaDiCaL::Solver sat;
   RunControl* control = nullptr;
   std::uint64_t learned = 0;
+  std::exception_ptr fault;
 
   bool terminate() override {
-    if (control->progress_due()) {
-      control->tell({.phase = "SAT solver", .steps = learned, .unit = "conflicts"});
+    if (fault) {
+      return true;
     }
-    return control->stop_wanted();
+    try {
+      if (control->progress_due()) {
+        control->tell({.phase = "SAT solver", .steps = learned, .unit = "conflicts"});
+      }
+      return control->stop_wanted();
+    } catch (...) {
+      fault = std::current_exception();
+      return true;
+    }
   }
   bool learning(int) override {
     ++learned;
@@ -34,8 +46,12 @@ Formula::Formula(std::uint64_t seed) : solver_(std::make_unique<Solver>()) {
 Formula::~Formula() { solver_->sat.disconnect_learner(); }
 
 Formula::Answer Formula::solve(RunControl& control, std::optional<std::uint64_t> conflicts) {
+  constexpr std::size_t between_questions = std::size_t{1} << 14;
   const auto literals = cnf.literals();
   for (; handed_over_ < literals.size(); ++handed_over_) {
+    if (handed_over_ % between_questions == 0 && control.stop_wanted()) {
+      return Answer::unknown;  // the next call goes on here
+    }
     solver_->sat.add(literals[handed_over_]);
   }
   if (control.stop_wanted()) {
@@ -49,6 +65,9 @@ Formula::Answer Formula::solve(RunControl& control, std::optional<std::uint64_t>
   solver_->sat.connect_terminator(solver_.get());
   const int answer = solver_->sat.solve();
   solver_->sat.disconnect_terminator();
+  if (solver_->fault) {
+    std::rethrow_exception(std::exchange(solver_->fault, nullptr));
+  }
   return answer == 10   ? Answer::satisfiable
          : answer == 20 ? Answer::unsatisfiable
                         : Answer::unknown;

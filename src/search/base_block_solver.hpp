@@ -15,8 +15,8 @@
 #include <span>
 #include <vector>
 
-#include "changeover/search/cnf.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/search/cnf.hpp"
 
 namespace changeover {
 
@@ -39,7 +39,7 @@ class Formula {
   Cnf cnf;
 
   /// Looks for a model of all clauses until the control wants to stop or `conflicts` more conflicts have
-  /// been had.
+  /// been had. What the control's callback throws is thrown when the solver has ended.
   [[nodiscard]] Answer solve(RunControl& control, std::optional<std::uint64_t> conflicts);
 
   /// Whether the literal holds in the model of the last solve().

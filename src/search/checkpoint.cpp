@@ -1,9 +1,17 @@
 #include "changeover/search/checkpoint.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <filesystem>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -11,6 +19,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/output_file.hpp"
 #include "changeover/io/text.hpp"
+#include "changeover/search/segment_orbits.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {
@@ -18,6 +27,8 @@ namespace {
 
 constexpr std::string_view first_line = "changeover-checkpoint 1";
 constexpr std::size_t most_bytes = std::size_t{1} << 30;
+constexpr std::size_t most_arms = 100'000;
+constexpr std::size_t longest_how = 1000;
 
 std::uint64_t fnv1a(std::string_view bytes) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -51,15 +62,24 @@ class Lines {
     return word;
   }
 
+  /// The next word, a number from `least` to `most`.
   template <typename Number>
-  [[nodiscard]] Number number() {
+  [[nodiscard]] Number number(Number least = 0, Number most = std::numeric_limits<Number>::max()) {
     const std::string_view digits = word();
     Number value{};
     const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (fault != std::errc{} || end != digits.data() + digits.size()) {
+    if (fault != std::errc{} || end != digits.data() + digits.size() || value < least ||
+        value > most) {
       damaged();
     }
     return value;
+  }
+
+  /// No word may be left.
+  void end() const {
+    if (!line_.empty()) {
+      damaged();
+    }
   }
 
   [[noreturn]] void damaged() const {
@@ -73,21 +93,47 @@ class Lines {
   std::string path_;
 };
 
-SearchArm read_arm(Lines& lines) {
+SearchArm read_arm(Lines& lines, const Parameters& p) {
   SearchArm arm;
-  const auto method = lines.number<unsigned>();
-  if (method > static_cast<unsigned>(SearchArm::Method::imposed)) {
+  arm.method = static_cast<SearchArm::Method>(
+      lines.number<unsigned>(0, static_cast<unsigned>(SearchArm::Method::imposed)));
+  arm.order = lines.number<std::uint32_t>();
+  arm.fixed = lines.number<std::uint32_t>(0, SearchArm::most_fixed);
+  arm.extra = lines.number<std::uint64_t>(0, SearchArm::most_extra);
+  arm.budget = lines.number<std::uint64_t>(1, SearchArm::most_moves);
+  arm.spent = lines.number<std::uint64_t>(0, SearchArm::most_moves);
+  arm.step = lines.number<std::uint64_t>(0, SearchArm::most_step);
+  arm.missed = lines.number<std::uint64_t>(0, SearchArm::most_missed);
+  lines.end();
+  const bool imposed = arm.method == SearchArm::Method::imposed;
+  const ImposedAutomorphism pi{arm.order, arm.fixed};
+  if (imposed ? arm.order < 2 || arm.order > p.v + arm.extra || !pi.fits(p.v + arm.extra)
+              : arm.order != 0 || arm.fixed != 0 || arm.extra != 0) {
     lines.damaged();
   }
-  arm.method = static_cast<SearchArm::Method>(method);
-  arm.order = lines.number<std::uint32_t>();
-  arm.fixed = lines.number<std::uint32_t>();
-  arm.extra = lines.number<std::uint64_t>();
-  arm.budget = lines.number<std::uint64_t>();
-  arm.spent = lines.number<std::uint64_t>();
-  arm.step = lines.number<std::uint64_t>();
-  arm.missed = lines.number<std::uint64_t>();
   return arm;
+}
+
+// It is shown to the user: words, nothing that a terminal would obey.
+std::string read_how(Lines& lines) {
+  const std::string_view how = lines.line();
+  const bool words =
+      std::all_of(how.begin(), how.end(), [](char c) { return c >= ' ' && c <= '~'; });
+  if (!words || how.size() > longest_how) {
+    lines.damaged();
+  }
+  return std::string(how);
+}
+
+Block read_block(Lines& lines, const Parameters& p) {
+  Block block;
+  while (!lines.line().empty()) {
+    block.push_back(lines.number<Element>());
+    if (block.size() > p.k) {
+      lines.damaged();
+    }
+  }
+  return block;
 }
 
 }  // namespace
@@ -117,8 +163,13 @@ void write_checkpoint(const Checkpoint& checkpoint, const std::string& path) {
 
 std::optional<Checkpoint> read_checkpoint(const std::string& path, const Parameters& p) {
   std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored)) {
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status)) {
     return std::nullopt;
+  }
+  // A pipe would keep us waiting, a device might never end.
+  if (!std::filesystem::is_regular_file(status)) {
+    throw BadInput(fmt::format("{}: a checkpoint must be a regular file; name another one", path));
   }
   const std::string text = read_to_end(*open_input(path), most_bytes);
   if (!text.starts_with("changeover-checkpoint ")) {
@@ -150,21 +201,23 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
     const std::string_view key = lines.word();
     if (key == "seed") {
       checkpoint.seed = lines.number<std::uint64_t>();
+      lines.end();
     } else if (key == "attempts") {
-      checkpoint.attempts = lines.number<std::uint64_t>();
+      checkpoint.attempts = lines.number<std::uint64_t>(0, SearchArm::most_moves);
+      lines.end();
     } else if (key == "moves") {
-      checkpoint.moves = lines.number<std::uint64_t>();
+      checkpoint.moves = lines.number<std::uint64_t>(0, SearchArm::most_moves);
+      lines.end();
     } else if (key == "arm") {
-      checkpoint.arms.push_back(read_arm(lines));
-    } else if (key == "how") {
-      checkpoint.how = lines.line();
-    } else if (key == "block") {
-      Block block;
-      while (!lines.line().empty()) {
-        block.push_back(lines.number<Element>());
+      checkpoint.arms.push_back(read_arm(lines, p));
+      if (checkpoint.arms.size() > most_arms) {
+        lines.damaged();
       }
+    } else if (key == "how") {
+      checkpoint.how = read_how(lines);
+    } else if (key == "block") {
       try {
-        best.append(block);
+        best.append(read_block(lines, p));
       } catch (const BadInput&) {
         lines.damaged();
       }
@@ -179,6 +232,102 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
     checkpoint.best = std::move(best);
   }
   return checkpoint;
+}
+
+namespace {
+
+// What the symbolic links of `path` end in, so that all its names have the same lock.
+std::filesystem::path behind_links(std::filesystem::path path) {
+  constexpr int most_links = 40;
+  std::error_code error;
+  for (int links = 0; links < most_links && std::filesystem::is_symlink(path, error); ++links) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  }
+  return path;
+}
+
+}  // namespace
+
+CheckpointFile::CheckpointFile(std::string path, const Parameters& p)
+    : path_(std::move(path)), parameters_(p), lock_path_(behind_links(path_).string() + ".lock") {
+  lock();
+  try {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path_, ignored);
+    if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
+      const OutputFile trial(path_);  // goes away without a trace
+    }
+  } catch (...) {
+    ::unlink(lock_path_.c_str());
+    ::close(lock_);
+    throw;
+  }
+}
+
+// The last one to hold the lock removes its file: whoever has locked a file that is not there any more tries
+// again, with the one that is.
+void CheckpointFile::lock() {
+  while (true) {
+    lock_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (lock_ < 0) {
+      throw MissingResource(fmt::format("{}: cannot write {}: {}; write to a place where you may",
+                                        path_, lock_path_, std::strerror(errno)));
+    }
+    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+      const int error = errno;
+      ::close(lock_);
+      if (error == EINTR) {
+        continue;
+      }
+      throw MissingResource(
+          error == EWOULDBLOCK
+              ? fmt::format("{}: another search works with this checkpoint; wait for it, or name "
+                            "another file",
+                            path_)
+              : fmt::format("{}: cannot lock {}: {}; write elsewhere", path_, lock_path_,
+                            std::strerror(error)));
+    }
+    struct stat mine {};
+    struct stat there {};
+    if (::fstat(lock_, &mine) == 0 && ::lstat(lock_path_.c_str(), &there) == 0 &&
+        mine.st_dev == there.st_dev && mine.st_ino == there.st_ino) {
+      return;
+    }
+    ::close(lock_);
+  }
+}
+
+CheckpointFile::~CheckpointFile() {
+  ::unlink(lock_path_.c_str());
+  ::close(lock_);
+}
+
+std::optional<CheckpointFile::Identity> CheckpointFile::identity() const {
+  struct stat status {};
+  if (::stat(path_.c_str(), &status) != 0) {
+    return std::nullopt;
+  }
+  return Identity{
+      static_cast<std::int64_t>(status.st_dev), static_cast<std::int64_t>(status.st_ino),
+      static_cast<std::int64_t>(status.st_size), static_cast<std::int64_t>(status.st_mtim.tv_sec),
+      static_cast<std::int64_t>(status.st_mtim.tv_nsec)};
+}
+
+std::optional<Checkpoint> CheckpointFile::read() {
+  const auto there = identity();
+  auto checkpoint = read_checkpoint(path_, parameters_);
+  known_ = there;  // what cannot be read stays unknown, and is not replaced
+  return checkpoint;
+}
+
+void CheckpointFile::write(const Checkpoint& checkpoint) {
+  write_checkpoint(checkpoint, path_);
+  known_ = identity();
+}
+
+bool CheckpointFile::was_replaced() const {
+  const auto now = identity();
+  return now && now != known_;
 }
 
 }  // namespace changeover

@@ -6,6 +6,7 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/grace.hpp"
 #include "changeover/search/random_list.hpp"
 #include "changeover/verify/verdict.hpp"
 
@@ -69,6 +70,7 @@ std::optional<std::vector<Block>> random_base_blocks(const Parameters& p,
                                                      const ImposedAutomorphism& pi,
                                                      std::size_t base_blocks, Random& random) {
   for (int start = 0; start < most_starts; ++start) {
+    stop_if_asked();
     const auto k = static_cast<std::uint32_t>(p.k);
     const Block first = start % 2 == 0 ? random_block(p, random)
                                        : block_of_pieces(p, pi, 1 + random.below(k), random);
@@ -105,9 +107,12 @@ ImposedOutcome search_imposed(const Parameters& p, const ImposedAutomorphism& pi
     return outcome;
   }
   outcome.started = true;
+  control.require_memory(SegmentOrbits::bytes(circular, pi, base_blocks),
+                         "local search for the " + name(circular));
   SegmentOrbits state(circular, pi, *base);
   outcome.anneal = anneal(state, schedule, random, control, watch);
   if (outcome.anneal.missing == 0 && base_blocks * pi.order >= 3) {
+    const RunGrace to_the_end(control);
     Design design = state.design();
     if (!verify(design).valid()) {
       throw InternalError(fmt::format("a {} found with an automorphism of order {} is not valid",

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <limits>
 #include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -14,10 +15,11 @@
 #include "changeover/construct/path.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/run/grace.hpp"
+#include "changeover/run/threads.hpp"
 #include "changeover/search/anneal.hpp"
 #include "changeover/search/checkpoint.hpp"
 #include "changeover/search/imposed.hpp"
-#include "changeover/run/threads.hpp"
 #include "changeover/search/random_list.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "search/local_search_arms.hpp"
@@ -34,6 +36,8 @@ constexpr std::uint64_t largest_v = 4096;
 constexpr std::array<double, 3> reheated_to = {0.28, 0.22, 0.33};  // in turn
 constexpr std::size_t blocks_between_cuts = 8;
 constexpr int most_fruitless = 64;  // attempts in a row that could not even begin
+// What is known may still be built, and what was found may still be shortened, when the time is up.
+constexpr std::chrono::seconds patience{1};
 
 /// What an attempt came to.
 struct Attempted {
@@ -54,41 +58,20 @@ class Improver {
         control_(control),
         bound_(lower_bound(p).blocks),
         goal_(std::max(bound_, options.target.value_or(0))),
-        arms_(p, goal_, options.imposed && p.v > p.k, control.settings().share),
+        arms_(p, goal_, options.imposed && p.v > p.k && p.v <= largest_v, control.settings().share,
+              bytes_of_an_attempt(control)),
         seed_(control.seed()) {}
 
-  ImproveResult run() {
+  // Everything but the search. @throws Stopped; what there is until then is kept.
+  void begin() {
     if (!options_.checkpoint.empty()) {
-      if (auto checkpoint = read_checkpoint(options_.checkpoint, parameters_)) {
+      file_.emplace(options_.checkpoint, parameters_);
+      if (auto checkpoint = file_->read()) {
         go_on(*std::move(checkpoint));
       }
     }
-    begin();
-    run_together(control_, control_.threads(), [this](unsigned) { work(); });
-    if (!options_.checkpoint.empty()) {
-      save();
-    }
-    return result();
-  }
-
- private:
-  // Both counts of a checkpoint are of a search that is the same but for being cut into runs.
-  void go_on(Checkpoint checkpoint) {
-    seed_ = checkpoint.seed;
-    attempts_ = checkpoint.attempts;
-    moves_ = moves_before_ = checkpoint.moves;
-    if (checkpoint.arms.size() == arms_.arms().size()) {
-      arms_.restore(std::move(checkpoint.arms));
-    }
-    if (checkpoint.best) {
-      take(*std::move(checkpoint.best), checkpoint.how);
-    }
-  }
-
-  void begin() {
-    if (auto known = best_known_design(parameters_)) {
-      take(*std::move(known), "best recipe");
-    }
+    started_from_ = blocks_of_best();
+    take_known();
     if (options_.start) {
       if (options_.start->parameters() != parameters_ || !verify(*options_.start).valid()) {
         throw BadInput(fmt::format("the design to start from is not a {}; repair it first",
@@ -96,7 +79,7 @@ class Improver {
       }
       take(*options_.start, "the design to start from");
     }
-    started_from_ = best_ ? std::optional<std::uint64_t>(best_->block_count()) : std::nullopt;
+    started_from_ = blocks_of_best();
     if (!best_) {
       Random random(seed_);
       Design list(parameters_);
@@ -106,8 +89,57 @@ class Improver {
     stop_if_done();
   }
 
-  // Keeps a design if it is better. Under the lock, or before there are threads.
+  ImproveResult run() {
+    if (!best_) {
+      return result();
+    }
+    if (parameters_.v > largest_v) {
+      unsearched_ = fmt::format("local search supports v up to {}", largest_v);
+      control_.stop(WhyStopped::exhausted);
+    } else {
+      run_together(control_, control_.threads(), [this](unsigned) { work(); });
+    }
+    save();
+    return result();
+  }
+
+ private:
+  // Both counts of a checkpoint are of a search that is the same but for being cut into runs.
+  void go_on(Checkpoint checkpoint) {
+    seed_ = checkpoint.seed;
+    attempts_ = checkpoint.attempts;
+    moves_ = moves_before_ = checkpoint.moves;
+    arms_.restore(checkpoint.arms);
+    if (checkpoint.best) {
+      take(*std::move(checkpoint.best), checkpoint.how);
+    }
+  }
+
+  // Without memory for it what the checkpoint has will do.
+  void take_known() {
+    try {
+      if (auto known = best_known_design(parameters_)) {
+        take(*std::move(known), "best recipe");
+      }
+    } catch (const MissingResource&) {
+      if (!best_) {
+        throw;
+      }
+    }
+  }
+
+  static std::optional<std::uint64_t> bytes_of_an_attempt(const RunControl& control) {
+    const auto bytes = control.settings().memory_bytes;
+    return bytes ? std::optional(*bytes / control.threads()) : std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<std::uint64_t> blocks_of_best() const {
+    return best_ ? std::optional<std::uint64_t>(best_->block_count()) : std::nullopt;
+  }
+
+  // Keeps a design if it is better, stopped or not. Under the lock, or before there are threads.
   bool take(Design design, const std::string& how) {
+    const RunGrace to_the_end(control_);
     if (best_ && best_->block_count() <= design.block_count()) {
       return false;
     }
@@ -133,8 +165,21 @@ class Improver {
       if (!attempt) {
         return;
       }
-      Attempted attempted = make(*attempt);
-      report(*attempt, std::move(attempted));
+      try {
+        report(*attempt, make(*attempt));
+      } catch (const MissingResource&) {
+        leave_out(*attempt);
+      } catch (const std::bad_alloc&) {
+        leave_out(*attempt);
+      }
+    }
+  }
+
+  void leave_out(const Attempt& attempt) {
+    const std::scoped_lock lock(mutex_);
+    arms_.leave_out(attempt.arm);
+    if (options_.moves) {
+      reserved_ -= attempt.moves;
     }
   }
 
@@ -142,6 +187,12 @@ class Improver {
     const std::scoped_lock lock(mutex_);
     std::optional<Attempt> attempt = arms_.next(best_blocks_);
     if (!attempt || fruitless_ > most_fruitless) {
+      if (const std::uint64_t bytes = arms_.bytes_left_out(best_blocks_);
+          moves_ == moves_before_ && bytes > 0) {
+        constexpr double giga = 1e9;
+        unsearched_ = fmt::format("local search would need about {:.1f} GB of memory a thread",
+                                  static_cast<double>(bytes) / giga);
+      }
       control_.stop(WhyStopped::exhausted);
       return std::nullopt;
     }
@@ -229,7 +280,7 @@ class Improver {
     if (!found.design) {
       return attempted;
     }
-    std::optional<Design> design = truncated(*found.design, arm.extra);
+    std::optional<Design> design = without_extra(*found.design, arm.extra);
     if (design) {
       attempted.how =
           fmt::format("{} base blocks under an automorphism of order {} with {} fixed elements{}{}",
@@ -265,10 +316,28 @@ class Improver {
     }
   }
 
-  // As linear as asked, without what is not needed.
-  Design shorter(const Design& design) const {
-    return parameters_.kind == Kind::linear ? shortest_cut(design)
-                                            : without_needless_blocks(design);
+  // nullopt if no element can go, or there is no time left.
+  std::optional<Design> without_extra(const Design& design, std::uint64_t extra) const {
+    const RunGrace grace(control_, patience);
+    try {
+      return truncated(design, extra);
+    } catch (const Stopped&) {
+      return std::nullopt;
+    }
+  }
+
+  // As linear as asked, without what is not needed; as it is if there is no time or memory for that.
+  Design shorter(Design design) const {
+    const RunGrace grace(control_, patience);
+    try {
+      return parameters_.kind == Kind::linear ? shortest_cut(design)
+                                              : without_needless_blocks(design);
+    } catch (const Stopped&) {
+    } catch (const MissingResource&) {
+    } catch (const std::bad_alloc&) {
+    }
+    design.set_kind(parameters_.kind);
+    return design;
   }
 
   // A linear design loses an end; in a circular one a piece is replaced by a random way of a block
@@ -349,7 +418,7 @@ class Improver {
   }
 
   void save_if_due() {
-    if (options_.checkpoint.empty()) {
+    if (!file_) {
       return;
     }
     const std::unique_lock lock(mutex_, std::try_to_lock);
@@ -358,18 +427,40 @@ class Improver {
     }
   }
 
+  // A checkpoint that cannot be written does not end the search: it is tried again, and said at the end.
   void save() {
-    write_checkpoint({.parameters = parameters_,
-                      .seed = seed_,
-                      .attempts = attempts_,
-                      .moves = moves_,
-                      .arms = arms_.arms(),
-                      .how = how_,
-                      .best = best_},
-                     options_.checkpoint);
-    next_save_ =
-        RunControl::Clock::now() +
-        std::chrono::duration_cast<RunControl::Clock::duration>(options_.checkpoint_interval);
+    if (!file_) {
+      return;
+    }
+    const RunGrace to_the_end(control_);
+    try {
+      keep_what_others_found();
+      file_->write({.parameters = parameters_,
+                    .seed = seed_,
+                    .attempts = attempts_,
+                    .moves = moves_,
+                    .arms = arms_.arms(),
+                    .how = how_,
+                    .best = best_});
+      checkpoint_fault_.clear();
+    } catch (const Error& fault) {
+      checkpoint_fault_ = fault.what();
+    } catch (const std::bad_alloc&) {
+      checkpoint_fault_ = options_.checkpoint + ": not enough memory to write the checkpoint";
+    }
+    next_save_ = RunControl::Clock::now() + std::chrono::duration_cast<RunControl::Clock::duration>(
+                                                options_.checkpoint_interval);
+  }
+
+  // Somebody may have put another checkpoint there, a better one: it is not lost. What is none is not
+  // replaced.
+  void keep_what_others_found() {
+    if (!file_->was_replaced()) {
+      return;
+    }
+    if (auto other = file_->read(); other && other->best) {
+      take(*std::move(other->best), other->how);
+    }
   }
 
   ImproveResult result() {
@@ -383,6 +474,12 @@ class Improver {
     result.moves_per_second =
         static_cast<double>(moves_ - moves_before_) / std::max(1e-9, result.elapsed.count());
     result.why_stopped = control_.why_stopped();
+    result.unsearched = unsearched_;
+    result.checkpoint_fault = checkpoint_fault_;
+    if (!best_) {
+      return result;
+    }
+    const RunGrace to_the_end(control_);
     if (!verify(*best_).valid()) {
       throw InternalError(fmt::format("the {} that was kept is none", name(parameters_)));
     }
@@ -397,6 +494,9 @@ class Improver {
   const std::uint64_t goal_;
   SearchArms arms_;
   std::uint64_t seed_;
+  std::optional<CheckpointFile> file_;
+  std::string checkpoint_fault_;
+  std::string unsearched_;
   std::uint64_t attempts_ = 0;
   std::uint64_t moves_before_ = 0;  // of earlier runs
   std::uint64_t reserved_ = 0;      // moves of attempts that were given out
@@ -417,11 +517,21 @@ ImproveResult improve(const Parameters& p, const ImproveOptions& options, RunCon
   if (const auto why = impossibility(p)) {
     throw ImpossibleParameters(fmt::format("there is no {}: {}", name(p), *why));
   }
-  if (p.v > largest_v) {
-    throw ImpossibleParameters(
-        fmt::format("local search supports v up to {}, not {}", largest_v, p.v));
+  std::optional<Improver> improver;
+  try {
+    const RunGrace grace(control, patience);
+    improver.emplace(p, options, control);
+    improver->begin();
+  } catch (const Stopped&) {
+    // What is known by now is the result.
   }
-  return Improver(p, options, control).run();
+  if (improver) {
+    return improver->run();
+  }
+  ImproveResult nothing;
+  nothing.elapsed = control.elapsed();
+  nothing.why_stopped = control.why_stopped();
+  return nothing;
 }
 
 }  // namespace changeover

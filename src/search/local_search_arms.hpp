@@ -3,7 +3,7 @@
 // An arm is one kind of attempt; it aims at a number of blocks below the best so far, by `step` in
 // its own units, and doubles its budget whenever it fails at the nearest aim. The arm of least cost
 // comes next: moves spent and about to be spent, in the time that they take, times (1 + what the
-// last attempt missed)².
+// last attempt missed)². An arm is left out while its counters would take more memory than an attempt may.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "changeover/core/parameters.hpp"
-#include "changeover/search/checkpoint.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/search/checkpoint.hpp"
 #include "changeover/search/segment_orbits.hpp"
 
 namespace changeover {
@@ -30,12 +30,19 @@ struct Attempt {
 
 class SearchArms {
  public:
-  /// Arms for p; `goal` blocks are enough.
-  SearchArms(const Parameters& p, std::uint64_t goal, bool imposed, const WorkShare& share);
+  /// Arms for p; `goal` blocks are enough. An attempt may take so many bytes; nothing: any.
+  SearchArms(const Parameters& p, std::uint64_t goal, bool imposed, const WorkShare& share,
+             std::optional<std::uint64_t> most_bytes = {});
 
   [[nodiscard]] const std::vector<SearchArm>& arms() const { return arms_; }
-  /// Takes the place of the arms, from a checkpoint.
-  void restore(std::vector<SearchArm> arms) { arms_ = std::move(arms); }
+  /// Goes on with what arms of the same kinds, from a checkpoint, have cost and promise.
+  void restore(const std::vector<SearchArm>& arms);
+
+  /// There was no memory for this arm after all: it is left out from now on.
+  void leave_out(std::size_t arm) { no_memory_[arm] = true; }
+
+  /// If arms with an aim are left out, the bytes that the least of them would take; 0 if none is.
+  [[nodiscard]] std::uint64_t bytes_left_out(std::uint64_t best) const;
 
   /// The next attempt to find a design of fewer than `best` blocks; nullopt if no arm has an aim.
   /// Its moves are taken for spent.
@@ -53,11 +60,18 @@ class SearchArms {
   [[nodiscard]] std::optional<std::uint64_t> aim(const SearchArm& arm, std::uint64_t best,
                                                  std::uint64_t step) const;
 
+  [[nodiscard]] std::uint64_t bytes(const SearchArm& arm, std::uint64_t aim) const;
+  [[nodiscard]] bool is_left_out(std::size_t arm, std::uint64_t aim) const {
+    return no_memory_[arm] || (most_bytes_ && bytes(arms_[arm], aim) > *most_bytes_);
+  }
+
   Parameters parameters_;
   std::uint64_t goal_;
+  std::optional<std::uint64_t> most_bytes_;
   std::uint64_t allowance_ = 0;  // blocks that a cut may save
   std::vector<SearchArm> arms_;
   std::vector<std::uint64_t> fewest_;  // base blocks of each arm, by counting
+  std::vector<bool> no_memory_;        // by arm
 };
 
 }  // namespace changeover

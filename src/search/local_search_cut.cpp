@@ -1,12 +1,16 @@
 // What can be had from designs that are known: recipes, cuts, parts.
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/planner.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/local_search.hpp"
-#include "changeover/verify/verdict.hpp"
+#include "search/listening.hpp"
 #include "search/local_search_known.hpp"
 
 namespace changeover {
@@ -15,8 +19,11 @@ namespace {
 // How often each pair is in the consecutive blocks from `begin` on; blocks come and go at the ends.
 class Window {
  public:
-  explicit Window(const Design& design)
-      : design_(design), times_(static_cast<std::size_t>(binomial(design.v(), 2)), 0) {}
+  explicit Window(const Design& design) : design_(design) {
+    const std::uint64_t pairs = binomial(design.v(), 2);
+    require_memory(pairs * sizeof(std::uint32_t), "counting the pairs of a part of a design");
+    times_.assign(static_cast<std::size_t>(pairs), 0);
+  }
 
   [[nodiscard]] std::uint64_t covered() const { return covered_; }
 
@@ -30,6 +37,7 @@ class Window {
  private:
   template <typename Visit>
   void for_each_pair(std::size_t i, Visit&& visit) {
+    stop_if_asked();
     const auto block = design_.block(i % design_.block_count());
     for (std::size_t a = 0; a < block.size(); ++a) {
       for (std::size_t c = 0; c < a; ++c) {
@@ -137,13 +145,19 @@ Design best_part(const Design& design, std::size_t blocks) {
 
 std::optional<Design> best_known_design(const Parameters& p) {
   const Registry& registry = Registry::standard();
-  const auto best =
-      best_known(registry, p, [](const Design& design) { return verify(design).valid(); });
+  const auto best = best_known(
+      registry, p, [](const Design& design) { return verify_listening(design).valid(); });
   if (!best) {
     return std::nullopt;
   }
-  Design design = registry.build_design(best->recipe);
-  if (!verify(design).valid()) {
+  require_memory(checked_multiply(checked_multiply(best->b, p.k), sizeof(Element)),
+                 "the best design that is known, the " + name(p) + ",");
+  const std::unique_ptr<BlockSource> blocks = registry.build(best->recipe);
+  ListeningSource listening(*blocks);
+  Design design = read_all(listening);
+  design.set_labels(registry.construction_of(best->recipe).labels(best->recipe, registry));
+  design.recipe = best->recipe;
+  if (!verify_listening(design).valid()) {
     throw InternalError("the best recipe for the " + name(p) + " does not give a design");
   }
   return design;

@@ -1,6 +1,7 @@
 #include "search/local_search_states.hpp"
 
 #include <cstdint>
+#include <limits>
 
 #include "changeover/core/error.hpp"
 #include "changeover/search/segment_pairs.hpp"
@@ -8,6 +9,9 @@
 
 namespace changeover {
 namespace {
+
+using Bytes = SegmentPairs<std::uint8_t>;
+using Words = SegmentPairs<std::uint16_t>;
 
 template <typename State>
 Annealed run(State state, const AnnealSchedule& schedule, Random& random, RunControl& control,
@@ -22,10 +26,29 @@ Annealed run(State state, const AnnealSchedule& schedule, Random& random, RunCon
 
 }  // namespace
 
+std::uint64_t annealing_bytes(const Parameters& p, std::uint64_t blocks) {
+  constexpr std::uint64_t too_many = std::numeric_limits<std::uint64_t>::max();
+  constexpr std::uint64_t most_blocks = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint64_t most_occurrences = std::numeric_limits<std::uint8_t>::max() / 2;
+  if (p.v > max_elements_in_memory || blocks > most_blocks) {
+    return too_many;
+  }
+  if (p.strength == 2) {
+    // An element may be in more blocks than the others.
+    return blocks * p.k / p.v < most_occurrences ? Bytes::bytes(p.v, p.k, blocks)
+                                                 : Words::bytes(p.v, p.k, blocks);
+  }
+  try {
+    return SegmentSubsets::bytes(p, blocks);
+  } catch (const ImpossibleParameters&) {
+    return too_many;
+  }
+}
+
 Annealed anneal_blocks(const Design& start, std::size_t frozen, const AnnealSchedule& schedule,
                        Random& random, RunControl& control, const AnnealWatch& watch) {
-  using Bytes = SegmentPairs<std::uint8_t>;
-  using Words = SegmentPairs<std::uint16_t>;
+  control.require_memory(annealing_bytes(start.parameters(), start.block_count()),
+                         "local search for the " + name(start.parameters()));
   if (start.parameters().strength != 2) {
     return run(SegmentSubsets(start, frozen), schedule, random, control, watch);
   }

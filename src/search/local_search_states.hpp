@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "changeover/core/design.hpp"
@@ -14,7 +15,11 @@ struct Annealed {
   AnnealOutcome outcome;
 };
 
-/// Anneals all blocks but the first `frozen`.
+/// The memory that annealing so many blocks takes, at most; the largest number if that exceeds 64 bits.
+[[nodiscard]] std::uint64_t annealing_bytes(const Parameters& p, std::uint64_t blocks);
+
+/// Anneals all blocks but the first `frozen`. Listens to the scope of this thread while it begins.
+/// @throws MissingResource if the counters would need more memory than `control` allows.
 [[nodiscard]] Annealed anneal_blocks(const Design& start, std::size_t frozen,
                                      const AnnealSchedule& schedule, Random& random,
                                      RunControl& control, const AnnealWatch& watch = {});

@@ -8,6 +8,7 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/run/scope.hpp"
 #include "search/ordering_overlap.hpp"
 
 namespace changeover {
@@ -23,6 +24,8 @@ Overlaps::Overlaps(std::span<const Block> blocks, std::uint64_t v)
     throw MissingResource(
         fmt::format("{} blocks on {} elements need more than 4 GiB as bit sets", blocks.size(), v));
   }
+  require_memory(words_ * 8 * blocks.size(),
+                 fmt::format("the bit sets of {} blocks", blocks.size()));
   bits_.assign(words_ * blocks.size(), 0);
   sizes_.reserve(blocks.size());
   for (std::size_t i = 0; i < blocks.size(); ++i) {

@@ -4,6 +4,9 @@
 #include <limits>
 #include <vector>
 
+#include "changeover/core/checked.hpp"
+#include "changeover/run/scope.hpp"
+
 namespace changeover {
 namespace {
 
@@ -110,6 +113,7 @@ class OneTrees {
     std::size_t newest = begin;
     std::int64_t length = 0;
     while (!open.empty()) {
+      stop_if_asked();
       std::size_t best = 0;
       for (std::size_t at = 0; at < open.size(); ++at) {
         Open& each = open[at];
@@ -169,7 +173,7 @@ std::uint64_t order_lower_bound(std::span<const Block> blocks, const Overlaps& o
                                 std::uint64_t effort, RunControl& control) {
   std::uint64_t bound = element_bound(blocks, wanted);
   const std::uint64_t n = blocks.size();
-  const std::uint64_t a_round = n * n / 2 * overlaps.words();
+  const std::uint64_t a_round = checked_multiply(n * n / 2, overlaps.words());
   if (n < 4 || a_round / 10 > effort) {
     return bound;
   }
@@ -185,7 +189,12 @@ std::uint64_t order_lower_bound(std::span<const Block> blocks, const Overlaps& o
   std::int64_t share = 2 * scale;  // of the gap that a step tries to close, in 1024ths
   std::uint64_t since = 0;
   for (std::uint64_t round = 0; round < rounds; ++round) {
-    const std::int64_t length = trees.round();
+    std::int64_t length = 0;
+    try {
+      length = trees.round();
+    } catch (const Stopped&) {
+      break;
+    }
     since = length > best ? 0 : since + 1;
     best = std::max(best, length);
     const std::int64_t in_whole = best >= 0 ? (best + scale - 1) / scale : -(-best / scale);

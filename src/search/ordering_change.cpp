@@ -8,17 +8,21 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/run/random.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/cardinality.hpp"
 #include "changeover/search/ordering.hpp"
-#include "changeover/run/random.hpp"
 #include "search/base_block_solver.hpp"
 #include "search/ordering_overlap.hpp"
 
 namespace changeover {
 namespace {
 
+constexpr std::size_t blocks_between_questions = 16;
+constexpr std::uint64_t rotations_between_questions = 256;
 constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
-constexpr std::size_t most_listed = 512;   // neighbours of a block in a large graph
+constexpr std::size_t most_listed = 512;  // neighbours of a block in a large graph
+constexpr std::size_t comparisons_between_questions = 4096;
 constexpr std::size_t small_graph = 2000;  // blocks whose neighbours are all listed
 
 /// Which blocks may be neighbours.
@@ -27,9 +31,14 @@ class ChangeGraph {
   ChangeGraph(const Overlaps& overlaps, std::uint64_t m) : overlaps_(overlaps), m_(m) {
     const std::size_t b = overlaps.count();
     lists_.resize(b);
+    std::uint64_t listed = 0;
     for (std::size_t i = 0; i < b; ++i) {
       std::vector<std::uint32_t>& list = lists_[i];
+      report_progress({.phase = "looking for neighbours", .steps = i, .unit = "blocks"});
       for (std::size_t j = 0; j < b; ++j) {
+        if (j % comparisons_between_questions == 0) {
+          stop_if_asked();
+        }
         if (adjacent(i, j)) {
           list.push_back(static_cast<std::uint32_t>(j));
         }
@@ -42,6 +51,8 @@ class ChangeGraph {
         complete_ = false;
       }
       list.shrink_to_fit();
+      listed += list.size();
+      require_memory(listed * sizeof(std::uint32_t), "the graph of blocks that may be neighbours");
     }
   }
 
@@ -122,13 +133,16 @@ class Rotation {
       for (std::uint64_t since = 0; since < patience && rotations < most; ++since) {
         if (extend()) {
           since = 0;
+          if (path_.size() % blocks_between_questions == 0 && control.stop_wanted()) {
+            return false;
+          }
           continue;
         }
         if (done()) {
           return true;
         }
         ++rotations;
-        if (rotations % 1024 == 0 && control.stop_wanted()) {
+        if (rotations % rotations_between_questions == 0 && control.stop_wanted()) {
           return false;
         }
         rotate();
@@ -342,6 +356,7 @@ ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& 
                                  i + 1, blocks[i].size(), blocks[0].size()));
     }
   }
+  const RunScope scope(control);
   const Overlaps overlaps(blocks, wanted.v);
   ChangeOrder result;
   const auto finish = [&](OrderAnswer answer, std::vector<std::size_t> order) {
@@ -359,7 +374,13 @@ ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& 
   if (blocks.size() == 1) {
     return finish(OrderAnswer::found, {0});
   }
-  const ChangeGraph graph(overlaps, wanted.m);
+  std::optional<ChangeGraph> neighbours;
+  try {
+    neighbours.emplace(overlaps, wanted.m);
+  } catch (const Stopped&) {
+    return finish(OrderAnswer::unknown, {});
+  }
+  const ChangeGraph& graph = *neighbours;
   result.reason = obstruction(graph, wanted);
   if (!result.reason.empty()) {
     return finish(OrderAnswer::none, {});

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/search/ordering.hpp"
 #include "changeover/run/random.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/search/ordering.hpp"
 #include "search/ordering_bound.hpp"
 #include "search/ordering_overlap.hpp"
 #include "search/ordering_tour.hpp"
@@ -103,16 +105,47 @@ class StepWeight {
   std::int64_t largest_ = 0;
 };
 
-// The blocks that overlap most with each; ties at random, for there are many.
-Neighbours near_blocks(std::span<const Block> blocks, std::uint64_t v, std::size_t how_many,
-                       Random& random) {
-  const std::size_t n = blocks.size();
-  std::vector<std::vector<City>> with(static_cast<std::size_t>(v));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (const Element x : blocks[i]) {
-      with[x].push_back(static_cast<City>(i));
+/// The blocks that overlap most with each; ties at random, for there are many.
+class NearBlocks {
+ public:
+  NearBlocks(std::span<const Block> blocks, std::uint64_t v, std::size_t how_many, Random& random)
+      : blocks_(blocks), how_many_(how_many), random_(random), with_(static_cast<std::size_t>(v)) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      for (const Element x : blocks[i]) {
+        with_[x].push_back(static_cast<City>(i));
+      }
     }
   }
+
+  // O(b²k²/v). Where that takes more than half of the time that is left, the other blocks are compared with
+  // some of those that they meet only; after Ctrl-C with none.
+  Neighbours lists(RunControl& control) {
+    Neighbours neighbours(blocks_.size());
+    overlap_.assign(blocks_.size(), 0);
+    const auto left = control.time_left();
+    RunControl half(control, left ? *left / 2 : std::chrono::duration<double>(forever));
+    std::size_t most = all;
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      if (i % blocks_between_questions == 0) {
+        if (control.stop_wanted()) {
+          break;
+        }
+        most = most == all && half.stop_wanted() ? some : most;
+        control.tell(
+            {.phase = "looking for blocks that are near each other", .steps = i, .unit = "blocks"});
+      }
+      meet(i, most);
+      choose(i, neighbours[i]);
+    }
+    return neighbours;
+  }
+
+ private:
+  static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t some = 32;  // blocks with the same element
+  static constexpr std::size_t blocks_between_questions = 4;
+  static constexpr double forever = 1e12;  // seconds
+
   struct Near {
     std::uint32_t overlap;
     std::uint32_t tie;
@@ -121,37 +154,70 @@ Neighbours near_blocks(std::span<const Block> blocks, std::uint64_t v, std::size
       return std::tie(other.overlap, tie, block) < std::tie(overlap, other.tie, other.block);
     }
   };
-  Neighbours neighbours(n);
-  std::vector<std::uint32_t> overlap(n, 0);
-  std::vector<City> met;
-  std::vector<Near> list;
-  for (std::size_t i = 0; i < n; ++i) {
-    met.clear();
-    for (const Element x : blocks[i]) {
-      for (const City j : with[x]) {
-        if (overlap[j]++ == 0) {
-          met.push_back(j);
+
+  // Counts the overlaps with block i, over at most so many blocks beside it for each of its elements.
+  void meet(std::size_t i, std::size_t most) {
+    met_.clear();
+    for (const Element x : blocks_[i]) {
+      const std::vector<City>& with = with_[x];
+      auto begin = with.begin();
+      auto end = with.end();
+      if (with.size() > most) {
+        const auto here = std::lower_bound(begin, end, static_cast<City>(i)) - begin;
+        const auto length = static_cast<std::ptrdiff_t>(most);
+        begin += std::clamp<std::ptrdiff_t>(here - length / 2, 0, end - begin - length);
+        end = begin + length;
+      }
+      for (; begin != end; ++begin) {
+        if (overlap_[*begin]++ == 0) {
+          met_.push_back(*begin);
         }
       }
     }
-    list.clear();
-    for (const City j : met) {
-      if (j != i) {
-        list.push_back({overlap[j], random.next32(), j});
-      }
-      overlap[j] = 0;
+  }
+
+  // Only blocks that overlap as much as the last one that is taken are sorted; each draws its tie.
+  void choose(std::size_t i, std::vector<City>& nearest) {
+    with_overlap_.assign(blocks_[i].size() + 1, 0);
+    for (const City j : met_) {
+      ++with_overlap_[overlap_[j]];
     }
-    const std::size_t count = std::min(how_many, list.size());
-    std::partial_sort(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count), list.end());
+    std::size_t least = with_overlap_.size();
+    for (std::size_t enough = 0; least > 0 && enough <= how_many_; enough += with_overlap_[least]) {
+      --least;
+    }
+    list_.clear();
+    for (const City j : met_) {
+      if (j != i) {
+        const std::uint32_t tie = random_.next32();
+        if (overlap_[j] >= least) {
+          list_.push_back({overlap_[j], tie, j});
+        }
+      }
+      overlap_[j] = 0;
+    }
+    const std::size_t count = std::min(how_many_, list_.size());
+    std::partial_sort(list_.begin(), list_.begin() + static_cast<std::ptrdiff_t>(count),
+                      list_.end());
     for (std::size_t at = 0; at < count; ++at) {
-      neighbours[i].push_back(list[at].block);
+      nearest.push_back(list_[at].block);
     }
   }
-  return neighbours;
-}
 
-// From block to nearest free block. Where no neighbour is free, the next one in a list of all free blocks.
-std::vector<City> nearest_first(const Overlaps& overlaps, const Neighbours& neighbours) {
+  std::span<const Block> blocks_;
+  std::size_t how_many_;
+  Random& random_;
+  std::vector<std::vector<City>> with_;  // by element
+  std::vector<std::uint32_t> overlap_;   // with the block whose turn it is
+  std::vector<City> met_;
+  std::vector<std::size_t> with_overlap_;  // how many blocks have each overlap
+  std::vector<Near> list_;
+};
+
+// From block to nearest free block. Where no neighbour is free, the next one in a list of all free blocks; when
+// it is stopped, the free blocks as they come.
+std::vector<City> nearest_first(const Overlaps& overlaps, const Neighbours& neighbours,
+                                RunControl& control) {
   const std::size_t n = overlaps.count();
   std::vector<City> free(n);
   std::iota(free.begin(), free.end(), City{0});
@@ -175,9 +241,19 @@ std::vector<City> nearest_first(const Overlaps& overlaps, const Neighbours& neig
       }
     }
     if (best == n) {
+      if (control.stop_wanted()) {
+        std::sort(free.begin(), free.end());
+        order.insert(order.end(), free.begin(), free.end());
+        return order;
+      }
       best = free.front();
+      std::uint32_t most = overlaps(at, best);
       for (const City j : free) {
-        best = overlaps(at, j) > overlaps(at, best) ? j : best;
+        const std::uint32_t overlap = overlaps(at, j);
+        if (overlap > most) {
+          most = overlap;
+          best = j;
+        }
       }
     }
     at = best;
@@ -191,8 +267,8 @@ std::vector<std::size_t> searched_order(std::span<const Block> blocks, const Ove
   Random random(control.seed());
   const std::size_t n = blocks.size();
   const bool linear = wanted.kind == Kind::linear;
-  Neighbours neighbours = near_blocks(blocks, wanted.v, options.neighbours, random);
-  std::vector<City> begin = nearest_first(overlaps, neighbours);
+  Neighbours neighbours = NearBlocks(blocks, wanted.v, options.neighbours, random).lists(control);
+  std::vector<City> begin = nearest_first(overlaps, neighbours, control);
   const std::size_t extra_cities = !linear ? 0 : wanted.first_counts ? 1 : 2;
   for (std::size_t extra = n; extra < n + extra_cities; ++extra) {
     begin.push_back(static_cast<City>(extra));
@@ -245,6 +321,7 @@ LeastChangeOrder order_for_least_change(std::span<const Block> blocks,
   if (blocks.empty()) {
     throw BadInput("there are no blocks to order");
   }
+  const RunScope scope(control);
   const Overlaps overlaps(blocks, wanted.v);
   const std::size_t n = blocks.size();
   LeastChangeOrder result;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <set>
 #include <utility>
 #include <vector>
@@ -10,8 +11,9 @@
 #include "changeover/construct/path.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/run/grace.hpp"
 #include "changeover/search/random_list.hpp"
-#include "changeover/verify/verdict.hpp"
+#include "search/listening.hpp"
 #include "search/local_search_states.hpp"
 #include "search/repair_cover.hpp"
 
@@ -21,6 +23,7 @@ namespace {
 constexpr std::uint64_t first_moves = 4096;
 constexpr int anneals_of_a_length = 3;
 constexpr int samples_of_replacements = 200;
+constexpr std::chrono::seconds patience{1};
 
 Block block_of(const Design& design, std::size_t i) {
   const auto elements = design.block(i);
@@ -37,6 +40,7 @@ class Steps {
   Design mended() {
     const std::size_t b = list_.block_count();
     for (std::size_t i = 0; i < b; ++i) {
+      stop_if_asked();
       Block block = block_of(list_, i);
       if (!blocks_.empty() && !follows(block)) {
         if (auto other = replacement(block, i)) {
@@ -140,63 +144,107 @@ void require_valid(const Design& design) {
 
 }  // namespace
 
-RepairResult repair(const Design& list, const RepairOptions& options, RunControl& control) {
-  require_possible(list);
-  RepairResult result{Design(list.parameters())};
-  const Verdict before = verify(list);
-  result.given = list.block_count();
-  result.bad_steps = before.bad_steps;
-  result.uncovered = before.uncovered;
-  Random random(control.seed());
-  const auto finish = [&](Design design, WhyStopped why) {
-    require_valid(design);
-    design.set_labels(list.labels());
-    result.kept = kept_blocks(list, design);
-    result.design = std::move(design);
-    result.why_stopped = why;
-    return result;
-  };
-  if (before.valid()) {
-    return finish(list, WhyStopped::found);
+namespace {
+
+/// One repair, from the list to the design.
+class Repair {
+ public:
+  Repair(const Design& list, const RepairOptions& options, RunControl& control)
+      : list_(list), options_(options), control_(control), random_(control.seed()) {}
+
+  RepairResult run() {
+    const RunGrace grace(control_, patience);
+    try {
+      work();
+    } catch (const Stopped&) {
+      result_.why_stopped = control_.why_stopped();
+    }
+    return std::move(result_);
   }
-  if (list.v() == list.k()) {
-    return finish(Design(list.parameters(), std::vector<Block>{block_of(list, 0)}),
-                  WhyStopped::found);
+
+ private:
+  void work() {
+    const Verdict before = verify_listening(list_);
+    result_.given = list_.block_count();
+    result_.bad_steps = before.bad_steps;
+    result_.uncovered = before.uncovered;
+    if (before.valid()) {
+      keep(list_);
+      return;
+    }
+    if (list_.v() == list_.k()) {
+      keep(Design(list_.parameters(), std::vector<Block>{block_of(list_, 0)}));
+      return;
+    }
+    const Design mended = Steps(list_, random_).mended();
+    if (verify_listening(mended).valid()) {
+      keep(mended);
+      return;
+    }
+    try {
+      anneal(mended);
+    } catch (const MissingResource& fault) {
+      result_.unsearched = fault.what();
+    } catch (const std::bad_alloc&) {
+      result_.unsearched = "not enough memory to anneal the list";
+    }
+    if (!result_.design) {
+      keep(cover_the_rest(mended, random_));
+      result_.why_stopped =
+          control_.stop_wanted() ? control_.why_stopped() : WhyStopped::step_limit;
+    }
   }
-  const Design mended = Steps(list, random).mended();
-  if (verify(mended).valid()) {
-    return finish(mended, WhyStopped::found);
-  }
-  for (std::uint64_t moves = first_moves;
-       mended.block_count() > 1 && result.moves + moves <= options.moves && !control.stop_wanted();
-       moves *= 2) {
-    std::optional<RepairResult> best;
-    for (int run = 0; run < anneals_of_a_length && !control.stop_wanted(); ++run) {
-      Annealed annealed =
-          anneal_blocks(mended, 0, {.moves = moves, .hot = 0.3, .cold = 0.15}, random, control,
-                        [&](std::uint64_t done, std::uint64_t missing) {
-                          if (control.progress_due()) {
-                            control.tell({.phase = "annealing the list",
-                                          .steps = result.moves + done,
-                                          .missing = missing});
-                          }
-                          return true;
-                        });
-      result.moves += annealed.outcome.moves;
-      if (annealed.design) {
-        const RepairResult candidate = finish(*std::move(annealed.design), WhyStopped::found);
-        if (!best || candidate.kept > best->kept) {
-          best = candidate;
+
+  void anneal(const Design& mended) {
+    for (std::uint64_t moves = first_moves;
+         mended.block_count() > 1 && result_.moves + moves <= options_.moves && !result_.design &&
+         !control_.stop_wanted();
+         moves *= 2) {
+      for (int run = 0; run < anneals_of_a_length && !control_.stop_wanted(); ++run) {
+        Annealed annealed =
+            anneal_blocks(mended, 0, {.moves = moves, .hot = 0.3, .cold = 0.15}, random_, control_,
+                          [&](std::uint64_t done, std::uint64_t missing) {
+                            if (control_.progress_due()) {
+                              control_.tell({.phase = "annealing the list",
+                                             .steps = result_.moves + done,
+                                             .missing = missing});
+                            }
+                            return true;
+                          });
+        result_.moves += annealed.outcome.moves;
+        if (annealed.design) {
+          keep(*std::move(annealed.design));
         }
       }
     }
-    if (best) {
-      best->moves = result.moves;
-      return *std::move(best);
-    }
   }
-  const WhyStopped why = control.stop_wanted() ? control.why_stopped() : WhyStopped::step_limit;
-  return finish(cover_the_rest(mended, random), why);
+
+  // Keeps the design if it has more blocks of the list than the one that there is, stopped or not.
+  void keep(Design design) {
+    const RunGrace to_the_end(control_);
+    const std::uint64_t kept = kept_blocks(list_, design);
+    if (result_.design && kept <= result_.kept) {
+      return;
+    }
+    require_valid(design);
+    design.set_labels(list_.labels());
+    result_.kept = kept;
+    result_.design = std::move(design);
+    result_.why_stopped = WhyStopped::found;
+  }
+
+  const Design& list_;
+  const RepairOptions& options_;
+  RunControl& control_;
+  Random random_;
+  RepairResult result_;
+};
+
+}  // namespace
+
+RepairResult repair(const Design& list, const RepairOptions& options, RunControl& control) {
+  require_possible(list);
+  return Repair(list, options, control).run();
 }
 
 }  // namespace changeover

@@ -5,6 +5,7 @@
 
 #include "changeover/construct/path.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/random_list.hpp"
 #include "search/repair_subsets.hpp"
 
@@ -49,6 +50,13 @@ Design cover_the_rest(const Design& list, Random& random) {
     covered.insert(list.block(i));
   }
   while (const auto wanted = covered.first_missing()) {
+    stop_if_asked();
+    if (progress_due()) {
+      report_progress({.phase = "adding blocks",
+                       .steps = result.block_count(),
+                       .unit = "blocks",
+                       .missing = covered.missing()});
+    }
     const auto last = result.block(result.block_count() - 1);
     const Block here(last.begin(), last.end());
     Block best;

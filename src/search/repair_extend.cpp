@@ -1,13 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <new>
 #include <utility>
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/grace.hpp"
 #include "changeover/search/random_list.hpp"
 #include "changeover/search/repair.hpp"
-#include "changeover/verify/verdict.hpp"
+#include "search/listening.hpp"
 #include "search/local_search_states.hpp"
 #include "search/repair_cover.hpp"
 
@@ -15,6 +17,7 @@ namespace changeover {
 namespace {
 
 constexpr std::uint64_t first_budget = std::uint64_t{1} << 18;
+constexpr std::chrono::seconds patience{1};
 
 Block block_of(const Design& design, std::size_t i) {
   const auto elements = design.block(i);
@@ -30,6 +33,7 @@ std::optional<Design> continued(const Design& beginning, std::size_t blocks, Ran
   Block here = block_of(beginning, beginning.block_count() - 1);
   if (p.kind == Kind::linear) {
     while (list.block_count() < blocks) {
+      stop_if_asked();
       here = random_step(here, p, random);
       list.append(here);
     }
@@ -49,7 +53,8 @@ std::optional<Design> continued(const Design& beginning, std::size_t blocks, Ran
 // What the beginning leaves uncovered must be newly covered by what follows.
 std::uint64_t fewest_blocks(const Design& beginning, const Verdict& verdict) {
   const Parameters& p = beginning.parameters();
-  return beginning.block_count() + ceil_div(verdict.uncovered, newly_covered_at_most(p));
+  return checked_add(beginning.block_count(),
+                     ceil_div(verdict.uncovered, newly_covered_at_most(p)));
 }
 
 void require_steps(const Design& beginning) {
@@ -57,7 +62,7 @@ void require_steps(const Design& beginning) {
   linear.kind = Kind::linear;
   Design list = beginning;
   list.set_kind(Kind::linear);
-  const Verdict verdict = verify(list);
+  const Verdict verdict = verify_listening(list);
   if (verdict.bad_steps > 0) {
     const BadStep& step = verdict.bad_step_examples.front();
     throw BadInput(fmt::format(
@@ -65,6 +70,129 @@ void require_steps(const Design& beginning) {
         step.from, step.to, step.changes, linear.change));
   }
 }
+
+/// One extension, from the beginning to the design.
+class Extension {
+ public:
+  Extension(const Design& beginning, const ExtendOptions& options, RunControl& control)
+      : beginning_(beginning),
+        p_(beginning.parameters()),
+        options_(options),
+        control_(control),
+        random_(control.seed()) {}
+
+  ExtendResult run() {
+    const RunGrace grace(control_, patience);
+    try {
+      work();
+    } catch (const Stopped&) {
+      // What is known by now is the result.
+    }
+    if (result_.why_stopped == WhyStopped::running) {
+      result_.why_stopped = control_.why_stopped();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void work() {
+    require_steps(beginning_);
+    const Verdict verdict = verify_listening(beginning_);
+    if (verdict.valid()) {
+      result_.design = beginning_;
+      result_.lower_bound = beginning_.block_count();
+      result_.why_stopped = WhyStopped::found;
+      return;
+    }
+    result_.lower_bound =
+        std::max<std::uint64_t>(fewest_blocks(beginning_, verdict), beginning_.block_count() + 1);
+    keep(cover_the_rest(beginning_, random_));
+    try {
+      shorten();
+    } catch (const MissingResource& fault) {
+      result_.unsearched = fault.what();
+    } catch (const std::bad_alloc&) {
+      result_.unsearched = "not enough memory to anneal the list";
+    }
+    if (!result_.unsearched.empty() && result_.why_stopped == WhyStopped::running) {
+      result_.why_stopped = WhyStopped::exhausted;
+    }
+  }
+
+  void shorten() {
+    const std::uint64_t enough = std::max(result_.lower_bound, options_.blocks.value_or(0));
+    const std::uint64_t first = result_.design->block_count();
+    std::uint64_t step = std::max<std::uint64_t>(1, (first - std::min(first, enough)) / 2);
+    std::uint64_t budget = first_budget;
+    while (result_.design->block_count() > enough && !control_.stop_wanted()) {
+      const std::uint64_t best = result_.design->block_count();
+      const std::uint64_t aim = std::max(enough, best - std::min(best, step));
+      std::uint64_t moves = budget;
+      if (options_.moves) {
+        moves = std::min(moves, *options_.moves - std::min(*options_.moves, result_.moves));
+      }
+      if (moves == 0) {
+        control_.stop(WhyStopped::step_limit);
+        break;
+      }
+      if (attempt(aim, moves)) {
+        step *= 2;
+      } else if (step > 1) {
+        step /= 2;
+      } else {
+        budget *= 2;
+      }
+    }
+    if (result_.design->block_count() <= enough) {
+      control_.stop(WhyStopped::found);
+    }
+  }
+
+  // Whether a design of `aim` blocks was found.
+  bool attempt(std::uint64_t aim, std::uint64_t moves) {
+    control_.require_memory(annealing_bytes(p_, aim), "local search for the " + name(p_));
+    const std::uint64_t best = result_.design->block_count();
+    Annealed annealed;
+    if (const auto start = continued(beginning_, static_cast<std::size_t>(aim), random_)) {
+      annealed = anneal_blocks(
+          *start, beginning_.block_count(), {.moves = moves}, random_, control_,
+          [&](std::uint64_t done, std::uint64_t missing) {
+            if (control_.progress_due()) {
+              control_.tell({.phase = fmt::format("annealing {} blocks after the given ones",
+                                                  aim - beginning_.block_count()),
+                             .steps = result_.moves + done,
+                             .best = best,
+                             .lower_bound = result_.lower_bound,
+                             .missing = missing});
+            }
+            return true;
+          });
+    }
+    // A list that cannot be closed costs something too, or an attempt at it would never end.
+    result_.moves += std::max<std::uint64_t>(1, annealed.outcome.moves);
+    if (annealed.design) {
+      keep(*std::move(annealed.design));
+    }
+    return annealed.design.has_value();
+  }
+
+  // Stopped or not.
+  void keep(Design design) {
+    const RunGrace to_the_end(control_);
+    if (!verify(design).valid()) {
+      throw InternalError(fmt::format("an extended {} is not valid", name(p_)));
+    }
+    design.set_labels(beginning_.labels());
+    result_.design = std::move(design);
+  }
+
+  const Design& beginning_;
+  const Parameters& p_;
+  const ExtendOptions& options_;
+  RunControl& control_;
+  Random random_;
+  ExtendResult result_;
+};
 
 }  // namespace
 
@@ -77,71 +205,7 @@ ExtendResult extend(const Design& beginning, const ExtendOptions& options, RunCo
   if (const auto why = impossibility(p)) {
     throw ImpossibleParameters(fmt::format("there is no {}: {}", name(p), *why));
   }
-  require_steps(beginning);
-  const Verdict verdict = verify(beginning);
-  ExtendResult result{beginning};
-  if (verdict.valid()) {
-    result.lower_bound = beginning.block_count();
-    result.why_stopped = WhyStopped::found;
-    return result;
-  }
-  Random random(control.seed());
-  result.design = cover_the_rest(beginning, random);
-  result.lower_bound =
-      std::max<std::uint64_t>(fewest_blocks(beginning, verdict), beginning.block_count() + 1);
-  const std::uint64_t enough = std::max(result.lower_bound, options.blocks.value_or(0));
-  std::uint64_t step = std::max<std::uint64_t>(
-      1,
-      (result.design.block_count() - std::min<std::uint64_t>(result.design.block_count(), enough)) /
-          2);
-  std::uint64_t budget = first_budget;
-  while (result.design.block_count() > enough && !control.stop_wanted()) {
-    const std::uint64_t best = result.design.block_count();
-    const std::uint64_t aim = std::max(enough, best - std::min(best, step));
-    std::uint64_t moves = budget;
-    if (options.moves) {
-      moves = std::min(moves, *options.moves - std::min(*options.moves, result.moves));
-    }
-    if (moves == 0) {
-      control.stop(WhyStopped::step_limit);
-      break;
-    }
-    Annealed annealed;
-    if (const auto start = continued(beginning, static_cast<std::size_t>(aim), random)) {
-      annealed = anneal_blocks(
-          *start, beginning.block_count(), {.moves = moves}, random, control,
-          [&](std::uint64_t done, std::uint64_t missing) {
-            if (control.progress_due()) {
-              control.tell({.phase = fmt::format("annealing {} blocks after the given ones",
-                                                 aim - beginning.block_count()),
-                            .steps = result.moves + done,
-                            .best = best,
-                            .lower_bound = result.lower_bound,
-                            .missing = missing});
-            }
-            return true;
-          });
-    }
-    // A list that cannot be closed costs something too, or an attempt at it would never end.
-    result.moves += std::max<std::uint64_t>(1, annealed.outcome.moves);
-    if (annealed.design) {
-      result.design = *std::move(annealed.design);
-      step *= 2;
-    } else if (step > 1) {
-      step /= 2;
-    } else {
-      budget *= 2;
-    }
-  }
-  if (result.design.block_count() <= enough) {
-    control.stop(WhyStopped::found);
-  }
-  if (!verify(result.design).valid()) {
-    throw InternalError(fmt::format("an extended {} is not valid", name(p)));
-  }
-  result.design.set_labels(beginning.labels());
-  result.why_stopped = control.why_stopped();
-  return result;
+  return Extension(beginning, options, control).run();
 }
 
 }  // namespace changeover

@@ -4,6 +4,9 @@
 //     covered.insert(block);
 //     covered.gain(candidate);              // subsets that it would newly cover
 //     covered.first_missing();              // one that is still uncovered
+//
+// Listens to the scope of this thread (run/scope.hpp): Stopped may be thrown anywhere, MissingResource by the
+// constructor.
 #pragma once
 
 #include <algorithm>
@@ -16,16 +19,14 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 
 class CoveredSubsets {
  public:
   explicit CoveredSubsets(const Parameters& p)
-      : v_(p.v),
-        t_(p.strength),
-        covered_(static_cast<std::size_t>(binomial(p.v, p.strength)), false),
-        missing_(covered_.size()) {
+      : v_(p.v), t_(p.strength), covered_(counted(p), false), missing_(covered_.size()) {
     for (std::uint32_t r = 0; r <= t_; ++r) {
       for (std::uint64_t n = 0; n <= v_; ++n) {
         choose_.push_back(binomial(n, r));
@@ -56,6 +57,7 @@ class CoveredSubsets {
   [[nodiscard]] std::optional<Block> first_missing() {
     while (first_ < covered_.size() && covered_[first_]) {
       ++first_;
+      worked(1);
     }
     if (first_ == covered_.size()) {
       return std::nullopt;
@@ -74,6 +76,23 @@ class CoveredSubsets {
   }
 
  private:
+  static std::size_t counted(const Parameters& p) {
+    constexpr std::uint64_t bits_of_a_byte = 8;
+    const std::uint64_t subsets = binomial(p.v, p.strength);
+    require_memory(subsets / bits_of_a_byte, "covering the " + name(p));
+    return static_cast<std::size_t>(subsets);
+  }
+
+  // Asks after a while.
+  void worked(std::size_t steps) {
+    constexpr std::size_t between_questions = 1 << 14;
+    worked_ += steps;
+    if (worked_ > between_questions) {
+      worked_ = 0;
+      stop_if_asked();
+    }
+  }
+
   [[nodiscard]] std::uint64_t choose(std::uint64_t n, std::uint32_t r) const {
     return choose_[static_cast<std::size_t>(r * (v_ + 1) + n)];
   }
@@ -91,6 +110,9 @@ class CoveredSubsets {
       visit(static_cast<std::size_t>(rank));
       return;
     }
+    if (chosen + 1 == t_) {
+      worked(sorted_.size() - from);
+    }
     for (std::size_t at = from; at < sorted_.size(); ++at) {
       descend(at + 1, chosen + 1, rank + choose(sorted_[at], chosen + 1), visit);
     }
@@ -103,6 +125,7 @@ class CoveredSubsets {
   std::vector<std::uint64_t> choose_;
   std::size_t first_ = 0;
   Block sorted_;
+  std::size_t worked_ = 0;
 };
 
 }  // namespace changeover

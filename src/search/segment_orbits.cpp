@@ -2,6 +2,9 @@
 
 #include <limits>
 
+#include "changeover/core/checked.hpp"
+#include "changeover/run/scope.hpp"
+
 namespace changeover {
 namespace {
 
@@ -9,6 +12,17 @@ constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t most_tries = 200;
 
 }  // namespace
+
+std::uint64_t SegmentOrbits::bytes(const Parameters& p, const ImposedAutomorphism& pi,
+                                   std::uint64_t c) {
+  const std::uint64_t pairs = checked_multiply(p.v, p.v);
+  const std::uint64_t images = checked_multiply(2 * p.v, pi.order);
+  // At worst every pair is an orbit; lists double when they grow.
+  const std::uint64_t orbits = pi.order == 0 ? pairs : pairs / 2 / pi.order + 2 * p.v;
+  const std::uint64_t blocks = checked_multiply(c, checked_add(p.v, checked_multiply(2, p.k)));
+  return checked_add(checked_add(checked_multiply(4, pairs), images),
+                     checked_add(checked_multiply(24, orbits), blocks));
+}
 
 SegmentOrbits::SegmentOrbits(const Parameters& p, const ImposedAutomorphism& pi,
                              std::span<const Block> base_blocks)
@@ -23,11 +37,13 @@ SegmentOrbits::SegmentOrbits(const Parameters& p, const ImposedAutomorphism& pi,
       members_(std::size_t{c_} * v_, 0) {
   parameters_.kind = Kind::circular;
   for (std::uint32_t s = 0; s < pi.order; ++s) {
+    stop_if_asked();
     for (Element x = 0; x < v_; ++x) {
       images_[std::size_t{s} * v_ + x] = static_cast<std::uint16_t>(pi.image(x, s, v_));
     }
   }
   for (Element y = 1; y < v_; ++y) {
+    stop_if_asked();
     for (Element x = 0; x < y; ++x) {
       if (orbit_of_[std::size_t{x} * v_ + y] != none) {
         continue;
@@ -44,6 +60,7 @@ SegmentOrbits::SegmentOrbits(const Parameters& p, const ImposedAutomorphism& pi,
   }
   counts_.assign(orbits_.size(), 0);
   for (std::uint32_t i = 0; i < c_; ++i) {
+    stop_if_asked();
     const Block& block = base_blocks[i];
     for (std::size_t a = 0; a < block.size(); ++a) {
       members_[std::size_t{i} * v_ + block[a]] = 1;

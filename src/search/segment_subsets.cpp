@@ -7,6 +7,7 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
@@ -15,6 +16,15 @@ constexpr std::uint64_t most_subsets = std::uint64_t{1} << 28;
 constexpr std::uint32_t samples = 8;
 
 }  // namespace
+
+std::uint64_t SegmentSubsets::bytes(const Parameters& p, std::uint64_t b) {
+  // Counters, places and the list of the uncovered, which doubles when it grows.
+  const std::uint64_t counters =
+      checked_multiply(binomial(p.v, p.strength), 4 * sizeof(std::uint32_t));
+  const std::uint64_t choices = checked_multiply(p.strength + 1, 8 * (p.v + 1));
+  const std::uint64_t blocks = checked_multiply(b, checked_add(p.v, checked_multiply(2, p.k)));
+  return checked_add(checked_add(counters, choices), blocks);
+}
 
 SegmentSubsets::SegmentSubsets(const Design& design, std::size_t frozen)
     : parameters_(design.parameters()),
@@ -38,7 +48,11 @@ SegmentSubsets::SegmentSubsets(const Design& design, std::size_t frozen)
   }
   counts_.assign(static_cast<std::size_t>(subsets), 0);
   place_.assign(static_cast<std::size_t>(subsets), 0);
+  constexpr std::uint32_t between_questions = 1 << 16;
   for (std::uint32_t rank = 0; rank < subsets; ++rank) {
+    if (rank % between_questions == 0) {
+      stop_if_asked();
+    }
     place_[rank] = rank;
     uncovered_.push_back(rank);
   }
@@ -53,6 +67,7 @@ SegmentSubsets::SegmentSubsets(const Design& design, std::size_t frozen)
     Block sorted(block.begin(), block.end());
     std::sort(sorted.begin(), sorted.end());
     for (std::size_t at = t_ - 1; at < sorted.size(); ++at) {
+      stop_if_asked();
       others_.assign(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(at));
       count_with<true>(sorted[at], 0, 0, 0, 0);
     }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "changeover/core/error.hpp"
-#include "changeover/search/local_search.hpp"
 #include "changeover/run/random.hpp"
+#include "changeover/search/local_search.hpp"
 #include "changeover/search/random_list.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
@@ -33,7 +33,7 @@ Design known(const Parameters& p) { return best_known_design(p).value(); }
 TEST(Repair, LeavesADesignAlone) {
   const Design design = known({.v = 13, .k = 4, .kind = Kind::circular});
   const RepairResult result = mend(design);
-  EXPECT_EQ(blocks_of(result.design), blocks_of(design));
+  EXPECT_EQ(blocks_of(*result.design), blocks_of(design));
   EXPECT_EQ(result.kept, design.block_count());
   EXPECT_EQ(result.moves, 0U);
   EXPECT_EQ(result.why_stopped, WhyStopped::found);
@@ -54,7 +54,7 @@ TEST(Repair, MendsOneWrongElement) {
         victim[random.below(5)] = other;
         const Design list(design.parameters(), blocks);
         const RepairResult result = mend(list);
-        EXPECT_TRUE(test::naive_verdict(result.design).valid);
+        EXPECT_TRUE(test::naive_verdict(*result.design).valid);
         EXPECT_EQ(result.given, blocks.size());
         EXPECT_GE(result.kept + 12, blocks.size());
       }
@@ -70,7 +70,7 @@ TEST(Repair, ConnectsWhatIsFarApart) {
   blocks.insert(blocks.begin() + 5, blocks[4]);  // a repeated block
   const RepairResult result = mend(Design(p, blocks));
   EXPECT_GT(result.bad_steps, 0U);
-  EXPECT_TRUE(test::naive_verdict(result.design).valid);
+  EXPECT_TRUE(test::naive_verdict(*result.design).valid);
 }
 
 TEST(Repair, MakesADesignOfAnyList) {
@@ -86,7 +86,7 @@ TEST(Repair, MakesADesignOfAnyList) {
           list.append(random_block(p, random));
         }
         const RepairResult result = mend(list, {.moves = 50'000});
-        EXPECT_TRUE(test::naive_verdict(result.design).valid) << name(p) << ' ' << b;
+        EXPECT_TRUE(test::naive_verdict(*result.design).valid) << name(p) << ' ' << b;
       }
     }
   }
@@ -97,8 +97,8 @@ TEST(Repair, KeepsLabels) {
   Design list(p, std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 2}});
   list.set_labels({"a", "b", "c", "d", "e", "f"});
   const RepairResult result = mend(list);
-  EXPECT_EQ(result.design.labels(), list.labels());
-  EXPECT_TRUE(verify(result.design).valid());
+  EXPECT_EQ(result.design->labels(), list.labels());
+  EXPECT_TRUE(verify(*result.design).valid());
 }
 
 TEST(Repair, RefusesWhatCannotBe) {
@@ -119,11 +119,11 @@ TEST(Extend, KeepsTheBeginning) {
         }
         RunControl control({.seed = 4});
         const ExtendResult result = extend(beginning, {.moves = 150'000}, control);
-        EXPECT_TRUE(test::naive_verdict(result.design).valid);
-        EXPECT_GE(result.design.block_count(), result.lower_bound);
+        EXPECT_TRUE(test::naive_verdict(*result.design).valid);
+        EXPECT_GE(result.design->block_count(), result.lower_bound);
         for (std::size_t i = 0; i < kept; ++i) {
           const auto was = beginning.block(i);
-          const auto is = result.design.block(i);
+          const auto is = result.design->block(i);
           EXPECT_TRUE(std::equal(was.begin(), was.end(), is.begin(), is.end()));
         }
       }
@@ -141,7 +141,7 @@ TEST(Extend, FindsBackWhatWasTakenAway) {
   RunControl control({.seed = 5});
   const ExtendResult result =
       extend(beginning, {.blocks = whole.block_count(), .moves = 20'000'000}, control);
-  EXPECT_LE(result.design.block_count(), whole.block_count());
+  EXPECT_LE(result.design->block_count(), whole.block_count());
   EXPECT_EQ(result.why_stopped, WhyStopped::found);
 }
 

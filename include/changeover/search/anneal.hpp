@@ -15,6 +15,7 @@
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -71,14 +72,35 @@ class AcceptanceTable {
   std::array<std::uint32_t, 16> thresholds_{};
 };
 
-/// How often control and watch are asked.
+/// How often control and watch are asked, at least; more often where moves are slow.
 inline constexpr std::uint64_t anneal_moves_between_questions = 2048;
+
+/// How many moves may pass before the next question: twice as many as before if they took no time to speak of,
+/// for a move may cost 50 ns or, with long blocks and strength 4, a second. Asking changes no move.
+class QuestionPace {
+ public:
+  [[nodiscard]] std::uint64_t next() {
+    const auto now = RunControl::Clock::now();
+    constexpr std::chrono::microseconds quick{200};
+    if (now - last_ < quick) {
+      moves_ = moves_ < anneal_moves_between_questions ? 2 * moves_ : moves_;
+    } else if (now - last_ > 10 * quick) {
+      moves_ = 1;
+    }
+    last_ = now;
+    return moves_;
+  }
+
+ private:
+  std::uint64_t moves_ = 1;
+  RunControl::Clock::time_point last_ = RunControl::Clock::now();
+};
 
 /// Asked now and then with the moves so far and what is uncovered; false stops.
 using AnnealWatch = std::function<bool(std::uint64_t moves, std::uint64_t missing)>;
 
 /// Anneals until nothing is missing, the schedule is through, or control or watch say stop; both
-/// are asked every anneal_moves_between_questions moves. O(moves · cost of a move).
+/// are asked every anneal_moves_between_questions moves, or more often. O(moves · cost of a move).
 template <typename State>
 AnnealOutcome anneal(State& state, const AnnealSchedule& schedule, Random& random,
                      RunControl& control, const AnnealWatch& watch = {}) {
@@ -91,7 +113,8 @@ AnnealOutcome anneal(State& state, const AnnealSchedule& schedule, Random& rando
   AnnealOutcome outcome;
   outcome.missing = outcome.least = state.missing();
   double temperature = schedule.hot;
-  std::uint64_t question = anneal_moves_between_questions;
+  QuestionPace pace;
+  std::uint64_t question = 1;
   for (std::uint64_t level = 0; level < levels && outcome.missing > 0; ++level) {
     const AcceptanceTable table(temperature);
     const std::uint64_t end =
@@ -107,7 +130,7 @@ AnnealOutcome anneal(State& state, const AnnealSchedule& schedule, Random& rando
         outcome.least = outcome.missing < outcome.least ? outcome.missing : outcome.least;
       }
       if (outcome.moves >= question) {
-        question += anneal_moves_between_questions;
+        question += pace.next();
         if (outcome.missing > 0 &&
             (control.stop_wanted() || (watch && !watch(outcome.moves, outcome.missing)))) {
           outcome.stopped = true;

@@ -1,13 +1,14 @@
-// Base blocks by annealing on the orbits of pairs (search/segment_orbits.hpp).
+// Base blocks by annealing on the orbits of pairs (search/segment_orbits.hpp). All of it listens to the scope of
+// its thread (run/scope.hpp) and throws MissingResource if base blocks or counters need too much memory.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "changeover/search/base_block_shape.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/run/random.hpp"
+#include "changeover/search/base_block_shape.hpp"
 
 namespace changeover {
 

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "changeover/search/base_block_shape.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/search/base_block_shape.hpp"
 
 namespace changeover {
 
@@ -31,9 +31,14 @@ struct SatOutcome {
 /// How many variables stand for pairs in blocks: what the size of the formula goes with.
 [[nodiscard]] std::uint64_t sat_size(const BaseBlockShape& shape);
 
+/// The memory that the formula takes, with the solver's share, about. @throws ImpossibleParameters if that exceeds
+/// 64 bits.
+[[nodiscard]] std::uint64_t sat_bytes(const Parameters& p, const BaseBlockShape& shape, bool tight);
+
 /// Base blocks of this shape for the circular p, tight if wanted. Gives up after so many conflicts, or
-/// when the control wants to stop. @throws ImpossibleParameters if the formula would be too large; see
-/// Cnf. Bound by: the solver.
+/// when the control wants to stop; while the formula is built the scope of this thread is listened to
+/// (run/scope.hpp). @throws MissingResource if the formula would take more memory than `control` allows;
+/// ImpossibleParameters if it would be too large for any, see Cnf. Bound by: the solver.
 [[nodiscard]] SatOutcome base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape,
                                             bool tight, std::optional<std::uint64_t> conflicts,
                                             RunControl& control);

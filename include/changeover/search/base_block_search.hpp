@@ -36,8 +36,8 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/core/recipe.hpp"
-#include "changeover/search/base_block_shape.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/search/base_block_shape.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {
@@ -107,7 +107,8 @@ struct BaseBlockResult {
 /// Searches, see above. Without most_blocks or base_blocks a search that is not for tight designs tries
 /// ever more base blocks, up to what the registry needs (or twice the lower bound, if it has nothing).
 /// @throws as check(); ImpossibleParameters if v exceeds 2000 or the strength is not 2; BadInput if
-/// shift is no unit; InternalError if a result does not verify. Bound by: options.moves and
+/// shift is no unit; MissingResource if no shape fits into the memory that `control` allows; InternalError if a
+/// result does not verify. Bound by: options.moves and
 /// options.conflicts for each shape.
 [[nodiscard]] BaseBlockResult search_base_blocks(const Parameters& p,
                                                  const BaseBlockOptions& options,

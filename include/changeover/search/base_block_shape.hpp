@@ -66,7 +66,8 @@ struct ShapeOptions {
                                                            const BaseBlockShape& shape, bool tight);
 
 /// The shapes that are not excluded, fewest blocks first, among them the longest cycles first.
-/// @throws as check(), and as lower_bound(). At most 10,000 shapes.
+/// Listens to the scope of this thread (run/scope.hpp). @throws as check(), and as lower_bound(). At most 10,000
+/// shapes, none of more than 2⁶² blocks.
 [[nodiscard]] std::vector<BaseBlockShape> base_block_shapes(const Parameters& p,
                                                             const ShapeOptions& options = {});
 

@@ -14,9 +14,15 @@
 // Files are replaced as a whole (io/output_file.hpp), so that a process killed at any moment leaves
 // the old one or the new one. The last line is the FNV-1a hash of all before it: a damaged file is
 // refused, as is one of other parameters, with one line, and never overwritten. Reading needs no
-// trust beyond that: the design is verified before it is used.
+// trust beyond that: the design is verified before it is used, and every number must be one that a search with
+// these parameters can have.
+//
+// One search at a time works with a file: CheckpointFile locks it as long as it lives, by the lock of the
+// system on FILE.lock, which ends with the process however that ends. What somebody else puts into the place of
+// the file meanwhile is read before it would be replaced.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -39,6 +45,12 @@ struct SearchArm {
   std::uint64_t step = 1;    ///< how far below the best design it aims
   std::uint64_t missed = 0;  ///< what the last attempt at the nearest aim lacked
 
+  static constexpr std::uint32_t most_fixed = 2;
+  static constexpr std::uint64_t most_extra = 3;
+  static constexpr std::uint64_t most_moves = std::uint64_t{1} << 60;  ///< of budget, and of spent
+  static constexpr std::uint64_t most_step = std::uint64_t{1} << 40;
+  static constexpr std::uint64_t most_missed = std::uint64_t{1} << 60;
+
   bool operator==(const SearchArm&) const = default;
 };
 
@@ -57,9 +69,40 @@ struct Checkpoint {
 void write_checkpoint(const Checkpoint& checkpoint, const std::string& path);
 
 /// Reads it; nullopt if there is no such file.
-/// @throws BadInput with one line if the file is damaged, of another version, or of other
-/// parameters than p; MissingResource if it cannot be read.
+/// @throws BadInput with one line if the file is damaged, of another version, of other parameters than p, or no
+/// regular file; MissingResource if it cannot be read.
 [[nodiscard]] std::optional<Checkpoint> read_checkpoint(const std::string& path,
                                                         const Parameters& p);
+
+/// The checkpoint of a running search, locked. Not shared between threads.
+class CheckpointFile {
+ public:
+  /// @throws MissingResource with one line if another search works with the file, or if it cannot be written:
+  /// better now than after hours.
+  CheckpointFile(std::string path, const Parameters& p);
+  ~CheckpointFile();
+  CheckpointFile(const CheckpointFile&) = delete;
+  CheckpointFile& operator=(const CheckpointFile&) = delete;
+
+  /// As read_checkpoint().
+  [[nodiscard]] std::optional<Checkpoint> read();
+
+  /// As write_checkpoint().
+  void write(const Checkpoint& checkpoint);
+
+  /// Whether there is another file than the one that was read or written last.
+  [[nodiscard]] bool was_replaced() const;
+
+ private:
+  using Identity = std::array<std::int64_t, 5>;  // device, inode, size, time of change
+  [[nodiscard]] std::optional<Identity> identity() const;
+  void lock();
+
+  std::string path_;
+  Parameters parameters_;
+  std::string lock_path_;
+  int lock_ = -1;
+  std::optional<Identity> known_;
+};
 
 }  // namespace changeover

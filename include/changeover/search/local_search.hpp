@@ -7,7 +7,9 @@
 //     found.why_stopped;                    // time limit
 //
 // Contract. The result is verified, and has no more blocks than the best recipe that is known (the
-// planner's for v ≤ 120, else the registry's), whatever happens. What is sought is a design with
+// planner's for v ≤ 120, else the registry's), whatever happens: if there is no memory for the search, or v is too
+// large for it, that design is handed out and `unsearched` says why. Only if `control` says stop a second
+// before even that is built there is none. What is sought is a design with
 // `target` blocks, or with as many as the lower bound says. With one thread and a limit of moves
 // the answer depends on the parameters, the options and the seed alone.
 //
@@ -47,9 +49,12 @@ struct ImproveOptions {
 };
 
 struct ImproveResult {
-  std::optional<Design> design;  ///< verified; nothing if no design is known nor found
+  std::optional<Design> design;  ///< verified; nothing if it was stopped before there was one
   std::uint64_t lower_bound = 0;
   std::optional<std::uint64_t> started_from;  ///< blocks of the best design known beforehand
+  std::string unsearched;  ///< why no attempt was made at all, in one line; else empty
+  /// Why the checkpoint is not as far as the search, in one line; else empty.
+  std::string checkpoint_fault;
   std::string how;             ///< how the design was found, one line; "best recipe" if not here
   std::uint64_t moves = 0;     ///< proposals, over all threads and, from a checkpoint, all runs
   std::uint64_t attempts = 0;  ///< anneals, likewise
@@ -58,10 +63,13 @@ struct ImproveResult {
   WhyStopped why_stopped = WhyStopped::running;  ///< `found` if the target is reached
 };
 
-/// Searches until the target is reached or `control` or the limit of moves says stop.
-/// @throws ImpossibleParameters as check(), if no such design exists, or if v exceeds 4096;
-/// BadInput if the start is not a valid design with these parameters, or for a checkpoint that is
-/// of other parameters or damaged; InternalError if a result fails verification.
+/// Searches until the target is reached or `control` or the limit of moves says stop. Of the memory that
+/// `control` allows each thread has its share; kinds of attempts that need more are left out. v above 4096
+/// is not searched.
+/// @throws ImpossibleParameters as check(), or if no such design exists; BadInput if the start is not a valid
+/// design with these parameters, or for a checkpoint that is of other parameters or damaged; MissingResource if
+/// no design fits into memory, or if another search works with the checkpoint, or it cannot be written from the
+/// beginning (later the search goes on: checkpoint_fault); InternalError if a result fails verification.
 [[nodiscard]] ImproveResult improve(const Parameters& p, const ImproveOptions& options,
                                     RunControl& control);
 
@@ -75,7 +83,8 @@ struct ImproveResult {
 [[nodiscard]] Design best_part(const Design& design, std::size_t blocks);
 
 /// The best design that is known without search, built and verified; nullopt if there is no recipe.
-/// @throws as check(); InternalError if it does not verify.
+/// Listens to the scope of this thread (run/scope.hpp). @throws as check(); MissingResource if it is too large;
+/// InternalError if it does not verify.
 [[nodiscard]] std::optional<Design> best_known_design(const Parameters& p);
 
 }  // namespace changeover

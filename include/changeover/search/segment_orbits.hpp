@@ -56,6 +56,10 @@ struct ImposedAutomorphism {
 /// Base blocks under search; see above.
 class SegmentOrbits {
  public:
+  /// The memory that c base blocks need, at most. @throws ImpossibleParameters if that exceeds 64 bits.
+  [[nodiscard]] static std::uint64_t bytes(const Parameters& p, const ImposedAutomorphism& pi,
+                                           std::uint64_t c);
+
   /// c ≥ 1 base blocks of k elements whose steps, the one from the last to π(first) included,
   /// change m elements. pi.fits(v), v ≤ 65,535.
   SegmentOrbits(const Parameters& p, const ImposedAutomorphism& pi,

@@ -13,7 +13,7 @@
 // rows are added 16 bytes at a time, so looking costs O((n + 1)·v/16) whatever k is, and about 50
 // ns at (30,6).
 //
-// Memory: (v² + bv)·sizeof(Count) + 4v² + 2bk bytes.
+// Memory: bytes(v, k, b), about (2v² + bv)·sizeof(Count) + 4v² + 2bk. Making it listens (run/scope.hpp).
 #pragma once
 
 #include <algorithm>
@@ -29,6 +29,7 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/run/random.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/segment_swap.hpp"
 
 namespace changeover {
@@ -47,6 +48,15 @@ class SegmentPairs {
     return *std::max_element(blocks.begin(), blocks.end()) <= most;
   }
 
+  /// The memory that b < 2³² blocks of k of v ≤ 65,535 elements need, at most: while most pairs are uncovered
+  /// their list is as long as all pairs.
+  [[nodiscard]] static constexpr std::uint64_t bytes(std::uint64_t v, std::uint64_t k,
+                                                     std::uint64_t b) {
+    const std::uint64_t row = 16 * vectors_of_a_row(v);
+    return (2 * v + b + 1) * row + v * v * (sizeof(std::uint32_t) + sizeof(Pair)) + 4 * v +
+           b * k * sizeof(std::uint16_t);
+  }
+
   /// A list of one or more blocks that fits(), v ≤ 65,535. The first `frozen` < b blocks never
   /// change.
   explicit SegmentPairs(const Design& design, std::size_t frozen = 0)
@@ -57,22 +67,21 @@ class SegmentPairs {
         frozen_(static_cast<std::uint32_t>(frozen)),
         circular_(design.parameters().kind == Kind::circular),
         usual_(usual_segment(design.k(), design.parameters().change)),
-        row_((v_ + lanes - 1) / lanes) {
-    if (row_ > chunk) {
-      row_ = (row_ + chunk - 1) / chunk * chunk;
-    }
-    counts_.resize(std::size_t{v_} * row_);
-    members_.resize(std::size_t{b_} * row_);
-    keep_.resize(std::size_t{v_} * row_);
+        row_(static_cast<std::uint32_t>(vectors_of_a_row(v_))) {
+    grow(counts_, std::size_t{v_} * row_, Sixteen{});
+    grow(members_, std::size_t{b_} * row_, Sixteen{});
+    grow(keep_, std::size_t{v_} * row_, Sixteen{});
     gained_.resize(row_);
     blocks_of_.resize(v_);
-    place_.assign(std::size_t{v_} * v_, absent);
+    grow(place_, std::size_t{v_} * v_, absent);
     elements_.reserve(std::size_t{b_} * k_);
     for (Element x = 0; x < v_; ++x) {
+      stop_if_asked();
       std::fill_n(lane(keep_, x), row_ * lanes, static_cast<Count>(~Count{0}));
       lane(keep_, x)[x] = 0;
     }
     for (std::uint32_t i = 0; i < b_; ++i) {
+      stop_if_asked();
       for (const Element x : design.block(i)) {
         elements_.push_back(static_cast<std::uint16_t>(x));
         lane(members_, i)[x] = 1;
@@ -85,6 +94,7 @@ class SegmentPairs {
       }
     }
     for (Element y = 1; y < v_; ++y) {
+      stop_if_asked();
       for (Element x = 0; x < y; ++x) {
         if (lane(counts_, x)[y] == 0) {
           enlist(x, y);
@@ -205,6 +215,23 @@ class SegmentPairs {
     std::uint16_t x = 0;
     std::uint16_t y = 0;
   };
+
+  // Whole registers' worth, if it is more than one.
+  [[nodiscard]] static constexpr std::uint64_t vectors_of_a_row(std::uint64_t v) {
+    const std::uint64_t vectors = (v + lanes - 1) / lanes;
+    return vectors > chunk ? (vectors + chunk - 1) / chunk * chunk : vectors;
+  }
+
+  // The system takes its time to hand out much memory: it is touched piece by piece.
+  template <typename Value>
+  static void grow(std::vector<Value>& values, std::size_t size, const Value& value) {
+    constexpr std::size_t piece = std::size_t{1} << 20;
+    values.reserve(size);
+    while (values.size() < size) {
+      stop_if_asked();
+      values.resize(std::min(size, values.size() + piece), value);
+    }
+  }
 
   // One move in 16 may have any length.
   [[nodiscard]] std::uint32_t longest(Random& random) const {

@@ -5,7 +5,7 @@
 //     anneal(state, {.moves = 1'000'000}, random, control);
 //
 // As segment_pairs.hpp, but with one counter for each of the C(v,t) subsets, and a move that is
-// looked at is made and, if refused, taken back: O(segment · C(k−1,t−1)).
+// looked at is made and, if refused, taken back: O(segment · C(k−1,t−1)). Making it listens (run/scope.hpp).
 #pragma once
 
 #include <array>
@@ -25,6 +25,9 @@ namespace changeover {
 /// Blocks under search; see above.
 class SegmentSubsets {
  public:
+  /// The memory that b blocks need. @throws ImpossibleParameters if that exceeds 64 bits.
+  [[nodiscard]] static std::uint64_t bytes(const Parameters& p, std::uint64_t b);
+
   /// A list of one or more blocks; the first `frozen` < b never change.
   /// @throws MissingResource if C(v,t) exceeds 2²⁸.
   explicit SegmentSubsets(const Design& design, std::size_t frozen = 0);

@@ -1,0 +1,50 @@
+// Reading and verifying blocks while listening to the scope of this thread (run/scope.hpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/verify/verdict.hpp"
+
+namespace changeover {
+
+/// Another stream, which stops if asked. Keeps a reference.
+class ListeningSource final : public BlockSource {
+ public:
+  explicit ListeningSource(BlockSource& source) : source_(&source) {}
+
+  [[nodiscard]] const Parameters& parameters() const override { return source_->parameters(); }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return source_->block_count();
+  }
+  bool next(std::span<Element> block) override {
+    // A long block is asked about every time, short ones now and then.
+    elements_ += block.size();
+    if (elements_ >= elements_between_questions) {
+      elements_ = 0;
+      stop_if_asked();
+    }
+    return source_->next(block);
+  }
+  bool rewind() override { return source_->rewind(); }
+
+ private:
+  static constexpr std::size_t elements_between_questions = 1024;
+
+  BlockSource* source_;
+  std::size_t elements_ = 0;
+};
+
+/// verify(). @throws Stopped if asked.
+[[nodiscard]] inline Verdict verify_listening(const Design& design) {
+  DesignSource blocks(design);
+  ListeningSource listening(blocks);
+  return verify(listening);
+}
+
+}  // namespace changeover

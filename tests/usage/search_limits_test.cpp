@@ -1,0 +1,185 @@
+// changeover search at its limits: stopped, without room for its checkpoint, asked for what cannot be.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "run_program.hpp"
+
+namespace changeover::test {
+namespace {
+
+const std::string mpirun =
+    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+    "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun -n 4 ";
+
+std::size_t lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(SearchLimits, CtrlCEndsTheSearchForAFirstDesign) {
+  const TemporaryFolder folder;
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome =
+      run("$changeover search 240 6 -t 4 --time 10m --quiet >answer & pid=$!; sleep 0.5; "
+          "kill -INT $pid; wait $pid; code=$?; cat answer; exit $code",
+          folder.path());
+  EXPECT_EQ(outcome.code, 30) << outcome.err;
+  EXPECT_EQ(lines(outcome.out), 1U) << outcome.out;
+  EXPECT_NE(outcome.out.find("stopped (interrupted)"), std::string::npos) << outcome.out;
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+}
+
+TEST(SearchLimits, WhatIsTooLargeToSearchIsShownAsItIsKnown) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run("$changeover search 4200 600 --time 10s --quiet -f text -o known.txt; code=$?; "
+          "$changeover verify known.txt >/dev/null && exit $code",
+          folder.path());
+  EXPECT_EQ(outcome.code, 30) << outcome.err;
+  EXPECT_NE(outcome.err.find("no search was made"), std::string::npos) << outcome.err;
+  EXPECT_EQ(lines(outcome.err), 1U);
+}
+
+TEST(SearchLimits, TheAnswerDoesNotReplaceTheCheckpoint) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(
+      run("$changeover search 30 5 --time 200ms --checkpoint state --quiet >/dev/null; "
+          "cp state before; ln -s state link; ln state hard; ln -s fresh dangling; [ -s state ]",
+          folder.path())
+          .code,
+      0);
+  for (const std::string files :
+       {"--checkpoint state -o state", "--checkpoint state -o ./state",
+        "--checkpoint state -o link", "--checkpoint link -o state", "--checkpoint state -o hard",
+        "--checkpoint state -o state.lock", "--checkpoint fresh -o ./fresh",
+        "--checkpoint dangling -o fresh"}) {
+    const Outcome outcome = run("$changeover search 30 5 --time 200ms --quiet " + files +
+                                    "; code=$?; cmp state before && "
+                                    "exit $code",
+                                folder.path());
+    EXPECT_EQ(outcome.code, 2) << files << outcome.err;
+    EXPECT_EQ(lines(outcome.err), 1U) << files << outcome.err;
+  }
+}
+
+TEST(SearchLimits, ASecondSearchWithTheSameCheckpointIsRefused) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run("$changeover search 40 6 --time 10m --threads 1 --checkpoint state --quiet >/dev/null & "
+          "pid=$!; for i in $(seq 200); do [[ -s state ]] && break; sleep 0.1; done; "
+          "$changeover search 40 6 --time 1s --checkpoint state --quiet; code=$?; "
+          "kill -9 $pid; wait $pid 2>/dev/null; [[ -e state.lock ]] || exit 99; "
+          "$changeover search 40 6 --time 200ms --threads 1 --checkpoint state --quiet -o o.txt "
+          ">/dev/null; [[ $? == 30 || $? == 10 ]] || exit 98; [[ -e state.lock ]] && exit 97; exit "
+          "$code",
+          folder.path());
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_EQ(lines(outcome.err), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("another search"), std::string::npos) << outcome.err;
+}
+
+TEST(SearchLimits, AFolderOfTheCheckpointThatGoesAwayDoesNotTakeTheDesignAlong) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run("mkdir inner; $changeover search 40 6 --time 3s --threads 1 --checkpoint inner/state "
+          "--quiet -f text -o found.txt & pid=$!; "
+          "for i in $(seq 200); do [[ -s inner/state ]] && break; sleep 0.1; done; rm -r inner; "
+          "wait $pid; code=$?; $changeover verify found.txt >/dev/null && exit $code",
+          folder.path());
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_EQ(lines(outcome.err), 1U) << outcome.err;
+  EXPECT_NE(outcome.err.find("inner/state"), std::string::npos) << outcome.err;
+}
+
+TEST(SearchLimits, EachOfSeveralProcessesHasItsCheckpoint) {
+  const TemporaryFolder folder;
+  if (run("command -v mpirun", folder.path()).code != 0) {
+    GTEST_SKIP() << "mpirun is not installed";
+  }
+  const std::string search =
+      mpirun +
+      "$changeover search 40 6 --time 2s --checkpoint state --quiet -f text -o found.txt; ";
+  const Outcome outcome = run(search + "code=$?; ls; ls | grep -c lock; exit $code", folder.path());
+  EXPECT_TRUE(outcome.code == 30 || outcome.code == 10) << outcome.err;
+  for (const std::string name : {"state", "state.1", "state.2", "state.3"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name << outcome.out;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "state.3.lock"));
+  const Outcome again = run(search, folder.path());
+  EXPECT_TRUE(again.code == 30 || again.code == 10) << again.err;
+  EXPECT_EQ(run(mpirun + "$changeover search 40 6 --time 1s --checkpoint state -o state.2 --quiet; "
+                         "head -c 22 state.2 | grep -q changeover-checkpoint",
+                folder.path())
+                .code,
+            0);
+}
+
+TEST(SearchLimits, OptionsOutsideTheirWayOfSearchingAreRefused) {
+  const TemporaryFolder folder;
+  spit(folder.path() / "list.txt", "0 1 2\n2 3 4\n4 5 0\n");
+  for (const std::string arguments :
+       {"9 4 --tight", "9 4 --cycle 3", "9 4 --fixed-points 0", "9 4 --exact --tight",
+        "9 4 --exact --checkpoint s", "9 4 --base-blocks --checkpoint s",
+        "--order list.txt --checkpoint s", "--repair list.txt --checkpoint s",
+        "--extend list.txt --checkpoint s", "--order list.txt --tight", "9 4 --proof p",
+        "9 4 --base-blocks --proof p", "--order list.txt --blocks 3",
+        "--repair list.txt --blocks 3", "--repair list.txt --strength 4294967298"}) {
+    const Outcome outcome = run("$changeover search " + arguments + " --quiet", folder.path());
+    EXPECT_EQ(outcome.code, 2) << arguments << outcome.err;
+    EXPECT_EQ(lines(outcome.err), 1U) << arguments << outcome.err;
+    EXPECT_EQ(outcome.out, "") << arguments;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "s"));
+}
+
+TEST(SearchLimits, NoSuchDesignIsAnAnswerInJsonToo) {
+  const TemporaryFolder folder;
+  spit(folder.path() / "list.txt", "0 1 2\n3 4 5\n0 3 1\n");
+  struct Case {
+    std::string arguments;
+    int code;
+  };
+  for (const auto& [arguments, code] : std::vector<Case>{{"4 2", 20},
+                                                         {"8 5 --blocks 3", 20},
+                                                         {"4 2 --base-blocks", 20},
+                                                         {"9 4 --base-blocks --cycle 7", 30},
+                                                         {"--order list.txt -m 1", 20},
+                                                         {"240 6 -t 4 --time 0", 30}}) {
+    const Outcome words =
+        run("$changeover search " + arguments + " --quiet -o words.txt", folder.path());
+    EXPECT_EQ(words.code, code) << arguments << words.err;
+    EXPECT_GE(lines(words.out), 1U) << arguments;
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "words.txt")) << arguments;
+    const Outcome json = run("rm -f a.json; $changeover search " + arguments +
+                                 " --quiet --json -o a.json; code=$?; cat a.json >&2; exit $code",
+                             folder.path());
+    EXPECT_EQ(json.code, code) << arguments << json.err;
+    EXPECT_EQ(json.out, "") << arguments;
+    EXPECT_EQ(json.err.find("{\"found\":false,"), 0U) << arguments << json.err;
+  }
+}
+
+TEST(SearchLimits, AnyNumberIsTakenOrRefused) {
+  const TemporaryFolder folder;
+  for (const std::string number :
+       {"0", "1", "2147483648", "4294967296", "9223372036854775807", "9223372036854775809",
+        "18446744073709551614", "18446744073709551615"}) {
+    for (const std::string option :
+         {"--base-blocks --fixed-points ", "--base-blocks --cycle ", "--base-blocks --blocks ",
+          "--threads ", "--seed ", "--strength ", "--change ", "--blocks "}) {
+      const Outcome outcome =
+          run("timeout 20 $changeover search 8 4 --time 100ms --quiet -f text " + option + number,
+              folder.path());
+      const bool documented = outcome.code == 2 || outcome.code == 4 || outcome.code == 10 ||
+                              outcome.code == 20 || outcome.code == 30;
+      EXPECT_TRUE(documented) << option << number << ": " << outcome.code << outcome.err;
+      EXPECT_LE(lines(outcome.err), 1U) << option << number << outcome.err;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace changeover::test
