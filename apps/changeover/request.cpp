@@ -79,9 +79,12 @@ std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
   return best;
 }
 
-Judgement judge(const Verdict& verdict) {
+Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved) {
   Judgement judgement;
   judgement.bound = lower_bound(verdict.parameters);
+  if (proved && proved->blocks > judgement.bound.blocks) {
+    judgement.bound = *proved;
+  }
   judgement.verdict = {.valid = verdict.valid(),
                        .tight = verdict.tight(),
                        .economical = verdict.economical(),

@@ -109,8 +109,9 @@ class JudgedWhileRead final : public BlockSource {
   std::optional<Judgement> judgement_;
 };
 
-/// The same for a design without a promise, e.g. a user's; it need not be valid.
-[[nodiscard]] Judgement judge(const Verdict& verdict);
+/// The same for a design without a promise, e.g. a user's; it need not be valid. `proved` is a bound that was
+/// proved just now and may be larger than those that are known.
+[[nodiscard]] Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved = {});
 
 /// "tight, minimum: 366 blocks, the lower bound (counting)", and the like.
 [[nodiscard]] std::string quality(const Judgement& judgement);

@@ -54,7 +54,7 @@ std::string SearchRequest::provenance(const Parameters& p, const std::string& op
 
 void show_find(const SearchFind& find, const SearchRequest& request) {
   Exhibit exhibit;
-  exhibit.judgement = judge(verify(find.design));
+  exhibit.judgement = judge(verify(find.design), find.proved);
   if (!exhibit.judgement.verdict.valid) {
     throw InternalError("a search handed out a list of blocks that is no design");
   }

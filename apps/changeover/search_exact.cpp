@@ -1,11 +1,13 @@
 // changeover search V K --exact: the minimum, or whether there is a design with B blocks, with proofs.
 #include <fmt/format.h>
 
+#include <exception>
 #include <sstream>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/json_writer.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/minimum_search.hpp"
 #include "search_request.hpp"
 #include "team.hpp"
@@ -106,30 +108,74 @@ std::string to_json(const MinimumResult& result, bool settled) {
   return json.take() + "\n";
 }
 
-// What constructions give, as a start from above.
-std::optional<Design> known_design(const Parameters& p) {
-  const auto offer = p.strength == 2 ? best_known(p) : std::nullopt;
+// What constructions give, as a start from above; nothing if there is no time to look. What is too long to be
+// handled quickly is left to changeover design.
+std::optional<Offer> known_offer(const Parameters& p, std::uint64_t least) try {
+  constexpr std::uint64_t most_elements = 20'000'000;
+  if (p.strength != 2 || least > most_elements / p.k) {
+    return std::nullopt;
+  }
+  auto offer = best_known(p);
+  return offer && offer->b <= most_elements / p.k ? offer : std::nullopt;
+} catch (const Stopped&) {
+  return std::nullopt;
+}
+
+std::optional<Design> design_of(const std::optional<Offer>& offer) try {
   if (!offer) {
     return std::nullopt;
   }
   Design design = Registry::standard().build_design(offer->recipe);
   design.recipe = offer->recipe;
   return design;
+} catch (const Stopped&) {
+  return std::nullopt;
 }
+
+// The minimum, from what is known. A formula that is too large is refused before anything else is done, unless
+// none is needed.
+MinimumResult minimum(const Parameters& p, const MinimumOptions& options, RunControl& control) {
+  std::optional<Offer> offer;
+  if (!impossibility(p)) {
+    const std::uint64_t least = lower_bound_on_paper(p).blocks;
+    try {
+      (void)require_room(p, least, options.exact, control);
+      offer = known_offer(p, least);
+    } catch (const MissingResource&) {
+      offer = known_offer(p, least);
+      if (!offer || offer->b != least) {
+        throw;
+      }
+    } catch (const Stopped&) {
+      // find_minimum() says so
+    }
+  }
+  return find_minimum(p, options, control, design_of(offer));
+}
+
+// In front of what a member lacks, where its answer would be.
+const std::string missing_answer = "missing: ";
 
 // One question, shared by the team: each member takes its cubes. All return the same answer.
 Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOptions& options,
                          RunControl& control) {
   Team& team = Team::world();
-  Decision own = decide(p, b, options, control);
   if (team.size() == 1) {
-    return own;
+    return decide(p, b, options, control);
+  }
+  Decision own;
+  std::string missing;
+  try {
+    own = decide(p, b, options, control);
+  } catch (const MissingResource& fault) {
+    missing = fault.what();  // said to all, so that all end together
   }
   if (own.answer == Answer::found) {
     team.announce();
   }
   // The answer, the bytes of each proof, and the design if there is one.
-  std::string message = std::string(to_string(own.answer)) + "\n";
+  std::string message =
+      (missing.empty() ? std::string(to_string(own.answer)) : missing_answer + missing) + "\n";
   for (const CheckedPart& part : own.parts) {
     message += fmt::format("{} ", part.proof_bytes);
   }
@@ -147,6 +193,9 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
     std::getline(lines, blocks);
     none =
         none && (answer == to_string(Answer::none) || answer == to_string(Answer::none_in_share));
+    if (answer.starts_with(missing_answer)) {
+      missing = answer.substr(missing_answer.size());
+    }
     if (answer == to_string(Answer::found) && !design) {
       design = unpack(p, blocks);
     }
@@ -155,7 +204,12 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
       own.parts.emplace_back().proof_bytes = size;
     }
   }
+  if (!missing.empty() && !design) {
+    throw MissingResource(missing);
+  }
   if (design) {
+    own.parameters = p;
+    own.b = b;
     own.design = std::move(design);
     own.answer = Answer::found;
     own.why = WhyStopped::found;
@@ -180,6 +234,14 @@ int exit_code_of(const SearchRequest& request, const MinimumResult& result) {
                                     : exit_code::limit_reached;
   }
   return result.settled() ? exit_code::found : exit_code::limit_reached;
+}
+
+// The bound that the steps prove; nothing if they add nothing.
+std::optional<Bound> proved_by(const MinimumResult& result) {
+  if (result.lower <= result.start.blocks) {
+    return std::nullopt;
+  }
+  return Bound{result.lower, "proved by the lines below", proof_of(result)};
 }
 
 void show(const SearchRequest& request, const MinimumResult& result) {
@@ -209,7 +271,7 @@ void show(const SearchRequest& request, const MinimumResult& result) {
         to_string(result.why)));
   }
   if (result.best) {
-    show_find({*result.best, lines}, request);
+    show_find({*result.best, lines, proved_by(result)}, request);
     return;
   }
   std::string text;
@@ -243,12 +305,16 @@ int search_exactly(const SearchRequest& request) {
     result.best = result.steps.back().design;
     result.why = result.steps.back().why;
   } else {
-    result = find_minimum(p, {.exact = options, .tries_above = 0, .decider = decider},
-                          running.control(), known_design(p));
+    const RunScope scope(running.control());
+    result =
+        minimum(p, {.exact = options, .tries_above = 0, .decider = decider}, running.control());
   }
   running.finish();
   if (Team::world().first()) {
     show(request, result);
+  }
+  if (result.fault) {
+    std::rethrow_exception(result.fault);
   }
   return exit_code_of(request, result);
 }

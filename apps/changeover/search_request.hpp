@@ -46,7 +46,8 @@ struct SearchRequest {
 /// A design that a search found, with what there is to say about it.
 struct SearchFind {
   Design design;
-  std::vector<std::string> lines;  ///< how it was found, shown below its title
+  std::vector<std::string> lines;    ///< how it was found, shown below its title
+  std::optional<Bound> proved = {};  ///< a lower bound that the lines prove
 };
 
 /// Shows a find in the format that was asked for, after verifying it again, block by block.

@@ -24,10 +24,13 @@ std::string shown(int byte) {
 
 }  // namespace
 
-ByteReader::ByteReader(std::istream& stream, std::string name)
-    : stream_(&stream), name_(std::move(name)) {}
+ByteReader::ByteReader(std::istream& stream, std::string name, const StopQuestion* stop)
+    : stream_(&stream), name_(std::move(name)), stop_(stop) {}
 
 void ByteReader::refill() {
+  if (stop_ != nullptr && *stop_ && (*stop_)()) {
+    throw CheckStopped{};
+  }
   buffer_.resize(buffer_bytes);
   stream_->read(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
   buffer_.resize(static_cast<std::size_t>(stream_->gcount()));
@@ -76,7 +79,7 @@ void ByteReader::fail_at(std::uint64_t line, const std::string& what) const {
 }
 
 DimacsReader::DimacsReader(std::istream& stream, std::string name, const ReadLimits& limits)
-    : bytes_(stream, std::move(name)), limits_(limits) {
+    : bytes_(stream, std::move(name), limits.stop), limits_(limits) {
   for (bytes_.skip_blanks(true); bytes_.peek() == 'c'; bytes_.skip_blanks(true)) {
     bytes_.skip_line();
   }
@@ -135,7 +138,7 @@ bool DimacsReader::next(Literals& clause) {
 
 DratReader::DratReader(std::istream& stream, std::string name, ProofFormat format,
                        const ReadLimits& limits)
-    : bytes_(stream, std::move(name)), format_(format), limits_(limits) {}
+    : bytes_(stream, std::move(name), limits.stop), format_(format), limits_(limits) {}
 
 bool DratReader::next(ProofStep& step) {
   step.clause.clear();

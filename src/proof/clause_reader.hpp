@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <istream>
 #include <string>
 #include <vector>
@@ -21,9 +22,17 @@ namespace changeover::detail {
 /// Literals ±x, as in the file.
 using Literals = std::vector<std::int32_t>;
 
+/// Thrown out of long work when ProofOptions::stop says so; no fault.
+struct CheckStopped {};
+
+/// Whether to stop; nullptr: never.
+using StopQuestion = std::function<bool()>;
+
 struct ReadLimits {
   std::uint64_t max_variable = 0;
   std::uint64_t max_literals = 0;  ///< of one clause
+  const StopQuestion* stop =
+      nullptr;  ///< asked for each buffer; CheckStopped is thrown if it says so
 };
 
 /// The bytes of a stream, with the number of the line.
@@ -31,7 +40,7 @@ class ByteReader {
  public:
   static constexpr int end = -1;
 
-  ByteReader(std::istream& stream, std::string name);
+  ByteReader(std::istream& stream, std::string name, const StopQuestion* stop = nullptr);
 
   /// The next byte without taking it, or `end`.
   int peek() {
@@ -65,6 +74,7 @@ class ByteReader {
 
   std::istream* stream_;
   std::string name_;
+  const StopQuestion* stop_;
   std::vector<char> buffer_;
   std::size_t position_ = 0;
   std::uint64_t line_ = 1;

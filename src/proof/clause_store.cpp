@@ -185,6 +185,17 @@ void ClauseStore::undo(std::size_t length) {
   propagated_ = length;
 }
 
+void ClauseStore::looked(std::size_t clauses) {
+  constexpr std::uint64_t often = 1'000'000;
+  looks_ += clauses;
+  if (looks_ >= often) {
+    looks_ = 0;
+    if (ask_) {
+      ask_();
+    }
+  }
+}
+
 // False if a clause has become false.
 bool ClauseStore::propagate(bool for_good) {
   while (propagated_ < trail_.size()) {
@@ -192,6 +203,7 @@ bool ClauseStore::propagate(bool for_good) {
     ++propagations_;
     std::vector<Watch>& list = watches_[now_false];
     const std::size_t size = list.size();
+    looked(size);
     std::size_t from = 0;
     std::size_t to = 0;
     bool conflict = false;
@@ -261,6 +273,7 @@ bool ClauseStore::implies_resolvents(std::span<const std::int32_t> clause, std::
     std::vector<std::int32_t> rest;
     for (std::size_t c = 0; all && c < arena_.size();
          c += head + size_of(static_cast<Reference>(c))) {
+      looked(1);
       if (dead(static_cast<Reference>(c))) {
         continue;
       }

@@ -11,14 +11,18 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace changeover::detail {
 
 class ClauseStore {
  public:
-  explicit ClauseStore(std::uint64_t max_literals) : max_literals_(max_literals) {
+  /// `ask` is called every million looks at a clause or so; it throws to give up.
+  explicit ClauseStore(std::uint64_t max_literals, std::function<void()> ask = {})
+      : max_literals_(max_literals), ask_(std::move(ask)) {
     buckets_.resize(std::size_t{1} << 10, none);
   }
 
@@ -78,8 +82,11 @@ class ClauseStore {
   static std::uint32_t hash_of(std::span<const std::int32_t> clause);
   void grow_buckets();
   void compact();
+  void looked(std::size_t clauses);
 
   std::uint64_t max_literals_;
+  std::function<void()> ask_;
+  std::uint64_t looks_ = 0;  // since it was asked
   std::vector<std::uint32_t> arena_;
   std::vector<Reference> buckets_;
   std::vector<std::vector<Watch>> watches_;  // by literal: looked at when it becomes false

@@ -38,7 +38,8 @@ std::string shown(const Literals& clause) {
 
 class Check {
  public:
-  Check(const ProofOptions& options) : options_(options), store_(options.max_literals) {}
+  explicit Check(const ProofOptions& options)
+      : options_(options), store_(options.max_literals, [this] { ask(); }) {}
 
   void read_formula(detail::DimacsReader& formula) {
     verdict_.variables = formula.variables();
@@ -52,14 +53,20 @@ class Check {
     }
   }
 
+  /// What is known when the check is given up.
+  ProofVerdict stopped() {
+    return end(ProofVerdict::Outcome::stopped, line_, "the check was stopped");
+  }
+
   ProofVerdict run(detail::DratReader& proof) {
     if (store_.contradictory()) {
       return end(ProofVerdict::Outcome::verified, 0, "unit propagation alone refutes the formula");
     }
     detail::ProofStep step;
     while (proof.next(step)) {
-      if (stop_wanted()) {
-        return end(ProofVerdict::Outcome::stopped, step.line, "the check was stopped");
+      line_ = step.line;
+      if (++steps_ % 1024 == 0) {
+        ask();
       }
       const std::int32_t pivot = step.clause.empty() ? 0 : step.clause.front();
       if (step.deletes) {
@@ -125,13 +132,10 @@ class Check {
     return true;
   }
 
-  bool stop_wanted() {
-    constexpr std::uint64_t often = 1'000'000;
-    if (!options_.stop || (++steps_ % 1024 != 0 && store_.propagations() < asked_ + often)) {
-      return false;
+  void ask() const {
+    if (options_.stop && options_.stop()) {
+      throw detail::CheckStopped{};
     }
-    asked_ = store_.propagations();
-    return options_.stop();
   }
 
   const ProofOptions& options_;
@@ -139,7 +143,7 @@ class Check {
   ProofVerdict verdict_;
   std::uint64_t largest_ = 0;
   std::uint64_t steps_ = 0;
-  std::uint64_t asked_ = 0;
+  std::uint64_t line_ = 0;  // of the proof, where the check is
 };
 
 std::ifstream open(const std::string& path) {
@@ -157,13 +161,17 @@ ProofVerdict check_proof(std::istream& cnf, const std::string& cnf_name, std::is
   constexpr std::uint64_t longest_clause = std::uint64_t{1} << 26;
   constexpr std::uint64_t largest_variable = std::uint64_t{1} << 28;
   const detail::ReadLimits limits{std::min(options.max_variable, largest_variable),
-                                  std::min(options.max_literals, longest_clause)};
+                                  std::min(options.max_literals, longest_clause), &options.stop};
   try {
     Check check(options);
-    detail::DimacsReader formula(cnf, cnf_name, limits);
-    check.read_formula(formula);
-    detail::DratReader steps(proof, proof_name, options.format, limits);
-    return check.run(steps);
+    try {
+      detail::DimacsReader formula(cnf, cnf_name, limits);
+      check.read_formula(formula);
+      detail::DratReader steps(proof, proof_name, options.format, limits);
+      return check.run(steps);
+    } catch (const detail::CheckStopped&) {
+      return check.stopped();
+    }
   } catch (const std::bad_alloc&) {
     throw MissingResource("not enough memory to check the proof " + proof_name);
   }

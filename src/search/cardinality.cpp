@@ -1,6 +1,10 @@
 #include "changeover/search/cardinality.hpp"
 
 #include <algorithm>
+#include <map>
+
+#include "changeover/core/checked.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 namespace {
@@ -19,7 +23,9 @@ std::vector<Literal> sum(Cnf& cnf, const std::vector<Literal>& a, const std::vec
   std::generate(total.begin(), total.end(), [&] { return cnf.new_variable(); });
   std::vector<Literal> clause;
   for (std::size_t i = 0; i <= a.size(); ++i) {
-    for (std::size_t j = 0; j <= b.size(); ++j) {
+    stop_if_asked();
+    // Beyond size, no clause: i + j stays at most that.
+    for (std::size_t j = 0; j <= b.size() && i + j <= size; ++j) {
       if (directions.up && i + j >= 1 && i + j <= size) {  // a ≥ i and b ≥ j: total ≥ i + j
         clause.assign(1, total[i + j - 1]);
         if (i > 0) {
@@ -58,6 +64,68 @@ std::vector<Literal> counted(Cnf& cnf, std::span<const Literal> literals, std::s
              counted(cnf, literals.subspan(half), limit, directions), limit, directions);
 }
 
+// Pairs i ≤ a, j ≤ b with i + j ≤ most.
+std::uint64_t pairs_below(std::uint64_t a, std::uint64_t b, std::uint64_t most) {
+  const std::uint64_t top = std::min(most, a + b);
+  const auto triangle = [](std::uint64_t n) {  // pairs with i + j < n
+    return n % 2 == 0 ? checked_multiply(n / 2, n + 1) : checked_multiply(n, (n + 1) / 2);
+  };
+  std::uint64_t beyond = 0;  // of the triangle i + j ≤ top, the corners i > a and j > b
+  beyond += top > a ? triangle(top - a) : 0;
+  beyond += top > b ? triangle(top - b) : 0;
+  return triangle(top + 1) - beyond;  // top ≤ a + b: the corners do not meet
+}
+
+// Of sum() with a.size() = a, b.size() = b.
+CnfSize sum_size(std::uint64_t a, std::uint64_t b, std::uint64_t limit, Directions directions) {
+  CnfSize size{.variables = std::min(limit, a + b), .clauses = 0, .literals = 0};
+  const std::uint64_t total = size.variables;
+  if (directions.up) {  // all but i = j = 0; i and j have a literal each where they are not 0
+    const std::uint64_t all = pairs_below(a, b, total);
+    CnfSize up = clauses_of(all - 1, 1);
+    up.literals = checked_add(up.literals, all - std::min(b, total) - 1);
+    up.literals = checked_add(up.literals, all - std::min(a, total) - 1);
+    size += up;
+  }
+  if (directions.down) {  // i and j have a literal each where they are not a and b
+    CnfSize down = clauses_of(pairs_below(a, b, total - 1), 1);
+    down.literals = checked_add(down.literals, pairs_below(a - 1, b, total - 1));
+    down.literals = checked_add(down.literals, pairs_below(a, b - 1, total - 1));
+    size += down;
+  }
+  return size;
+}
+
+/// The sizes of counted(): halving makes two different numbers on each level at most.
+class CountSizes {
+ public:
+  CountSizes(std::uint64_t limit, Directions directions) : limit_(limit), directions_(directions) {}
+
+  CnfSize of(std::uint64_t literals) {
+    if (limit_ == 0 || literals <= 1) {
+      return {};
+    }
+    if (const auto known = known_.find(literals); known != known_.end()) {
+      return known->second;
+    }
+    const std::uint64_t half = literals / 2;
+    const CnfSize size =
+        of(half) + of(literals - half) +
+        sum_size(std::min(limit_, half), std::min(limit_, literals - half), limit_, directions_);
+    known_.emplace(literals, size);
+    return size;
+  }
+
+ private:
+  std::uint64_t limit_;
+  Directions directions_;
+  std::map<std::uint64_t, CnfSize> known_;
+};
+
+CnfSize counted_size(std::uint64_t literals, std::uint64_t limit, Directions directions) {
+  return CountSizes(limit, directions).of(literals);
+}
+
 }  // namespace
 
 std::vector<Literal> unary_count(Cnf& cnf, std::span<const Literal> literals, std::size_t limit) {
@@ -84,6 +152,25 @@ void require_at_most(Cnf& cnf, std::span<const Literal> literals, std::size_t nu
         counted(cnf, literals, number + 1, {.up = true, .down = false});
     cnf.add({-at_least[number]});
   }
+}
+
+CnfSize unary_count_size(std::uint64_t literals, std::uint64_t limit) {
+  return counted_size(literals, limit, {});
+}
+
+CnfSize exactly_size(std::uint64_t literals, std::uint64_t number) {
+  if (number > literals) {
+    return clauses_of(1, 0);
+  }
+  const std::uint64_t bounds = (number > 0 ? 1U : 0U) + (number < literals ? 1U : 0U);
+  return counted_size(literals, number + 1, {}) + clauses_of(bounds, 1);
+}
+
+CnfSize at_most_size(std::uint64_t literals, std::uint64_t number) {
+  if (number >= literals) {
+    return {};
+  }
+  return counted_size(literals, number + 1, {.up = true, .down = false}) + clauses_of(1, 1);
 }
 
 }  // namespace changeover

@@ -2,24 +2,28 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 
 namespace changeover {
 
 Literal Cnf::new_variable() {
-  constexpr std::size_t most_variables = 100'000'000;
   if (variables_ == most_variables) {
-    throw ImpossibleParameters("these parameters need more than 10^8 variables");
+    throw MissingResource("these parameters need a formula of more than 10^8 variables");
   }
   return static_cast<Literal>(++variables_);
 }
 
+void Cnf::reserve(const CnfSize& size) {
+  literals_.reserve(static_cast<std::size_t>(std::min(size.literals, most_literals)));
+}
+
 void Cnf::add(std::span<const Literal> clause) {
-  constexpr std::size_t most_literals = std::size_t{1} << 31;
   if (literals_.size() + clause.size() + 1 > most_literals) {
-    throw ImpossibleParameters("these parameters need a formula of more than 2^31 literals");
+    throw MissingResource("these parameters need a formula of more than 2^31 literals");
   }
   for (const Literal literal : clause) {
     if (literal == 0 || static_cast<std::size_t>(literal < 0 ? -literal : literal) > variables_) {
@@ -43,6 +47,7 @@ void write_dimacs(const Cnf& cnf, std::span<const Literal> assumptions,
   for (const Literal literal : cnf.literals()) {
     fmt::format_to(out, "{}{}", literal, literal == 0 ? '\n' : ' ');
     if (text.size() > piece) {
+      stop_if_asked();
       sink.write({text.data(), text.size()});
       text.clear();
     }

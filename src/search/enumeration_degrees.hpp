@@ -24,6 +24,9 @@ class DegreeTable {
  public:
   explicit DegreeTable(const EnumerationCase& own);
 
+  /// What a table for b blocks takes.
+  [[nodiscard]] static std::uint64_t bytes(std::uint64_t b) { return b * sizeof(Row); }
+
   /// The costs for one number of blocks left: 64 words for each of (role, in or out now), by missing pairs.
   using Row = std::array<std::uint64_t, std::size_t{6} * 64>;
 

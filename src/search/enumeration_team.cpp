@@ -17,7 +17,8 @@ namespace {
 using Mask = std::uint64_t;
 
 constexpr std::size_t prefixes_wanted = 512;  // for each case, if it has so many
-constexpr std::size_t found_at_once = 64;     // handed out together when it is one's turn
+constexpr std::size_t prefixes_at_most = 1'000'000;
+constexpr std::size_t found_at_once = 64;  // handed out together when it is one's turn
 
 struct Prefix {
   std::size_t own_case = 0;
@@ -31,8 +32,10 @@ class PrefixCollector final : public EnumerationVisitor {
 
   bool reached(std::span<const Mask> blocks) override {
     found.emplace_back(blocks.begin(), blocks.end());
-    return true;
+    return !too_many();
   }
+  [[nodiscard]] bool too_many() const { return found.size() > prefixes_at_most; }
+
   bool go_on(std::uint64_t more) override {
     nodes += more;
     return !control_->stop_wanted();
@@ -69,6 +72,7 @@ class Team {
   Team(const EnumerationTask& task, RunControl& control) : task_(task), control_(control) {}
 
   EnumerationRun run() {
+    require_memory();
     cut();
     slots_.resize(mine_.size());
     const std::size_t threads = std::min<std::size_t>(control_.threads(), mine_.size());
@@ -121,9 +125,23 @@ class Team {
     std::size_t turn_;
   };
 
+  // Tables by the number of fixed elements, and a tree for each thread.
+  void require_memory() const {
+    std::uint64_t bytes = 0;
+    for (std::size_t c = 0; c < task_.cases.size(); ++c) {
+      if (c == 0 || task_.cases[c].fixed != task_.cases[c - 1].fixed) {
+        bytes += DegreeTable::bytes(task_.cases[c].b);
+      }
+    }
+    if (!task_.cases.empty()) {
+      bytes += (control_.threads() + 1) * EnumerationTree::bytes(task_.cases.front().b);
+    }
+    control_.require_memory(bytes, "the tables of this enumeration");
+  }
+
   void cut() {
     const WorkShare share = control_.settings().share;
-    for (std::size_t c = 0; c < task_.cases.size(); ++c) {
+    for (std::size_t c = 0; c < task_.cases.size() && !control_.stop_wanted(); ++c) {
       const EnumerationCase& own = task_.cases[c];
       if (c == 0 || own.fixed != task_.cases[c - 1].fixed) {
         degrees_.push_back(std::make_shared<const DegreeTable>(own));
@@ -132,18 +150,27 @@ class Team {
       }
       EnumerationTree tree(own, *degrees_.back());
       const std::vector<Mask> root{own.first_block()};
+      std::vector<std::vector<Mask>> cut{root};
+      std::uint64_t nodes = 0;
       for (std::size_t depth = 1; depth < own.b && !control_.stop_wanted(); ++depth) {
         PrefixCollector collector(control_);
         tree.explore(root, depth, collector);
-        if (collector.found.empty() || collector.found.size() >= prefixes_wanted ||
-            depth + 1 == own.b) {
-          for (auto& blocks : collector.found) {
-            prefixes_.push_back({.own_case = c, .blocks = std::move(blocks)});
-          }
-          nodes_ += share.index == 0 ? collector.nodes : 0;
+        if (collector.too_many()) {
+          break;  // a level up there were few, and so they stay
+        }
+        cut = std::move(collector.found);
+        nodes = collector.nodes;
+        if (cut.empty() || cut.size() >= prefixes_wanted) {
           break;
         }
       }
+      const std::size_t length = cut.empty() ? 0 : cut.front().size();
+      list_bytes_ += cut.size() * (sizeof(Prefix) + length * sizeof(Mask));
+      control_.require_memory(list_bytes_, "the beginnings into which this enumeration is cut");
+      for (auto& blocks : cut) {
+        prefixes_.push_back({.own_case = c, .blocks = std::move(blocks)});
+      }
+      nodes_ += share.index == 0 ? nodes : 0;
     }
     for (std::size_t i = share.index; i < prefixes_.size();
          i += std::max<std::uint64_t>(share.of, 1)) {
@@ -204,6 +231,7 @@ class Team {
   RunControl& control_;
   std::vector<std::shared_ptr<const DegreeTable>> degrees_;  // by case
   std::vector<Prefix> prefixes_;
+  std::uint64_t list_bytes_ = 0;
   std::vector<std::size_t> mine_;  // prefixes of this share
   std::vector<Slot> slots_;        // by position in mine_
   std::atomic<std::size_t> next_{0};

@@ -114,7 +114,16 @@ bool EnumerationTree::expand(std::size_t depth) {
   return choose_leaving(choice, free, choice.must_leave, own_.change - count(choice.must_leave));
 }
 
+// Where many choices lead to no node, the visitor is asked as well.
+bool EnumerationTree::may_go_on() {
+  constexpr unsigned choices_between_questions = 1U << 16;
+  return ++choices_ % choices_between_questions != 0 || visitor_->go_on(0);
+}
+
 bool EnumerationTree::choose_leaving(Choice& choice, Mask from, Mask leaving, std::size_t more) {
+  if (!may_go_on()) {
+    return false;
+  }
   const Level& here = levels_[choice.depth];
   if (more > 0) {
     for (Mask rest = from; holds(rest, more); rest &= rest - 1) {
@@ -145,6 +154,9 @@ bool EnumerationTree::choose_leaving(Choice& choice, Mask from, Mask leaving, st
 
 bool EnumerationTree::introduce(const Choice& choice, Mask from, Mask introduced, std::size_t more,
                                 std::int64_t excess) {
+  if (!may_go_on()) {
+    return false;
+  }
   if (more == 0) {
     return enter(choice, introduced, excess);
   }

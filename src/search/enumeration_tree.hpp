@@ -24,7 +24,8 @@ class EnumerationVisitor {
   /// The blocks 0, …, depth of a node at the depth that was asked for, as masks; false stops.
   virtual bool reached(std::span<const std::uint64_t> blocks) = 0;
 
-  /// Asked every thousand nodes or so; false stops. `nodes` is how many were met since the last time.
+  /// Asked every thousand nodes or so, and where there are none in between; false stops. `nodes` is how many were
+  /// met since the last time.
   virtual bool go_on(std::uint64_t nodes) = 0;
 
  protected:
@@ -37,6 +38,11 @@ class EnumerationTree {
  public:
   /// Keeps references.
   EnumerationTree(const EnumerationCase& own, const DegreeTable& degrees);
+
+  /// What one takes for b blocks.
+  [[nodiscard]] static std::uint64_t bytes(std::uint64_t b) {
+    return b * (sizeof(Level) + sizeof(Mask));
+  }
 
   /// Visits, from left to right, all nodes at `depth` below the node with these blocks, whose first is the
   /// first block; depth b−1 are the designs. Returns false if the visitor stopped it.
@@ -73,6 +79,7 @@ class EnumerationTree {
   };
 
   bool expand(std::size_t depth);
+  bool may_go_on();
   bool choose_leaving(Choice& choice, Mask from, Mask leaving, std::size_t more);
   bool introduce(const Choice& choice, Mask from, Mask introduced, std::size_t more,
                  std::int64_t excess);
@@ -94,6 +101,7 @@ class EnumerationTree {
   EnumerationVisitor* visitor_ = nullptr;
   std::size_t target_ = 0;
   std::uint64_t nodes_ = 0;  // since the visitor was told
+  unsigned choices_ = 0;
 };
 
 }  // namespace changeover

@@ -8,13 +8,17 @@
 #include <bit>
 #include <ctime>
 #include <filesystem>
+#include <limits>
 #include <mutex>
+#include <new>
+#include <optional>
 #include <utility>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/output_file.hpp"
 #include "changeover/proof/drat.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/run/threads.hpp"
 #include "changeover/search/sat_solver.hpp"
 #include "changeover/verify/verdict.hpp"
@@ -64,11 +68,15 @@ std::string proof_folder(const ExactOptions& options) {
   return options.proof_directory;
 }
 
+// Threads and processes that share a question each need a part of it.
+bool must_split(const RunControl& control) {
+  return control.threads() > 1 || control.settings().share.of > 1;
+}
+
 /// One question, with or without cubes.
 class Question {
  public:
-  Question(const Parameters& p, std::uint64_t b, const ExactOptions& options,
-           RunControl& control)
+  Question(const Parameters& p, std::uint64_t b, const ExactOptions& options, RunControl& control)
       : options_(options),
         control_(control, options.time_per_step.value_or(no_limit)),
         stem_(file_stem(p, b)) {
@@ -78,9 +86,6 @@ class Question {
 
   Decision run() {
     const auto begin = RunControl::Clock::now();
-    const DesignFormula formula =
-        encode_design(decision_.parameters, decision_.b, options_.encoding);
-    formula_ = &formula;
     const WorkShare share = control_.settings().share;
     if (share.of == 0 || share.index >= share.of) {
       throw BadInput(fmt::format("share {} of {}: the index must be below the number of shares",
@@ -89,19 +94,39 @@ class Question {
     if (options_.prove) {
       folder_ = proof_folder(options_);
     }
-    if (control_.threads() > 1 || share.of > 1) {
-      split(share);
-    } else {
-      cubes_.emplace_back();
+    try {
+      solve(share);
+    } catch (const MissingResource&) {
+      if (!decision_.design) {
+        throw;  // else one thread found a design while another ran out of disk, say
+      }
+    } catch (const std::bad_alloc&) {
+      throw MissingResource(fmt::format("not enough memory for {}; ask for something smaller",
+                                        formula_name(decision_.parameters, decision_.b)));
     }
-    const std::uint64_t mine = (cubes_.size() - share.index + share.of - 1) / share.of;
-    work(share, static_cast<unsigned>(std::min<std::uint64_t>(control_.threads(), mine)));
-    conclude(mine, share);
+    conclude(share);
     decision_.time = RunControl::Clock::now() - begin;
     return std::move(decision_);
   }
 
  private:
+  void solve(const WorkShare& share) {
+    const RunScope scope(control_);
+    try {
+      const unsigned threads = require_room(decision_.parameters, decision_.b, options_, control_);
+      formula_.emplace(encode_design(decision_.parameters, decision_.b, options_.encoding));
+      if (must_split(control_)) {
+        split(share);
+      } else {
+        cubes_.emplace_back();
+      }
+      mine_ = (cubes_.size() - share.index + share.of - 1) / share.of;
+      work(share, static_cast<unsigned>(std::min<std::uint64_t>(threads, mine_)));
+    } catch (const Stopped&) {
+      // The control knows why, and mine_ whether there was work yet.
+    }
+  }
+
   // About 16 cubes for each process, or 8 for each thread: enough to even out their times.
   void split(const WorkShare& share) {
     const std::uint64_t wanted =
@@ -190,6 +215,16 @@ class Question {
     decision_.parts.push_back(std::move(part));
   }
 
+  // What our solver wrote and the disk took whole cannot be malformed.
+  [[nodiscard]] ProofVerdict read_back(const std::string& cnf, const std::string& proof,
+                                       const ProofOptions& limits) const {
+    try {
+      return check_proof_files(cnf, proof, limits);
+    } catch (const BadInput& fault) {
+      throw InternalError(fmt::format("the proof for {} cannot be read: {}", stem_, fault.what()));
+    }
+  }
+
   // False if the control stopped the check.
   bool checked(const std::string& cnf, const std::string& proof, CheckedPart& part) {
     require_regular(cnf);
@@ -198,7 +233,8 @@ class Question {
     const Stopwatch checking;
     ProofOptions limits{.stop = [this] { return control_.stop_wanted(); }};
     limits.max_variable = std::max<std::uint64_t>(limits.max_variable, formula_->cnf().variables());
-    const ProofVerdict verdict = check_proof_files(cnf, proof, limits);
+    limits.max_literals = std::numeric_limits<std::uint32_t>::max();
+    const ProofVerdict verdict = read_back(cnf, proof, limits);
     if (verdict.outcome == ProofVerdict::Outcome::stopped) {
       return false;
     }
@@ -230,6 +266,9 @@ class Question {
   }
 
   void found(const SatResult& result) {
+    // The time may be up: what was found is verified all the same.
+    RunControl unhurried({});
+    const RunScope scope(unhurried);
     Design design = formula_->decode([&](Literal x) { return result.is_true(x); });
     if (!verify(design).valid()) {
       throw InternalError(fmt::format("a solution of {} is no design", stem_));
@@ -242,22 +281,22 @@ class Question {
     control_.stop(WhyStopped::found);
   }
 
-  void conclude(std::uint64_t mine, const WorkShare& share) {
+  void conclude(const WorkShare& share) {
     if (decision_.design) {
       discard_proofs();
       decision_.answer = Answer::found;
       decision_.why = WhyStopped::found;
       return;
     }
-    if (decision_.parts.size() + unproved_ < mine) {
+    if (formula_ == std::nullopt || cubes_.empty() || decision_.parts.size() + unproved_ < mine_) {
       decision_.answer = Answer::unknown;
       decision_.why = control_.why_stopped();
       return;
     }
     decision_.why = WhyStopped::exhausted;
-    decision_.answer = unproved_ > 0 || (!options_.prove && mine == 0) ? Answer::none_unproved
-                       : share.of > 1                                  ? Answer::none_in_share
-                                                                       : Answer::none;
+    decision_.answer = unproved_ > 0 || (!options_.prove && mine_ == 0) ? Answer::none_unproved
+                       : share.of > 1                                   ? Answer::none_in_share
+                                                                        : Answer::none;
     std::sort(decision_.parts.begin(), decision_.parts.end(),
               [](const CheckedPart& a, const CheckedPart& b) { return a.cnf_path < b.cnf_path; });
     if (cubes_.size() > 1 && options_.prove && !options_.proof_directory.empty()) {
@@ -292,11 +331,12 @@ class Question {
   RunControl control_;
   std::string stem_;
   std::string folder_;
-  const DesignFormula* formula_ = nullptr;
+  std::optional<DesignFormula> formula_;
   std::vector<Cube> cubes_;
   std::mutex mutex_;
   Decision decision_;
   std::uint64_t unproved_ = 0;
+  std::uint64_t mine_ = 0;  // of the cubes, once there are any
 };
 
 }  // namespace
@@ -315,6 +355,22 @@ std::string_view to_string(Answer answer) {
       return "unknown";
   }
   return "";
+}
+
+unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& options,
+                      const RunControl& control) {
+  if (options.prove) {
+    (void)proof_folder(options);
+  }
+  const CnfSize size = design_formula_size(p, b, options.encoding);
+  SolvingNeeds needs{
+      .proof = options.prove, .split = must_split(control), .threads = control.threads()};
+  const auto limit = control.settings().memory_bytes;
+  while (limit && needs.threads > 1 && solving_bytes(size, needs) > *limit) {
+    --needs.threads;
+  }
+  control.require_memory(solving_bytes(size, needs), formula_name(p, b));
+  return needs.threads;
 }
 
 std::string file_stem(const Parameters& p, std::uint64_t b) {

@@ -1,11 +1,15 @@
 #include "changeover/search/exact_encoding.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "changeover/core/checked.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/cardinality.hpp"
 
 namespace changeover {
@@ -60,21 +64,85 @@ Number repetitions(const Parameters& p, std::uint64_t b) {
       p.kind == Kind::circular
           ? checked_multiply(b, a_block)
           : checked_add(binomial(p.k, p.strength), checked_multiply(b - 1, a_block));
-  return static_cast<Number>(covered) - static_cast<Number>(binomial(p.v, p.strength));
+  const std::uint64_t wanted = binomial(p.v, p.strength);
+  constexpr std::uint64_t most = std::numeric_limits<Number>::max();
+  if (covered > most || wanted > most) {
+    throw ImpossibleParameters("these parameters are too large: a count exceeds 63 bits");
+  }
+  return static_cast<Number>(covered) - static_cast<Number>(wanted);
+}
+
+/// What decides which clauses there are: the encoder builds by it, and their number is counted by it.
+struct Plan {
+  Plan(const Parameters& parameters, std::uint64_t blocks, const EncodingOptions& options)
+      : p(parameters),
+        b(blocks),
+        order(options.order),
+        wraps(p.kind == Kind::circular && b > 1),
+        two_fixed(may_have_two_fixed(p, b)),
+        repetitions(changeover::repetitions(p, b)),
+        degrees(options.degrees && b > 1 && p.change < p.k),
+        counted(p.strength == 2 && !two_fixed && b > 1 &&
+                repetitions <= static_cast<Number>(options.budget)) {}
+
+  /// Blocks that have one before them.
+  [[nodiscard]] std::uint64_t steps() const { return wraps ? b : b - 1; }
+
+  /// Newly covered t-subsets at an element that is introduced, and at one that stays.
+  [[nodiscard]] Number met() const {
+    return static_cast<Number>(binomial(p.k - 1, p.strength - 1));
+  }
+  [[nodiscard]] Number met_staying() const {
+    return met() - static_cast<Number>(binomial(p.k - 1 - p.change, p.strength - 1));
+  }
+
+  /// The most repetitions at one element, if that is limited: all e_x together are twice the repetitions, and each
+  /// is at least the least residue of −(v−1) modulo gcd(k−1, m).
+  [[nodiscard]] std::optional<Number> most_excess() const {
+    if (two_fixed || p.strength > 2) {
+      return std::nullopt;
+    }
+    const auto modulus = static_cast<Number>(std::gcd(p.k - 1, p.change));
+    const auto others = static_cast<Number>(p.v) - 1;
+    const Number each = (modulus - others % modulus) % modulus;
+    return 2 * repetitions - others * each;
+  }
+
+  Parameters p;
+  std::uint64_t b;
+  bool order;
+  bool wraps;
+  bool two_fixed;      // there may be two or more elements that are in every block
+  Number repetitions;  // that are possible, if there are less than t fixed elements
+  bool degrees;
+  bool counted;  // repetitions are counted: the budget
+};
+
+// Calls each(i, least, largest) for i = 0 … b introductions of an element: it must then be in `least` blocks or
+// more (if that is positive) and in `largest` or fewer (if that is below b).
+template <typename Each>
+void for_each_degree(const Plan& plan, const Each& each) {
+  const Number met = plan.met();
+  const Number met_staying = plan.met_staying();
+  if (met_staying == 0) {
+    return;
+  }
+  const auto b = static_cast<Number>(plan.b);
+  const auto wanted = static_cast<Number>(binomial(plan.p.v - 1, plan.p.strength - 1));
+  const std::optional<Number> most = plan.most_excess();
+  for (Number i = 0; i <= b; ++i) {
+    const Number rest = wanted - i * (met - met_staying);
+    const Number largest = most ? floor_div(rest + *most, met_staying) : b;
+    each(i, ceil_div_signed(rest, met_staying), largest);
+  }
 }
 
 class Encoder {
  public:
-  Encoder(const Parameters& p, std::uint64_t b, const EncodingOptions& options)
-      : p_(p),
-        b_(b),
-        options_(options),
-        wraps_(p.kind == Kind::circular && b > 1),
-        two_fixed_(may_have_two_fixed(p, b)),
-        repetitions_(repetitions(p, b)),
-        formula_(p, b),
-        cnf_(formula_.cnf()) {
-    for (std::uint64_t i = 0; i < checked_multiply(b, p.v); ++i) {
+  Encoder(const Plan& plan, const CnfSize& size)
+      : plan_(plan), p_(plan.p), b_(plan.b), formula_(p_, b_), cnf_(formula_.cnf()) {
+    cnf_.reserve(size);
+    for (std::uint64_t i = 0; i < checked_multiply(b_, p_.v); ++i) {
       (void)cnf_.new_variable();
     }
   }
@@ -82,10 +150,10 @@ class Encoder {
   DesignFormula take() {
     blocks();
     steps();
-    if (options_.order) {
+    if (plan_.order) {
       order();
     }
-    if (options_.degrees && b_ > 1 && p_.change < p_.k) {
+    if (plan_.degrees) {
       degrees();
     }
     coverage();
@@ -94,7 +162,7 @@ class Encoder {
 
  private:
   [[nodiscard]] Literal x(std::uint64_t i, std::uint64_t e) const { return formula_.holds(i, e); }
-  [[nodiscard]] bool has_previous(std::uint64_t i) const { return i > 0 || wraps_; }
+  [[nodiscard]] bool has_previous(std::uint64_t i) const { return i > 0 || plan_.wraps; }
   [[nodiscard]] std::uint64_t previous(std::uint64_t i) const { return i > 0 ? i - 1 : b_ - 1; }
   // Element e is introduced in block i; every element of the first block of a linear design is.
   [[nodiscard]] Literal introduced(std::uint64_t i, std::uint64_t e) const {
@@ -141,6 +209,7 @@ class Encoder {
   // ways to agree it needs only what the order leaves open.
   void order() {
     for (std::uint64_t e = 0; e + 1 < p_.v; ++e) {
+      stop_if_asked();
       Literals unless;  // −same, if there are blocks before i
       for (std::uint64_t i = 0; i < b_; ++i) {
         const auto add = [&](std::initializer_list<Literal> literals) {
@@ -160,53 +229,42 @@ class Encoder {
   }
 
   void degrees() {
-    const std::uint64_t t = p_.strength;
-    const auto met = static_cast<Number>(binomial(p_.k - 1, t - 1));
-    const Number met_staying = met - static_cast<Number>(binomial(p_.k - 1 - p_.change, t - 1));
     Literals in(b_);
     Literals at(b_);
     for (std::uint64_t e = 0; e < p_.v; ++e) {
+      stop_if_asked();
       for (std::uint64_t i = 0; i < b_; ++i) {
         in[i] = introduced(i, e);
         at[i] = x(i, e);
       }
       Literals unless;
-      if (two_fixed_) {
+      if (plan_.two_fixed) {
         unless.push_back(cnf_.new_variable());  // it may hold only if the element is in every block
         for (const Literal there : at) {
           cnf_.add({-unless.front(), there});
         }
       }
-      degree(unary_count(cnf_, in, b_), unary_count(cnf_, at, b_), unless, met, met_staying);
+      degree(unary_count(cnf_, in, b_), unary_count(cnf_, at, b_), unless);
     }
   }
 
   // i·met + (r − i)·met_staying is at least C(v−1,t−1), and at most that and most_excess().
   // in and at are the counts i and r in unary.
-  void degree(const Literals& in, const Literals& at, const Literals& unless, Number met,
-              Number met_staying) {
-    if (met_staying == 0) {
-      return;
-    }
+  void degree(const Literals& in, const Literals& at, const Literals& unless) {
     const auto b = static_cast<Number>(b_);
-    const auto wanted = static_cast<Number>(binomial(p_.v - 1, p_.strength - 1));
-    const std::optional<Number> most = most_excess();
     // "count ≥ number" in a clause that may have literals already.
     const auto add_at_least = [&](Literals& clause, const Literals& count, Number number) {
       if (number <= b) {
         clause.push_back(count[static_cast<std::size_t>(number - 1)]);
       }
     };
-    for (Number i = 0; i <= b; ++i) {
-      const Number rest = wanted - i * (met - met_staying);
-      const Number least = ceil_div_signed(rest, met_staying);
+    for_each_degree(plan_, [&](Number i, Number least, Number largest) {
       if (least >= 1) {  // i introductions or fewer
         Literals clause = unless;
         add_at_least(clause, in, i + 1);
         add_at_least(clause, at, least);
         cnf_.add(clause);
       }
-      const Number largest = most ? floor_div(rest + *most, met_staying) : b;
       if (largest < b) {  // i introductions or more
         Literals clause = unless;
         if (i > 0) {
@@ -217,25 +275,11 @@ class Encoder {
         }
         cnf_.add(clause);
       }
-    }
-  }
-
-  // All e_x together are twice the repetitions, and each is at least the least residue of −(v−1) modulo
-  // gcd(k−1, m).
-  [[nodiscard]] std::optional<Number> most_excess() const {
-    if (two_fixed_ || p_.strength > 2) {
-      return std::nullopt;
-    }
-    const auto modulus = static_cast<Number>(std::gcd(p_.k - 1, p_.change));
-    const auto others = static_cast<Number>(p_.v) - 1;
-    const Number each = (modulus - others % modulus) % modulus;
-    return 2 * repetitions_ - others * each;
+    });
   }
 
   void coverage() {
-    const bool counted = p_.strength == 2 && !two_fixed_ && b_ > 1 &&
-                         repetitions_ <= static_cast<Number>(options_.budget);
-    if (counted && repetitions_ < 0) {
+    if (plan_.counted && plan_.repetitions < 0) {
       cnf_.add({});
       return;
     }
@@ -243,10 +287,11 @@ class Encoder {
     std::iota(subset.begin(), subset.end(), 0U);
     Literals repeated;
     do {
-      counted ? newly_covered(subset[0], subset[1], repeated) : covered(subset);
+      stop_if_asked();
+      plan_.counted ? newly_covered(subset[0], subset[1], repeated) : covered(subset);
     } while (next(subset));
-    if (counted) {
-      require_at_most(cnf_, repeated, static_cast<std::size_t>(repetitions_));
+    if (plan_.counted) {
+      require_at_most(cnf_, repeated, static_cast<std::size_t>(plan_.repetitions));
     }
   }
 
@@ -296,10 +341,11 @@ class Encoder {
       }
     }
     cnf_.add(newly);
-    if (repetitions_ == 0) {
+    if (plan_.repetitions == 0) {
       at_most_one(newly);
     } else {
-      const Literals times = unary_count(cnf_, newly, static_cast<std::size_t>(repetitions_) + 2);
+      const Literals times =
+          unary_count(cnf_, newly, static_cast<std::size_t>(plan_.repetitions) + 2);
       repeated.insert(repeated.end(), times.begin() + 1, times.end());
     }
   }
@@ -316,22 +362,131 @@ class Encoder {
     }
   }
 
-  Parameters p_;
-  std::uint64_t b_;
-  EncodingOptions options_;
-  bool wraps_;
-  bool two_fixed_;  // there may be two or more elements that are in every block
-  Number repetitions_;
+  const Plan& plan_;
+  const Parameters& p_;
+  const std::uint64_t b_;
   DesignFormula formula_;
   Cnf& cnf_;
   Literals introduced_;
 };
 
+// The clauses of Encoder::degrees().
+CnfSize degrees_size(const Plan& plan) {
+  CnfSize size = 2 * unary_count_size(plan.b, plan.b);
+  const std::uint64_t unless = plan.two_fixed ? 1 : 0;
+  if (plan.two_fixed) {
+    size += CnfSize{.variables = 1, .clauses = 0, .literals = 0} + clauses_of(plan.b, 2);
+  }
+  const auto b = static_cast<Number>(plan.b);
+  for_each_degree(plan, [&](Number i, Number least, Number largest) {
+    constexpr Number often = 1 << 16;
+    if (i % often == 0) {
+      stop_if_asked();
+    }
+    if (least >= 1) {
+      size += clauses_of(1, unless + (i < b ? 1 : 0) + (least <= b ? 1 : 0));
+    }
+    if (largest < b) {
+      size += clauses_of(1, unless + (i > 0 ? 1 : 0) + (largest >= 0 ? 1 : 0));
+    }
+  });
+  return plan.p.v * size;
+}
+
+// Of Encoder::order().
+CnfSize order_size(const Plan& plan) {
+  const std::uint64_t others = plan.b - 1;
+  CnfSize size = clauses_of(1, 2) + clauses_of(others, 3);
+  if (others > 0) {
+    size += CnfSize{.variables = others, .clauses = 0, .literals = 0};
+    size += clauses_of(2, 2) + clauses_of(2 * (others - 1), 3);
+  }
+  return (plan.p.v - 1) * size;
+}
+
+// Of Encoder::coverage().
+CnfSize coverage_size(const Plan& plan) {
+  if (plan.counted && plan.repetitions < 0) {
+    return clauses_of(1, 0);
+  }
+  const std::uint64_t b = plan.b;
+  const std::uint64_t subsets = binomial(plan.p.v, plan.p.strength);
+  CnfSize each = clauses_of(1, b);
+  each.variables = b;
+  if (!plan.counted) {
+    return subsets * (each + clauses_of(checked_multiply(b, plan.p.strength), 2));
+  }
+  each += clauses_of(2 * b, 2) + clauses_of(3 * plan.steps() + (plan.wraps ? 0 : 1), 3);
+  if (plan.repetitions == 0) {
+    each += clauses_of(3 * (b - 1), 2) + CnfSize{.variables = b - 1, .clauses = 0, .literals = 0};
+    return subsets * each;
+  }
+  const auto repetitions = static_cast<std::uint64_t>(plan.repetitions);
+  const std::uint64_t times = std::min(repetitions + 2, b);
+  each += unary_count_size(b, repetitions + 2);
+  return subsets * each + at_most_size(checked_multiply(subsets, times - 1), repetitions);
+}
+
+CnfSize size_of(const Plan& plan) {
+  const Parameters& p = plan.p;
+  const std::uint64_t places = checked_multiply(plan.b, p.v);
+  CnfSize both{.variables = 1, .clauses = 0, .literals = 0};
+  both += clauses_of(2, 2) + clauses_of(1, 3);
+  CnfSize size{.variables = places, .clauses = 0, .literals = 0};
+  size += plan.b * exactly_size(p.v, p.k);
+  size += plan.steps() * (checked_multiply(2, p.v) * both + 2 * exactly_size(p.v, p.change));
+  if (plan.order) {
+    size += order_size(plan);
+  }
+  size += coverage_size(plan);
+  // Only now, for that takes O(b).
+  require_representable(size, formula_name(p, plan.b));
+  if (plan.degrees) {
+    size += degrees_size(plan);
+  }
+  return size;
+}
+
+[[noreturn]] void too_large(const Parameters& p, std::uint64_t b) {
+  throw MissingResource(formula_name(p, b) +
+                        " would have more variables than a formula holds (10^8); ask for something "
+                        "smaller");
+}
+
+/// The plan of a question and the size of its formula.
+struct Counted {
+  Plan plan;
+  CnfSize size;
+};
+
+Counted count(const Parameters& p, std::uint64_t b, const EncodingOptions& options) {
+  check(p);
+  if (b > most_variables / p.v) {  // below that, products of b with parameters fit
+    too_large(p, b);
+  }
+  try {
+    const Plan plan(p, b, options);
+    Counted counted{plan, size_of(plan)};
+    require_representable(counted.size, formula_name(p, b));
+    return counted;
+  } catch (const ImpossibleParameters&) {  // 64 bits do not hold it
+    too_large(p, b);
+  }
+}
+
 }  // namespace
 
+std::string formula_name(const Parameters& p, std::uint64_t b) {
+  return fmt::format("the formula of {} with {} block{}", name(p), b, b == 1 ? "" : "s");
+}
+
+CnfSize design_formula_size(const Parameters& p, std::uint64_t b, const EncodingOptions& options) {
+  return count(p, b, options).size;
+}
+
 DesignFormula encode_design(const Parameters& p, std::uint64_t b, const EncodingOptions& options) {
-  check(p);
-  return Encoder(p, b, options).take();
+  const Counted counted = count(p, b, options);
+  return Encoder(counted.plan, counted.size).take();
 }
 
 }  // namespace changeover

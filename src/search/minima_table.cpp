@@ -1,12 +1,14 @@
 #include "changeover/search/minima_table.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <map>
 #include <tuple>
 #include <utility>
 
 #include "changeover/construct/planner.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {
@@ -60,6 +62,9 @@ MinimaRow settle(const Parameters& p, const Constructions& constructions,
     row.by = recipe->construction;
   }
   const MinimumResult result = find_minimum(p, options, control, known);
+  if (result.fault) {
+    std::rethrow_exception(result.fault);
+  }
   row.start = result.start.blocks;
   row.lower = result.lower;
   row.upper = result.upper();
@@ -96,11 +101,8 @@ bool lower_upper_end(MinimaRow& row, const Constructions& constructions) {
   return true;
 }
 
-}  // namespace
-
-void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
-                 const MinimumOptions& options, RunControl& control,
-                 const std::function<void(const MinimaRow&)>& on_row) {
+void fill(const MinimaRange& range, std::vector<MinimaRow>& rows, const MinimumOptions& options,
+          RunControl& control, const std::function<void(const MinimaRow&)>& on_row) {
   const Constructions constructions(range);
   const std::uint64_t limit = limit_of(options);
   for (std::uint64_t v = 2; v <= range.v_to; ++v) {
@@ -108,6 +110,7 @@ void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
       for (const Kind kind : {Kind::linear, Kind::circular}) {
         for (std::uint64_t k = std::max<std::uint64_t>({range.k_from, range.strength, m});
              k <= range.k_to && k + m <= v; ++k) {
+          stop_if_asked();
           const Parameters p{.v = v, .k = k, .change = m, .kind = kind, .strength = range.strength};
           auto at = std::lower_bound(rows.begin(), rows.end(), p, before);
           const bool there = at != rows.end() && at->parameters == p;
@@ -130,6 +133,18 @@ void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
         }
       }
     }
+  }
+}
+
+}  // namespace
+
+void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
+                 const MinimumOptions& options, RunControl& control,
+                 const std::function<void(const MinimaRow&)>& on_row) {
+  try {
+    fill(range, rows, options, control, on_row);
+  } catch (const Stopped&) {
+    // What is filled in stays.
   }
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "changeover/io/json_writer.hpp"
 #include "changeover/search/minima_table.hpp"
 
 namespace changeover {
@@ -170,6 +171,23 @@ std::string open(const Rows& rows) {
 }
 
 }  // namespace
+
+std::string minima_json(const std::vector<MinimaRow>& rows) {
+  JsonWriter json;
+  json.begin_object().key("minima").begin_array();
+  for (const MinimaRow& row : rows) {
+    const Parameters& p = row.parameters;
+    json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+    json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+    json.key("settled").value(row.settled()).key("bound_on_paper").value(row.start);
+    json.key("lower_bound").value(row.lower).key("upper_bound").value(row.upper);
+    json.key("design_by").value(row.by).key("seconds").value(row.seconds);
+    json.key("proof_bytes").value(row.proof_bytes).key("proof_steps").value(row.proof_steps);
+    json.key("conflicts").value(row.limit).end_object();
+  }
+  json.end_array().end_object();
+  return json.take() + "\n";
+}
 
 void write_minima(const std::vector<MinimaRow>& rows, Sink& sink) {
   sink.write(fmt::format("{}\n", head));

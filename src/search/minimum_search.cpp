@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {
@@ -14,10 +15,14 @@ std::optional<std::uint64_t> MinimumResult::upper() const {
 }
 
 Bound lower_bound_on_paper(const Parameters& p) {
-  for (Bound& bound : lower_bounds(p)) {
-    if (bound.name != "checked proofs") {
-      return std::move(bound);
+  try {
+    for (Bound& bound : lower_bounds(p)) {
+      if (bound.name != "checked proofs") {
+        return std::move(bound);
+      }
     }
+  } catch (const Stopped&) {
+    // There was no time for more.
   }
   return {1, "trivial", "a design has at least one block"};
 }
@@ -40,7 +45,17 @@ void walk(MinimumResult& result, const MinimumOptions& options, RunControl& cont
       throw InternalError(fmt::format("{} has {} blocks, but fewer than {} were excluded",
                                       name(result.parameters), *result.upper(), result.lower));
     }
-    Decision decision = decide_by(options, options.exact, result.parameters, result.lower, control);
+    Decision decision;
+    try {
+      decision = decide_by(options, options.exact, result.parameters, result.lower, control);
+    } catch (const MissingResource&) {
+      if (!result.best && result.steps.empty()) {
+        throw;
+      }
+      result.fault = std::current_exception();
+      result.why = WhyStopped::fault;
+      return;
+    }
     const Answer answer = decision.answer;
     result.why = decision.why;
     if (answer == Answer::found) {
@@ -64,7 +79,11 @@ void look_above(MinimumResult& result, const MinimumOptions& options, RunControl
     if (result.best && *result.upper() <= b) {
       return;
     }
-    result.steps.push_back(decide_by(options, quick, result.parameters, b, control));
+    try {
+      result.steps.push_back(decide_by(options, quick, result.parameters, b, control));
+    } catch (const MissingResource&) {
+      return;  // nobody asked for this number
+    }
     if (result.steps.back().answer == Answer::found) {
       result.best = result.steps.back().design;
       return;
@@ -72,28 +91,43 @@ void look_above(MinimumResult& result, const MinimumOptions& options, RunControl
   }
 }
 
+// Whether a design from elsewhere may be used.
+bool is_known(const Parameters& p, const std::optional<Design>& known) {
+  if (!known) {
+    return false;
+  }
+  try {
+    if (known->parameters() == p && verify(*known).valid()) {
+      return true;
+    }
+  } catch (const Stopped&) {
+    return false;
+  }
+  throw BadInput(fmt::format("the design that was given is no {}", name(p)));
+}
+
 }  // namespace
 
-MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
-                           RunControl& control, const std::optional<Design>& known) {
+MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options, RunControl& control,
+                           const std::optional<Design>& known) {
   const auto begin = RunControl::Clock::now();
   MinimumResult result;
   result.parameters = p;
   result.impossible = impossibility(p);
-  if (known && (known->parameters() != p || !verify(*known).valid())) {
-    throw BadInput(fmt::format("the design that was given is no {}", name(p)));
-  }
+  const bool use_known = is_known(p, known);
   if (result.impossible) {
     result.why = WhyStopped::exhausted;
     return result;
   }
   result.start = lower_bound_on_paper(p);
   result.lower = result.start.blocks;
-  result.best = known;
+  if (use_known) {
+    result.best = known;
+  }
   walk(result, options, control);
   if (result.settled()) {
     result.why = WhyStopped::exhausted;
-  } else {
+  } else if (!result.fault) {
     look_above(result, options, control);
   }
   result.time = RunControl::Clock::now() - begin;

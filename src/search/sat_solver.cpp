@@ -8,8 +8,11 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <limits>
 #include <memory>
+#include <new>
+#include <system_error>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -17,21 +20,37 @@
 namespace changeover {
 namespace {
 
+namespace fs = std::filesystem;
+
 void set(CaDiCaL::Solver& solver, const char* option, int value) {
   if (!solver.set(option, value)) {
     throw InternalError(fmt::format("the SAT solver does not know its option '{}'", option));
   }
 }
 
-void hand_over(CaDiCaL::Solver& solver, const Cnf& cnf, std::span<const Literal> assumptions) {
+// From so many literals on a pass over the formula takes long enough to be noticed, so that the solver asks
+// whether to stop wherever it can, and not only every tenth time. What it finds does not depend on that.
+constexpr std::size_t large = 1'000'000;
+
+// False if the control stopped it.
+bool hand_over(CaDiCaL::Solver& solver, const Cnf& cnf, std::span<const Literal> assumptions,
+               RunControl& control) {
+  constexpr std::size_t at_once = std::size_t{1} << 14;
   solver.reserve(static_cast<int>(cnf.variables()));
-  for (const Literal literal : cnf.literals()) {
-    solver.add(literal);
+  const std::span<const Literal> all = cnf.literals();
+  for (std::size_t begin = 0; begin < all.size(); begin += at_once) {
+    if (control.stop_wanted()) {
+      return false;
+    }
+    for (const Literal literal : all.subspan(begin, std::min(at_once, all.size() - begin))) {
+      solver.add(literal);
+    }
   }
   for (const Literal literal : assumptions) {
     solver.add(literal);
     solver.add(0);
   }
+  return true;
 }
 
 /// The proof on its way to the disk. The solver writes it and does not look whether that succeeds.
@@ -61,13 +80,26 @@ class ProofFile {
   }
 
   void close() {
-    if (file_ != nullptr) {
+    if (file_ == nullptr) {
+      return;
+    }
+    if (failed()) {
+      // The system's reason is forgotten by now; it says it again when the next bytes are refused.
+      std::clearerr(file_);
       errno = 0;
-      const bool failed_before = failed();
-      const bool failed_now = std::fclose(std::exchange(file_, nullptr)) != 0;
-      if (failed_before || failed_now) {
-        fail();
-      }
+      (void)std::fputs("0\n", file_);
+      (void)std::fflush(file_);
+      fail();
+    }
+    const long written = std::ftell(file_);
+    errno = 0;
+    if (std::fclose(std::exchange(file_, nullptr)) != 0) {
+      fail();
+    }
+    std::error_code error;
+    if (fs::is_regular_file(path_, error) &&
+        static_cast<std::uintmax_t>(written) != fs::file_size(path_, error)) {
+      fail();  // cut short behind the solver's back
     }
   }
 
@@ -122,7 +154,7 @@ class Terminator final : public CaDiCaL::Terminator {
 }  // namespace
 
 SatResult solve_sat(const Cnf& cnf, std::span<const Literal> assumptions, const SatOptions& options,
-                    RunControl& control) {
+                    RunControl& control) try {
   SatResult result;
   if (control.stop_wanted()) {
     return result;
@@ -132,13 +164,18 @@ SatResult solve_sat(const Cnf& cnf, std::span<const Literal> assumptions, const 
   {
     CaDiCaL::Solver solver;
     set(solver, "quiet", 1);
+    if (cnf.literals().size() > large) {
+      set(solver, "terminateint", 0);  // the solver takes options before anything else only
+    }
     if (proof.file() != nullptr) {
       set(solver, "binary", 0);
       if (!solver.trace_proof(proof.file(), options.proof_path.c_str())) {
         throw InternalError("the SAT solver refuses to write a proof");
       }
     }
-    hand_over(solver, cnf, assumptions);
+    if (!hand_over(solver, cnf, assumptions, control)) {
+      return result;
+    }
     if (options.conflicts) {
       constexpr std::uint32_t most = std::numeric_limits<int>::max();
       if (!solver.limit("conflicts", static_cast<int>(std::min(*options.conflicts, most)))) {
@@ -166,6 +203,10 @@ SatResult solve_sat(const Cnf& cnf, std::span<const Literal> assumptions, const 
   terminator.rethrow();
   proof.close();
   return result;
+} catch (const std::bad_alloc&) {
+  throw MissingResource(
+      fmt::format("not enough memory to solve a formula of {} clauses; ask for something smaller",
+                  cnf.clauses()));
 }
 
 }  // namespace changeover

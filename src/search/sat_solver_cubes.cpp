@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/sat_solver.hpp"
 
 namespace changeover {
@@ -14,6 +15,7 @@ class Lookahead {
   explicit Lookahead(const Cnf& cnf) : value_(cnf.variables() + 1, 0), within_(2 * value_.size()) {
     const std::span<const Literal> all = cnf.literals();
     for (std::size_t begin = 0; begin < all.size();) {
+      ask_now_and_then();
       std::size_t end = begin;
       while (all[end] != 0) {
         within_[index(all[end])].push_back(clauses_.size());
@@ -24,6 +26,7 @@ class Lookahead {
     }
     open_.reserve(clauses_.size());
     for (const auto& clause : clauses_) {
+      ask_now_and_then();
       open_.push_back(clause.size());
       consistent_ = consistent_ && !clause.empty();
       if (clause.size() == 1) {
@@ -55,6 +58,13 @@ class Lookahead {
   }
 
  private:
+  // An exception leaves the counters in disorder; nobody looks at them any more.
+  void ask_now_and_then() {
+    constexpr unsigned often = 1024;
+    if (++steps_ % often == 0) {
+      stop_if_asked();
+    }
+  }
   static std::size_t variable(Literal x) { return static_cast<std::size_t>(x < 0 ? -x : x); }
   static std::size_t index(Literal x) { return 2 * variable(x) + (x < 0 ? 1U : 0U); }
   [[nodiscard]] int value_of(Literal x) const {
@@ -73,6 +83,7 @@ class Lookahead {
   bool propagate() {
     bool consistent = true;
     while (consistent && propagated_ < trail_.size()) {
+      ask_now_and_then();
       const Literal x = trail_[propagated_++];
       for (const std::size_t c : within_[index(-x)]) {
         --open_[c];
@@ -95,6 +106,7 @@ class Lookahead {
   std::vector<Literal> trail_;
   std::size_t propagated_ = 0;
   bool consistent_ = true;
+  unsigned steps_ = 0;
 };
 
 /// The literal to branch on, the half that fixes more first; 0 if there is none.
@@ -106,6 +118,7 @@ Literal best_branch(Lookahead& ahead, std::size_t candidates) {
     if (!ahead.is_open(x)) {
       continue;
     }
+    stop_if_asked();
     std::array<std::size_t, 2> fixes{};
     bool both = true;
     for (const Literal y : {x, -x}) {

@@ -221,6 +221,18 @@ TEST(Drat, StopsWhenItIsToldTo) {
   EXPECT_FALSE(verdict.verified());
 }
 
+// Long before the first step of the proof is read.
+TEST(Drat, StopsWhileItReadsTheFormula) {
+  std::string formula = "p cnf 3 200000\n";
+  for (int i = 0; i < 200'000; ++i) {
+    formula += "1 2 3 0\n";
+  }
+  int asked = 0;
+  const ProofVerdict verdict = check_text(formula, "0\n", {.stop = [&] { return ++asked == 3; }});
+  EXPECT_EQ(verdict.outcome, ProofVerdict::Outcome::stopped);
+  EXPECT_LT(verdict.clauses, 200'000U);
+}
+
 TEST(Drat, SaysWhenItsLimitsDoNotSuffice) {
   EXPECT_THROW((void)check_text(eight, "", {.max_literals = 20}), MissingResource);
   EXPECT_THROW((void)check_proof_files("/nowhere/a.cnf", "/nowhere/a.drat"), MissingResource);

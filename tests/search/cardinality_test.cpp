@@ -26,6 +26,28 @@ std::vector<Literal> chosen(const std::vector<Literal>& literals, unsigned bits)
   return assumptions;
 }
 
+TEST(Cardinality, IsExactlyAsLargeAsItWasForetold) {
+  for (std::size_t size = 0; size <= 20; ++size) {
+    for (std::size_t number = 0; number <= size + 2; ++number) {
+      const auto grown = [&](const auto& add) {
+        Cnf cnf;
+        const auto literals = some_literals(cnf, size);
+        const CnfSize before = cnf.size();
+        add(cnf, literals);
+        const CnfSize after = cnf.size();
+        return CnfSize{after.variables - before.variables, after.clauses - before.clauses,
+                       after.literals - before.literals};
+      };
+      EXPECT_EQ(grown([&](Cnf& cnf, const auto& x) { (void)unary_count(cnf, x, number); }),
+                unary_count_size(size, number));
+      EXPECT_EQ(grown([&](Cnf& cnf, const auto& x) { require_exactly(cnf, x, number); }),
+                exactly_size(size, number));
+      EXPECT_EQ(grown([&](Cnf& cnf, const auto& x) { require_at_most(cnf, x, number); }),
+                at_most_size(size, number));
+    }
+  }
+}
+
 bool possible(const Cnf& cnf, std::vector<Literal> assumptions) {
   RunControl control({});
   return solve_sat(cnf, assumptions, {}, control).answer == SatAnswer::satisfiable;

@@ -242,12 +242,12 @@ TEST(Enumeration, WhatTheCallbackThrowsComesOutFromAnyThread) {
 TEST(Enumeration, TellsProgress) {
   std::atomic<int> told = 0;
   RunControl control({.threads = 2,
-                         .on_progress =
-                             [&](const Progress& progress) {
-                               EXPECT_EQ(progress.unit, "nodes");
-                               ++told;
-                             },
-                         .progress_interval = std::chrono::milliseconds(1)});
+                      .on_progress =
+                          [&](const Progress& progress) {
+                            EXPECT_EQ(progress.unit, "nodes");
+                            ++told;
+                          },
+                      .progress_interval = std::chrono::milliseconds(1)});
   (void)enumerate_designs(parameters(12, 4, 1, Kind::linear), 21, control);
   EXPECT_GT(told, 0);
 }
@@ -263,6 +263,25 @@ TEST(Enumeration, RefusesWhatItCannotDo) {
   Parameters triples = parameters(9, 4, 1, Kind::linear);
   triples.strength = 3;
   EXPECT_THROW((void)enumerate_designs(triples, 9, control), ImpossibleParameters);
+}
+
+TEST(Enumeration, StopsInTimeWhateverIsAsked) {
+  for (const Parameters& p :
+       {parameters(64, 32, 16, Kind::linear), parameters(64, 60, 2, Kind::circular),
+        parameters(64, 8, 3, Kind::circular), parameters(40, 20, 3, Kind::linear)}) {
+    for (const std::uint64_t b : {300U, 4096U}) {
+      RunControl control({.time = std::chrono::milliseconds(100)});
+      const auto begin = RunControl::Clock::now();
+      (void)classify_designs(p, b, {}, control);
+      EXPECT_LT(RunControl::Clock::now() - begin, std::chrono::seconds(10)) << name(p) << ", " << b;
+    }
+  }
+}
+
+TEST(Enumeration, RefusesTablesThatTheMemoryDoesNotHold) {
+  RunControl control({.memory_bytes = 1'000'000});
+  EXPECT_THROW((void)enumerate_designs(parameters(64, 8, 3, Kind::circular), 4096, control),
+               MissingResource);
 }
 
 TEST(Enumeration, WorksUpToSixtyFourElements) {

@@ -4,6 +4,8 @@
 
 #include <map>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "changeover/core/error.hpp"
 #include "changeover/search/sat_solver.hpp"
@@ -101,7 +103,57 @@ TEST(ExactEncoding, IsTheSameEveryTime) {
 
 TEST(ExactEncoding, RefusesImpossibleParametersAndTooLargeOnes) {
   EXPECT_THROW((void)encode_design({.v = 3, .k = 4}, 2), ImpossibleParameters);
-  EXPECT_THROW((void)encode_design({.v = 60'000, .k = 4}, 60'000), ImpossibleParameters);
+  EXPECT_THROW((void)encode_design({.v = 60'000, .k = 4}, 60'000), MissingResource);
+}
+
+// Every (v, k, m, t, kind, b) up to here, with every kind of clauses.
+TEST(ExactEncoding, IsExactlyAsLargeAsItWasForetold) {
+  const std::vector<EncodingOptions> all{{},
+                                         {.order = false, .budget = 0},
+                                         {.degrees = false, .budget = 1},
+                                         {.order = false, .degrees = false, .budget = 100}};
+  std::size_t formulas = 0;
+  for (std::uint64_t v = 2; v <= 8; ++v) {
+    for (std::uint64_t k = 2; k <= v; ++k) {
+      for (std::uint64_t m = 1; m <= k; ++m) {
+        for (std::uint32_t t = 2; t <= std::min<std::uint64_t>(k, max_strength); ++t) {
+          for (const Kind kind : {Kind::linear, Kind::circular}) {
+            const Parameters p{.v = v, .k = k, .change = m, .kind = kind, .strength = t};
+            for (std::uint64_t b = 1; b <= 10; ++b) {
+              for (const EncodingOptions& options : all) {
+                ASSERT_EQ(design_formula_size(p, b, options),
+                          encode_design(p, b, options).cnf().size())
+                    << name(p) << " with " << b << " blocks, budget " << options.budget;
+                ++formulas;
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(formulas, 10'000U);
+}
+
+TEST(ExactEncoding, IsForetoldForLargeParametersToo) {
+  for (const auto& [p, b] : {std::pair{Parameters{.v = 30, .k = 5}, 70U},
+                             std::pair{Parameters{.v = 25, .k = 20, .change = 3}, 9U},
+                             std::pair{Parameters{.v = 40, .k = 3, .kind = Kind::circular}, 9U}}) {
+    EXPECT_EQ(design_formula_size(p, b), encode_design(p, b).cnf().size()) << name(p);
+  }
+}
+
+TEST(ExactEncoding, RefusesAnyAbsurdNumberOfBlocksAtOnce) {
+  for (std::uint64_t b = 1 << 16; b != 0; b <<= 4) {
+    for (const std::uint64_t v : {9U, 1000U, 65'535U}) {
+      for (const std::uint32_t t : {2U, 4U}) {
+        for (const std::uint64_t k : {v / 2, v - 1}) {
+          const Parameters p{.v = v, .k = k, .change = 1, .strength = t};
+          EXPECT_THROW((void)design_formula_size(p, b), MissingResource) << name(p) << ", " << b;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -168,8 +168,8 @@ TEST(Decide, StopsAfterSoManyConflicts) {
 TEST(Decide, StopsWhenTheUserSaysSo) {
   std::atomic<bool> interrupted = false;
   RunControl control({.interrupted = &interrupted,
-                         .on_progress = [&](const Progress&) { interrupted = true; },
-                         .progress_interval = std::chrono::duration<double>(0)});
+                      .on_progress = [&](const Progress&) { interrupted = true; },
+                      .progress_interval = std::chrono::duration<double>(0)});
   const Decision decision = decide({.v = 16, .k = 5, .change = 1}, 29, {}, control);
   EXPECT_EQ(decision.answer, Answer::unknown);
   EXPECT_EQ(decision.why, WhyStopped::interrupted);
@@ -177,7 +177,7 @@ TEST(Decide, StopsWhenTheUserSaysSo) {
 
 TEST(Decide, HandsOnWhatACallbackThrows) {
   RunControl control({.on_progress = [](const Progress&) { throw BadInput("enough"); },
-                         .progress_interval = std::chrono::duration<double>(0)});
+                      .progress_interval = std::chrono::duration<double>(0)});
   EXPECT_THROW((void)decide({.v = 16, .k = 5, .change = 1}, 29, {}, control), BadInput);
 }
 
@@ -244,6 +244,41 @@ TEST(Decide, KnowsTheCornerCases) {
   }
   EXPECT_THROW((void)answer({.v = 5, .k = 4, .change = 1}, 0), BadInput);
   EXPECT_THROW((void)answer({.v = 3, .k = 4, .change = 1}, 2), ImpossibleParameters);
+}
+
+TEST(Decide, RefusesAFormulaThatTheMemoryDoesNotHold) {
+  RunControl control({.memory_bytes = 1'000'000});
+  try {
+    (void)decide({.v = 60, .k = 5}, 300, {}, control);
+    FAIL() << "some gigabytes";
+  } catch (const MissingResource& fault) {
+    EXPECT_THAT(fault.what(), HasSubstr("the formula of linear DCCD(60,5) with 300 blocks"));
+    EXPECT_THAT(fault.what(), HasSubstr("GB"));
+  }
+  EXPECT_EQ(decide({.v = 5, .k = 4, .change = 1}, 3, {}, control).answer, Answer::found);
+}
+
+TEST(Decide, TakesFewerThreadsWhereMemoryIsShort) {
+  const Parameters p{.v = 9, .k = 4, .change = 1};
+  const CnfSize size = design_formula_size(p, 11);
+  const SolvingNeeds two{.split = true, .threads = 2};
+  RunControl control({.memory_bytes = solving_bytes(size, two), .threads = 8});
+  EXPECT_EQ(require_room(p, 11, {}, control), 2U);
+  EXPECT_EQ(decide(p, 11, {}, control).answer, Answer::none);
+}
+
+// Building the formula, splitting it, writing it, handing it to the solver, solving: wherever it is then.
+TEST(Decide, StopsInTimeWhereverItIs) {
+  for (const auto time : {0, 50, 300, 1000}) {
+    for (const unsigned threads : {1U, 2U}) {
+      RunControl control({.time = std::chrono::milliseconds(time), .threads = threads});
+      const auto begin = RunControl::Clock::now();
+      const Decision decision = decide({.v = 40, .k = 5}, 130, {}, control);
+      EXPECT_EQ(decision.answer, Answer::unknown);
+      EXPECT_EQ(decision.why, WhyStopped::time_limit);
+      EXPECT_LT(RunControl::Clock::now() - begin, seconds(10)) << time << " ms";
+    }
+  }
 }
 
 TEST(Decide, NamesFilesByParameters) {

@@ -34,6 +34,22 @@ void expect_minimum(const Parameters& p, std::uint64_t b, const std::optional<De
   }
 }
 
+TEST(FindMinimum, KeepsWhatIsKnownWhenAResourceIsMissing) {
+  const Parameters p{.v = 10, .k = 4, .change = 1};
+  const auto known = from_construction(p);
+  ASSERT_TRUE(known);
+  MinimumOptions options;
+  options.decider = [](std::uint64_t, const ExactOptions&) -> Decision {
+    throw MissingResource("the disk is full");
+  };
+  RunControl control({});
+  const MinimumResult result = find_minimum(p, options, control, known);
+  ASSERT_TRUE(result.best.has_value());
+  EXPECT_EQ(result.why, WhyStopped::fault);
+  EXPECT_THROW(std::rethrow_exception(result.fault), MissingResource);
+  EXPECT_THROW((void)find_minimum(p, options, control), MissingResource);  // nothing to keep
+}
+
 TEST(FindMinimum, ProvesTheKnownMinimaAgain) {
   std::size_t beyond_paper = 0;
   for (const auto& row : test::oracle_minima()) {

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <stdexcept>
+#include <string>
+
 #include "changeover/core/error.hpp"
 #include "changeover/proof/drat.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/search/exact_encoding.hpp"
 #include "run_program.hpp"
 
@@ -57,6 +62,21 @@ TEST(SatSolver, GivesAModel) {
   EXPECT_TRUE(result.is_true(b));
 }
 
+TEST(SatSolver, SolvesALargeFormulaToo) {
+  Cnf cnf;
+  for (int i = 0; i < 2000; ++i) {
+    (void)cnf.new_variable();
+  }
+  for (Literal i = 0; i < 400'000; ++i) {
+    cnf.add({i % 1999 + 1, i % 1999 + 2, -1});
+  }
+  const test::TemporaryFolder folder;
+  for (const std::string& proof : {std::string(), folder.file("a.drat")}) {
+    RunControl control({});
+    EXPECT_EQ(solve_sat(cnf, {}, {.proof_path = proof}, control).answer, SatAnswer::satisfiable);
+  }
+}
+
 TEST(SatSolver, StopsWithItsControl) {
   RunControl control({.time = std::chrono::milliseconds(50)});
   EXPECT_EQ(solve_sat(pigeons(13), {}, {}, control).answer, SatAnswer::unknown);
@@ -87,6 +107,33 @@ TEST(SplitIntoCubes, LeavesNothingOutAndBalances) {
       }
     }
   }
+}
+
+// The terminator is called by the solver, which is no place for an exception to pass through.
+TEST(SatSolver, ThrowsOnWhatACallbackThrowsOnlyAfterwards) {
+  RunControl control(
+      {.on_progress = [](const Progress&) { throw std::runtime_error("a callback"); },
+       .progress_interval = std::chrono::milliseconds(1)});
+  EXPECT_THROW((void)solve_sat(pigeons(11), {}, {}, control), std::runtime_error);
+}
+
+TEST(SatSolver, SaysWhyTheProofCannotBeWritten) {
+  RunControl control({});
+  try {
+    (void)solve_sat(pigeons(9), {}, {.proof_path = "/dev/full"}, control);
+    FAIL() << "a full disk";
+  } catch (const MissingResource& fault) {
+    EXPECT_NE(std::string(fault.what()).find("No space left"), std::string::npos) << fault.what();
+  }
+}
+
+TEST(SplitIntoCubes, StopsWithTheScope) {
+  const DesignFormula formula = encode_design({.v = 30, .k = 5}, 70);
+  RunControl control({.time = std::chrono::milliseconds(20)});
+  const RunScope scope(control);
+  const auto begin = RunControl::Clock::now();
+  EXPECT_THROW((void)split_into_cubes(formula.cnf(), 30 * 70, 12), Stopped);
+  EXPECT_LT(RunControl::Clock::now() - begin, std::chrono::seconds(10));
 }
 
 TEST(SplitIntoCubes, DoesNotSplitWhatIsRefutedOrHasNothingToSplitOn) {

@@ -27,6 +27,28 @@ std::size_t count(const std::string& text, const std::string& part) {
   return times;
 }
 
+TEST(Search, SaysMinimumWhereItsOwnProofsShowIt) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run("$changeover search 6 4 -t 3 --exact --quiet", folder.path());
+  EXPECT_EQ(outcome.code, 10);
+  EXPECT_NE(outcome.out.find("6 blocks: minimum (its 6 blocks are the lower bound: proved"),
+            std::string::npos)
+      << outcome.out;
+}
+
+TEST(Search, AFormulaThatIsTooLargeIsRefusedInOneLine) {
+  const TemporaryFolder folder;
+  for (const char* what :
+       {"65535 4", "65535 4 -b 100", "10 4 -b 65536", "9 4 -b 18446744073709551615"}) {
+    const Outcome outcome =
+        run("$changeover search " + std::string(what) + " --exact --time 60", folder.path());
+    EXPECT_EQ(outcome.code, 4) << what;
+    EXPECT_EQ(outcome.err.rfind("changeover: the formula of ", 0), 0U) << outcome.err;
+    EXPECT_EQ(count(outcome.err, "\n"), 1U) << outcome.err;
+    EXPECT_TRUE(outcome.out.empty());
+  }
+}
+
 TEST(Search, FindsTheMinimumAndKeepsTheProofs) {
   const TemporaryFolder folder;
   const Outcome outcome = run(

@@ -36,7 +36,7 @@ struct ProofOptions {
   ProofFormat format = ProofFormat::text;
   std::uint64_t max_variable = 4'000'000;               ///< a larger number in a file is BadInput
   std::uint64_t max_literals = std::uint64_t{1} << 30;  ///< alive at once; more is MissingResource
-  std::function<bool()> stop = {};  ///< asked every few thousand steps; true ends the check
+  std::function<bool()> stop = {};  ///< asked several times a second, or more; true ends the check
 };
 
 struct ProofVerdict {

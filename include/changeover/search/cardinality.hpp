@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,7 @@
 namespace changeover {
 
 /// Literals that say whether at least 1, 2, …, min(limit, n) of the given ones hold, in both directions.
-/// @throws as Cnf::add(), like the others.
+/// @throws as Cnf::add(), and Stopped as stop_if_asked(), like the others.
 [[nodiscard]] std::vector<Literal> unary_count(Cnf& cnf, std::span<const Literal> literals,
                                                std::size_t limit);
 
@@ -26,5 +27,11 @@ void require_exactly(Cnf& cnf, std::span<const Literal> literals, std::size_t nu
 
 /// At most `number` of the literals hold.
 void require_at_most(Cnf& cnf, std::span<const Literal> literals, std::size_t number);
+
+/// What these three add to a formula, for so many literals. @throws ImpossibleParameters if it is beyond 64 bits.
+/// O(log² literals).
+[[nodiscard]] CnfSize unary_count_size(std::uint64_t literals, std::uint64_t limit);
+[[nodiscard]] CnfSize exactly_size(std::uint64_t literals, std::uint64_t number);
+[[nodiscard]] CnfSize at_most_size(std::uint64_t literals, std::uint64_t number);
 
 }  // namespace changeover

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "changeover/io/sink.hpp"
+#include "changeover/search/cnf_size.hpp"
 
 namespace changeover {
 
@@ -25,16 +26,20 @@ using Literal = std::int32_t;
 
 class Cnf {
  public:
-  /// The next variable, a positive number. @throws ImpossibleParameters beyond 10⁸ variables.
+  /// The next variable, a positive number. @throws MissingResource beyond most_variables.
   Literal new_variable();
 
   /// Adds a clause: one of the literals holds. Without literals it says that there is no solution.
-  /// @throws InternalError if a literal is 0 or of no variable; ImpossibleParameters beyond 2³¹ literals.
+  /// @throws InternalError if a literal is 0 or of no variable; MissingResource beyond most_literals.
   void add(std::span<const Literal> clause);
   void add(std::initializer_list<Literal> clause) { add({clause.begin(), clause.size()}); }
 
+  /// Makes room for a formula of this size, so that it is never held twice while it grows.
+  void reserve(const CnfSize& size);
+
   [[nodiscard]] std::size_t variables() const { return variables_; }
   [[nodiscard]] std::size_t clauses() const { return clauses_; }
+  [[nodiscard]] CnfSize size() const { return {variables_, clauses_, literals_.size()}; }
 
   /// The clauses one after another, each ended by 0.
   [[nodiscard]] std::span<const Literal> literals() const { return literals_; }

@@ -81,9 +81,17 @@ struct Decision {
   std::chrono::duration<double> time{};
 };
 
+/// Checks, before long work, that decide() would have what it needs: memory that the control allows, where the
+/// formula is counted and not built, and the folder for proofs, which is made if it is missing. Returns the threads
+/// that the memory allows, those of the control or fewer.
+/// @throws ImpossibleParameters as check(); MissingResource; Stopped as stop_if_asked(). As fast as
+/// design_formula_size().
+unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& options,
+                      const RunControl& control);
+
 /// Decides whether there is a design with exactly b ≥ 1 blocks.
-/// @throws ImpossibleParameters as check(), or if the formula would be too large; BadInput if b = 0;
-/// MissingResource if a file cannot be written whole; InternalError if a design does not verify or a proof does
+/// @throws ImpossibleParameters as check(); BadInput if b = 0; MissingResource if the formula is too large, or if a
+/// file cannot be written whole and no design was found meanwhile; InternalError if a design does not verify or a proof does
 /// not check. Bound by: the solver; checking takes about as long again.
 [[nodiscard]] Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,
                               RunControl& control);

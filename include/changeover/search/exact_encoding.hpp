@@ -28,10 +28,12 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/search/cnf.hpp"
+#include "changeover/search/cnf_size.hpp"
 
 namespace changeover {
 
@@ -66,8 +68,16 @@ class DesignFormula {
   Cnf cnf_;
 };
 
+/// How large encode_design() makes the formula, exactly, without building it. @throws ImpossibleParameters as
+/// check(); MissingResource if it is more than Cnf holds. O(b) at worst, and then b is below 10⁸.
+[[nodiscard]] CnfSize design_formula_size(const Parameters& p, std::uint64_t b,
+                                          const EncodingOptions& options = {});
+
+/// "the formula of DCCD(60,5) with 253 blocks", for messages.
+[[nodiscard]] std::string formula_name(const Parameters& p, std::uint64_t b);
+
 /// The formula for exactly b ≥ 1 blocks, of O(b·C(v,t)) clauses and those of the counts.
-/// @throws ImpossibleParameters as check(), and if it would have more than 10⁸ variables or 2³¹ literals.
+/// @throws as design_formula_size(), and Stopped as stop_if_asked().
 [[nodiscard]] DesignFormula encode_design(const Parameters& p, std::uint64_t b,
                                           const EncodingOptions& options = {});
 

@@ -51,8 +51,10 @@ struct MinimaRange {
 };
 
 /// Fills in what is missing of the range, the smallest v first, so that easy rows come before hard ones, and
-/// calls on_row after each new row. Rows stay in the order of strength, m, kind, k and v.
-/// @throws as find_minimum() and plan_range().
+/// calls on_row after each new row. Rows stay in the order of strength, m, kind, k and v. With a control that has
+/// stopped only rows are filled in that need no search. Ends early, without an exception, where the scope of
+/// the caller stops (run/scope.hpp).
+/// @throws as find_minimum() and plan_range(), and a MissingResource that ended a search; the rows until then stay.
 void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
                  const MinimumOptions& options, RunControl& control,
                  const std::function<void(const MinimaRow&)>& on_row);
@@ -64,6 +66,9 @@ void write_minima(const std::vector<MinimaRow>& rows, Sink& sink);
 /// The rows in their order. @throws BadInput with the line if the text is not what write_minima() writes;
 /// MissingResource if reading fails.
 [[nodiscard]] std::vector<MinimaRow> read_minima(Input& input);
+
+/// One object whose "minima" are the rows, in their order.
+[[nodiscard]] std::string minima_json(const std::vector<MinimaRow>& rows);
 
 /// Markdown: tables of minima by v and k, of the proofs and of what is open.
 [[nodiscard]] std::string minima_markdown(const std::vector<MinimaRow>& rows);

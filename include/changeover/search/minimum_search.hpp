@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
@@ -39,6 +40,9 @@ struct MinimumResult {
   std::optional<Design> best = {};             ///< the given design, or a better one
   std::vector<Decision> steps = {};            ///< in the order of the walk
   WhyStopped why = WhyStopped::running;  ///< exhausted if settled or impossible; the limit if not
+  /// A MissingResource that ended the walk before its time, if something is known all the same: `best`, or steps.
+  /// Show what is known, then throw it on.
+  std::exception_ptr fault = {};
   std::chrono::duration<double> time{};
 
   /// The number of blocks of `best`.
@@ -51,7 +55,9 @@ struct MinimumResult {
 [[nodiscard]] Bound lower_bound_on_paper(const Parameters& p);
 
 /// Walks up to the minimum. `known` is a design with these parameters, from a construction say; it is verified.
-/// @throws as decide(), and BadInput if `known` is not a design with these parameters. Bound by: decide().
+/// What is stopped while `known` is verified or bounds are looked for goes on without: one block is a bound.
+/// @throws as decide() if nothing is known by then, and BadInput if `known` is not a design with these
+/// parameters. Bound by: decide().
 [[nodiscard]] MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
                                          RunControl& control,
                                          const std::optional<Design>& known = std::nullopt);

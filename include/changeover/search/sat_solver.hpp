@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "changeover/proof/cubes.hpp"
-#include "changeover/search/cnf.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/search/cnf.hpp"
 
 namespace changeover {
 
@@ -24,8 +24,8 @@ namespace changeover {
 enum class SatAnswer : std::uint8_t { satisfiable, unsatisfiable, unknown };
 
 struct SatOptions {
-  std::string proof_path = {};   ///< an existing file that the proof replaces; empty: no proof
-  Progress progress = {};  ///< told while solving; its steps are the kilobytes of the proof
+  std::string proof_path = {};  ///< an existing file that the proof replaces; empty: no proof
+  Progress progress = {};       ///< told while solving; its steps are the kilobytes of the proof
   /// After so many conflicts the solver gives up: a limit that does not depend on the machine.
   std::optional<std::uint32_t> conflicts = {};
 };
@@ -41,7 +41,7 @@ struct SatResult {
 };
 
 /// Decides a formula. Deterministic unless it is stopped.
-/// @throws MissingResource if the proof cannot be written whole; InternalError if the solver lacks an option
+/// @throws MissingResource if the proof cannot be written whole, or memory does not suffice; InternalError if the solver lacks an option
 /// that proofs need; whatever the control's callback throws. Bound by: the solver; exponential at worst.
 [[nodiscard]] SatResult solve_sat(const Cnf& cnf, std::span<const Literal> assumptions,
                                   const SatOptions& options, RunControl& control);
@@ -50,7 +50,7 @@ struct SatResult {
 /// on one of the variables 1 … candidates, the one of which both values fix most others by unit
 /// propagation, looking ahead [HeuleKullmannWieringaBiere2011]. Where every value of every candidate is known
 /// or refuted, a branch ends early. Deterministic.
-/// @throws InternalError if there are fewer variables than candidates. O(2^depth · candidates) propagations.
+/// @throws InternalError if there are fewer variables than candidates; Stopped as stop_if_asked(). O(2^depth · candidates) propagations.
 [[nodiscard]] std::vector<Cube> split_into_cubes(const Cnf& cnf, std::size_t candidates,
                                                  unsigned depth);
 
