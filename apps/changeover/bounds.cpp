@@ -103,7 +103,7 @@ int run(const BoundsRequest& request) {
       all += text(each);
     }
   }
-  deliver(all, request.output.path);
+  deliver(all, request.output);
   return exit_code::done;
 }
 

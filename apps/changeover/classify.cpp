@@ -218,7 +218,7 @@ int run(const ClassifyRequest& request) {
     answer.seconds = running.control().elapsed().count();
   }
   if (Team::world().first()) {
-    deliver(request.output.chosen() == "json" ? json(answer) : text(answer), request.output.path);
+    deliver(request.output.chosen() == "json" ? json(answer) : text(answer), request.output);
   }
   return answer.complete() ? exit_code::done : exit_code::limit_reached;
 }
@@ -234,9 +234,7 @@ void add_classify(Program& program) {
   verb.flag(
       "--designs", request->designs,
       fmt::format("show a design of every class, not only of the first {}", shown_by_default));
-  verb.option("--time", request->run.time, "DURATION", "stop after so long (default no limit)");
-  verb.option("--threads", request->run.threads, "N", "threads to use (default: all cores)");
-  verb.flag("--quiet", request->run.quiet, "no progress on stderr");
+  request->run.add_limits_to(verb, "", request->output);
   request->output.add_to(verb, {"text", "json"});
   verb.examples({"changeover classify 12 4 21 --change 1      2554 standard forms",
                  "changeover classify 9 4 12 --change 1 --circular --json",

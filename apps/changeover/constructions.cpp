@@ -60,7 +60,7 @@ void add_constructions(Program& program) {
     deliver(format == "json"       ? as_json()
             : format == "markdown" ? as_markdown()
                                    : as_text(),
-            output->path);
+            *output);
     return exit_code::done;
   });
 }

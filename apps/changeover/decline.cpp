@@ -62,7 +62,7 @@ int decline(const std::vector<Parameters>& asked, const std::string& constructio
     json.end_array().end_object();
     text = json.take() + "\n";
   }
-  deliver(text, "-");
+  deliver(text, output.words());
   return exit_code::missing_resource;
 }
 

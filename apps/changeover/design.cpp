@@ -35,7 +35,10 @@ int run(const DesignRequest& request) {
   if (!offer) {
     return decline(asked, request.construction, request.output);
   }
-  check_format(offer->recipe.parameters, offer->b, request.output);
+  if (const auto defect =
+          format_defect(offer->recipe.parameters, offer->b, request.output.chosen())) {
+    throw UsageError{*defect};
+  }
   const Construction& construction = *registry.find(offer->recipe.construction);
   const std::unique_ptr<BlockSource> source = registry.build(offer->recipe);
   std::optional<Judgement> judgement = judge_at_once(*source, *offer);

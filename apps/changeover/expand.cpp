@@ -121,7 +121,7 @@ int report(const ExpandRequest& request, const Design& design) {
       text += fmt::format("no expansion set found: {}\n", no_more(search));
     }
   }
-  deliver(text, request.output.path);
+  deliver(text, request.output);
   return exit_code::done;
 }
 

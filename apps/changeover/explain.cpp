@@ -113,7 +113,7 @@ int run(const ExplainRequest& request) {
       text += "other constructions\n" + others;
     }
   }
-  deliver(text, request.output.path);
+  deliver(text, request.output);
   return exit_code::done;
 }
 

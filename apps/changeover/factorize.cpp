@@ -115,7 +115,7 @@ int run(const FactorizeRequest& request) {
   } else {
     text = as_text(found);
   }
-  deliver(text, request.output.path);
+  deliver(text, request.output);
   return exit_code::done;
 }
 

@@ -100,7 +100,7 @@ int run(const MinimaRequest& request) {
   }
   std::erase_if(rows, [&](const MinimaRow& row) { return !request.shows(row); });
   deliver(request.output.chosen() == "json" ? minima_json(rows) : minima_markdown(rows),
-          request.output.path);
+          request.output);
   return exit_code::done;
 }
 
@@ -119,9 +119,7 @@ void add_minima(Program& program) {
               fmt::format("from 2 to {} (new rows: 2; shown: all)", max_strength));
   verb.option("--conflicts", request->conflicts, "N",
               "work on one number of blocks, in conflicts of the solver (default 100000)");
-  verb.option("--time", request->run.time, "DURATION",
-              "search so long for new rows (default: only show the table)");
-  verb.flag("--quiet", request->run.quiet, "no progress on stderr");
+  request->run.add_limits_to(verb, "0s", request->output);
   request->output.add_to(verb, {"markdown", "json"});
   verb.examples({"changeover minima --v 10                   what needs no search, and minima.csv",
                  "changeover minima --time 10m -o minima.md  go on with minima.csv"});

@@ -37,7 +37,7 @@ int run(const PaperRequest& request) {
   deliver(format == "json"       ? render_json(report)
           : format == "markdown" ? render_markdown(report)
                                  : render_text(report),
-          request.output.path);
+          request.output);
   return exit_code::done;
 }
 

@@ -202,7 +202,7 @@ int run(const PlanRequest& request) {
     text = plan_text(document, format, width);
   }
   running.finish();
-  deliver(text, request.output.path);
+  deliver(text, request.output);
   if (shortage) {
     throw MissingResource("the plan may not be the best that could be found: " + *shortage);
   }

@@ -47,6 +47,13 @@ struct OutputRequest {
   /// The chosen format; --json is --format json. @throws UsageError if they contradict each other.
   [[nodiscard]] std::string chosen() const;
 
+  /// The same for words that are no design: they go to standard output even where a FILE was named.
+  [[nodiscard]] OutputRequest words() const {
+    OutputRequest words = *this;
+    words.path.clear();
+    return words;
+  }
+
   /// Tries whether FILE can be written, so that long work is not done in vain. @throws MissingResource.
   void check_writable() const;
 };

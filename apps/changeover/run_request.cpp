@@ -81,6 +81,11 @@ std::uint64_t parse_size(const std::string& text, const std::string& option) {
 }
 
 void RunRequest::add_to(Verb& verb, const std::string& limit, OutputRequest& output) {
+  add_limits_to(verb, limit, output);
+  verb.option("--seed", seed, "N", "of the random numbers (default 1)");
+}
+
+void RunRequest::add_limits_to(Verb& verb, const std::string& limit, OutputRequest& output) {
   default_time = limit;
   output.precious = true;
   verb.option("--time", time, "DURATION",
@@ -90,7 +95,6 @@ void RunRequest::add_to(Verb& verb, const std::string& limit, OutputRequest& out
   verb.option("--memory", memory, "SIZE",
               "refuse tables and formulas above it, e.g. 4G (default: half of the machine's)");
   verb.option("--threads", threads, "N", "threads to use (default: all cores)");
-  verb.option("--seed", seed, "N", "of the random numbers (default 1)");
   verb.flag("--quiet", quiet, "no progress on stderr");
 }
 

@@ -38,6 +38,9 @@ struct RunRequest {
   /// `default_time` as in "60s", or "" for no limit. What is searched for is precious to `output`.
   void add_to(Verb& verb, const std::string& default_time, OutputRequest& output);
 
+  /// The same without --seed, for what draws no random numbers.
+  void add_limits_to(Verb& verb, const std::string& default_time, OutputRequest& output);
+
   /// The options as they would be typed, for provenance: "--seed 7 --threads 2 --time 60s".
   [[nodiscard]] std::string command() const;
 

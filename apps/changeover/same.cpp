@@ -105,7 +105,7 @@ int run(const SameRequest& request) {
   const Design other = read_design(request.other, options);
   const Answer answer = compare(one, other, {.rotation = true, .reversal = request.reversal});
   deliver(request.output.chosen() == "json" ? json(answer, one, other) : text(answer, one, other),
-          request.output.path);
+          request.output);
   return answer.map ? exit_code::done : exit_code::refuted;
 }
 

@@ -78,9 +78,9 @@ std::string checkpoint_of(const SearchRequest& request, std::uint64_t process) {
 
 void show_none(const SearchRequest& request, const std::string& words, const std::string& json) {
   if (request.output.chosen() == "json") {
-    deliver(json + "\n", request.output.path);
+    deliver(json + "\n", request.output);
   } else {
-    deliver(words + "\n", "-");
+    deliver(words + "\n", request.output.words());
   }
 }
 

@@ -248,7 +248,7 @@ void show(const SearchRequest& request, const MinimumResult& result) {
   const Parameters& p = result.parameters;
   const bool settled = !request.blocks && result.settled();
   if (request.output.chosen() == "json") {
-    deliver(to_json(result, settled), request.output.path);
+    deliver(to_json(result, settled), request.output);
     return;
   }
   std::vector<std::string> lines;
@@ -278,7 +278,7 @@ void show(const SearchRequest& request, const MinimumResult& result) {
   for (const std::string& line : lines) {
     text += line + "\n";
   }
-  deliver(text, "-");
+  deliver(text, request.output.words());
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ void show_list(const Design& arranged, const Ordered& ordered, const SearchReque
       json.end_array();
     }
     json.end_array().end_object();
-    deliver(json.take() + "\n", request.output.path);
+    deliver(json.take() + "\n", request.output);
     return;
   }
   std::string text;
@@ -55,7 +55,7 @@ void show_list(const Design& arranged, const Ordered& ordered, const SearchReque
     }
     text += "\n";
   }
-  deliver(text, request.output.path);
+  deliver(text, request.output);
 }
 
 int decline(const SearchRequest& request, const std::string& words, int code) {

@@ -63,29 +63,33 @@ const std::vector<std::string>& design_formats() {
   return formats;
 }
 
-void check_format(const Parameters& p, std::uint64_t b, const OutputRequest& output) {
+std::optional<std::string> format_defect(const Parameters& p, std::uint64_t b,
+                                         const std::string& format) {
   constexpr std::uint64_t most_blocks = 1'000'000;
   constexpr std::uint64_t most_elements = 20'000'000;
   constexpr std::uint64_t most_points = 1000;
-  const std::string format = output.chosen();
   if (format == "text" || format == "json" || format == "csv") {
-    return;
+    return std::nullopt;
   }
   if ((format == "svg" || format == "tikz") && p.v > most_points) {
-    throw UsageError{
-        fmt::format("--format {}: a picture has at most {} points, not v = {}; use --format text",
-                    format, most_points, p.v)};
+    return fmt::format("--format {}: a picture has at most {} points, not v = {}; use --format text",
+                       format, most_points, p.v);
   }
   if (b > most_blocks || b > most_elements / p.k) {
-    throw UsageError{
-        fmt::format("--format {}: {} of {} are too many to lay out; use --format text -o FILE",
-                    format, count_of(b, "block"), count_of(p.k, "element"))};
+    return fmt::format("--format {}: {} of {} are too many to lay out; use --format text -o FILE",
+                       format, count_of(b, "block"), count_of(p.k, "element"));
   }
+  return std::nullopt;
 }
 
 void show_design(BlockSource& source, const Exhibit& exhibit, const OutputRequest& output) {
+  std::string format = output.chosen();
   if (const auto b = source.block_count()) {
-    check_format(source.parameters(), *b, output);
+    const auto defect = format_defect(source.parameters(), *b, format);
+    if (defect && !output.precious) {
+      throw UsageError{*defect};
+    }
+    format = defect ? "text" : format;  // What a search found is not lost for its size.
   }
   bool begun = false;
   deliver(output, [&](OutputFile& out) {
@@ -93,7 +97,7 @@ void show_design(BlockSource& source, const Exhibit& exhibit, const OutputReques
       throw InternalError("a design that cannot be read twice");
     }
     begun = true;
-    write_design(source, exhibit, output.chosen(), out);
+    write_design(source, exhibit, format, out);
   });
 }
 

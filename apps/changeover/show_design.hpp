@@ -26,12 +26,14 @@ struct Exhibit {
   bool leaving = false;                      ///< mark leaving elements too
 };
 
-/// Whether a design of that size can be written in the chosen format: tables and LaTeX hold all blocks in
-/// memory, pictures have a limited number of points. @throws UsageError with one line.
-void check_format(const Parameters& p, std::uint64_t b, const OutputRequest& output);
+/// Why a design of that size cannot be written in a format: tables and LaTeX hold all blocks in memory,
+/// pictures have a limited number of points.
+[[nodiscard]] std::optional<std::string> format_defect(const Parameters& p, std::uint64_t b,
+                                                       const std::string& format);
 
-/// Writes the design that `source` streams to the output that was asked for, and commits it.
-/// @throws UsageError as check_format().
+/// Writes the design that `source` streams to the output that was asked for, and commits it. One that is
+/// too large for the format is written as text if a search found it (OutputRequest::precious).
+/// @throws UsageError with the defect of the format otherwise.
 void show_design(BlockSource& source, const Exhibit& exhibit, const OutputRequest& output);
 
 /// Whether the chosen output can begin before the verdict is known: see judge() in request.hpp. Text and

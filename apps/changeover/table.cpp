@@ -229,7 +229,7 @@ int run(const TableRequest& request) {
   if (format == "json" || format == "csv") {
     text = format == "json" ? as_json(all) : as_csv(all);
   }
-  deliver(text, request.output.path);
+  deliver(text, request.output);
   return exit_code::done;
 }
 

@@ -169,7 +169,7 @@ int run(const VerifyRequest& request) {
       add_elements(verdict, labels, text);
     }
   }
-  deliver(text, request.output.path);
+  deliver(text, request.output);
   return verdict.valid() ? exit_code::done : exit_code::refuted;
 }
 

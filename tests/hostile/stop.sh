@@ -20,7 +20,7 @@ questions=(
   '*both|classify 40 6' 'both|classify 12 5 19 -m 1' '*both|loadorder --items 3000 --room 12'
   'both|search 200 8 --base-blocks' 'both|search 1001 4 --base-blocks --tight'
   'both|search --extend part.txt' 'both|search --repair broken.txt' '*ask|table --k 3..60 --v 5..900'
-  '*ask|design 65535 4 -o x.txt' 'ask|design 65535 3 -o x.txt' 'ask|explain 65535 4' 'ask|bounds 65535 4'
+  '*ask|design 65535 4 --format text -o x.txt' 'ask|design 65535 3 --format text -o x.txt' 'ask|explain 65535 4' 'ask|bounds 65535 4'
   'ask|expand large.txt --count' 'ask|expand large.txt --partial' 'ask|expand large.txt -w 0'
   'ask|verify long.txt -t 4 -v 600' 'ask|same large.txt large.txt' 'ask|factorize 20000 -o x.txt'
   '*time|minima --v 16' 'ask|minima --v 16 --time 60'
