@@ -79,11 +79,12 @@ int run(const MinimaRequest& request) {
       std::min(request.conflicts.value_or(usual_conflicts), most_conflicts));
   options.tries_above = 1;
   RunRequest limits = request.run;
-  limits.time = searches ? limits.time : "";
+  if (!searches) {
+    limits.time = limits.default_time = "";  // What needs no search is found whatever it takes.
+  }
   limits.threads = 1;  // so that the table is the same everywhere
   {
     Running running(limits, request.output);
-    const RunScope scope(running.control());
     if (saves) {
       save();  // not only after the work, if it is in vain
     }

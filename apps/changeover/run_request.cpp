@@ -159,7 +159,9 @@ Running::Running(const RunRequest& request, const OutputRequest& output)
   ::sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < State::signals.size(); ++i) {
     ::sigaction(State::signals[i], nullptr, &state_->old_actions[i]);
-    if (state_->old_actions[i].sa_handler != SIG_IGN) {  // as nohup has it
+    const bool by_nohup =
+        State::signals[i] == SIGHUP && state_->old_actions[i].sa_handler == SIG_IGN;
+    if (!by_nohup) {
       ::sigaction(State::signals[i], &action, nullptr);
     }
   }

@@ -1,11 +1,13 @@
 // changeover search V K: fewer blocks by local search.
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <chrono>
 
 #include "changeover/core/error.hpp"
+#include "changeover/core/printable.hpp"
 #include "changeover/search/local_search.hpp"
 #include "search_request.hpp"
+#include "status_line.hpp"
 #include "team.hpp"
 
 namespace changeover::cli {
@@ -59,7 +61,18 @@ void say_unsearched(const SearchRequest& request, SearchFind& find, const std::s
   if (request.output.chosen() == "table") {
     find.lines.push_back(line);
   } else {
-    std::fputs(("changeover: " + line + "\n").c_str(), stderr);
+    status_line().say("changeover: " + printable(line));
+  }
+}
+
+// nullopt if it was stopped before that.
+std::optional<Bound> bound_in_time(const Parameters& p, RunControl& control) {
+  constexpr std::chrono::seconds patience{1};
+  const RunGrace grace(control, patience);
+  try {
+    return lower_bound(p);
+  } catch (const Stopped&) {
+    return std::nullopt;
   }
 }
 
@@ -79,22 +92,27 @@ int search_locally(const SearchRequest& request) {
   if (const auto reason = impossibility(p)) {
     return decline(request, p, *reason);
   }
-  const Bound bound = lower_bound(p);
-  if (request.blocks && *request.blocks < bound.blocks) {
-    return decline(request, p, bound.reason);
+  Running running(request.run, request.output);
+  const std::optional<Bound> bound = bound_in_time(p, running.control());
+  if (bound && request.blocks && *request.blocks < bound->blocks) {
+    return decline(request, p, bound->reason);
   }
   ImproveOptions options;
   options.target = request.blocks;
   if (!request.checkpoint.empty()) {
     options.checkpoint = checkpoint_of(request, Team::world().index());
   }
-  Running running(request.run, request.output);
-  ImproveResult result = improve(p, options, running.control());
+  ImproveResult result;
+  if (bound) {
+    result = improve(p, options, running.control());
+  } else {
+    result.why_stopped = running.control().why_stopped();
+  }
   share_best(result, p);
   running.finish();
 
   const std::optional<std::uint64_t> before = result.started_from;
-  const std::uint64_t wanted = request.blocks.value_or(bound.blocks);
+  const std::uint64_t wanted = request.blocks.value_or(bound ? bound->blocks : 1);
   const bool better = result.design && (!before || result.design->block_count() < *before);
   const bool reached = result.design && result.design->block_count() <= wanted;
   const int code =
@@ -103,10 +121,12 @@ int search_locally(const SearchRequest& request) {
     return code;
   }
   if (!result.design) {
-    say_none(request, fmt::format("No {} yet: stopped ({}) before there was one; at "
-                                  "least {}: {}",
-                                  name(p), to_string(result.why_stopped),
-                                  count_of(bound.blocks, "block"), bound.reason));
+    say_none(request,
+             fmt::format("No {} yet: stopped ({}) before there was one{}", name(p),
+                         to_string(result.why_stopped),
+                         bound ? fmt::format("; at least {}: {}", count_of(bound->blocks, "block"),
+                                             bound->reason)
+                               : std::string(".")));
     return code;
   }
   const double seconds = result.elapsed.count();

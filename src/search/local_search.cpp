@@ -119,7 +119,7 @@ class Improver {
   void take_known() {
     try {
       if (auto known = best_known_design(parameters_)) {
-        take(*std::move(known), "best recipe");
+        take_verified(*std::move(known), "best recipe");
       }
     } catch (const MissingResource&) {
       if (!best_) {
@@ -140,12 +140,24 @@ class Improver {
   // Keeps a design if it is better, stopped or not. Under the lock, or before there are threads.
   bool take(Design design, const std::string& how) {
     const RunGrace to_the_end(control_);
-    if (best_ && best_->block_count() <= design.block_count()) {
+    if (!is_better(design)) {
       return false;
     }
     if (design.parameters() != parameters_ || !verify(design).valid()) {
       throw InternalError(
           fmt::format("local search found a {} that is none: {}", name(parameters_), how));
+    }
+    return take_verified(std::move(design), how);
+  }
+
+  [[nodiscard]] bool is_better(const Design& design) const {
+    return !best_ || design.block_count() < best_->block_count();
+  }
+
+  // The same for one that was verified as it was made; that takes seconds if it is long.
+  bool take_verified(Design design, const std::string& how) {
+    if (!is_better(design)) {
+      return false;
     }
     best_ = std::move(design);
     best_blocks_ = best_->block_count();
@@ -478,10 +490,6 @@ class Improver {
     result.checkpoint_fault = checkpoint_fault_;
     if (!best_) {
       return result;
-    }
-    const RunGrace to_the_end(control_);
-    if (!verify(*best_).valid()) {
-      throw InternalError(fmt::format("the {} that was kept is none", name(parameters_)));
     }
     result.design = std::move(best_);
     return result;

@@ -116,6 +116,9 @@ TEST(Improve, TellsHowFarItIs) {
   const ImproveResult found = search({.v = 47, .k = 9, .change = 1}, {.moves = 2'000'000},
                                      {.on_progress =
                                           [&](const Progress& progress) {
+                                            if (!progress.lower_bound) {
+                                              return;  // It looks for a design to start from.
+                                            }
                                             phases.insert(progress.phase);
                                             least_bound =
                                                 std::min(least_bound, progress.lower_bound.value());

@@ -81,6 +81,7 @@ const std::vector<Case>& cases() {
       // 1: the claim was refuted
       {"$changeover verify broken-link.txt", 1, "the circle closes"},
       {"$changeover verify missing-pair.txt", 1, "in no block"},
+      {"$changeover verify huge.txt", 1, "{0,99999999999999999999999999}"},  // a label
       {"$changeover verify good.txt --change 1", 1, "INVALID"},
       {"$checkdesign broken-link.txt", 1, "invalid"},
       // 2: usage
@@ -115,7 +116,6 @@ const std::vector<Case>& cases() {
       {"$changeover verify ragged.txt", 3, "ragged.txt:2"},
       {"$changeover verify repeated.txt", 3, "repeated.txt:2:5"},
       {"$changeover verify too-large.txt", 3, "too-large.txt:3:3"},
-      {"$changeover verify huge.txt", 3, "huge.txt:2:3"},
       {"$changeover verify junk.bin", 3, "junk.bin:1"},
       {"$changeover verify bad.json", 3, "bad.json:2"},
       {"$changeover verify cut.json", 3, "cut.json:1"},
@@ -264,7 +264,7 @@ TEST(Output, HasNoColourUnlessATerminalAsksForIt) {
 TEST(Completion, IsAScriptThatBashReadsAndThatKnowsTheVerbs) {
   const TemporaryFolder folder;
   const Outcome outcome =
-      run("source <($changeover completion bash); COMP_WORDS=(changeover des); COMP_CWORD=1; "
+      run("source <($changeover completion bash); COMP_WORDS=(changeover desi); COMP_CWORD=1; "
           "_changeover; "
           "echo ${COMPREPLY[@]}; COMP_WORDS=(changeover design 7 3 --format l); COMP_CWORD=5; "
           "_changeover; "
