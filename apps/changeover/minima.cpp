@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
 #include "changeover/search/minima_table.hpp"
 #include "request.hpp"
 #include "run_request.hpp"

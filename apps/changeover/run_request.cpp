@@ -8,6 +8,7 @@
 #include <atomic>
 #include <charconv>
 #include <csignal>
+#include <ctime>
 #include <thread>
 
 #include "changeover/run/scope.hpp"
@@ -21,11 +22,20 @@ namespace {
 using Seconds = std::chrono::duration<double>;
 
 std::atomic<bool> interrupted = false;
+std::atomic<std::int64_t> first_asked = 0;  // milliseconds of the monotonic clock
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it");
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "a signal handler sets it");
 
-// The first signal asks, the next one ends the process.
+// The first signal asks, the next one ends the process: unless it is the same once more, for whoever stops
+// a process and then its whole group (timeout does) signals it twice.
 void ask_to_stop(int signal) {
-  if (interrupted.exchange(true)) {
+  constexpr std::int64_t at_once = 200;
+  timespec time{};
+  ::clock_gettime(CLOCK_MONOTONIC, &time);
+  const std::int64_t now = std::int64_t{time.tv_sec} * 1000 + time.tv_nsec / 1'000'000;
+  if (!interrupted.exchange(true)) {
+    first_asked = now;
+  } else if (now - first_asked > at_once) {
     remove_unfinished_outputs();
     ::signal(signal, SIG_DFL);
     ::raise(signal);

@@ -5,6 +5,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/printable.hpp"
+#include "changeover/run/grace.hpp"
 #include "changeover/search/local_search.hpp"
 #include "search_request.hpp"
 #include "status_line.hpp"
