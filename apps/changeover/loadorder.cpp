@@ -199,7 +199,9 @@ std::string over(double gap, std::uint64_t bound) {
 // Follows what is written when not every step was read before.
 class Audit {
  public:
-  Audit(const LoadOrderFacts& facts, std::uint64_t seed) : facts_(facts) {
+  /// `loads` of all workers together.
+  Audit(const LoadOrderFacts& facts, std::uint64_t loads, std::uint64_t seed)
+      : facts_(facts), loads_(loads) {
     if (!facts.every_step_read) {
       LoadCheckOptions options;
       options.all_pairs = false;
@@ -211,6 +213,13 @@ class Audit {
   [[nodiscard]] std::string text() const {
     return check_ ? facts_.certificate + "; 64 items are followed while it is written"
                   : facts_.certificate;
+  }
+
+  /// The next worker begins.
+  void start_over() {
+    if (check_) {
+      check_->start_over();
+    }
   }
 
   void read(const LoadStep& step) {
@@ -225,7 +234,7 @@ class Audit {
       return;
     }
     const LoadVerdict verdict = check_->finish();
-    if (!verdict.valid() || verdict.loads != facts_.loads) {
+    if (!verdict.valid() || verdict.loads != loads_) {
       throw InternalError(
           fmt::format("the load order is wrong: {}{}", verdict.fault, verdict.uncovered_example));
     }
@@ -233,6 +242,7 @@ class Audit {
 
  private:
   const LoadOrderFacts& facts_;
+  std::uint64_t loads_;
   std::optional<LoadCheck> check_;
 };
 
@@ -261,7 +271,7 @@ std::string hint(const LoadOrderRequest& request, const LoadOrderFacts& facts) {
 void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFile& out) {
   const LoadOrderFacts& facts = order.facts();
   const std::string format = request.format();
-  Audit audit(facts, request.run.seed.value_or(1));
+  Audit audit(facts, facts.loads, request.run.seed.value_or(1));
   StepWriter writer(out, format, false, false);
   if (format == "jsonl") {
     JsonWriter json = head_of(facts, facts.bound, facts.items, facts.room, facts.loads);
@@ -292,13 +302,15 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
   const double gap =
       static_cast<double>(facts.makespan) / static_cast<double>(facts.makespan_bound.loads) - 1;
   StepWriter writer(out, format, true, false);
+  // Groups of items have small orders, which were read.
+  Audit audit(whole, facts.loads, request.run.seed.value_or(1));
   if (format == "jsonl") {
     JsonWriter json = head_of(whole, load_lower_bound(facts.items, facts.room), facts.items,
                               facts.room, facts.loads);
     json.key("workers").value(facts.workers.size()).key("makespan").value(facts.makespan);
     json.key("makespan_bound").value(facts.makespan_bound.loads);
     json.key("makespan_bound_reason").value(facts.makespan_bound.reason);
-    json.key("groups").value(facts.groups).key("verified").value(facts.certificate);
+    json.key("groups").value(facts.groups).key("verified").value(audit.text());
     json.key("worker_loads").begin_array();
     for (const WorkerFacts& worker : facts.workers) {
       json.value(worker.loads);
@@ -315,7 +327,7 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
                                         : fmt::format("items in {} groups, room for {} groups\n",
                                                       facts.groups, facts.group_room);
     text += fmt::format("{}: {}\nbound: {}\nverified: {}\n", whole.method, whole.explanation,
-                        facts.makespan_bound.reason, facts.certificate);
+                        facts.makespan_bound.reason, audit.text());
     for (std::size_t w = 0; w < facts.workers.size(); ++w) {
       text += fmt::format("worker {}: {} in {}\n", w, count_of(facts.workers[w].loads, "load"),
                           count_of(facts.workers[w].steps, "step"));
@@ -324,10 +336,13 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
   }
   LoadStep step;
   for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
+    audit.start_over();
     for (const auto steps = split.stream(w); steps->next(step);) {
+      audit.read(step);
       writer.write(step, w);
     }
   }
+  audit.finish();
   writer.end();
 }
 

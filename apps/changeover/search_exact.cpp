@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "changeover/core/printable.hpp"
 #include "changeover/io/json_writer.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/search/minimum_search.hpp"
@@ -42,9 +43,9 @@ std::string line_of(const Decision& step) {
                                            : fmt::format("{} DRAT proofs of {} together, checked",
                                                          step.parts.size(), bytes(total)));
     if (step.parts.size() == 1 && !step.parts.front().proof_path.empty()) {
-      line += ": " + step.parts.front().proof_path;
+      line += ": " + printable(step.parts.front().proof_path);
     } else if (!step.cubes_path.empty()) {
-      line += ": " + step.cubes_path;
+      line += ": " + printable(step.cubes_path);
     }
   } else {
     line += fmt::format("not decided ({})", to_string(step.why));

@@ -366,14 +366,14 @@ static void check_step(u64 from, u64 to) {
 /* Adds `word` to the block being read. */
 static void add_to_block(void) {
   unsigned limit = value[K] != 0 ? value[K] : MAX_ELEMENTS;
-  u64 block = blocks + 1;
+  u64 number = blocks + 1;
   if (size == limit)
-    stop(BAD_INPUT, &word_at, "block %llu has more than %u elements; correct it%s", block, limit,
+    stop(BAD_INPUT, &word_at, "block %llu has more than %u elements; correct it%s", number, limit,
          value[K] != 0 ? ", or k" : "");
   unsigned id = element(!have_labels);
-  if (last_in[id] == block)
-    stop(BAD_INPUT, &word_at, "element %s is twice in block %llu; correct one", word, block);
-  last_in[id] = block;
+  if (last_in[id] == number)
+    stop(BAD_INPUT, &word_at, "element %s is twice in block %llu; correct one", word, number);
+  last_in[id] = number;
   times[id]++;
   now[size++] = id;
 }
@@ -441,7 +441,7 @@ static void read_comment(bool alone) {
 
 /* All headers and labels have been read; `word` is the first element. */
 static void begin_first_block(void) {
-  if (strncmp(word, "\xEF\xBB\xBF", 3) == 0)
+  if (word_at.line == 1 && word_at.column == 1 && strncmp(word, "\xEF\xBB\xBF", 3) == 0)
     stop(BAD_INPUT, &word_at, "byte order mark; save the file without it");
   if (have_labels && given_by[V] != NOBODY && value[V] != names)
     stop(BAD_INPUT, &word_at, "%u labels but v = %u; correct one", names, value[V]);

@@ -9,9 +9,9 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/core/utf8.hpp"
 #include "changeover/io/latex.hpp"
 #include "changeover/io/marks.hpp"
-#include "io/utf8.hpp"
 
 namespace changeover {
 namespace {
@@ -160,7 +160,7 @@ Picture picture_of(const CircleFigure& figure) {
 std::string xml_escaped(std::string_view text) {
   std::string result;
   while (!text.empty()) {
-    const io_detail::CodePoint point = io_detail::first_code_point(text);
+    const CodePoint point = first_code_point(text);
     const std::string_view piece = text.substr(0, point.bytes);
     text.remove_prefix(point.bytes);
     if (!is_printable(point) || point.value == 0xFFFE || point.value == 0xFFFF) {

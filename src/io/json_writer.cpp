@@ -5,7 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "io/utf8.hpp"
+#include "changeover/core/utf8.hpp"
+
 
 namespace changeover {
 
@@ -25,7 +26,7 @@ void append_json_string(std::string& out, std::string_view text) {
     } else if (byte < 0x80) {
       out += text[0];
     } else {
-      const io_detail::CodePoint point = io_detail::first_code_point(text);
+      const CodePoint point = first_code_point(text);
       if (is_printable(point)) {
         out += text.substr(0, point.bytes);
       } else if (point.valid) {  // all below U+10000, so one escape is enough

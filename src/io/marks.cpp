@@ -4,7 +4,7 @@
 #include <array>
 
 #include "changeover/core/transitions.hpp"
-#include "io/utf8.hpp"
+#include "changeover/core/utf8.hpp"
 
 namespace changeover {
 
@@ -42,7 +42,7 @@ constexpr std::array<Range, 8> two_columns = {{{0x1100, 0x115F},
 std::size_t display_width(std::string_view text) {
   std::size_t width = 0;
   while (!text.empty()) {
-    const io_detail::CodePoint point = io_detail::first_code_point(text);
+    const CodePoint point = first_code_point(text);
     text.remove_prefix(point.bytes);
     if (point.valid && in_ranges(point.value, no_width)) {
       continue;

@@ -132,7 +132,8 @@ struct OutputFile::State {
   std::string temporary;  // its path until then
   int slot = -1;
   int descriptor = -1;
-  bool owned = false;  // the descriptor is ours to close
+  bool owned = false;     // the descriptor is ours to close
+  bool standard = false;  // standard output: a file can have its number where it was closed
   int failure = 0;     // the first error of the system; from then on the bytes are not whole
   std::vector<char> buffer;
 
@@ -244,6 +245,7 @@ OutputFile::OutputFile(const std::string& path) : state_(std::make_unique<State>
   if (path.empty() || path == "-") {
     s.name = "<stdout>";
     s.descriptor = STDOUT_FILENO;
+    s.standard = true;
     return;
   }
   s.name = path;
@@ -320,7 +322,7 @@ std::string OutputFile::path_until_commit() const {
   return state_->temporary.empty() ? state_->name : state_->temporary;
 }
 
-bool OutputFile::is_standard_output() const { return state_->descriptor == STDOUT_FILENO; }
+bool OutputFile::is_standard_output() const { return state_->standard; }
 
 void remove_unfinished_outputs() noexcept { unfinished.remove_all(); }
 

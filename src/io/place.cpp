@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "io/utf8.hpp"
+#include "changeover/core/utf8.hpp"
 
 namespace changeover::io_detail {
 

@@ -48,7 +48,7 @@ std::vector<JournalField> fields_of(const ItemSource& source, const LoadOrder& o
   return {
       {"job", fmt::format("'{}'", options.job)},
       {"data", fmt::format("'{}'", source.describe())},
-      {"contents of the data", fingerprint.empty() ? "unknown" : fingerprint},
+      {"time and contents of the data", fingerprint.empty() ? "unknown" : fingerprint},
       {"results",
        options.results == nullptr ? "not named" : fmt::format("'{}'", options.results->describe())},
       {"order",

@@ -2,13 +2,13 @@
 
 #include <utility>
 
-#include "loadorder/start_threads.hpp"
+#include "changeover/run/threads.hpp"
 
 namespace changeover {
 
 ComputePool::ComputePool(unsigned threads) {
   start_threads(
-      threads_, threads > 0 ? threads - 1 : 0, [this] { serve(); }, [this] { close(); });
+      threads_, threads > 0 ? threads - 1 : 0, [this](unsigned) { serve(); }, [this] { close(); });
 }
 
 void ComputePool::close() {

@@ -160,10 +160,12 @@ LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
   facts.items = items;
   facts.room = room;
   facts.bound = load_lower_bound(items, room);
-  facts.every_step_read =
-      items <= std::min<std::uint64_t>(options.read_up_to, max_elements_in_memory);
-
   const StreamedShape shape = best_streamed_shape(items, room);
+  constexpr std::uint64_t most_steps_read = 100'000'000;  // some seconds
+  facts.every_step_read =
+      items <= std::min<std::uint64_t>(options.read_up_to, max_elements_in_memory) &&
+      shape.steps() <= most_steps_read;
+
   Candidate best{shape.loads, shape.steps(), std::nullopt};
   // What cannot be read is taken from the structure that certifies itself.
   if (items > room && facts.every_step_read && options.constructions &&

@@ -5,7 +5,7 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
-#include "loadorder/start_threads.hpp"
+#include "changeover/run/threads.hpp"
 
 namespace changeover {
 
@@ -25,7 +25,7 @@ Reader::Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsi
     free_.push_back(i);
   }
   start_threads(
-      threads_, std::max(1U, threads), [this] { serve(); }, [this] { close(); });
+      threads_, std::max(1U, threads), [this](unsigned) { serve(); }, [this] { close(); });
 }
 
 void Reader::close() {

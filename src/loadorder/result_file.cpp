@@ -165,7 +165,9 @@ void ResultFile::open(std::uint64_t bytes, const ResultsClaim& claim) {
     reserve(bytes);
     bytes_ = bytes;
   } catch (...) {
-    if (created_ && file_ >= 0) {
+    // Another job may have found the file meanwhile and locked it: then it is that job's.
+    struct flock all = range(F_WRLCK, 0, 0);
+    if (created_ && file_ >= 0 && ::fcntl(file_, F_OFD_SETLK, &all) == 0 && is_named()) {
       ::unlink(path_.c_str());
     }
     close();

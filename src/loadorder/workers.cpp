@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_check.hpp"
+#include "changeover/run/scope.hpp"
 #include "loadorder/streamed_order.hpp"
 
 namespace changeover {
@@ -119,6 +120,7 @@ void verify_split(const WorkerSplit& split) {
   for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
     check.start_over();
     for (const auto steps = split.stream(w); steps->next(step);) {
+      stop_if_asked();
       check.read(step);
     }
   }
@@ -202,6 +204,7 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
     } else if (worker.steps > 0) {
       Stretch stretch(order.stream(), worker.first_step, worker.steps, items, whole.items);
       for (LoadStep step; stretch.next(step);) {
+        stop_if_asked();
         worker.loads += step.load.size();
       }
     }
@@ -248,7 +251,7 @@ WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room, std::uint6
     }
   }
   WorkerSplit split = split_order(std::move(order), items, room, workers);
-  if (items <= max_elements_in_memory) {
+  if (items <= max_elements_in_memory && split.order().facts().every_step_read) {
     verify_split(split);
   }
   return split;

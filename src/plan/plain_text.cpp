@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "changeover/core/utf8.hpp"
 #include "changeover/plan/job.hpp"
-#include "io/utf8.hpp"
 
 namespace changeover {
 namespace {
@@ -40,7 +40,7 @@ std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
       return TextDefect{at,
                         fmt::format("control byte 0x{:02x}; the input must be plain text", byte)};
     }
-    const io_detail::CodePoint point = io_detail::first_code_point(text.substr(at));
+    const CodePoint point = first_code_point(text.substr(at));
     if (!point.valid) {
       return TextDefect{at,
                         fmt::format("byte 0x{:02x} is not UTF-8; save the text as UTF-8", byte)};

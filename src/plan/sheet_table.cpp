@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "changeover/core/utf8.hpp"
 #include "changeover/plan/read_job.hpp"
-#include "io/utf8.hpp"
 #include "plan/sheet_words.hpp"
 
 namespace changeover {
@@ -16,7 +16,7 @@ using namespace plan_detail;
 std::size_t columns_of(std::string_view text) {
   std::size_t count = 0;
   while (!text.empty()) {
-    text.remove_prefix(io_detail::first_code_point(text).bytes);
+    text.remove_prefix(first_code_point(text).bytes);
     ++count;
   }
   return count;

@@ -8,8 +8,6 @@
 #include <latch>
 #include <mutex>
 #include <system_error>
-#include <thread>
-#include <vector>
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
@@ -23,26 +21,24 @@ class Crew {
       : control_(control), count_(count), work_(work) {}
 
   void run() {
-    std::vector<std::jthread> threads;
-    try {
-      for (unsigned i = 1; i < count_; ++i) {
-        threads.emplace_back([this, i] {
+    std::vector<std::thread> threads;
+    start_threads(
+        threads, count_ > 0 ? count_ - 1 : 0,
+        [this](unsigned i) {
           complete_.wait();
           if (!too_many_) {
-            act(i);
+            act(i + 1);
           }
+        },
+        [this] {
+          too_many_ = true;
+          complete_.count_down();
         });
-      }
-    } catch (const std::system_error& fault) {
-      too_many_ = true;
-      complete_.count_down();
-      threads.clear();
-      throw MissingResource(fmt::format("cannot start {} threads: {}; use fewer, or allow more",
-                                        count_, fault.code().message()));
-    }
     complete_.count_down();
     act(0);
-    threads.clear();
+    for (std::thread& thread : threads) {
+      thread.join();
+    }
     if (fault_) {
       std::rethrow_exception(fault_);
     }
@@ -74,6 +70,30 @@ class Crew {
 };
 
 }  // namespace
+
+void start_threads(std::vector<std::thread>& threads, unsigned count,
+                   const std::function<void(unsigned)>& serve, const std::function<void()>& end) {
+  const auto give_up = [&] {
+    end();
+    for (std::thread& thread : threads) {
+      thread.join();
+    }
+    threads.clear();
+  };
+  try {
+    threads.reserve(count);
+    for (unsigned i = 0; i < count; ++i) {
+      threads.emplace_back(serve, i);
+    }
+  } catch (const std::system_error& fault) {
+    give_up();
+    throw MissingResource(fmt::format("cannot start {} threads: {}; use fewer, or allow more", count,
+                                      fault.code().message()));
+  } catch (...) {
+    give_up();
+    throw;
+  }
+}
 
 void run_together(RunControl& control, unsigned count, const std::function<void(unsigned)>& work) {
   Crew(control, count, work).run();

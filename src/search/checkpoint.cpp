@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -236,6 +237,8 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
 
 namespace {
 
+constexpr std::string_view lock_words = "changeover: a search works with the checkpoint beside this\n";
+
 // What the symbolic links of `path` end in, so that all its names have the same lock.
 std::filesystem::path behind_links(std::filesystem::path path) {
   constexpr int most_links = 40;
@@ -258,8 +261,7 @@ CheckpointFile::CheckpointFile(std::string path, const Parameters& p)
       const OutputFile trial(path_);  // goes away without a trace
     }
   } catch (...) {
-    ::unlink(lock_path_.c_str());
-    ::close(lock_);
+    unlock();
     throw;
   }
 }
@@ -267,8 +269,17 @@ CheckpointFile::CheckpointFile(std::string path, const Parameters& p)
 // The last one to hold the lock removes its file: whoever has locked a file that is not there any more tries
 // again, with the one that is.
 void CheckpointFile::lock() {
+  bool made = false;
   while (true) {
-    lock_ = ::open(lock_path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    constexpr int flags = O_RDWR | O_CLOEXEC | O_NOFOLLOW;
+    lock_ = ::open(lock_path_.c_str(), flags | O_CREAT | O_EXCL, 0666);
+    made = lock_ >= 0;
+    if (!made && errno == EEXIST) {
+      lock_ = ::open(lock_path_.c_str(), flags);
+      if (lock_ < 0 && errno == ENOENT) {
+        continue;  // It has just been removed.
+      }
+    }
     if (lock_ < 0) {
       throw MissingResource(fmt::format("{}: cannot write {}: {}; write to a place where you may",
                                         path_, lock_path_, std::strerror(errno)));
@@ -291,16 +302,36 @@ void CheckpointFile::lock() {
     struct stat there {};
     if (::fstat(lock_, &mine) == 0 && ::lstat(lock_path_.c_str(), &there) == 0 &&
         mine.st_dev == there.st_dev && mine.st_ino == there.st_ino) {
-      return;
+      break;
     }
     ::close(lock_);
   }
+  // A file of another kind that happens to have this name is left alone; so is one that is empty, for who
+  // knows whose it is: it serves and stays. One that a killed search left says what it is.
+  std::array<char, lock_words.size() + 1> content{};
+  const ssize_t length = ::pread(lock_, content.data(), content.size(), 0);
+  if (length == 0 && made) {
+    lock_file_is_ours_ = ::pwrite(lock_, lock_words.data(), lock_words.size(), 0) ==
+                         static_cast<ssize_t>(lock_words.size());
+  } else if (length == static_cast<ssize_t>(lock_words.size()) &&
+             std::string_view(content.data(), lock_words.size()) == lock_words) {
+    lock_file_is_ours_ = true;
+  } else if (length != 0) {
+    ::close(lock_);
+    throw BadInput(fmt::format("{}: is no lock of a checkpoint but a file of somebody's; name another "
+                               "checkpoint, or move it away",
+                               lock_path_));
+  }
 }
 
-CheckpointFile::~CheckpointFile() {
-  ::unlink(lock_path_.c_str());
+void CheckpointFile::unlock() noexcept {
+  if (lock_file_is_ours_) {
+    ::unlink(lock_path_.c_str());
+  }
   ::close(lock_);
 }
+
+CheckpointFile::~CheckpointFile() { unlock(); }
 
 std::optional<CheckpointFile::Identity> CheckpointFile::identity() const {
   struct stat status {};

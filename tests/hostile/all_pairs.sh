@@ -10,7 +10,7 @@ if [ -z "$all_pairs" ] || [ ! -x "$all_pairs" ]; then
 fi
 kills=${KILLS:-15}
 mutations=${MUTATIONS:-48}
-RANDOM=${SEED:-1}
+RANDOM=${SEED:-${HOSTILE_SEED:-1}}
 attacks=0
 lost=0
 
@@ -293,5 +293,5 @@ code=$?
 attack "more threads than there may be" is_refused_unharmed 4
 
 echo "killed $killed times"
-echo "$attacks attacks, $lost lost"
+echo "$attacks attacks, $lost faults"
 [ "$lost" = 0 ]

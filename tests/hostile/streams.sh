@@ -18,7 +18,7 @@ commands=(
   'design 13 4 --format text' 'design 13 4' 'verify good.txt --json' 'verify good.txt' 'bounds 20 5'
   'explain 20 5 --json' 'search 9 4 -m 1 --format text' 'search 8 4 -m 1 --exact --format json'
   'search --order fano.txt --format text' 'search --extend part.txt --time 300ms --format text'
-  'search --repair broken.txt --time 300ms --format text' 'search 16 4 --base-blocks --format text'
+  'search --repair broken.txt --time 300ms --format text' 'search 11 4 --base-blocks --format text'
   'search 30 6 --time 300ms --format text' 'classify 7 3 --json' 'same good.txt good.txt'
   'table --k 3..4 --v 5..9 --json' 'plan --items 9 --at-once 3 --test-cost 1 --change-cost 5 --time 300ms --json'
   'plan parts.csv -k 3 --test-cost 2 --time 300ms --format csv' 'expand good.txt --format json'

@@ -77,6 +77,26 @@ TEST_F(OutputFileTest, ANewFileAppearsAtCommitWithTheUsualPermissions) {
   EXPECT_EQ(files(), 1U);
 }
 
+TEST_F(OutputFileTest, AFileThatGetsTheNumberOfAClosedStandardOutputIsNotIt) {
+  const std::string path = (std::filesystem::temp_directory_path() /
+                            ("changeover-test-stdout-" + std::to_string(::getpid())))
+                               .string();
+  const int kept = ::dup(STDOUT_FILENO);
+  ASSERT_GE(kept, 0);
+  ::close(STDOUT_FILENO);
+  bool is_standard = true;
+  std::string until_commit;
+  {
+    const OutputFile file(path);
+    is_standard = file.is_standard_output();
+    until_commit = file.path_until_commit();
+  }
+  ::dup2(kept, STDOUT_FILENO);
+  ::close(kept);
+  EXPECT_FALSE(is_standard);
+  EXPECT_NE(until_commit, "");
+}
+
 TEST_F(OutputFileTest, WithoutCommitTheOldFileStaysAndNothingIsLeftOver) {
   fill(path("old"), "precious");
   {

@@ -112,7 +112,7 @@ class EndlessBytes final : public Input {
 TEST(ReadDesignTest, ADeviceThatNeverEndsIsRefusedAtItsFirstBytes) {
   EXPECT_EQ(message_of([] { (void)read_design("/dev/zero"); }),
             "/dev/zero:1:1: control byte 0x00; the input must be plain text");
-  for (const std::string unit :
+  for (const std::string& unit :
        {std::string("{\0", 2), std::string("a,b\x01"), std::string("\x7f")}) {
     EXPECT_NE(message_of([&] {
                 (void)read_design(std::make_unique<EndlessBytes>(unit));

@@ -155,7 +155,7 @@ TEST(JobResults, AreNotTouchedByAJobThatIsRefused) {
     work.run();
     ADD_FAILURE() << "results of other data were taken";
   } catch (const BadInput& fault) {
-    EXPECT_NE(std::string(fault.what()).find("contents of the data"), std::string::npos);
+    EXPECT_NE(std::string(fault.what()).find("time and contents of the data"), std::string::npos);
   }
   EXPECT_EQ(slurp(work.results()), right);
   EXPECT_EQ(slurp(work.options.journal), journal);

@@ -292,6 +292,18 @@ TEST_F(Checkpoints, TheLockOfAKilledSearchBlocksNobody) {
   EXPECT_FALSE(std::filesystem::exists(path() + ".lock"));
 }
 
+TEST_F(Checkpoints, AFileThatOnlyHasTheNameOfTheLockIsSomebodys) {
+  for (const std::string& content : {std::string("[package]\n"), std::string(200, 'x')}) {
+    std::ofstream(path() + ".lock") << content;
+    EXPECT_THROW(CheckpointFile(path(), asked), BadInput);
+    std::ifstream kept(path() + ".lock");
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(kept), {}), content);
+  }
+  std::ofstream(path() + ".lock", std::ios::trunc).close();  // It may be somebody's, too.
+  EXPECT_NO_THROW(CheckpointFile(path(), asked));
+  EXPECT_TRUE(std::filesystem::exists(path() + ".lock"));
+}
+
 TEST_F(Checkpoints, IsNeverReplacedByAWorseDesign) {
   const Parameters p{.v = 47, .k = 9, .change = 1};
   const std::string better = (folder_ / "better").string();

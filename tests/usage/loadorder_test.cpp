@@ -44,6 +44,17 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+TEST(LoadOrder, OfBillionsOfStepsBeginsAtOnce) {
+  const TemporaryFolder folder;
+  for (const char* how : {"--workers 3", "--prefetch", ""}) {
+    const Outcome outcome =
+        run(std::string("timeout 60 $changeover loadorder --items 65534 --room 4 --quiet ") + how +
+                " | head -n 1",
+            folder.path());
+    EXPECT_EQ(outcome.out.find("65534 items, room for 4"), 0U) << how << outcome.out;
+  }
+}
+
 TEST(LoadOrderVerb, SaysEachStepInALineOfJsonAndEveryPairMeets) {
   const TemporaryFolder folder;
   const Outcome outcome = run("$changeover loadorder --items 20 --room 5 --json", folder.path());

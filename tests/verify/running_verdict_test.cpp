@@ -13,8 +13,8 @@ Design a_design(Kind kind) {
   Design design({.v = 15, .k = 5, .kind = kind});
   for (Element j = 0; j < 15; ++j) {
     Block block;
-    for (const Element x : {0, 1, 2, 3, 7}) {
-      block.push_back(static_cast<Element>((x + j) % 15));
+    for (const Element x : Block{0, 1, 2, 3, 7}) {
+      block.push_back((x + j) % 15);
     }
     std::sort(block.begin(), block.end());
     design.append(block);

@@ -1,6 +1,6 @@
 // Text from outside, safe to show on one line of a terminal.
 //
-//     printable("B\x1b[2J.txt")      // B\x1b[2J.txt, as eleven visible characters
+//     printable("B\x1b[2J.txt")      // B\x1b[2J.txt, as twelve visible characters
 //     printable("a\nb")              // a\nb, on one line
 //     printable("\xff")              // \xff
 //     is_printable("∞_s")            // true

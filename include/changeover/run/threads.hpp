@@ -6,12 +6,20 @@
 
 #include <cstddef>
 #include <functional>
+#include <thread>
+#include <vector>
 
 #include "changeover/run/control.hpp"
 
 namespace changeover {
 
-/// Calls work(0), …, work(count−1), all at the same time, work(0) on the caller, each with the scope of
+/// Starts `count` threads, all or none: serve(0), …, serve(count−1), each on one of its own. If the system has
+/// no more of them, end() must make those that were started return.
+/// @throws MissingResource, with all threads joined. What serve() throws ends the process.
+void start_threads(std::vector<std::thread>& threads, unsigned count,
+                   const std::function<void(unsigned)>& serve, const std::function<void()>& end);
+
+/// Calls work(0), …, work(count−1), all at the same time, work(0) on the caller (also if count is 0), each with the scope of
 /// `control` (run/scope.hpp), and returns when all have ended. If one throws, the control is stopped
 /// (WhyStopped::fault) so that the others end soon, and the first exception is thrown to the caller; Stopped is
 /// none: the control knows why.
@@ -19,7 +27,8 @@ namespace changeover {
 void run_together(RunControl& control, unsigned count, const std::function<void(unsigned)>& work);
 
 /// Calls task(0), …, task(count−1), each once, in this order, on the threads that the control allows.
-/// Otherwise as run_together(); a stopped control does not keep tasks from being called: they look themselves.
+/// Otherwise as run_together(): a thread whose task throws, Stopped included, takes no further one. A stopped
+/// control alone keeps no task from being called: they look themselves.
 void in_parallel(RunControl& control, std::size_t count,
                  const std::function<void(std::size_t)>& task);
 

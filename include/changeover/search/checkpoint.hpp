@@ -77,8 +77,9 @@ void write_checkpoint(const Checkpoint& checkpoint, const std::string& path);
 /// The checkpoint of a running search, locked. Not shared between threads.
 class CheckpointFile {
  public:
-  /// @throws MissingResource with one line if another search works with the file, or if it cannot be written:
-  /// better now than after hours.
+  /// Locks FILE.lock, which goes away with this. @throws MissingResource with one line if another search works
+  /// with the file, or if it cannot be written: better now than after hours; BadInput if FILE.lock is
+  /// somebody else's file, which stays as it is.
   CheckpointFile(std::string path, const Parameters& p);
   ~CheckpointFile();
   CheckpointFile(const CheckpointFile&) = delete;
@@ -97,11 +98,13 @@ class CheckpointFile {
   using Identity = std::array<std::int64_t, 5>;  // device, inode, size, time of change
   [[nodiscard]] std::optional<Identity> identity() const;
   void lock();
+  void unlock() noexcept;
 
   std::string path_;
   Parameters parameters_;
   std::string lock_path_;
   int lock_ = -1;
+  bool lock_file_is_ours_ = false;  // to be removed: it says so, or was made here
   std::optional<Identity> known_;
 };
 
