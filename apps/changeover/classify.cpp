@@ -205,10 +205,10 @@ int run(const ClassifyRequest& request) {
   }
   answer.b = request.blocks ? *request.blocks : lower_bound(p).blocks;
   answer.impossible = impossibility(p);
+  Running running(request.run, request.output);
   if (answer.impossible) {
     answer.found.why = WhyStopped::exhausted;
   } else {
-    Running running(request.run, request.output);
     const std::uint64_t keep =
         request.designs ? std::numeric_limits<std::uint64_t>::max() : shown_by_default;
     const Classification mine = classify_designs(

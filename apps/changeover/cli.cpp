@@ -10,10 +10,10 @@
 #include <system_error>
 
 #include "changeover/core/error.hpp"
+#include "changeover/core/printable.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/design_input.hpp"
 #include "changeover/io/output_file.hpp"
-#include "changeover/core/printable.hpp"
 #include "changeover/run/scope.hpp"
 #include "deliver.hpp"
 #include "process.hpp"
@@ -45,8 +45,9 @@ int answer(const std::string& text) {
   try {
     deliver(text, std::string("-"));
     return exit_code::done;
-  } catch (const ReaderGone&) {
-    return leave_as_the_reader_did();
+  } catch (const ReaderGone& fault) {
+    leave_with_the_reader();
+    return complain(exit_code::missing_resource, fault.what());
   } catch (const MissingResource& fault) {
     return complain(exit_code::missing_resource, fault.what());
   }
@@ -76,12 +77,12 @@ std::string whole_number_defect(const std::string& given) {
 
 // What is to be given, from its name in the help: FILE, DIR, DURATION, SIZE, A..B.
 std::string kind_of_value(const std::string& what) {
-  return what == "FILE"                            ? "file"
-         : what == "DIR"                           ? "folder"
-         : what == "DURATION"                      ? "duration"
-         : what == "SIZE"                          ? "size"
+  return what == "FILE"                         ? "file"
+         : what == "DIR"                        ? "folder"
+         : what == "DURATION"                   ? "duration"
+         : what == "SIZE"                       ? "size"
          : what.find("..") != std::string::npos ? "range"
-                                                   : "text";
+                                                : "text";
 }
 
 // "--change", "-m", … of an option; nothing for a positional.
@@ -98,10 +99,16 @@ std::vector<std::string> names_of(const CLI::Option& option) {
 
 // The parser complains of what is missing before what is misspelt, and cannot guess what was meant.
 std::string misspelt(const CLI::App& program, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-' || argv[1][0] == '\0') {
+  if (argc < 2) {
     return {};
   }
   const std::string verb_name = argv[1];
+  if (verb_name == "-h" || verb_name == "--help" || verb_name == "--version") {
+    return {};
+  }
+  if (verb_name.starts_with('-')) {
+    return "there is no option " + verb_name + " before a verb; see changeover --help";
+  }
   const CLI::App* verb = nullptr;
   std::vector<std::string> verbs;
   for (const CLI::App* each : program.get_subcommands({})) {
@@ -151,7 +158,8 @@ struct Verb::State {
   std::function<int()>
       action;  // runs after parsing, so that its faults are not taken for the parser's
   std::map<const CLI::Option*, std::vector<std::string>> words;  // of choices
-  std::map<const CLI::Option*, std::string> kinds;  // of values: number, text, file, …; flags have none
+  std::map<const CLI::Option*, std::string>
+      kinds;  // of values: number, text, file, …; flags have none
 };
 
 struct Program::State {
@@ -197,6 +205,13 @@ void Verb::option(const std::string& flags, std::string& value, const std::strin
                   const std::string& help) {
   CLI::Option* option = state_->app->add_option(flags, value, help);
   option->option_text(what);
+  // As of a variable that was never set.
+  option->check(
+      [](const std::string& given) {
+        return given.empty() ? std::string("it is empty; give a value, or leave the option out")
+                             : std::string();
+      },
+      "");
   state_->kinds[option] = kind_of_value(what);
 }
 
@@ -298,13 +313,14 @@ int Program::run(int argc, char** argv) {
                                           chosen().get_name() + " --help");
   } catch (const BadInput& fault) {
     return complain(exit_code::bad_input, fault.what());
-  } catch (const ReaderGone&) {
-    return leave_as_the_reader_did();
+  } catch (const ReaderGone& fault) {
+    leave_with_the_reader();
+    return complain(exit_code::missing_resource, fault.what());
   } catch (const MissingResource& fault) {
     return complain(exit_code::missing_resource, fault.what());
   } catch (const Stopped& stopped) {
-    return complain(exit_code::limit_reached,
-                    "stopped (" + std::string(to_string(stopped.why())) + ") before anything was found");
+    return complain(exit_code::limit_reached, "stopped (" + std::string(to_string(stopped.why())) +
+                                                  ") before anything was found");
   } catch (const std::bad_alloc&) {
     return complain(exit_code::missing_resource, "not enough memory for these parameters");
   } catch (const std::length_error&) {

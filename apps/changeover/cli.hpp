@@ -76,7 +76,7 @@ struct OptionDescription {
   std::vector<std::string> names;  ///< "-m", "--change"; of a positional its name in the help
   bool positional = false;
   bool required = false;
-  std::string kind;                ///< number, text, words, flag, file, folder, duration, size, range
+  std::string kind;  ///< number, text, words, flag, file, folder, duration, size, range
   std::vector<std::string> words;  ///< if kind is words
   std::string help;
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "changeover/core/error.hpp"
+#include "process.hpp"
 #include "request.hpp"
 #include "status_line.hpp"
 
@@ -47,8 +48,9 @@ void deliver(const OutputRequest& output, const Write& write) {
   try {
     write_to(output.path, write);
     return;
-  } catch (const ReaderGone&) {
-    throw;  // Nobody wants it.
+  } catch (const ReaderGone& failure) {
+    leave_with_the_reader();  // Nobody wants it, unless the parent said not to end for that.
+    fault = failure.what();
   } catch (const MissingResource& failure) {
     fault = failure.what();
   }
@@ -57,11 +59,18 @@ void deliver(const OutputRequest& output, const Write& write) {
   try {
     write_to(elsewhere, write);
   } catch (const MissingResource&) {
-    write_to("-", write);
-    printed = true;
+    try {
+      write_to("-", write);
+      printed = true;
+    } catch (const MissingResource& last) {
+      throw MissingResource(fault +
+                            "; nor can the current folder be written, nor standard output (" +
+                            last.what() + "): the answer is lost");
+    }
   }
-  throw MissingResource(fault + (printed ? "; the answer was written to standard output instead"
-                                         : "; the answer was written to ./" + elsewhere + " instead"));
+  throw MissingResource(fault + (printed
+                                     ? "; the answer was written to standard output instead"
+                                     : "; the answer was written to ./" + elsewhere + " instead"));
 }
 
 void deliver(const std::string& text, const OutputRequest& output) {

@@ -20,8 +20,8 @@ std::string joined(const std::vector<std::string>& words, char between) {
 std::string as_text(const Program& program) {
   std::string text;
   for (const OptionDescription& each : program.describe()) {
-    text += each.verb + (each.positional ? "\targument\t" : "\toption\t") + joined(each.names, ',') +
-            "\t" + each.kind + "\t" + joined(each.words, '|') + "\n";
+    text += each.verb + (each.positional ? "\targument\t" : "\toption\t") +
+            joined(each.names, ',') + "\t" + each.kind + "\t" + joined(each.words, '|') + "\n";
   }
   return text;
 }
@@ -67,8 +67,9 @@ void add_describe(Program& program) {
   auto output = std::make_shared<OutputRequest>();
   Verb& verb = program.add("describe", "every verb and option of this program, for programs");
   output->add_to(verb, {"json", "text"});
-  verb.examples({"changeover describe                  as JSON",
-                 "changeover describe --format text    verb, argument or option, names, kind, words"});
+  verb.examples(
+      {"changeover describe                  as JSON",
+       "changeover describe --format text    verb, argument or option, names, kind, words"});
   verb.run([output, &program] {
     deliver(output->chosen() == "json" ? as_json(program) : as_text(program), *output);
     return exit_code::done;

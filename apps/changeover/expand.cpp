@@ -7,6 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/json_writer.hpp"
 #include "changeover/io/read_design.hpp"
+#include "input_files.hpp"
 #include "show_design.hpp"
 #include "verbs.hpp"
 
@@ -194,6 +195,7 @@ int run(const ExpandRequest& request) {
   if (request.circular || request.linear) {
     reading.kind = request.circular ? Kind::circular : Kind::linear;
   }
+  refuse_to_overwrite_inputs(request.output.path, {{"the design", request.path}});
   const Design design = read_design(request.path, reading);
   const Verdict given = verify(design);
   if (!given.valid()) {

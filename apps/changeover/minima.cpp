@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "changeover/core/error.hpp"
+#include "changeover/io/file_lock.hpp"
 #include "changeover/search/minima_table.hpp"
+#include "input_files.hpp"
 #include "request.hpp"
 #include "run_request.hpp"
 #include "verbs.hpp"
@@ -65,6 +67,14 @@ int run(const MinimaRequest& request) {
   const bool searches = !request.run.time.empty() &&
                         parse_duration(request.run.time, "--time") > std::chrono::seconds(0);
   const bool saves = searches || !request.data.empty();
+  if (data == "-") {
+    throw UsageError{"--data -: rows are read and written; name a file"};
+  }
+  refuse_to_overwrite_inputs(request.output.path, {{"--data", data}});
+  std::optional<FileLock> lock;
+  if (saves) {
+    lock.emplace(data);
+  }
   std::vector<MinimaRow> rows = rows_of(data);
   const auto save = [&] {
     OutputFile file(data);
@@ -81,9 +91,9 @@ int run(const MinimaRequest& request) {
   if (!searches) {
     limits.time = limits.default_time = "";  // What needs no search is found whatever it takes.
   }
-  limits.threads = 1;  // so that the table is the same everywhere
+  limits.threads = 1;                       // so that the table is the same everywhere
+  Running running(limits, request.output);  // An answer under way is not cut off.
   {
-    Running running(limits, request.output);
     if (saves) {
       save();  // not only after the work, if it is in vain
     }

@@ -4,8 +4,7 @@
 #include <unistd.h>
 
 #include <csignal>
-
-#include "cli.hpp"
+#include <initializer_list>
 
 namespace changeover::cli {
 namespace {
@@ -27,12 +26,11 @@ void prepare_process() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-int leave_as_the_reader_did() {
+void leave_with_the_reader() {
   if (!pipes_were_ignored) {
     std::signal(SIGPIPE, SIG_DFL);
     std::raise(SIGPIPE);
   }
-  return exit_code::missing_resource;
 }
 
 }  // namespace changeover::cli

@@ -9,7 +9,7 @@ namespace changeover::cli {
 void prepare_process();
 
 /// The reader of standard output left: ends the process as it would have ended without prepare_process(), by
-/// SIGPIPE. Returns only if that is ignored by the parent's wish: then the exit code.
-[[nodiscard]] int leave_as_the_reader_did();
+/// SIGPIPE. Returns only if that is ignored by the parent's wish.
+void leave_with_the_reader();
 
 }  // namespace changeover::cli

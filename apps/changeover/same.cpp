@@ -6,6 +6,7 @@
 #include "changeover/isomorphism/automorphisms.hpp"
 #include "changeover/isomorphism/block_system.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
+#include "input_files.hpp"
 #include "request.hpp"
 #include "verbs.hpp"
 
@@ -101,6 +102,7 @@ std::string json(const Answer& answer, const Design& one, const Design& other) {
 
 int run(const SameRequest& request) {
   const ReadOptions options = read_options(request);
+  refuse_to_overwrite_inputs(request.output.path, {{"A", request.one}, {"B", request.other}});
   const Design one = read_design(request.one, options);
   const Design other = read_design(request.other, options);
   const Answer answer = compare(one, other, {.rotation = true, .reversal = request.reversal});

@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/json_writer.hpp"
+#include "input_files.hpp"
 #include "search_request.hpp"
 #include "show_design.hpp"
 #include "team.hpp"
@@ -152,6 +153,9 @@ void require_another_output(const SearchRequest& request) {
 
 // Options that only one way of searching knows.
 void require_the_right_way(const SearchRequest& request, int ways) {
+  if (request.checkpoint == "-") {
+    throw UsageError{"--checkpoint -: it is read and replaced; name a file"};
+  }
   if (!request.proof_directory.empty() && !request.exact) {
     throw UsageError{"--proof DIR keeps the proofs of --exact; give both"};
   }
@@ -191,6 +195,9 @@ int run(const SearchRequest& request) {
   if (request.base_blocks) {
     return search_base_blocks(request);
   }
+  refuse_to_overwrite_inputs(request.output.path, {{"--order", request.order_file},
+                                                   {"--extend", request.extend_file},
+                                                   {"--repair", request.repair_file}});
   if (!request.repair_file.empty()) {
     return search_repair(request);
   }

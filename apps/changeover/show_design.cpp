@@ -72,8 +72,9 @@ std::optional<std::string> format_defect(const Parameters& p, std::uint64_t b,
     return std::nullopt;
   }
   if ((format == "svg" || format == "tikz") && p.v > most_points) {
-    return fmt::format("--format {}: a picture has at most {} points, not v = {}; use --format text",
-                       format, most_points, p.v);
+    return fmt::format(
+        "--format {}: a picture has at most {} points, not v = {}; use --format text", format,
+        most_points, p.v);
   }
   if (b > most_blocks || b > most_elements / p.k) {
     return fmt::format("--format {}: {} of {} are too many to lay out; use --format text -o FILE",

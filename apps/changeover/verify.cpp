@@ -7,6 +7,7 @@
 
 #include "changeover/io/json_writer.hpp"
 #include "changeover/io/read_design.hpp"
+#include "input_files.hpp"
 #include "request.hpp"
 #include "verbs.hpp"
 
@@ -143,6 +144,7 @@ void add_elements(const Verdict& verdict, const Labels& labels, std::string& tex
 }
 
 int run(const VerifyRequest& request) {
+  refuse_to_overwrite_inputs(request.output.path, {{"the design", request.path}});
   const auto input = open_design(request.path, read_options(request));
   const Verdict verdict = verify(*input, {.unchanged = true});
   const Judgement judgement = judge(verdict);

@@ -16,6 +16,15 @@ RunControl::Clock::duration ticks(std::chrono::duration<double> time) {
   return std::chrono::duration_cast<RunControl::Clock::duration>(time);
 }
 
+std::string size_words(std::uint64_t bytes) {
+  constexpr double kilo = 1e3, mega = 1e6, giga = 1e9;
+  const auto size = static_cast<double>(bytes);
+  return size < kilo   ? fmt::format("{} bytes", bytes)
+         : size < mega ? fmt::format("{:.1f} kB", size / kilo)
+         : size < giga ? fmt::format("{:.1f} MB", size / mega)
+                       : fmt::format("{:.1f} GB", size / giga);
+}
+
 // A limit so far away that the clock cannot hold it is none.
 std::optional<RunControl::Clock::time_point> end_after(
     RunControl::Clock::time_point begin, std::optional<std::chrono::duration<double>> time) {
@@ -66,11 +75,10 @@ RunControl::RunControl(RunControl& parent, unsigned threads)
 void RunControl::require_memory(std::uint64_t bytes, std::string_view what) const {
   const auto limit = settings_.memory_bytes;
   if (limit && bytes > *limit) {
-    constexpr double giga = 1e9;
     throw MissingResource(
-        fmt::format("{} would take about {:.1f} GB of memory, more than the {:.1f} GB allowed; "
+        fmt::format("{} would take about {} of memory, more than the {} allowed; "
                     "allow more, or ask for something smaller",
-                    what, static_cast<double>(bytes) / giga, static_cast<double>(*limit) / giga));
+                    what, size_words(bytes), size_words(*limit)));
   }
 }
 

@@ -87,8 +87,8 @@ void start_threads(std::vector<std::thread>& threads, unsigned count,
     }
   } catch (const std::system_error& fault) {
     give_up();
-    throw MissingResource(fmt::format("cannot start {} threads: {}; use fewer, or allow more", count,
-                                      fault.code().message()));
+    throw MissingResource(fmt::format("cannot start {} threads: {}; use fewer, or allow more",
+                                      count, fault.code().message()));
   } catch (...) {
     give_up();
     throw;
@@ -102,8 +102,8 @@ void run_together(RunControl& control, unsigned count, const std::function<void(
 void in_parallel(RunControl& control, std::size_t count,
                  const std::function<void(std::size_t)>& task) {
   std::atomic<std::size_t> next{0};
-  const auto threads = static_cast<unsigned>(
-      std::clamp<std::size_t>(count, 1, std::max(1U, control.threads())));
+  const auto threads =
+      static_cast<unsigned>(std::clamp<std::size_t>(count, 1, std::max(1U, control.threads())));
   run_together(control, threads, [&](unsigned) {
     for (std::size_t i = next++; i < count; i = next++) {
       task(i);

@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -235,103 +234,14 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
   return checkpoint;
 }
 
-namespace {
-
-constexpr std::string_view lock_words = "changeover: a search works with the checkpoint beside this\n";
-
-// What the symbolic links of `path` end in, so that all its names have the same lock.
-std::filesystem::path behind_links(std::filesystem::path path) {
-  constexpr int most_links = 40;
-  std::error_code error;
-  for (int links = 0; links < most_links && std::filesystem::is_symlink(path, error); ++links) {
-    path = path.parent_path() / std::filesystem::read_symlink(path, error);
-  }
-  return path;
-}
-
-}  // namespace
-
 CheckpointFile::CheckpointFile(std::string path, const Parameters& p)
-    : path_(std::move(path)), parameters_(p), lock_path_(behind_links(path_).string() + ".lock") {
-  lock();
-  try {
-    std::error_code ignored;
-    const auto status = std::filesystem::status(path_, ignored);
-    if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
-      const OutputFile trial(path_);  // goes away without a trace
-    }
-  } catch (...) {
-    unlock();
-    throw;
+    : path_(std::move(path)), parameters_(p), lock_(path_) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path_, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
+    const OutputFile trial(path_);  // goes away without a trace
   }
 }
-
-// The last one to hold the lock removes its file: whoever has locked a file that is not there any more tries
-// again, with the one that is.
-void CheckpointFile::lock() {
-  bool made = false;
-  while (true) {
-    constexpr int flags = O_RDWR | O_CLOEXEC | O_NOFOLLOW;
-    lock_ = ::open(lock_path_.c_str(), flags | O_CREAT | O_EXCL, 0666);
-    made = lock_ >= 0;
-    if (!made && errno == EEXIST) {
-      lock_ = ::open(lock_path_.c_str(), flags);
-      if (lock_ < 0 && errno == ENOENT) {
-        continue;  // It has just been removed.
-      }
-    }
-    if (lock_ < 0) {
-      throw MissingResource(fmt::format("{}: cannot write {}: {}; write to a place where you may",
-                                        path_, lock_path_, std::strerror(errno)));
-    }
-    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
-      const int error = errno;
-      ::close(lock_);
-      if (error == EINTR) {
-        continue;
-      }
-      throw MissingResource(
-          error == EWOULDBLOCK
-              ? fmt::format("{}: another search works with this checkpoint; wait for it, or name "
-                            "another file",
-                            path_)
-              : fmt::format("{}: cannot lock {}: {}; write elsewhere", path_, lock_path_,
-                            std::strerror(error)));
-    }
-    struct stat mine {};
-    struct stat there {};
-    if (::fstat(lock_, &mine) == 0 && ::lstat(lock_path_.c_str(), &there) == 0 &&
-        mine.st_dev == there.st_dev && mine.st_ino == there.st_ino) {
-      break;
-    }
-    ::close(lock_);
-  }
-  // A file of another kind that happens to have this name is left alone; so is one that is empty, for who
-  // knows whose it is: it serves and stays. One that a killed search left says what it is.
-  std::array<char, lock_words.size() + 1> content{};
-  const ssize_t length = ::pread(lock_, content.data(), content.size(), 0);
-  if (length == 0 && made) {
-    lock_file_is_ours_ = ::pwrite(lock_, lock_words.data(), lock_words.size(), 0) ==
-                         static_cast<ssize_t>(lock_words.size());
-  } else if (length == static_cast<ssize_t>(lock_words.size()) &&
-             std::string_view(content.data(), lock_words.size()) == lock_words) {
-    lock_file_is_ours_ = true;
-  } else if (length != 0) {
-    ::close(lock_);
-    throw BadInput(fmt::format("{}: is no lock of a checkpoint but a file of somebody's; name another "
-                               "checkpoint, or move it away",
-                               lock_path_));
-  }
-}
-
-void CheckpointFile::unlock() noexcept {
-  if (lock_file_is_ours_) {
-    ::unlink(lock_path_.c_str());
-  }
-  ::close(lock_);
-}
-
-CheckpointFile::~CheckpointFile() { unlock(); }
 
 std::optional<CheckpointFile::Identity> CheckpointFile::identity() const {
   struct stat status {};

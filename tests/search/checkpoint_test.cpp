@@ -260,7 +260,7 @@ TEST_F(Checkpoints, IsOfOneSearchAtATime) {
         const CheckpointFile second(name, asked);
         ADD_FAILURE() << name;
       } catch (const MissingResource& fault) {
-        EXPECT_NE(std::string(fault.what()).find("another search"), std::string::npos);
+        EXPECT_NE(std::string(fault.what()).find("another process"), std::string::npos);
       }
     }
   }

@@ -37,6 +37,23 @@ TEST(Minima, ShowsOnlyWhatIsAskedFor) {
   EXPECT_THAT(few.out, Not(HasSubstr("\"v\":7")));
 }
 
+TEST(Minima, IsOfOneProcessAtATimeAndNeverItsOwnInput) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run(small + " --data mine.csv", folder.path()).code, 0);
+  const std::string before = slurp(folder.file("mine.csv"));
+  const Outcome same = run(small + " --data mine.csv -o ./mine.csv", folder.path());
+  EXPECT_EQ(same.code, 2);
+  EXPECT_EQ(slurp(folder.file("mine.csv")), before);
+  const Outcome second =
+      run("$changeover minima --v 16 --data mine.csv --time 4s --quiet >/dev/null & "
+          "for i in $(seq 100); do [[ -e mine.csv.lock ]] && break; sleep 0.02; done; " +
+              small + " --data mine.csv; code=$?; kill $!; wait; exit $code",
+          folder.path());
+  EXPECT_EQ(second.code, 4);
+  EXPECT_THAT(second.err, HasSubstr("another process works with it"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("mine.csv.lock")));
+}
+
 TEST(Minima, RefusesWhatItCannotMean) {
   const TemporaryFolder folder;
   const Outcome strength = run("$changeover minima --strength 9", folder.path());

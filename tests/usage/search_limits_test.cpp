@@ -78,7 +78,7 @@ TEST(SearchLimits, ASecondSearchWithTheSameCheckpointIsRefused) {
           folder.path());
   EXPECT_EQ(outcome.code, 4) << outcome.err;
   EXPECT_EQ(lines(outcome.err), 1U) << outcome.err;
-  EXPECT_NE(outcome.err.find("another search"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("another process"), std::string::npos) << outcome.err;
 }
 
 TEST(SearchLimits, AFolderOfTheCheckpointThatGoesAwayDoesNotTakeTheDesignAlong) {

@@ -45,9 +45,9 @@ TEST(Streams, AClosedStandardOutputIsNotTakenForAFile) {
   const Outcome outcome = run("$changeover design 8 5 >&-", folder.path());
   EXPECT_EQ(outcome.code, 4);
   EXPECT_NE(outcome.err.find("<stdout>: cannot write"), std::string::npos) << outcome.err;
-  const Outcome proofs = run(
-      "$changeover search 8 5 --blocks 4 --exact --proof proofs --threads 1 --quiet >&-",
-      folder.path());
+  const Outcome proofs =
+      run("$changeover search 8 5 --blocks 4 --exact --proof proofs --threads 1 --quiet >&-",
+          folder.path());
   EXPECT_EQ(proofs.code, 4);
   EXPECT_NE(proofs.err.find("<stdout>: cannot write"), std::string::npos) << proofs.err;
   EXPECT_EQ(run("$changeover verify - <&-", folder.path()).code, 4);
@@ -55,10 +55,9 @@ TEST(Streams, AClosedStandardOutputIsNotTakenForAFile) {
 
 TEST(Streams, AFolderThatGoesAwayWhileASearchRunsCostsNothing) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      run("mkdir gone; (sleep 0.4; rmdir gone) & " + std::string(search) +
-              "--quiet --format text -o gone/mine.txt",
-          folder.path());
+  const Outcome outcome = run("mkdir gone; (sleep 0.4; rmdir gone) & " + std::string(search) +
+                                  "--quiet --format text -o gone/mine.txt",
+                              folder.path());
   EXPECT_EQ(outcome.code, 4);
   EXPECT_NE(outcome.err.find("gone/mine.txt: cannot write"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("./mine.txt"), std::string::npos) << outcome.err;
@@ -68,13 +67,31 @@ TEST(Streams, AFolderThatGoesAwayWhileASearchRunsCostsNothing) {
 TEST(Streams, AnAnswerElsewhereReplacesNothing) {
   const TemporaryFolder folder;
   spit(folder.file("mine.txt"), "precious\n");
-  const Outcome outcome =
-      run("mkdir gone; (sleep 0.4; rmdir gone) & " + std::string(search) +
-              "--quiet --format text -o gone/mine.txt",
-          folder.path());
+  const Outcome outcome = run("mkdir gone; (sleep 0.4; rmdir gone) & " + std::string(search) +
+                                  "--quiet --format text -o gone/mine.txt",
+                              folder.path());
   EXPECT_EQ(outcome.code, 4);
   EXPECT_EQ(slurp(folder.file("mine.txt")), "precious\n");
   EXPECT_TRUE(is_valid(folder, "mine.txt.1"));
+}
+
+TEST(Streams, AReaderThatLeftWhereThatIsIgnoredDoesNotTakeTheAnswerAlong) {
+  const TemporaryFolder folder;
+  run("trap '' PIPE; " + std::string(search) + "--quiet --format text | true", folder.path());
+  EXPECT_TRUE(is_valid(folder, "changeover-answer"));
+}
+
+TEST(Streams, WhereNothingCanBeWrittenTheLossIsSaid) {
+  if (::getuid() == 0) {
+    GTEST_SKIP() << "nothing is read-only to root";
+  }
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run("mkdir full; chmod 555 . full; " + std::string(search) +
+              "--quiet --format text >/dev/full; code=$?; chmod 755 .; exit $code",
+          folder.path());
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_NE(outcome.err.find("the answer is lost"), std::string::npos) << outcome.err;
 }
 
 TEST(Streams, ALimitOnTheSizeOfFilesIsNoCrash) {
@@ -90,10 +107,10 @@ TEST(Streams, ALimitOnTheSizeOfFilesIsNoCrash) {
 
 TEST(Streams, ATerminalThatGoesAwayEndsTheSearchWithItsAnswer) {
   const TemporaryFolder folder;
-  const Outcome outcome = run(
-      "$changeover search 41 6 --time 60s --threads 1 --format text -o x.txt 2>/dev/null & "
-      "sleep 1; kill -HUP $!; wait $!; echo $?",
-      folder.path());
+  const Outcome outcome =
+      run("$changeover search 41 6 --time 60s --threads 1 --format text -o x.txt 2>/dev/null & "
+          "sleep 1; kill -HUP $!; wait $!; echo $?",
+          folder.path());
   EXPECT_TRUE(outcome.out == "30\n" || outcome.out == "10\n") << outcome.out;
   EXPECT_TRUE(is_valid(folder, "x.txt"));
 }
@@ -111,8 +128,7 @@ TEST(Streams, WhatIsShownOfStrangeWordsCannotCommandATerminal) {
 
 TEST(Streams, AWordOfAHundredThousandLettersIsNotRepeatedWhole) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      run("$changeover design 9 5 -f $(printf 'x%050000d' 7)", folder.path());
+  const Outcome outcome = run("$changeover design 9 5 -f $(printf 'x%050000d' 7)", folder.path());
   EXPECT_EQ(outcome.code, 2);
   EXPECT_LT(outcome.err.size(), 2000U);
 }
@@ -123,8 +139,9 @@ TEST(Usage, GuessesWhatAMisspeltWordMeant) {
             std::string::npos);
   EXPECT_NE(run("$changeover design --foo", folder.path()).err.find("design has no option --foo"),
             std::string::npos);
-  EXPECT_NE(run("$changeover design 9 5 --circlar", folder.path()).err.find("did you mean --circular?"),
-            std::string::npos);
+  EXPECT_NE(
+      run("$changeover design 9 5 --circlar", folder.path()).err.find("did you mean --circular?"),
+      std::string::npos);
   // Values that look like options are none.
   EXPECT_EQ(run("$changeover design 8 5 -m2 --format=text -o -", folder.path()).code, 0);
 }

@@ -30,6 +30,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/io/file_lock.hpp"
 
 namespace changeover {
 
@@ -77,11 +78,9 @@ void write_checkpoint(const Checkpoint& checkpoint, const std::string& path);
 /// The checkpoint of a running search, locked. Not shared between threads.
 class CheckpointFile {
  public:
-  /// Locks FILE.lock, which goes away with this. @throws MissingResource with one line if another search works
-  /// with the file, or if it cannot be written: better now than after hours; BadInput if FILE.lock is
-  /// somebody else's file, which stays as it is.
+  /// Locks it (io/file_lock.hpp). @throws as FileLock, and MissingResource with one line if it cannot be
+  /// written: better now than after hours.
   CheckpointFile(std::string path, const Parameters& p);
-  ~CheckpointFile();
   CheckpointFile(const CheckpointFile&) = delete;
   CheckpointFile& operator=(const CheckpointFile&) = delete;
 
@@ -97,14 +96,10 @@ class CheckpointFile {
  private:
   using Identity = std::array<std::int64_t, 5>;  // device, inode, size, time of change
   [[nodiscard]] std::optional<Identity> identity() const;
-  void lock();
-  void unlock() noexcept;
 
   std::string path_;
   Parameters parameters_;
-  std::string lock_path_;
-  int lock_ = -1;
-  bool lock_file_is_ours_ = false;  // to be removed: it says so, or was made here
+  FileLock lock_;
   std::optional<Identity> known_;
 };
 

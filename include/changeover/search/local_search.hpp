@@ -68,7 +68,7 @@ struct ImproveResult {
 /// is not searched.
 /// @throws ImpossibleParameters as check(), or if no such design exists; BadInput if the start is not a valid
 /// design with these parameters, or for a checkpoint that is of other parameters or damaged; MissingResource if
-/// no design fits into memory, or if another search works with the checkpoint, or it cannot be written from the
+/// no design fits into memory, or if another process works with the checkpoint, or it cannot be written from the
 /// beginning (later the search goes on: checkpoint_fault); InternalError if a result fails verification.
 [[nodiscard]] ImproveResult improve(const Parameters& p, const ImproveOptions& options,
                                     RunControl& control);

@@ -1,0 +1,31 @@
+// One process at a time for a file that is read, changed and replaced as a whole.
+//
+//     FileLock lock("mine.csv");             // "mine.csv.lock", until the end of the block
+//
+// The file itself cannot carry the lock, for writing replaces it (io/output_file.hpp). The lock file says what
+// it is and goes away with its owner; one that a killed process left blocks nobody, since the system drops the
+// lock with the process. All names of a file, links included, have the same lock.
+#pragma once
+
+#include <string>
+
+namespace changeover {
+
+class FileLock {
+ public:
+  /// @throws MissingResource with one line if another process has the lock, or if it cannot be made; BadInput if
+  /// there is a file of another kind that happens to have its name: that stays as it is.
+  explicit FileLock(const std::string& path);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  void acquire(const std::string& path);
+
+  std::string lock_path_;
+  int descriptor_ = -1;
+  bool is_ours_ = false;  // to be removed: it says so, or was made here
+};
+
+}  // namespace changeover
