@@ -7,7 +7,6 @@
 
 #include "changeover/core/utf8.hpp"
 
-
 namespace changeover {
 
 void append_json_string(std::string& out, std::string_view text) {

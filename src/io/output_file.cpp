@@ -134,7 +134,7 @@ struct OutputFile::State {
   int descriptor = -1;
   bool owned = false;     // the descriptor is ours to close
   bool standard = false;  // standard output: a file can have its number where it was closed
-  int failure = 0;     // the first error of the system; from then on the bytes are not whole
+  int failure = 0;        // the first error of the system; from then on the bytes are not whole
   std::vector<char> buffer;
 
   static constexpr std::size_t buffer_bytes = std::size_t{1} << 16;

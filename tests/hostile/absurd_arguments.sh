@@ -46,7 +46,7 @@ values=(
   9999999999G 1K "$long" "x$long" $'\e[2J\e]0;x\a' $'\r' $'\x7f' $'\xc2\x9b31m' $'\xff\xfe' $'a\xc3' $'x\ny'
   $'\xe2\x80\xae' '%s%n' '$(id)' '=1+1'
   missing missing/file . / /dev/null /dev/zero /dev/full /dev/stdin loop folder closed good.txt empty
-  precious/ ../work/good.txt
+  precious/ ../ground/good.txt
 )
 
 mkdir "$scratch/pristine"
@@ -90,7 +90,7 @@ named() {
   for word in "$@"; do
     case $previous in
       -o | --output | --proof | --checkpoint | --data | --figures)
-        word=${word#../work/}
+        word=${word#../ground/}
         [[ ${word%%/*} != "$wanted" ]] || return 0
         ;;
     esac

@@ -122,7 +122,7 @@ refused "ulimit -f 1; changeover search 10 4 -m 1 --exact --proof proofs"
 nothing_left "ulimit -f 1; changeover search --exact --proof proofs" .
 clear_folder
 
-disk=$scratch/work/disk
+disk=$scratch/ground/disk
 mkdir "$disk"
 if [[ $(id -u) != 0 ]] || ! mount -t tmpfs -o size=256k hostile "$disk" 2>/dev/null; then
   printf 'a tmpfs cannot be mounted here: full disks were left out\n'

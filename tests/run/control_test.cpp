@@ -67,13 +67,13 @@ TEST(RunControl, TellsFromOneThreadAtATime) {
   std::atomic<int> told = 0;
   std::atomic<bool> overlapped = false;
   RunControl control({.on_progress =
-                             [&](const Progress& progress) {
-                               overlapped = overlapped || ++inside > 1;
-                               EXPECT_GE(progress.elapsed.count(), 0.0);
-                               ++told;
-                               --inside;
-                             },
-                         .progress_interval = std::chrono::duration<double>(0)});
+                          [&](const Progress& progress) {
+                            overlapped = overlapped || ++inside > 1;
+                            EXPECT_GE(progress.elapsed.count(), 0.0);
+                            ++told;
+                            --inside;
+                          },
+                      .progress_interval = std::chrono::duration<double>(0)});
   std::vector<std::jthread> threads;
   for (int i = 0; i < 4; ++i) {
     threads.emplace_back([&] {

@@ -65,15 +65,15 @@ class RunControl {
 
   struct Settings {
     std::optional<std::chrono::duration<double>> time = {};  ///< nothing: no limit
-    std::optional<std::uint64_t> memory_bytes = {};  ///< for one table or formula; nothing: no limit
+    std::optional<std::uint64_t> memory_bytes =
+        {};  ///< for one table or formula; nothing: no limit
     unsigned threads = 1;
     std::uint64_t seed = 1;
-    WorkShare share = {};                          ///< of several processes
+    WorkShare share = {};                            ///< of several processes
     const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler
     std::function<bool()> found_elsewhere =
         {};  ///< asked now and then, never by two threads at once
-    std::function<void(const Progress&)> on_progress =
-        {};  ///< never called by two threads at once
+    std::function<void(const Progress&)> on_progress = {};  ///< never called by two threads at once
     std::chrono::duration<double> progress_interval{0.5};
   };
 

@@ -97,7 +97,6 @@ struct Classification {
 /// The classes of designs with exactly b blocks. Nothing has to be remembered to tell classes apart, so
 /// memory does not grow with their number. @throws as enumerate_designs().
 [[nodiscard]] Classification classify_designs(const Parameters& p, std::uint64_t b,
-                                              const ClassifyOptions& options,
-                                              RunControl& control);
+                                              const ClassifyOptions& options, RunControl& control);
 
 }  // namespace changeover

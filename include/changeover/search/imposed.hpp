@@ -21,9 +21,9 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/search/anneal.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/run/random.hpp"
+#include "changeover/search/anneal.hpp"
 #include "changeover/search/segment_orbits.hpp"
 
 namespace changeover {

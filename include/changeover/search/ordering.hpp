@@ -78,8 +78,7 @@ struct ChangeOrder {
 /// ImpossibleParameters if m is 0. O(b²·v/64) for the graph.
 [[nodiscard]] ChangeOrder order_for_change(std::span<const Block> blocks,
                                            const ChangeWanted& wanted,
-                                           const ChangeOrderOptions& options,
-                                           RunControl& control);
+                                           const ChangeOrderOptions& options, RunControl& control);
 
 /// What is to be least.
 struct LeastChangeWanted {

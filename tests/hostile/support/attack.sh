@@ -41,8 +41,8 @@ clean() {
 trap clean EXIT
 trap 'exit 143' TERM INT HUP
 
-mkdir "$scratch/work" "$scratch/tmp" "$scratch/said" "$scratch/tools"
-cd "$scratch/work" || exit 1
+mkdir "$scratch/ground" "$scratch/tmp" "$scratch/said" "$scratch/tools"
+cd "$scratch/ground" || exit 1
 export TMPDIR=$scratch/tmp
 unset COLUMNS NO_COLOR
 
