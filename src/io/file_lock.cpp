@@ -9,29 +9,25 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <string_view>
 
 #include "changeover/core/error.hpp"
+#include "io/links.hpp"
 
 namespace changeover {
 namespace {
 
 constexpr std::string_view lock_words = "changeover: a process works with the file beside this\n";
 
-// What the symbolic links of `path` end in, so that all its names have the same lock.
-std::filesystem::path behind_links(std::filesystem::path path) {
-  constexpr int most_links = 40;
-  std::error_code error;
-  for (int links = 0; links < most_links && std::filesystem::is_symlink(path, error); ++links) {
-    path = path.parent_path() / std::filesystem::read_symlink(path, error);
-  }
-  return path;
-}
-
 }  // namespace
 
-FileLock::FileLock(const std::string& path) : lock_path_(behind_links(path).string() + ".lock") {
+// All names of a file have the same lock.
+FileLock::FileLock(const std::string& path) {
+  const auto target = io_detail::behind_links(path);
+  if (!target) {
+    throw MissingResource(path + ": symbolic links lead in a circle; correct them");
+  }
+  lock_path_ = target->string() + ".lock";
   acquire(path);
 }
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "changeover/core/error.hpp"
+#include "io/links.hpp"
 
 namespace changeover {
 namespace {
@@ -109,19 +110,6 @@ std::string_view how_to_mend(int error) {
     throw ReaderGone(line);
   }
   throw MissingResource(line);
-}
-
-/// What the symbolic links of `path` end in; the file itself may be missing.
-std::filesystem::path behind_links(const std::string& path) {
-  std::filesystem::path target = path;
-  std::error_code error;
-  for (int links = 0; std::filesystem::is_symlink(target, error); ++links) {
-    if (links == 40) {
-      cannot_write(path, ELOOP);
-    }
-    target = target.parent_path() / std::filesystem::read_symlink(target, error);
-  }
-  return target;
 }
 
 }  // namespace
@@ -269,9 +257,12 @@ OutputFile::OutputFile(const std::string& path) : state_(std::make_unique<State>
   if (exists && ::access(path.c_str(), W_OK) != 0) {
     cannot_write(path, errno);
   }
-  const std::filesystem::path target = behind_links(path);
-  s.target = target.string();
-  s.create_temporary(target, exists ? &status : nullptr);
+  const auto target = io_detail::behind_links(path);
+  if (!target) {
+    cannot_write(path, ELOOP);
+  }
+  s.target = target->string();
+  s.create_temporary(*target, exists ? &status : nullptr);
 }
 
 OutputFile::~OutputFile() {
