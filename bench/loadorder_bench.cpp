@@ -20,11 +20,11 @@
 #include <vector>
 
 #include "changeover/loadorder/all_pairs.hpp"
-#include "changeover/loadorder/baselines.hpp"
 #include "changeover/loadorder/improve.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/run/random.hpp"
+#include "peers/load_orders.hpp"
+#include "run/random.hpp"
 
 namespace changeover::bench {
 namespace {

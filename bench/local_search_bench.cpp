@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "changeover/core/pair_set.hpp"
-#include "changeover/search/anneal.hpp"
-#include "changeover/search/random_list.hpp"
-#include "changeover/search/segment_orbits.hpp"
-#include "changeover/search/segment_pairs.hpp"
 #include "paired.hpp"
+#include "search/local/anneal.hpp"
+#include "search/local/random_list.hpp"
+#include "search/local/segment_orbits.hpp"
+#include "search/local/segment_pairs.hpp"
 
 namespace changeover::bench {
 namespace {

@@ -1,13 +1,13 @@
 # changeover_room(<name> [DEPENDS <room>...] [LIBRARIES <target>...] [SOURCES <file>...]
-#                 [GENERATED_HEADERS <dir>])
+#                 [GENERATED_HEADERS <dir>] [NOT_INSTALLED])
 #
 # Adds the library changeover_<name>, alias changeover::<name>, from src/<name>/**.cpp and
 # include/changeover/<name>/**.hpp and **.h. Sources are globbed, so that adding a file touches nothing
 # else. DEPENDS are rooms and public; LIBRARIES are private; SOURCES are generated files to add;
-# GENERATED_HEADERS is a directory laid out like include/. A room without any file is skipped, a
-# room of headers only becomes an INTERFACE library.
+# GENERATED_HEADERS is a directory laid out like include/. Other headers of a room, src/<name>/**.hpp,
+# are private: who is built in this tree may include them, as "<name>/….hpp", through the target changeover_internals.
 function(changeover_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "GENERATED_HEADERS" "DEPENDS;LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "NOT_INSTALLED" "GENERATED_HEADERS" "DEPENDS;LIBRARIES;SOURCES")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "changeover_room(${name}): unknown arguments ${room_UNPARSED_ARGUMENTS}")
   endif()
@@ -16,10 +16,6 @@ function(changeover_room name)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS
        "${PROJECT_SOURCE_DIR}/include/changeover/${name}/*.hpp"
        "${PROJECT_SOURCE_DIR}/include/changeover/${name}/*.h")
-  if(NOT sources AND NOT headers)
-    message(STATUS "Room ${name}: no files yet, skipped")
-    return()
-  endif()
 
   set(bases "${PROJECT_SOURCE_DIR}/include")
   if(room_GENERATED_HEADERS)
@@ -29,33 +25,27 @@ function(changeover_room name)
   endif()
 
   set(target changeover_${name})
-  if(sources)
-    add_library(${target} STATIC ${sources} ${room_SOURCES})
-    set(scope PUBLIC)
-    # nlohmann_json is headers only, so the installed library does not need it: BUILD_INTERFACE.
-    foreach(library IN LISTS room_LIBRARIES)
-      if(library STREQUAL "nlohmann_json::nlohmann_json")
-        set(library "$<BUILD_INTERFACE:${library}>")
-      endif()
-      target_link_libraries(${target} PRIVATE ${library})
-    endforeach()
-    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:changeover_warnings>)
-    target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
-  else()
-    add_library(${target} INTERFACE)
-    set(scope INTERFACE)
-  endif()
+  add_library(${target} STATIC ${sources} ${room_SOURCES})
   add_library(changeover::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
-  target_compile_features(${target} ${scope} cxx_std_20)
-  target_sources(${target} ${scope}
-    FILE_SET HEADERS BASE_DIRS ${bases} FILES ${headers})
-  foreach(other IN LISTS room_DEPENDS)
-    if(TARGET changeover_${other})
-      target_link_libraries(${target} ${scope} changeover_${other})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${bases} FILES ${headers})
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:changeover_warnings>)
+  # nlohmann_json is headers only, so the installed library does not need it: BUILD_INTERFACE.
+  foreach(library IN LISTS room_LIBRARIES)
+    if(library STREQUAL "nlohmann_json::nlohmann_json")
+      set(library "$<BUILD_INTERFACE:${library}>")
     endif()
+    target_link_libraries(${target} PRIVATE ${library})
+  endforeach()
+  foreach(other IN LISTS room_DEPENDS)
+    target_link_libraries(${target} PUBLIC changeover_${other})
   endforeach()
 
+  if(room_NOT_INSTALLED)
+    return()
+  endif()
   install(TARGETS ${target} EXPORT changeoverTargets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")

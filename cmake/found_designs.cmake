@@ -18,7 +18,7 @@ function(changeover_generate_found_designs variable)
 // Generated from the files in src/construct/found. Do not edit.
 #include <array>
 
-#include "construct/found_designs.hpp"
+#include "construct/found/found_designs.hpp"
 
 namespace changeover {
 

@@ -1,7 +1,7 @@
 # changeover_generate_registry(<variable>)
 #
-# Writes registry_entries.cpp, which lists every construction, and stores its path in <variable>
-# (empty while there is no registry header). Each src/construct/entries/NAME.cpp defines
+# Writes registry_entries.cpp, which lists every construction, and stores its path in <variable>.
+# Each src/construct/entries/**/NAME.cpp defines
 # `const Construction& NAME_construction()` in namespace changeover; the list is sorted by NAME.
 #
 # The list is generated rather than collected by objects that register themselves: a linker takes
@@ -9,13 +9,7 @@
 # construction would silently be missing from every program. Here each one is referred to by name,
 # the order does not depend on initialisation, and adding a construction still touches one file.
 function(changeover_generate_registry variable)
-  set(${variable} "" PARENT_SCOPE)
-  file(GLOB entries CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/construct/entries/*.cpp")
-  file(GLOB header CONFIGURE_DEPENDS
-       "${PROJECT_SOURCE_DIR}/include/changeover/construct/registry.hpp")
-  if(NOT header)
-    return()
-  endif()
+  file(GLOB_RECURSE entries CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/construct/entries/*.cpp")
 
   set(names)
   foreach(entry IN LISTS entries)

@@ -1,8 +1,11 @@
 # The rooms of the library, lowest first, and which rooms each one may include. This is the only
 # place that says so: the libraries are linked from it, and tests/architecture holds the includes
-# to it. A room's headers are include/changeover/<room>/, its sources src/<room>/.
+# to it. A room's public headers are include/changeover/<room>/, all the rest of it is src/<room>/.
 
 set(CHANGEOVER_ROOMS core run verify bounds construct io paper proof isomorphism search loadorder plan)
+
+# Rooms that are built with the others but are no part of the installed library.
+set(CHANGEOVER_ROOMS_OF_THE_HOUSE paper)
 
 set(CHANGEOVER_KNOWS_core)
 set(CHANGEOVER_KNOWS_run core)

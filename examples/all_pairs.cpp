@@ -50,9 +50,9 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/output_file.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
-#include "changeover/loadorder/baselines.hpp"
 #include "changeover/loadorder/prefetch.hpp"
-#include "changeover/run/random.hpp"
+#include "peers/load_orders.hpp"
+#include "run/random.hpp"
 
 namespace {
 

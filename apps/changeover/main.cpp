@@ -1,6 +1,6 @@
-#include "process.hpp"
-#include "run_request.hpp"
-#include "team.hpp"
+#include "cli/process.hpp"
+#include "cli/team.hpp"
+#include "request/run_request.hpp"
 #include "verbs.hpp"
 
 int main(int argc, char** argv) {

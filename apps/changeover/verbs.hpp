@@ -1,7 +1,7 @@
 // The verbs, one file each.
 #pragma once
 
-#include "cli.hpp"
+#include "cli/cli.hpp"
 
 namespace changeover::cli {
 

@@ -1,4 +1,4 @@
-#include "changeover/bounds/counting_bound.hpp"
+#include "bounds/counting_bound.hpp"
 
 #include "changeover/core/checked.hpp"
 

@@ -1,4 +1,4 @@
-#include "degree_program.hpp"
+#include "bounds/degree_program.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "changeover/construct/entry.hpp"
+#include "construct/entry.hpp"
 
 #include "changeover/construct/closure.hpp"
 

@@ -6,7 +6,7 @@
 #include <queue>
 #include <utility>
 
-#include "changeover/bounds/counting_bound.hpp"
+#include "bounds/counting_bound.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"

@@ -6,7 +6,7 @@
 #include <unordered_set>
 
 #include "changeover/core/error.hpp"
-#include "changeover/core/utf8.hpp"
+#include "core/utf8.hpp"
 
 namespace changeover {
 

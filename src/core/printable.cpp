@@ -4,7 +4,7 @@
 
 #include <iterator>
 
-#include "changeover/core/utf8.hpp"
+#include "core/utf8.hpp"
 
 namespace changeover {
 

@@ -1,4 +1,4 @@
-#include "changeover/core/utf8.hpp"
+#include "core/utf8.hpp"
 
 #include <array>
 

@@ -8,9 +8,9 @@
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/paper/checking.hpp"
-#include "changeover/paper/checks.hpp"
 #include "changeover/verify/difference.hpp"
+#include "paper/checking.hpp"
+#include "paper/checks.hpp"
 
 namespace changeover {
 namespace {

@@ -8,10 +8,10 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/paper/checking.hpp"
-#include "changeover/paper/checks.hpp"
-#include "changeover/paper/enumeration.hpp"
 #include "changeover/verify/difference.hpp"
+#include "paper/checking.hpp"
+#include "paper/checks.hpp"
+#include "paper/enumeration.hpp"
 
 namespace changeover {
 namespace {

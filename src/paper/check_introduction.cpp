@@ -7,9 +7,9 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/transitions.hpp"
-#include "changeover/paper/checking.hpp"
-#include "changeover/paper/checks.hpp"
-#include "changeover/paper/enumeration.hpp"
+#include "paper/checking.hpp"
+#include "paper/checks.hpp"
+#include "paper/enumeration.hpp"
 
 namespace changeover {
 namespace {

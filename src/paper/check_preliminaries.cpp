@@ -10,8 +10,8 @@
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/transitions.hpp"
-#include "changeover/paper/checking.hpp"
-#include "changeover/paper/checks.hpp"
+#include "paper/checking.hpp"
+#include "paper/checks.hpp"
 
 namespace changeover {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/paper/checking.hpp"
-#include "changeover/paper/checks.hpp"
+#include "paper/checking.hpp"
+#include "paper/checks.hpp"
 
 namespace changeover {
 namespace {

@@ -7,8 +7,8 @@
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
-#include "changeover/paper/checking.hpp"
-#include "changeover/paper/checks.hpp"
+#include "paper/checking.hpp"
+#include "paper/checks.hpp"
 
 namespace changeover {
 namespace {

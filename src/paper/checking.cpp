@@ -1,4 +1,4 @@
-#include "changeover/paper/checking.hpp"
+#include "paper/checking.hpp"
 
 #include <fmt/format.h>
 

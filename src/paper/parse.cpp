@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "changeover/core/error.hpp"
-#include "changeover/paper/printed.hpp"
+#include "paper/printed.hpp"
 
 namespace changeover {
 namespace {

@@ -1,5 +1,5 @@
 // The rest of the paper as data: statements, figures, base blocks, claims and the example of costs.
-#include "changeover/paper/printed.hpp"
+#include "paper/printed.hpp"
 
 namespace changeover {
 namespace {

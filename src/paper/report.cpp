@@ -1,11 +1,11 @@
-#include "changeover/paper/report.hpp"
+#include "paper/report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "changeover/io/json_writer.hpp"
-#include "changeover/paper/checks.hpp"
+#include "io/write/json_writer.hpp"
+#include "paper/checks.hpp"
 
 namespace changeover {
 namespace {

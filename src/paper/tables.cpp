@@ -1,5 +1,5 @@
 // The tables of blocks, as printed.
-#include "changeover/paper/printed.hpp"
+#include "paper/printed.hpp"
 
 namespace changeover {
 namespace {

@@ -1,4 +1,4 @@
-#include "changeover/run/grace.hpp"
+#include "run/grace.hpp"
 
 namespace changeover {
 

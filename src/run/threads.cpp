@@ -1,4 +1,4 @@
-#include "changeover/run/threads.hpp"
+#include "run/threads.hpp"
 
 #include <fmt/format.h>
 

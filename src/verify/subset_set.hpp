@@ -11,7 +11,7 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/parameters.hpp"
-#include "element_bits.hpp"
+#include "verify/element_bits.hpp"
 
 namespace changeover {
 

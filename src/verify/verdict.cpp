@@ -12,8 +12,8 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/run/scope.hpp"
-#include "element_bits.hpp"
-#include "subset_set.hpp"
+#include "verify/element_bits.hpp"
+#include "verify/subset_set.hpp"
 
 namespace changeover {
 namespace {

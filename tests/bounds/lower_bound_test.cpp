@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "changeover/bounds/counting_bound.hpp"
+#include "bounds/counting_bound.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "oracle_minima.hpp"

@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "changeover/loadorder/all_pairs.hpp"
-#include "changeover/loadorder/baselines.hpp"
 #include "changeover/loadorder/checksum.hpp"
 #include "changeover/loadorder/improve.hpp"
 #include "changeover/loadorder/job_results.hpp"
@@ -14,6 +13,7 @@
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder_support.hpp"
+#include "peers/load_orders.hpp"
 
 namespace changeover::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "changeover/paper/enumeration.hpp"
+#include "paper/enumeration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "changeover/core/error.hpp"
-#include "changeover/paper/checks.hpp"
+#include "paper/checks.hpp"
 
 namespace changeover {
 namespace {

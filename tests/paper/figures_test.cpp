@@ -1,4 +1,4 @@
-#include "changeover/paper/figures.hpp"
+#include "paper/figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "changeover/paper/printed.hpp"
+#include "paper/printed.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "changeover/paper/report.hpp"
+#include "paper/report.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "changeover/paper/checks.hpp"
+#include "paper/checks.hpp"
 
 namespace changeover {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "changeover/plan/job.hpp"
-#include "changeover/run/random.hpp"
+#include "run/random.hpp"
 
 namespace changeover::test {
 

@@ -1,4 +1,4 @@
-#include "changeover/run/random.hpp"
+#include "run/random.hpp"
 
 #include <gtest/gtest.h>
 

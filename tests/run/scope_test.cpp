@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/threads.hpp"
+#include "run/threads.hpp"
 
 namespace changeover {
 namespace {

@@ -1,8 +1,8 @@
-#include "progress_line.hpp"
+#include "answer/progress_line.hpp"
 
 #include <gtest/gtest.h>
 
-#include "spelling.hpp"
+#include "cli/spelling.hpp"
 
 namespace changeover::cli {
 namespace {

@@ -24,7 +24,7 @@
 //
 // A journal belongs to one job: the name, the data, as far as ItemSource::fingerprint() knows them
 // again, the order, the share and the place of the results. That of another job is refused before
-// anything is touched. Each line vouches for those before it (src/loadorder/journal.hpp); what was
+// anything is touched. Each line vouches for those before it (src/loadorder/run/journal.hpp); what was
 // edited, moved or added counts for nothing, nor does what follows. Checksums are no signatures:
 // who writes wrong results together with a journal that was made to fit them is believed.
 //

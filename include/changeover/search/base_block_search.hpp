@@ -16,7 +16,7 @@
 //   sat     a formula for all base blocks at once, CaDiCaL; for a tight design every orbit of pairs is newly
 //           covered exactly once and each element has a degree that the degree identity allows. It can say
 //           that there are none of this shape. That is the solver's statement, not a certificate.
-//   anneal  segment swaps made in all images at once (search/segment_orbits.hpp); for larger parameters
+//   anneal  segment swaps made in all images at once (search/local/segment_orbits.hpp); for larger parameters
 //           with some slack. It never says none.
 //   automatic  sat up to `sat_size` pairs in base blocks for tight designs; otherwise a short annealing,
 //           then sat if the formula is small enough, then the rest of the annealing.

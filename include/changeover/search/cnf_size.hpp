@@ -1,11 +1,11 @@
 // How large a formula is, counted before it is built, and the memory that it takes to decide it.
 //
 //     CnfSize size = design_formula_size(p, b);                       // search/exact_encoding.hpp
-//     size += exactly_size(30, 5);                                    // search/cardinality.hpp
+//     size += exactly_size(30, 5);                                    // search/sat/cardinality.hpp
 //     control.require_memory(solving_bytes(size, {.proof = true}), "the formula of DCCD(60,5)");
 //
 // Counts are exact: what is built afterwards has as many variables, clauses and literals. Bytes are an estimate
-// from above for formulas of a size that matters, by constants that were measured (src/search/cnf_size.cpp); what a
+// from above for formulas of a size that matters, by constants that were measured (src/search/sat/cnf_size.cpp); what a
 // solver learns on the way comes on top of it, and is little against a formula that is large.
 #pragma once
 

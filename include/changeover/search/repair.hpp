@@ -9,7 +9,7 @@
 //
 // *Repair* takes any list of blocks of the right shape. First its steps: a block that fits neither
 // of its neighbours is replaced by the one nearest to it that fits both, a repeated block goes, and
-// across any other wrong step the shortest way is inserted (construct/path.hpp). Then what is
+// across any other wrong step the shortest way is inserted (construct/tools/path.hpp). Then what is
 // uncovered: the list is annealed (local_search.hpp), briefly first, as every move changes blocks,
 // and longer only if that does not do; if nothing does, blocks are added at the end.
 //

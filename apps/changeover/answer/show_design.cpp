@@ -1,0 +1,133 @@
+#include "answer/show_design.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/core/error.hpp"
+#include "changeover/io/csv.hpp"
+#include "changeover/io/figures.hpp"
+#include "changeover/io/latex.hpp"
+#include "changeover/io/table.hpp"
+#include "cli/terminal.hpp"
+
+namespace changeover::cli {
+namespace {
+
+Design in_memory(BlockSource& source, const Exhibit& exhibit) {
+  Design design = read_all(source);
+  design.set_labels(exhibit.header.labels);
+  return design;
+}
+
+void write_design(BlockSource& source, const Exhibit& exhibit, const std::string& format,
+                  OutputFile& out) {
+  if (format == "text") {
+    write_text(source, out, exhibit.header);
+  } else if (format == "json") {
+    write_json(source, out, exhibit.header,
+               [&] { return std::optional<DesignVerdict>(exhibit.judgement.verdict); });
+  } else if (format == "csv") {
+    write_csv(source, out, exhibit.header.labels);
+  } else if (format == "latex") {
+    LatexOptions options;
+    options.leaving = exhibit.leaving;
+    options.positions = exhibit.positions;
+    options.names.base_blocks = exhibit.base_blocks;
+    write_latex(in_memory(source, exhibit), out, options);
+  } else if (format == "svg" || format == "tikz") {
+    // The first round of base blocks and the block after it, as the paper draws them.
+    const std::uint64_t drawn = exhibit.base_blocks.value_or(1) + 1;
+    const Design design = in_memory(source, exhibit);
+    const CircleFigure figure =
+        circle_figure(design, 0, std::min<std::uint64_t>(drawn, design.block_count()));
+    out.write(format == "svg" ? to_svg(figure) : to_tikz(figure));
+  } else {
+    TableOptions options;
+    options.width = terminal_width(out);
+    options.leaving = exhibit.leaving;
+    options.colour = may_colour(out);
+    options.positions = exhibit.positions;
+    options.names.base_blocks = exhibit.base_blocks;
+    const Design design = in_memory(source, exhibit);
+    out.write(exhibit.title + "\n\n");
+    write_table(design, out, options);
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& design_formats() {
+  static const std::vector<std::string> formats{"table", "text", "json", "csv",
+                                                "latex", "svg",  "tikz"};
+  return formats;
+}
+
+std::optional<std::string> format_defect(const Parameters& p, std::uint64_t b,
+                                         const std::string& format) {
+  constexpr std::uint64_t most_blocks = 1'000'000;
+  constexpr std::uint64_t most_elements = 20'000'000;
+  constexpr std::uint64_t most_points = 1000;
+  if (format == "text" || format == "json" || format == "csv") {
+    return std::nullopt;
+  }
+  if ((format == "svg" || format == "tikz") && p.v > most_points) {
+    return fmt::format(
+        "--format {}: a picture has at most {} points, not v = {}; use --format text", format,
+        most_points, p.v);
+  }
+  if (b > most_blocks || b > most_elements / p.k) {
+    return fmt::format("--format {}: {} of {} are too many to lay out; use --format text -o FILE",
+                       format, count_of(b, "block"), count_of(p.k, "element"));
+  }
+  return std::nullopt;
+}
+
+void show_design(BlockSource& source, const Exhibit& exhibit, const OutputRequest& output) {
+  std::string format = output.chosen();
+  if (const auto b = source.block_count()) {
+    const auto defect = format_defect(source.parameters(), *b, format);
+    if (defect && !output.precious) {
+      throw UsageError{*defect};
+    }
+    format = defect ? "text" : format;  // What a search found is not lost for its size.
+  }
+  bool begun = false;
+  deliver(output, [&](OutputFile& out) {
+    if (begun && !source.rewind()) {
+      throw InternalError("a design that cannot be read twice");
+    }
+    begun = true;
+    write_design(source, exhibit, format, out);
+  });
+}
+
+bool can_be_judged_while_written(const OutputRequest& output) {
+  const std::string format = output.chosen();
+  const bool to_file = !output.path.empty() && output.path != "-";
+  return format == "text" || format == "json" || (format == "csv" && to_file);
+}
+
+void show_design_while_judging(JudgedWhileRead& source, const Exhibit& exhibit,
+                               const OutputRequest& output) {
+  const std::string format = output.chosen();
+  deliver(output, [&](OutputFile& out) {
+    if (format == "json") {
+      write_json(source, out, exhibit.header,
+                 [&] { return std::optional<DesignVerdict>(source.judgement().verdict); });
+    } else if (format == "csv") {
+      write_csv(source, out, exhibit.header.labels);
+    } else {
+      if (out.is_standard_output()) {
+        out.write("# verified while it is written: the last line says how it ended\n");
+      }
+      write_text(source, out, exhibit.header);
+      if (out.is_standard_output()) {
+        const Judgement& judgement = source.judgement();
+        out.write(fmt::format("# verified: {}; {}\n", judgement.certificate, quality(judgement)));
+      }
+    }
+  });
+}
+
+}  // namespace changeover::cli

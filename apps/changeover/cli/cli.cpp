@@ -1,0 +1,432 @@
+#include "cli/cli.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <map>
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include "answer/deliver.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/core/printable.hpp"
+#include "changeover/core/version.hpp"
+#include "changeover/io/design_input.hpp"
+#include "changeover/io/output_file.hpp"
+#include "changeover/run/scope.hpp"
+#include "cli/process.hpp"
+#include "cli/spelling.hpp"
+#include "cli/status_line.hpp"
+
+namespace changeover::cli {
+namespace {
+
+// One line on stderr, whatever the message holds.
+int complain(int code, const std::string& message) {
+  constexpr std::size_t longest = 1000;
+  std::string line = "changeover: " + message;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  line = printable(line);
+  if (line.size() > longest) {
+    std::size_t end = longest;
+    while ((static_cast<unsigned char>(line[end]) & 0xc0U) == 0x80U) {  // within a character
+      --end;
+    }
+    line.resize(end);
+    line += " … (shortened)";
+  }
+  status_line().say(line);
+  return code;
+}
+
+int answer(const std::string& text) {
+  try {
+    deliver(text, std::string("-"));
+    return exit_code::done;
+  } catch (const ReaderGone& fault) {
+    leave_with_the_reader();
+    return complain(exit_code::missing_resource, fault.what());
+  } catch (const MissingResource& fault) {
+    return complain(exit_code::missing_resource, fault.what());
+  }
+}
+
+// The parser's own words, made to say where help is.
+std::string usage_message(const CLI::ParseError& fault, const CLI::App& verb) {
+  std::string message = fault.what();
+  while (!message.empty() && (message.back() == '\n' || message.back() == '.')) {
+    message.pop_back();
+  }
+  const std::string name = verb.get_parent() == nullptr ? "" : " " + verb.get_name();
+  return message + "; see changeover" + name + " --help";
+}
+
+// The parser would take "99999999999999999999" for the largest number that it knows.
+std::string whole_number_defect(const std::string& given) {
+  std::uint64_t value = 0;
+  const char* const end = given.data() + given.size();
+  const auto [rest, failure] = std::from_chars(given.data(), end, value);
+  if (failure == std::errc::result_out_of_range) {
+    return given + " is too large a number";
+  }
+  return failure == std::errc() && rest == end ? std::string()
+                                               : "'" + given + "' is not a whole number";
+}
+
+// What is to be given, from its name in the help: FILE, DIR, DURATION, SIZE, A..B.
+std::string kind_of_value(const std::string& what) {
+  return what == "FILE"                         ? "file"
+         : what == "DIR"                        ? "folder"
+         : what == "DURATION"                   ? "duration"
+         : what == "SIZE"                       ? "size"
+         : what.find("..") != std::string::npos ? "range"
+                                                : "text";
+}
+
+// "--change", "-m", … of an option; nothing for a positional.
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) {
+    names.push_back("-" + name);
+  }
+  for (const std::string& name : option.get_lnames()) {
+    names.push_back("--" + name);
+  }
+  return names;
+}
+
+// The parser complains of what is missing before what is misspelt, and cannot guess what was meant.
+std::string misspelt(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2) {
+    return {};
+  }
+  const std::string verb_name = argv[1];
+  if (verb_name == "-h" || verb_name == "--help" || verb_name == "--version") {
+    return {};
+  }
+  if (verb_name.starts_with('-')) {
+    return "there is no option " + verb_name + " before a verb; see changeover --help";
+  }
+  const CLI::App* verb = nullptr;
+  std::vector<std::string> verbs;
+  for (const CLI::App* each : program.get_subcommands({})) {
+    verb = each->get_name() == verb_name ? each : verb;
+    verbs.push_back(each->get_name());
+  }
+  if (verb == nullptr) {
+    return "there is no verb '" + verb_name + "'" + did_you_mean(verb_name, verbs) +
+           "; see changeover --help";
+  }
+  std::map<std::string, bool> takes_value;
+  std::vector<std::string> known;
+  for (const CLI::Option* option : verb->get_options()) {
+    for (const std::string& name : names_of(*option)) {
+      takes_value[name] = option->get_items_expected_max() > 0;
+      known.push_back(name);
+    }
+  }
+  for (int i = 2; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--") {
+      break;
+    }
+    const bool is_long = word.size() > 2 && word.starts_with("--");
+    const bool is_short =
+        !is_long && word.size() > 1 && word[0] == '-' && (std::isalpha(word[1]) != 0);
+    if (!is_long && !is_short) {
+      continue;
+    }
+    const std::string name = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
+    const auto found = takes_value.find(name);
+    if (found == takes_value.end()) {
+      return verb_name + " has no option " + name + did_you_mean(name, known) +
+             "; see changeover " + verb_name + " --help";
+    }
+    if (found->second && word.size() == name.size()) {
+      ++i;  // its value
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+struct Verb::State {
+  CLI::App* app = nullptr;
+  std::function<int()>
+      action;  // runs after parsing, so that its faults are not taken for the parser's
+  std::map<const CLI::Option*, std::vector<std::string>> words;  // of choices
+  std::map<const CLI::Option*, std::string>
+      kinds;  // of values: number, text, file, …; flags have none
+};
+
+struct Program::State {
+  CLI::App app{
+      "Finds, proves, draws and runs change covering designs: ordered lists of k-element blocks "
+      "over v "
+      "items in which every pair meets and consecutive blocks differ in exactly m items.",
+      "changeover"};
+  std::vector<std::unique_ptr<Verb>> verbs;
+};
+
+Verb::Verb(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Verb::~Verb() = default;
+
+void Verb::positional(const std::string& name, std::uint64_t& value, const std::string& help) {
+  CLI::Option* option = state_->app->add_option(name, value, help);
+  option->required()->option_text("NUMBER")->check(whole_number_defect, "");
+  state_->kinds[option] = "number";
+}
+
+void Verb::positional(const std::string& name, std::string& value, const std::string& help,
+                      bool required) {
+  CLI::Option* option = state_->app->add_option(name, value, help);
+  option->required(required)->option_text(" ");
+  state_->kinds[option] = "file";
+}
+
+void Verb::positional(const std::string& name, std::optional<std::uint64_t>& value,
+                      const std::string& help) {
+  CLI::Option* option = state_->app->add_option(name, value, help);
+  option->option_text("NUMBER")->check(whole_number_defect, "");
+  state_->kinds[option] = "number";
+}
+
+void Verb::option(const std::string& flags, std::optional<std::uint64_t>& value,
+                  const std::string& what, const std::string& help) {
+  CLI::Option* option = state_->app->add_option(flags, value, help);
+  option->option_text(what)->check(whole_number_defect, "");
+  state_->kinds[option] = "number";
+}
+
+void Verb::option(const std::string& flags, std::string& value, const std::string& what,
+                  const std::string& help) {
+  CLI::Option* option = state_->app->add_option(flags, value, help);
+  option->option_text(what);
+  // As of a variable that was never set.
+  option->check(
+      [](const std::string& given) {
+        return given.empty() ? std::string("it is empty; give a value, or leave the option out")
+                             : std::string();
+      },
+      "");
+  state_->kinds[option] = kind_of_value(what);
+}
+
+void Verb::choice(const std::string& flags, std::string& value,
+                  const std::vector<std::string>& words, const std::string& help) {
+  std::string all;
+  for (const std::string& word : words) {
+    all += (all.empty() ? "" : "|") + word;
+  }
+  CLI::Option* option = state_->app->add_option(flags, value, help);
+  option->option_text(all);
+  option->check(
+      [words, all](const std::string& given) {
+        for (const std::string& word : words) {
+          if (word == given) {
+            return std::string();
+          }
+        }
+        return "'" + given + "' is not one of " + all;
+      },
+      "");
+  state_->words[option] = words;
+  state_->kinds[option] = "words";
+}
+
+void Verb::flag(const std::string& flags, bool& value, const std::string& help) {
+  state_->app->add_flag(flags, value, help);
+}
+
+void Verb::examples(const std::vector<std::string>& lines) {
+  std::string text = "Examples:";
+  for (const std::string& line : lines) {
+    text += "\n  " + line;
+  }
+  state_->app->footer(text);
+}
+
+void Verb::run(std::function<int()> action) { state_->action = std::move(action); }
+
+Program::Program() : state_(std::make_unique<State>()) {
+  CLI::App& app = state_->app;
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "changeover " + std::string(changeover::version));
+  app.footer(
+      "Exit codes: 0 done or valid; 1 the claim was refuted; 2 usage; 3 bad input; 4 nothing "
+      "serves\n"
+      "these parameters, or a file, memory or disk space is missing; 5 a bug of ours. Searches:\n"
+      "10 found, 20 proved that there is none, 30 stopped by a limit before that was known.\n"
+      "changeover VERB --help shows options and examples.");
+}
+
+Program::~Program() = default;
+
+Verb& Program::add(const std::string& name, const std::string& summary) {
+  auto state = std::make_unique<Verb::State>();
+  state->app = state_->app.add_subcommand(name, summary);
+  state_->verbs.push_back(std::unique_ptr<Verb>(new Verb(std::move(state))));
+  return *state_->verbs.back();
+}
+
+int Program::run(int argc, char** argv) {
+  CLI::App& app = state_->app;
+  if (argc == 1) {
+    std::string help = app.help();
+    help.erase(help.find_last_not_of('\n') + 1);
+    status_line().say(help);
+    return exit_code::usage;
+  }
+  remove_unfinished_outputs_on_signals();
+  if (const std::string defect = misspelt(app, argc, argv); !defect.empty()) {
+    return complain(exit_code::usage, defect);
+  }
+  const auto chosen = [&]() -> const CLI::App& {
+    const auto verbs = app.get_subcommands();
+    return verbs.empty() ? app : *verbs.front();
+  };
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& request) {  // --help, --version
+    const bool help = dynamic_cast<const CLI::CallForHelp*>(&request) != nullptr;
+    return answer((help ? app.help() : std::string(request.what())) + "\n");
+  } catch (const CLI::ParseError& fault) {
+    return complain(exit_code::usage, usage_message(fault, chosen()));
+  }
+  try {
+    for (const auto& verb : state_->verbs) {
+      if (verb->state_->app == &chosen()) {
+        return verb->state_->action();
+      }
+    }
+    throw InternalError("a verb without an action");
+  } catch (const UsageError& fault) {
+    return complain(exit_code::usage,
+                    fault.message + "; see changeover " + chosen().get_name() + " --help");
+  } catch (const ImpossibleParameters& fault) {
+    return complain(exit_code::usage, fault.what());
+  } catch (const BadReadOption& fault) {  // the command line said so, not the file
+    return complain(exit_code::usage, std::string(fault.what()) + "; see changeover " +
+                                          chosen().get_name() + " --help");
+  } catch (const BadInput& fault) {
+    return complain(exit_code::bad_input, fault.what());
+  } catch (const ReaderGone& fault) {
+    leave_with_the_reader();
+    return complain(exit_code::missing_resource, fault.what());
+  } catch (const MissingResource& fault) {
+    return complain(exit_code::missing_resource, fault.what());
+  } catch (const Stopped& stopped) {
+    return complain(exit_code::limit_reached, "stopped (" + std::string(to_string(stopped.why())) +
+                                                  ") before anything was found");
+  } catch (const std::bad_alloc&) {
+    return complain(exit_code::missing_resource, "not enough memory for these parameters");
+  } catch (const std::length_error&) {
+    return complain(exit_code::missing_resource, "not enough memory for these parameters");
+  } catch (const std::system_error& fault) {  // of files, threads, …
+    return complain(exit_code::missing_resource, fault.what());
+  } catch (const std::exception& fault) {
+    return complain(exit_code::bug,
+                    std::string("a bug of ours, please report it: ") + fault.what());
+  }
+}
+
+std::vector<OptionDescription> Program::describe() const {
+  std::vector<OptionDescription> all;
+  for (const auto& entry : state_->verbs) {
+    const Verb::State& verb = *entry->state_;
+    for (const CLI::Option* option : verb.app->get_options()) {
+      if (option == verb.app->get_help_ptr()) {
+        continue;
+      }
+      OptionDescription each;
+      each.verb = verb.app->get_name();
+      each.names = names_of(*option);
+      each.positional = each.names.empty();
+      if (each.positional) {
+        each.names = {option->get_name(true)};
+      }
+      const auto kind = verb.kinds.find(option);
+      each.kind = kind == verb.kinds.end() ? "flag" : kind->second;
+      const auto words = verb.words.find(option);
+      if (words != verb.words.end()) {
+        each.words = words->second;
+      }
+      each.required = option->get_required();
+      each.help = option->get_description();
+      all.push_back(std::move(each));
+    }
+  }
+  return all;
+}
+
+std::vector<std::pair<std::string, std::string>> Program::verbs() const {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto& entry : state_->verbs) {
+    all.emplace_back(entry->state_->app->get_name(), entry->state_->app->get_description());
+  }
+  return all;
+}
+
+std::string Program::bash_completion() const {
+  std::string verbs;
+  std::string cases;
+  std::string values;
+  for (const auto& entry : state_->verbs) {
+    const CLI::App* verb = entry->state_->app;
+    verbs += (verbs.empty() ? "" : " ") + verb->get_name();
+    std::string options;
+    for (const CLI::Option* option : verb->get_options()) {
+      std::string names;
+      for (const std::string& name : option->get_lnames()) {
+        options += " --" + name;
+        names += (names.empty() ? "--" : "|--") + name;
+      }
+      for (const std::string& name : option->get_snames()) {
+        names += "|-" + name;
+      }
+      const auto found = entry->state_->words.find(option);
+      if (found != entry->state_->words.end()) {
+        std::string words;
+        for (const std::string& word : found->second) {
+          words += " " + word;
+        }
+        if (names.empty()) {  // a positional: offered with the options
+          options += words;
+        } else {
+          values += "    " + verb->get_name() + ":" + names.substr(0, names.find('|')) +
+                    ") words=\"" + words.substr(1) + "\" ;;\n";
+        }
+      }
+    }
+    cases += "    " + verb->get_name() + ") words=\"" + (options.empty() ? "" : options.substr(1)) +
+             "\" ;;\n";
+  }
+  return "# Completion for bash: source this file, or put it into bash_completion.d.\n"
+         "_changeover() {\n"
+         "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} words=\n"
+         "  COMPREPLY=()\n"
+         "  if [[ $COMP_CWORD -eq 1 ]]; then\n"
+         "    COMPREPLY=($(compgen -W \"" +
+         verbs +
+         " --help --version\" -- \"$current\"))\n"
+         "    return\n"
+         "  fi\n"
+         "  case ${COMP_WORDS[1]}:$previous in\n" +
+         values +
+         "    *:-o|*:--output) COMPREPLY=($(compgen -f -- \"$current\")); return ;;\n"
+         "  esac\n"
+         "  if [[ -z $words ]]; then\n"
+         "    if [[ $current != -* ]]; then COMPREPLY=($(compgen -f -- \"$current\")); fi\n"
+         "    case ${COMP_WORDS[1]} in\n" +
+         cases +
+         "    esac\n"
+         "  fi\n"
+         "  COMPREPLY+=($(compgen -W \"$words\" -- \"$current\"))\n"
+         "}\n"
+         "complete -F _changeover changeover\n";
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,223 @@
+#include "request/request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "changeover/construct/planner.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/verify/difference.hpp"
+#include "changeover/verify/interval_difference.hpp"
+
+namespace changeover::cli {
+
+void ParameterRequest::add_to(Verb& verb) {
+  verb.positional("V", v, "number of elements");
+  verb.positional("K", k, "elements in a block");
+  verb.option("-m,--change", change, "M",
+              "elements in which consecutive blocks differ (default 2)");
+  verb.flag("--circular", circular, "the last and the first block are consecutive too");
+  verb.flag("--linear", linear, "they need not be");
+}
+
+std::vector<Parameters> ParameterRequest::parameters() const {
+  if (circular && linear) {
+    throw UsageError{"--circular and --linear exclude each other"};
+  }
+  std::vector<Parameters> asked;
+  for (const Kind kind : {Kind::circular, Kind::linear}) {
+    if (kind == Kind::circular ? !linear : !circular) {
+      asked.push_back({.v = v, .k = k, .change = change.value_or(2), .kind = kind});
+      check(asked.back());
+    }
+  }
+  return asked;
+}
+
+void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) {
+  format = formats.front();
+  verb.choice("-f,--format", format, formats, "how the answer is written (default " + format + ")");
+  if (std::find(formats.begin(), formats.end(), "json") != formats.end()) {
+    verb.flag("--json", json, "the same as --format json");
+  }
+  verb.option("-o,--output", path, "FILE", "write to FILE instead of standard output");
+}
+
+std::string OutputRequest::chosen() const { return json ? "json" : format; }
+
+void OutputRequest::check_writable() const {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  const bool as_a_whole = !exists(status) || is_regular_file(status) || is_directory(status);
+  if (!path.empty() && path != "-" && as_a_whole) {
+    const OutputFile trial(path);  // Goes away without a trace.
+  }
+}
+
+std::optional<Offer> best_known(const Parameters& p) {
+  return changeover::best_known(Registry::standard(), p,
+                                [](const Design& design) { return verify(design).valid(); });
+}
+
+std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
+                                const std::string& construction) {
+  std::optional<Offer> best;
+  const auto consider = [&](std::optional<Offer> offer) {
+    if (offer && (!best || offer->b < best->b)) {
+      best = std::move(offer);
+    }
+  };
+  for (const Parameters& p : asked) {
+    if (construction.empty()) {
+      consider(impossibility(p) ? std::nullopt : best_known(p));
+    } else if (const Construction* named = Registry::standard().find(construction)) {
+      consider(named->offer(p, Registry::standard()));
+    }
+  }
+  return best;
+}
+
+Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved) {
+  Judgement judgement;
+  judgement.bound = lower_bound(verdict.parameters);
+  if (proved && proved->blocks > judgement.bound.blocks) {
+    judgement.bound = *proved;
+  }
+  judgement.verdict = {.valid = verdict.valid(),
+                       .tight = verdict.tight(),
+                       .economical = verdict.economical(),
+                       .b = verdict.b,
+                       .lower_bound = judgement.bound.blocks,
+                       .minimum_proved = verdict.valid() && verdict.b == judgement.bound.blocks};
+  judgement.certificate = "every block read";
+  if (verdict.valid() && verdict.b < judgement.bound.blocks) {
+    throw InternalError(fmt::format("{} has {} blocks, below the lower bound {}",
+                                    name(verdict.parameters), verdict.b, judgement.bound.blocks));
+  }
+  return judgement;
+}
+
+// The certificate of a development over Z_v, if the recipe has one.
+static std::optional<DifferenceVerdict> certificate(const Recipe& recipe) {
+  const Construction& construction = Registry::standard().construction_of(recipe);
+  if (const auto base = construction.interval_base_blocks(recipe)) {
+    return verify_differences(*base);
+  }
+  if (const auto base = construction.base_blocks(recipe)) {
+    return verify_differences(*base);
+  }
+  return std::nullopt;
+}
+
+// Whether reading all blocks takes more than about a second.
+static bool is_long(const Parameters& p, std::uint64_t b) {
+  constexpr std::uint64_t many_elements = 20'000'000;
+  constexpr std::uint64_t many_pairs_from_v = 20'000;
+  return p.v > many_pairs_from_v || b > many_elements / p.k;
+}
+
+static void hold_to_promise(const Judgement& judgement, const Offer& promise) {
+  const DesignVerdict& verdict = judgement.verdict;
+  if (!verdict.valid || verdict.b != promise.b || (promise.tight && !verdict.tight) ||
+      (promise.economical && !verdict.economical)) {
+    throw InternalError(fmt::format("the construction {} does not keep its promise for {}",
+                                    promise.recipe.construction, name(promise.recipe.parameters)));
+  }
+}
+
+std::optional<Judgement> judge_at_once(const BlockSource& source, const Offer& promise) {
+  const Parameters& p = source.parameters();
+  const auto differences =
+      is_long(p, promise.b) ? certificate(promise.recipe) : std::optional<DifferenceVerdict>();
+  if (!differences) {
+    return std::nullopt;
+  }
+  Judgement judgement;
+  judgement.bound = lower_bound(p);
+  judgement.verdict = {.valid = differences->valid(),
+                       .tight = differences->tight,
+                       .economical = differences->tight,
+                       .b = differences->b,
+                       .lower_bound = judgement.bound.blocks,
+                       .minimum_proved = differences->b == judgement.bound.blocks};
+  judgement.certificate = "differences of the base blocks";
+  hold_to_promise(judgement, promise);
+  return judgement;
+}
+
+bool takes_long_to_judge(const BlockSource& source, const Offer& promise) {
+  return is_long(source.parameters(), promise.b);
+}
+
+JudgedWhileRead::JudgedWhileRead(BlockSource& source, const Offer& promise)
+    : source_(source), promise_(promise), running_(source.parameters()) {}
+
+bool JudgedWhileRead::next(std::span<Element> block) {
+  if (source_.next(block)) {
+    running_.add(block);
+    constexpr std::uint64_t blocks_between_looks = 4096;
+    if (++blocks_ % blocks_between_looks == 0) {
+      stop_if_asked();
+      if (progress_due()) {
+        report_progress({.phase = fmt::format("verifying {} of {}", name(source_.parameters()),
+                                              count_of(promise_.b, "block")),
+                         .steps = blocks_,
+                         .unit = "blocks"});
+      }
+    }
+    return true;
+  }
+  if (!judgement_) {
+    Judgement judgement = judge(running_.finish());
+    hold_to_promise(judgement, promise_);
+    judgement_ = std::move(judgement);
+  }
+  return false;
+}
+
+const Judgement& JudgedWhileRead::judgement() const {
+  if (!judgement_) {
+    throw InternalError("a design was judged before its last block");
+  }
+  return *judgement_;
+}
+
+Judgement judge(BlockSource& source, const Offer& promise) {
+  if (std::optional<Judgement> judgement = judge_at_once(source, promise)) {
+    return *std::move(judgement);
+  }
+  JudgedWhileRead judged(source, promise);
+  for (Block block(static_cast<std::size_t>(source.parameters().k)); judged.next(block);) {
+  }
+  if (!source.rewind()) {
+    throw InternalError("a construction that cannot be read twice");
+  }
+  return judged.judgement();
+}
+
+std::string quality(const Judgement& judgement) {
+  const DesignVerdict& verdict = judgement.verdict;
+  std::string text;
+  if (verdict.tight) {
+    text += "tight, ";
+  } else if (verdict.economical) {
+    text += "economical, ";
+  }
+  if (verdict.minimum_proved) {
+    return text + fmt::format("minimum (its {} {} the lower bound: {})",
+                              count_of(verdict.b, "block"), verdict.b == 1 ? "is" : "are",
+                              judgement.bound.name);
+  }
+  return text + fmt::format("{} {} over the lower bound {}",
+                            count_of(verdict.b - verdict.lower_bound, "block"),
+                            verdict.b - verdict.lower_bound == 1 ? "is" : "are",
+                            verdict.lower_bound);
+}
+
+std::string count_of(std::uint64_t n, const std::string& singular) {
+  return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,129 @@
+// What verbs share: the parameters that are asked for, the form of the answer, and the judgement that
+// every design passes before it is shown. Where the answer goes: deliver.hpp.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "answer/deliver.hpp"
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/io/json.hpp"
+#include "changeover/io/output_file.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "cli/cli.hpp"
+
+namespace changeover::cli {
+
+/// V K [--change M] [--circular|--linear].
+struct ParameterRequest {
+  std::uint64_t v = 0;
+  std::uint64_t k = 0;
+  std::optional<std::uint64_t> change;
+  bool circular = false;
+  bool linear = false;
+
+  void add_to(Verb& verb);
+
+  /// What is asked, once for each kind that may answer: the named one, or circular and linear.
+  /// @throws UsageError, ImpossibleParameters.
+  [[nodiscard]] std::vector<Parameters> parameters() const;
+};
+
+/// [--format WORD] [--json] [-o FILE].
+struct OutputRequest {
+  std::string format;
+  bool json = false;
+  std::string path;
+  bool precious = false;  ///< long work makes it: it is not lost because FILE cannot be written
+
+  /// The first word is the default.
+  void add_to(Verb& verb, const std::vector<std::string>& formats);
+
+  /// The chosen format; --json is --format json. @throws UsageError if they contradict each other.
+  [[nodiscard]] std::string chosen() const;
+
+  /// The same for words that are no design: they go to standard output even where a FILE was named.
+  [[nodiscard]] OutputRequest words() const {
+    OutputRequest words = *this;
+    words.path.clear();
+    return words;
+  }
+
+  /// Tries whether FILE can be written, so that long work is not done in vain. @throws MissingResource.
+  void check_writable() const;
+};
+
+/// The best that is known of some parameters: what the constructions offer, and for v ≤ 120 also what the
+/// closure rules make of it.
+[[nodiscard]] std::optional<Offer> best_known(const Parameters& p);
+
+/// The best offer over some kinds, circular before linear among equals.
+[[nodiscard]] std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
+                                              const std::string& construction);
+
+/// What is known of a design after it was verified.
+struct Judgement {
+  DesignVerdict verdict;
+  Bound bound;              ///< the lower bound that the design is measured by
+  std::string certificate;  ///< how it was verified, in a few words
+};
+
+/// Verifies a stream of blocks and rewinds it. If the list is long and is the development of base blocks
+/// over Z_v, their differences are checked instead. @throws InternalError if what was promised does not hold.
+///
+/// A list of 10⁸ blocks without such a certificate takes a minute or more, in which nothing would be
+/// shown. So whoever only passes blocks on may do one of two things instead:
+///   - write them to a file, verified while they are written: the file appears whole when the verdict is
+///     good, and not at all when it is not;
+///   - write them to standard output and say first that they are verified while they are written, and
+///     last that they were. If the verdict is bad, the last line is missing and the exit code is 5.
+[[nodiscard]] Judgement judge(BlockSource& source, const Offer& promise);
+
+/// Whether that takes long unless there is a certificate.
+[[nodiscard]] bool takes_long_to_judge(const BlockSource& source, const Offer& promise);
+
+/// The part of judge() that reads no blocks: the judgement of a long list with a certificate, else nothing.
+[[nodiscard]] std::optional<Judgement> judge_at_once(const BlockSource& source,
+                                                     const Offer& promise);
+
+/// Hands on the blocks of a stream and verifies them on the way. Whoever reads the end of it has a
+/// design that was verified: next() @throws InternalError there if what was promised does not hold.
+class JudgedWhileRead final : public BlockSource {
+ public:
+  /// Both must outlive it.
+  JudgedWhileRead(BlockSource& source, const Offer& promise);
+
+  [[nodiscard]] const Parameters& parameters() const override { return source_.parameters(); }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return source_.block_count();
+  }
+  bool next(std::span<Element> block) override;
+  bool rewind() override { return false; }
+
+  /// Once next() was false.
+  [[nodiscard]] const Judgement& judgement() const;
+
+ private:
+  BlockSource& source_;
+  const Offer& promise_;
+  RunningVerdict running_;
+  std::uint64_t blocks_ = 0;
+  std::optional<Judgement> judgement_;
+};
+
+/// The same for a design without a promise, e.g. a user's; it need not be valid. `proved` is a bound that was
+/// proved just now and may be larger than those that are known.
+[[nodiscard]] Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved = {});
+
+/// "tight, minimum: 366 blocks, the lower bound (counting)", and the like.
+[[nodiscard]] std::string quality(const Judgement& judgement);
+
+/// "C(v,2) pairs" etc. for a line about an element-wise summary; plural by count.
+[[nodiscard]] std::string count_of(std::uint64_t n, const std::string& singular);
+
+}  // namespace changeover::cli

@@ -1,0 +1,261 @@
+// changeover expand FILE: the recursion with expansion sets, applied to a design of the user's own.
+#include "changeover/construct/expansion.hpp"
+#include "changeover/construct/partial_expansion.hpp"
+
+#include <fmt/format.h>
+
+#include "answer/show_design.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/io/read_design.hpp"
+#include "io/write/json_writer.hpp"
+#include "request/input_files.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct ExpandRequest {
+  std::string path;
+  bool circular = false;
+  bool linear = false;
+  std::string factorization = "circle";
+  std::optional<std::uint64_t> which;
+  std::optional<std::uint64_t> list;
+  bool count = false;
+  bool partial = false;
+  std::optional<std::uint64_t> nodes;
+  std::optional<std::uint64_t> new_elements;
+  OutputRequest output;
+};
+
+std::string members(const Design& design, const ExpansionSet& set) {
+  std::string text;
+  for (const UnchangedSubset& subset : set) {
+    text += fmt::format("{}U_{} = {{", text.empty() ? "" : ", ", subset.position);
+    for (std::size_t i = 0; i < subset.elements.size(); ++i) {
+      text += (i == 0 ? "" : ",") + design.label(subset.elements[i]);
+    }
+    text += "}";
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::size_t elements_in(const ExpansionSet& set) {
+  std::size_t count = 0;
+  for (const UnchangedSubset& subset : set) {
+    count += subset.elements.size();
+  }
+  return count;
+}
+
+void add_set(const Design& design, const ExpansionSet& set, JsonWriter& json) {
+  json.begin_array();
+  for (const UnchangedSubset& subset : set) {
+    json.begin_object().key("position").value(subset.position).key("elements").begin_array();
+    for (const Element x : subset.elements) {
+      if (design.labels().empty()) {
+        json.value(x);
+      } else {
+        json.value(design.label(x));
+      }
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
+std::string no_more(const ExpansionSearch& search) {
+  if (!search.complete) {
+    return "the search stopped at its limit";
+  }
+  return search.reason.empty() ? "every exact cover was tried" : search.reason;
+}
+
+// --list, --count, --partial: what there is, without expanding.
+int report(const ExpandRequest& request, const Design& design) {
+  ExpansionSearchOptions options;
+  options.how_many = request.list.value_or(request.count ? 0 : 1);
+  options.count = request.count;
+  options.partial = request.partial;
+  options.limits.nodes = request.nodes;
+  const ExpansionSearch search = find_expansion_sets(design, options);
+  std::optional<PartialExpansion> largest;
+  if (request.partial) {
+    largest = largest_partial_expansion_set(design, options.limits);
+  }
+  std::string text;
+  if (request.output.chosen() == "json") {
+    JsonWriter json;
+    json.begin_object().key("complete").value(search.complete).key("reason").value(search.reason);
+    json.key("count")
+        .value(search.count)
+        .key("partial")
+        .value(request.partial)
+        .key("sets")
+        .begin_array();
+    for (const ExpansionSet& set : search.sets) {
+      add_set(design, set, json);
+    }
+    json.end_array();
+    if (largest) {
+      json.key("largest");
+      add_set(design, largest->set, json);
+      json.key("largest_is_optimal").value(largest->optimal);
+    }
+    json.end_object();
+    text = json.take() + "\n";
+  } else {
+    if (largest) {
+      text += fmt::format("largest partial expansion set: {} of {} elements{}\n  {}\n",
+                          elements_in(largest->set), design.v(),
+                          largest->optimal ? ", proved" : ", the best so far",
+                          members(design, largest->set));
+    }
+    for (const ExpansionSet& set : search.sets) {
+      text += members(design, set) + "\n";
+    }
+    if (request.count) {
+      text += search.count ? fmt::format("{}{}\n", *search.count,
+                                         *search.count == 1 ? " expansion set" : " expansion sets")
+                           : fmt::format("not counted: {}\n", no_more(search));
+    } else if (search.sets.empty() && !request.partial) {
+      text += fmt::format("no expansion set found: {}\n", no_more(search));
+    }
+  }
+  deliver(text, request.output);
+  return exit_code::done;
+}
+
+/// A larger design and how it came about.
+struct Larger {
+  Design design;
+  std::string how;
+};
+
+// The recursion of the paper: an expansion set with an odd number of members. Without --set, nothing if
+// there is none.
+std::optional<Larger> by_expansion_set(const ExpandRequest& request, const Design& design) {
+  ExpansionSearchOptions options;
+  options.how_many = request.which.value_or(1);
+  options.limits.nodes = request.nodes;
+  if (options.how_many == 0) {
+    throw UsageError{"--set counts from 1"};
+  }
+  if (design.parameters().change != 2) {
+    return std::nullopt;
+  }
+  const ExpansionSearch search = find_expansion_sets(design, options);
+  if (request.which && search.sets.size() < *request.which) {
+    throw MissingResource(fmt::format("{}: only {}: {}", request.path,
+                                      count_of(search.sets.size(), "expansion set"),
+                                      no_more(search)));
+  }
+  if (search.sets.size() < options.how_many) {
+    return std::nullopt;
+  }
+  const ExpansionSet& set = search.sets[static_cast<std::size_t>(options.how_many - 1)];
+  if (set.size() % 2 == 0) {
+    return std::nullopt;
+  }
+  const auto kind = factorization_kind_from_string(request.factorization);
+  return Larger{expand(design, set,
+                       one_factorization(static_cast<std::uint32_t>(set.size() + 1), kind.value())),
+                "at the expansion set " + members(design, set)};
+}
+
+// Partial expansion: any number of new elements, subsets that cover V and may overlap.
+Larger by_cover(const ExpandRequest& request, const Design& design, std::uint64_t w) {
+  if (design.k() == design.parameters().change) {
+    throw MissingResource(
+        fmt::format("{}: no new elements can be inserted: k = m, so unchanged subsets are empty",
+                    request.path));
+  }
+  CoverOptions options;
+  options.limits.nodes = request.nodes.value_or(200'000);
+  const std::uint64_t most = 2 * design.k() + 2;
+  const auto best = w == 0 ? best_new_elements(design, 1, most, options)
+                           : best_new_elements(design, w, w, options);
+  if (!best) {
+    throw MissingResource(
+        fmt::format("{}: {} new elements cannot be inserted: too few unchanged subsets, or they "
+                    "leave an element out",
+                    request.path, w == 0 ? "no number of" : fmt::format("{}", w)));
+  }
+  return {expand_by(design, best->cover, best->w,
+                    *factorization_kind_from_string(request.factorization)),
+          fmt::format("by {} at {}", count_of(best->w, "new element"),
+                      members(design, best->cover.subsets))};
+}
+
+int run(const ExpandRequest& request) {
+  if (request.circular && request.linear) {
+    throw UsageError{"--circular and --linear exclude each other"};
+  }
+  ReadOptions reading;
+  if (request.circular || request.linear) {
+    reading.kind = request.circular ? Kind::circular : Kind::linear;
+  }
+  refuse_to_overwrite_inputs(request.output.path, {{"the design", request.path}});
+  const Design design = read_design(request.path, reading);
+  const Verdict given = verify(design);
+  if (!given.valid()) {
+    throw BadInput(fmt::format("{}: not a valid {}; changeover verify {} says where", request.path,
+                               name(design.parameters()), request.path));
+  }
+  if (request.list || request.count || request.partial) {
+    return report(request, design);
+  }
+  // Without an odd expansion set, or when a number is named, subsets that overlap.
+  std::optional<Larger> made;
+  if (!request.new_elements) {
+    made = by_expansion_set(request, design);
+  }
+  if (!made) {
+    made = by_cover(request, design, request.new_elements.value_or(0));
+  }
+  const Design& larger = made->design;
+
+  Exhibit exhibit;
+  exhibit.judgement = judge(verify(larger));
+  if (!exhibit.judgement.verdict.valid) {
+    throw InternalError("the expanded design is not valid");
+  }
+  exhibit.header = {larger.labels(), larger.recipe};
+  exhibit.title = fmt::format("{}, {}: {}\nexpanded from {} with {} {}\nverified: {}",
+                              name(larger.parameters()), count_of(larger.block_count(), "block"),
+                              quality(exhibit.judgement), name(design.parameters()),
+                              count_of(design.block_count(), "block"), made->how,
+                              exhibit.judgement.certificate);
+  DesignSource source(larger);
+  show_design(source, exhibit, request.output);
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_expand(Program& program) {
+  auto request = std::make_shared<ExpandRequest>();
+  Verb& verb =
+      program.add("expand", "the recursion with expansion sets, applied to your own design");
+  verb.positional("FILE", request->path, "text, JSON or CSV; - is standard input");
+  verb.flag("--circular", request->circular, "take it as circular, whatever the file says");
+  verb.flag("--linear", request->linear, "take it as linear");
+  verb.choice("--factorization", request->factorization, {"circle", "doubled"},
+              "the 1-factorization of the new elements (default circle)");
+  verb.option("--set", request->which, "N", "use the N-th expansion set found (default 1)");
+  verb.option("--list", request->list, "N", "list up to N expansion sets instead");
+  verb.flag("--count", request->count, "count all expansion sets instead");
+  verb.flag("--partial", request->partial,
+            "list inclusion-maximal partial ones, and the largest, instead");
+  verb.option("-w,--new-elements", request->new_elements, "W",
+              "insert W new elements at unchanged subsets that may overlap; 0: the best number\n"
+              "(so it is chosen, too, if there is no expansion set with an odd number of members)");
+  verb.option("--nodes", request->nodes, "N", "give up after N nodes of the search");
+  request->output.add_to(verb, design_formats());
+  verb.examples({"changeover design 7 3 --linear --json | changeover expand -",
+                 "changeover design 21 5 --json -o d.json && changeover expand d.json --count",
+                 "changeover design 15 5 --json | changeover expand - --new-elements 4"});
+  verb.run([request] { return run(*request); });
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,247 @@
+// changeover plan: the cheapest run sheet.
+#include <fmt/format.h>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/read_job.hpp"
+#include "changeover/plan/run_plan.hpp"
+#include "changeover/plan/sheet_formats.hpp"
+#include "changeover/plan/what_if.hpp"
+#include "cli/terminal.hpp"
+#include "request/input_files.hpp"
+#include "request/request.hpp"
+#include "request/run_request.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct PlanRequest {
+  std::string parts;
+  std::optional<std::uint64_t> items;
+  std::optional<std::uint64_t> at_once;
+  std::string test_cost;
+  std::string change_cost;
+  std::string pairs;
+  std::string never;
+  std::string mounted;
+  std::string start;
+  std::string budget;
+  std::string done;
+  std::optional<std::uint64_t> done_first;
+  std::optional<std::uint64_t> steps;
+  std::string title;
+  bool what_if = false;
+  RunRequest run;
+  OutputRequest output;
+};
+
+// What is wrong with an option's value is a matter of usage, and the option is named.
+template <typename Read>
+auto from_option(const std::string& option, Read&& read) {
+  try {
+    return read();
+  } catch (const BadInput& fault) {
+    throw UsageError{fmt::format("{}: {}", option, fault.what())};
+  } catch (const ImpossibleParameters& fault) {
+    throw UsageError{fmt::format("{}: {}", option, fault.what())};
+  }
+}
+
+std::optional<Amount> amount(const std::string& option, const std::string& text) {
+  return text.empty() ? std::nullopt
+                      : std::optional(from_option(option, [&] { return parse_amount(text); }));
+}
+
+// The parts and what they cost.
+Job parts_of(const PlanRequest& request) {
+  if (request.parts.empty() == !request.items) {
+    throw UsageError{"give either a parts list or --items N"};
+  }
+  if (!request.at_once) {
+    throw UsageError{"give --at-once K, how many parts fit at once"};
+  }
+  if (*request.at_once < 2) {
+    throw UsageError{
+        fmt::format("--at-once {}: no pair can meet; give at least 2", *request.at_once)};
+  }
+  const auto test = amount("--test-cost", request.test_cost);
+  const auto change = amount("--change-cost", request.change_cost);
+  if (!test) {
+    throw UsageError{"give --test-cost X, what it costs to run one test"};
+  }
+  if (request.items) {
+    if (!change) {
+      throw UsageError{"give --change-cost Y, what it costs to mount a part"};
+    }
+    return from_option("--items", [&] {
+      Job job = make_job(*request.items, *request.at_once, *test, *change);
+      if (job.parts() < 2) {
+        throw BadInput("a pair needs two parts");
+      }
+      return job;
+    });
+  }
+  const auto input = open_input(request.parts);
+  PartList list = read_parts(*input);
+  Job job = make_job(list.names.size(), *request.at_once, *test, change.value_or(Amount{}));
+  for (std::size_t i = 0; i < list.names.size(); ++i) {
+    if (list.change_costs[i]) {
+      job.change_costs[i] = *list.change_costs[i];
+    } else if (!change) {
+      throw UsageError{
+          fmt::format("{} has no change cost in the list; give --change-cost Y for "
+                      "parts without one",
+                      list.names[i])};
+    }
+  }
+  if (list.names.size() < 2) {
+    throw BadInput(fmt::format("{}: one part is listed; a pair needs two", input->name()));
+  }
+  job.names = std::move(list.names);
+  return job;
+}
+
+// The set-ups that were done.
+std::vector<Block> done_before(const PlanRequest& request, const Job& job) {
+  if (request.done.empty()) {
+    if (request.done_first) {
+      throw UsageError{"--done-first needs --done FILE"};
+    }
+    return {};
+  }
+  const auto input = open_input(request.done);
+  std::vector<Block> done = read_setups(*input, job.names, job.at_once);
+  if (request.done_first) {
+    if (*request.done_first > done.size()) {
+      throw UsageError{fmt::format("--done-first {}: {} has {}", *request.done_first, input->name(),
+                                   count_of(done.size(), "set-up"))};
+    }
+    done.resize(static_cast<std::size_t>(*request.done_first));
+  }
+  return done;
+}
+
+Job job_of(const PlanRequest& request) {
+  Job job = parts_of(request);
+  if (!request.never.empty()) {
+    job.never = read_pairs(*open_input(request.never), job.names);
+    job.needed = all_pairs_but(job.never);
+  }
+  if (!request.pairs.empty()) {
+    const auto input = open_input(request.pairs);
+    job.needed = read_pairs(*input, job.names);
+    if (job.needed.size() == 0) {
+      throw BadInput(fmt::format("{}: no pair is listed; write A,B, a pair a line", input->name()));
+    }
+  }
+  const auto parts = [&](const std::string& option, const std::string& text) {
+    return text.empty() ? Block{}
+                        : from_option(option, [&] { return parse_parts(text, job.names); });
+  };
+  job.mounted = parts("--mounted", request.mounted);
+  job.start = parts("--start", request.start);
+  check(job);
+  mark_done(job, done_before(request, job));
+  return job;
+}
+
+std::string plan_text(const SheetDocument& document, const std::string& format, std::size_t width) {
+  if (format == "csv") {
+    return sheet_as_csv(document);
+  }
+  if (format == "json") {
+    return sheet_as_json(document);
+  }
+  if (format == "markdown") {
+    return sheet_as_markdown(document);
+  }
+  return format == "html" ? sheet_as_html(document) : sheet_as_table(document, width);
+}
+
+std::string what_if_text(const Job& job, const WhatIf& answer, const std::string& format) {
+  if (format == "csv") {
+    return what_if_as_csv(job, answer);
+  }
+  if (format == "json") {
+    return what_if_as_json(job, answer);
+  }
+  return format == "markdown" ? what_if_as_markdown(job, answer) : what_if_as_table(job, answer);
+}
+
+int run(const PlanRequest& request) {
+  const std::string format = request.output.chosen();
+  if (request.what_if && format == "html") {
+    throw UsageError{"--what-if is written as table, csv, json or markdown"};
+  }
+  if (const auto defect = text_defect(request.title)) {
+    throw UsageError{"--title: " + *defect};
+  }
+  refuse_to_overwrite_inputs(request.output.path, {{"the parts list", request.parts},
+                                                   {"--pairs", request.pairs},
+                                                   {"--never", request.never},
+                                                   {"--done", request.done}});
+  PlanOptions options;
+  options.steps = request.steps.value_or(0);
+  options.budget = amount("--budget", request.budget);
+  // A time that was asked for is used; otherwise as many moves as suit, so that answers repeat.
+  options.until_stopped = !request.run.time.empty() && !request.steps && !request.what_if;
+  const Job job = job_of(request);
+  const std::size_t width = terminal_width(OutputFile(request.output.path));
+  // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
+  Running running(request.run, request.output);
+  const RunPlan plan = make_run_plan(job, options, running.control());
+  std::string text;
+  std::optional<std::string> shortage = plan.shortage;
+  if (request.what_if) {
+    const WhatIf answer = what_if(job, plan, options, running.control());
+    shortage = answer.shortage;
+    text = what_if_text(job, answer, format);
+  } else {
+    SheetDocument document{.job = &job, .plan = &plan, .budget = options.budget};
+    document.title = request.title.empty() ? document.title : request.title;
+    text = plan_text(document, format, width);
+  }
+  running.finish();
+  deliver(text, request.output);
+  if (shortage) {
+    throw MissingResource("the plan may not be the best that could be found: " + *shortage);
+  }
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_plan(Program& program) {
+  auto request = std::make_shared<PlanRequest>();
+  Verb& verb = program.add("plan", "the cheapest order of tests: a run sheet, from your costs");
+  verb.positional("PARTS", request->parts, "CSV file: a part a line, with its change cost or not",
+                  false);
+  verb.option("--items", request->items, "N", "N parts called 1, …, N instead of a list");
+  verb.option("-k,--at-once", request->at_once, "K", "how many parts fit at once");
+  verb.option("--test-cost", request->test_cost, "X", "what one test costs, e.g. 12.50");
+  verb.option("--change-cost", request->change_cost, "Y",
+              "what mounting a part costs where the list does not say");
+  verb.option("--pairs", request->pairs, "FILE", "pairs that must meet (default: all)");
+  verb.option("--never", request->never, "FILE", "pairs that must not be in one set-up");
+  verb.option("--mounted", request->mounted, "A,B", "parts that stay mounted in every set-up");
+  verb.option("--start", request->start, "A,B,…", "parts that are mounted before the first test");
+  verb.option("--budget", request->budget, "Z", "test as many pairs as this pays for");
+  verb.option("--done", request->done, "FILE",
+              "tests already done, a set-up a line or the CSV of a run sheet: plan the rest");
+  verb.option("--done-first", request->done_first, "N", "only the first N of them were done");
+  verb.flag("--what-if", request->what_if,
+            "which plan is cheapest at which ratio of change to test cost");
+  verb.option("--title", request->title, "TEXT", "the heading of the run sheet");
+  verb.option("--steps", request->steps, "N", "moves of each local search (default: as suits)");
+  request->run.add_to(verb, "60s", request->output);
+  request->output.add_to(verb, {"table", "csv", "json", "markdown", "html"});
+  verb.examples(
+      {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",
+       "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --format html -o sheet.html",
+       "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --budget 600 --start 1,2,3",
+       "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --done sheet.csv --done-first 7",
+       "changeover plan --items 20 -k 5 --test-cost 1 --change-cost 1 --what-if"});
+  verb.run([request] { return run(*request); });
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,323 @@
+// changeover search V K --exact: the minimum, or whether there is a design with B blocks, with proofs.
+#include <fmt/format.h>
+
+#include <exception>
+#include <sstream>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/core/printable.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/search/minimum_search.hpp"
+#include "cli/team.hpp"
+#include "io/write/json_writer.hpp"
+#include "request/search_request.hpp"
+
+namespace changeover::cli {
+namespace {
+
+std::string seconds(std::chrono::duration<double> time) {
+  return fmt::format("{:.{}f} s", time.count(), time.count() < 10 ? 2 : 0);
+}
+
+std::string bytes(std::uint64_t count) {
+  constexpr double kilo = 1000;
+  const auto number = static_cast<double>(count);
+  return number < kilo          ? fmt::format("{} bytes", count)
+         : number < kilo * kilo ? fmt::format("{:.1f} kB", number / kilo)
+                                : fmt::format("{:.1f} MB", number / kilo / kilo);
+}
+
+// "9 blocks: none; DRAT proof of 12.3 kB in linear-m1-v9-k4-b11.drat, checked; 0.12 s"
+std::string line_of(const Decision& step) {
+  std::string line = count_of(step.b, "block") + ": ";
+  if (step.answer == Answer::found) {
+    line += "found";
+  } else if (step.answer == Answer::none) {
+    std::uint64_t total = 0;
+    for (const CheckedPart& part : step.parts) {
+      total += part.proof_bytes;
+    }
+    line +=
+        "none; " + (step.parts.size() == 1 ? fmt::format("DRAT proof of {}, checked", bytes(total))
+                                           : fmt::format("{} DRAT proofs of {} together, checked",
+                                                         step.parts.size(), bytes(total)));
+    if (step.parts.size() == 1 && !step.parts.front().proof_path.empty()) {
+      line += ": " + printable(step.parts.front().proof_path);
+    } else if (!step.cubes_path.empty()) {
+      line += ": " + printable(step.cubes_path);
+    }
+  } else {
+    line += fmt::format("not decided ({})", to_string(step.why));
+  }
+  return line + "; " + seconds(step.time);
+}
+
+// What shows that there is none with fewer blocks.
+std::string proof_of(const MinimumResult& result) {
+  std::string text =
+      fmt::format("at least {}: {}", count_of(result.start.blocks, "block"), result.start.reason);
+  for (const Decision& step : result.steps) {
+    if (step.answer == Answer::none) {
+      text += "; " + line_of(step);
+    }
+  }
+  return text;
+}
+
+std::string to_json(const MinimumResult& result, bool settled) {
+  const Parameters& p = result.parameters;
+  JsonWriter json;
+  json.begin_object();
+  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+  if (result.impossible) {
+    json.key("impossible").value(*result.impossible);
+  } else if (settled) {
+    json.key("minimum").value(result.lower).key("proof").value(proof_of(result));
+  } else {
+    json.key("lower_bound").value(result.lower).key("upper_bound");
+    if (result.upper()) {
+      json.value(*result.upper());
+    } else {
+      json.null();
+    }
+    json.key("why_stopped").value(to_string(result.why));
+  }
+  if (result.best) {
+    std::vector<Block> blocks;
+    for (std::size_t i = 0; i < result.best->block_count(); ++i) {
+      const auto block = result.best->block(i);
+      blocks.emplace_back(block.begin(), block.end());
+    }
+    json.key("blocks").value(blocks);
+  }
+  json.key("steps").begin_array();
+  for (const Decision& step : result.steps) {
+    json.begin_object().key("blocks").value(step.b).key("answer").value(to_string(step.answer));
+    json.key("seconds").value(step.time.count()).key("proofs").begin_array();
+    for (const CheckedPart& part : step.parts) {
+      json.begin_object();
+      json.key("cnf").value(part.cnf_path).key("drat").value(part.proof_path);
+      json.key("variables").value(part.variables).key("clauses").value(part.clauses);
+      json.key("proof_bytes").value(part.proof_bytes).key("proof_steps").value(part.proof_steps);
+      json.end_object();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array().end_object();
+  return json.take() + "\n";
+}
+
+// What constructions give, as a start from above; nothing if there is no time to look. What is too long to be
+// handled quickly is left to changeover design.
+std::optional<Offer> known_offer(const Parameters& p, std::uint64_t least) try {
+  constexpr std::uint64_t most_elements = 20'000'000;
+  if (p.strength != 2 || least > most_elements / p.k) {
+    return std::nullopt;
+  }
+  auto offer = best_known(p);
+  return offer && offer->b <= most_elements / p.k ? offer : std::nullopt;
+} catch (const Stopped&) {
+  return std::nullopt;
+}
+
+std::optional<Design> design_of(const std::optional<Offer>& offer) try {
+  if (!offer) {
+    return std::nullopt;
+  }
+  Design design = Registry::standard().build_design(offer->recipe);
+  design.recipe = offer->recipe;
+  return design;
+} catch (const Stopped&) {
+  return std::nullopt;
+}
+
+// The minimum, from what is known. A formula that is too large is refused before anything else is done, unless
+// none is needed.
+MinimumResult minimum(const Parameters& p, const MinimumOptions& options, RunControl& control) {
+  std::optional<Offer> offer;
+  if (!impossibility(p)) {
+    const std::uint64_t least = lower_bound_on_paper(p).blocks;
+    try {
+      (void)require_room(p, least, options.exact, control);
+      offer = known_offer(p, least);
+    } catch (const MissingResource&) {
+      offer = known_offer(p, least);
+      if (!offer || offer->b != least) {
+        throw;
+      }
+    } catch (const Stopped&) {
+      // find_minimum() says so
+    }
+  }
+  return find_minimum(p, options, control, design_of(offer));
+}
+
+// In front of what a member lacks, where its answer would be.
+const std::string missing_answer = "missing: ";
+
+// One question, shared by the team: each member takes its cubes. All return the same answer.
+Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOptions& options,
+                         RunControl& control) {
+  Team& team = Team::world();
+  if (team.size() == 1) {
+    return decide(p, b, options, control);
+  }
+  Decision own;
+  std::string missing;
+  try {
+    own = decide(p, b, options, control);
+  } catch (const MissingResource& fault) {
+    missing = fault.what();  // said to all, so that all end together
+  }
+  if (own.answer == Answer::found) {
+    team.announce();
+  }
+  // The answer, the bytes of each proof, and the design if there is one.
+  std::string message =
+      (missing.empty() ? std::string(to_string(own.answer)) : missing_answer + missing) + "\n";
+  for (const CheckedPart& part : own.parts) {
+    message += fmt::format("{} ", part.proof_bytes);
+  }
+  message += "\n" + (own.design ? pack(*own.design) : std::string());
+  own.parts.clear();
+  bool none = true;
+  std::optional<Design> design;
+  for (const std::string& said : team.exchange(message)) {
+    std::istringstream lines(said);
+    std::string answer;
+    std::string proofs;
+    std::string blocks;
+    std::getline(lines, answer);
+    std::getline(lines, proofs);
+    std::getline(lines, blocks);
+    none =
+        none && (answer == to_string(Answer::none) || answer == to_string(Answer::none_in_share));
+    if (answer.starts_with(missing_answer)) {
+      missing = answer.substr(missing_answer.size());
+    }
+    if (answer == to_string(Answer::found) && !design) {
+      design = unpack(p, blocks);
+    }
+    std::istringstream sizes(proofs);
+    for (std::uint64_t size = 0; sizes >> size;) {
+      own.parts.emplace_back().proof_bytes = size;
+    }
+  }
+  if (!missing.empty() && !design) {
+    throw MissingResource(missing);
+  }
+  if (design) {
+    own.parameters = p;
+    own.b = b;
+    own.design = std::move(design);
+    own.answer = Answer::found;
+    own.why = WhyStopped::found;
+  } else if (none) {
+    own.answer = Answer::none;
+    own.why = WhyStopped::exhausted;
+  } else {
+    own.answer = Answer::unknown;
+  }
+  return own;
+}
+
+// Found with as few blocks as wanted; none; or not known.
+int exit_code_of(const SearchRequest& request, const MinimumResult& result) {
+  if (result.impossible) {
+    return exit_code::proved_none;
+  }
+  if (request.blocks) {
+    const Answer answer = result.steps.front().answer;
+    return answer == Answer::found  ? exit_code::found
+           : answer == Answer::none ? exit_code::proved_none
+                                    : exit_code::limit_reached;
+  }
+  return result.settled() ? exit_code::found : exit_code::limit_reached;
+}
+
+// The bound that the steps prove; nothing if they add nothing.
+std::optional<Bound> proved_by(const MinimumResult& result) {
+  if (result.lower <= result.start.blocks) {
+    return std::nullopt;
+  }
+  return Bound{result.lower, "proved by the lines below", proof_of(result)};
+}
+
+void show(const SearchRequest& request, const MinimumResult& result) {
+  const Parameters& p = result.parameters;
+  const bool settled = !request.blocks && result.settled();
+  if (request.output.chosen() == "json") {
+    deliver(to_json(result, settled), request.output);
+    return;
+  }
+  std::vector<std::string> lines;
+  if (result.impossible) {
+    lines.push_back(fmt::format("No {} exists: {}.", name(p), *result.impossible));
+  } else {
+    lines.push_back(fmt::format("at least {}: {}", count_of(result.start.blocks, "block"),
+                                result.start.reason));
+  }
+  for (const Decision& step : result.steps) {
+    lines.push_back(line_of(step));
+  }
+  if (settled) {
+    lines.push_back(fmt::format("The minimum is {}: fewer are excluded by the lines above.",
+                                count_of(result.lower, "block")));
+  } else if (!request.blocks && !result.impossible) {
+    lines.push_back(fmt::format(
+        "The minimum is at least {}{}; stopped: {}.", result.lower,
+        result.upper() ? fmt::format(" and at most {}", *result.upper()) : std::string(),
+        to_string(result.why)));
+  }
+  if (result.best) {
+    show_find({*result.best, lines, proved_by(result)}, request);
+    return;
+  }
+  std::string text;
+  for (const std::string& line : lines) {
+    text += line + "\n";
+  }
+  deliver(text, request.output.words());
+}
+
+}  // namespace
+
+int search_exactly(const SearchRequest& request) {
+  const Parameters p = request.parameters();
+  ExactOptions options;
+  options.proof_directory = request.proof_directory;
+  Running running(request.run, request.output);
+  const auto decider = [&](std::uint64_t b, const ExactOptions& exact) {
+    Decision decision = decide_together(p, b, exact, running.control());
+    if (decision.design) {
+      decision.design->recipe = literal_recipe(*decision.design, request.provenance(p, "--exact"));
+    }
+    return decision;
+  };
+
+  MinimumResult result;
+  if (request.blocks && !impossibility(p)) {
+    result.parameters = p;
+    result.start = lower_bound_on_paper(p);
+    result.lower = result.start.blocks;
+    result.steps.push_back(decider(*request.blocks, options));
+    result.best = result.steps.back().design;
+    result.why = result.steps.back().why;
+  } else {
+    const RunScope scope(running.control());
+    result =
+        minimum(p, {.exact = options, .tries_above = 0, .decider = decider}, running.control());
+  }
+  running.finish();
+  if (Team::world().first()) {
+    show(request, result);
+  }
+  if (result.fault) {
+    std::rethrow_exception(result.fault);
+  }
+  return exit_code_of(request, result);
+}
+
+}  // namespace changeover::cli

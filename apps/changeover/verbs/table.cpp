@@ -1,0 +1,255 @@
+// changeover table: the best known design for every v and k of a range.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <map>
+
+#include "changeover/construct/planner.hpp"
+#include "changeover/core/error.hpp"
+#include "io/write/json_writer.hpp"
+#include "request/request.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct TableRequest {
+  std::string k;
+  std::string v;
+  std::optional<std::uint64_t> change;
+  bool circular = false;
+  bool linear = false;
+  OutputRequest output;
+};
+
+struct Range {
+  std::uint64_t from = 0;
+  std::uint64_t to = 0;
+};
+
+// "A..B", "..B" or "A".
+Range range(const std::string& option, const std::string& text, std::uint64_t least) {
+  const auto number = [&](std::string_view digits) {
+    std::uint64_t value = 0;
+    const char* const end = digits.data() + digits.size();
+    const auto [rest, failure] = std::from_chars(digits.data(), end, value);
+    if (failure != std::errc() || rest != end || digits.empty()) {
+      throw UsageError{fmt::format("{} {}: write A..B, ..B or A with whole numbers", option, text)};
+    }
+    return value;
+  };
+  const std::size_t dots = text.find("..");
+  Range range;
+  if (dots == std::string::npos) {
+    range.from = range.to = number(text);
+  } else {
+    range.from = dots == 0 ? least : number(std::string_view(text).substr(0, dots));
+    range.to = number(std::string_view(text).substr(dots + 2));
+  }
+  if (range.from > range.to) {
+    throw UsageError{fmt::format("{} {}: the range is empty", option, text)};
+  }
+  return range;
+}
+
+std::string number(const PlannedCell& cell) {
+  if (cell.impossible) {
+    return "-";
+  }
+  return cell.best ? fmt::format("{}{}", cell.best->b, cell.status() == "minimum" ? "=" : "") : "?";
+}
+
+std::string construction(const PlannedCell& cell) {
+  return cell.best ? cell.best->recipe.construction : "";
+}
+
+using Cells = std::vector<const PlannedCell*>;
+
+std::string as_csv(const Cells& cells) {
+  std::string text = "v,k,change,kind,b,lower_bound,status,construction\n";
+  for (const PlannedCell* cell : cells) {
+    const Parameters& p = cell->parameters;
+    text += fmt::format("{},{},{},{},{},{},{},{}\n", p.v, p.k, p.change, to_string(p.kind),
+                        cell->best ? fmt::format("{}", cell->best->b) : "",
+                        cell->impossible ? "" : fmt::format("{}", cell->bound.blocks),
+                        cell->status(), construction(*cell));
+  }
+  return text;
+}
+
+std::string as_json(const Cells& cells) {
+  JsonWriter json;
+  std::string text;
+  json.begin_array();
+  for (const PlannedCell* cell : cells) {
+    const Parameters& p = cell->parameters;
+    json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+    json.key("kind").value(to_string(p.kind)).key("b");
+    cell->best ? json.value(cell->best->b) : json.null();
+    json.key("lower_bound");
+    cell->impossible ? json.null() : json.value(cell->bound.blocks);
+    json.key("status").value(cell->status()).key("construction");
+    cell->best ? json.value(cell->best->recipe.construction) : json.null();
+    json.end_object();
+  }
+  json.end_array();
+  return json.take() + "\n";
+}
+
+/// How a grid of v by k is written.
+struct GridStyle {
+  std::string before;  // everything
+  std::string row_start, between, row_end;
+  std::string after_head;  // given the number of columns
+  std::string after;
+  bool padded = false;
+};
+
+std::string as_grid(const Cells& cells, const GridStyle& style) {
+  std::map<std::uint64_t, std::map<std::uint64_t, const PlannedCell*>> rows;
+  std::map<std::uint64_t, std::size_t> widths;
+  for (const PlannedCell* cell : cells) {
+    rows[cell->parameters.v][cell->parameters.k] = cell;
+    std::size_t& width = widths[cell->parameters.k];
+    width = std::max({width, number(*cell).size(), fmt::format("k={}", cell->parameters.k).size()});
+  }
+  const auto pad = [&](const std::string& text, std::size_t width) {
+    return style.padded ? fmt::format("{:>{}}", text, width) : text;
+  };
+  std::string text = style.before + style.row_start + pad("v", 5);
+  for (const auto& [k, width] : widths) {
+    text += style.between + pad(fmt::format("k={}", k), width);
+  }
+  text += style.row_end + style.after_head;
+  for (const auto& [v, row] : rows) {
+    text += style.row_start + pad(fmt::format("{}", v), 5);
+    for (const auto& [k, cell] : row) {
+      text += style.between + pad(number(*cell), widths[k]);
+    }
+    text += style.row_end;
+  }
+  return text + style.after;
+}
+
+GridStyle style_of(const std::string& format, const std::string& title, std::size_t columns) {
+  if (format == "markdown") {
+    std::string rule = "|---:|";
+    for (std::size_t i = 0; i < columns; ++i) {
+      rule += "---:|";
+    }
+    return {fmt::format("### {}\n\n", title), "| ", " | ", " |\n", rule + "\n", "\n", false};
+  }
+  if (format == "latex") {
+    return {fmt::format("% {}\n\\begin{{tabular}}{{r{}}}\n", title, std::string(columns, 'r')),
+            "",
+            " & ",
+            " \\\\\n",
+            "\\hline\n",
+            "\\end{tabular}\n",
+            false};
+  }
+  return {title + "\n", "", "  ", "\n", "", "\n", true};
+}
+
+std::string title(const Cells& cells) {
+  const Parameters& p = cells.front()->parameters;
+  const std::string what = p.change == 1   ? "single-change"
+                           : p.change == 2 ? "double-change"
+                                           : fmt::format("{}-change", p.change);
+  return fmt::format("{} {} covering designs: blocks of the best known (= minimum, - none exists)",
+                     to_string(p.kind), what);
+}
+
+std::string summary(const Cells& cells) {
+  std::size_t possible = 0;
+  std::size_t minimum = 0;
+  double ratios = 0;
+  for (const PlannedCell* cell : cells) {
+    if (cell->best) {
+      ++possible;
+      minimum += cell->status() == "minimum" ? 1U : 0U;
+      ratios += static_cast<double>(cell->best->b) / static_cast<double>(cell->bound.blocks);
+    }
+  }
+  return possible == 0
+             ? std::string()
+             : fmt::format("{} cells, {} proved minimum; mean of b / lower bound {:.4f}\n",
+                           possible, minimum, ratios / static_cast<double>(possible));
+}
+
+int run(const TableRequest& request) {
+  if (request.circular && request.linear) {
+    throw UsageError{"--circular and --linear exclude each other"};
+  }
+  const Range k = range("--k", request.k, 2);
+  const Range v = range("--v", request.v, k.from);
+  if (k.from < 2) {
+    throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", request.k)};
+  }
+  if (v.from < 2 || v.to > largest_v_of_a_plan) {
+    throw UsageError{
+        fmt::format("--v {}: a table goes from v = 2 to v = {}", request.v, largest_v_of_a_plan)};
+  }
+  if (request.change && *request.change < 1) {
+    throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
+  }
+  // Designs beyond the range help inside it: larger ones can be truncated, smaller blocks extended. An
+  // element less comes with a smaller block only, so few smaller v can matter.
+  constexpr std::uint64_t margin = 8;
+  const std::uint64_t k_from = std::max<std::uint64_t>(2, k.from - 1);
+  const PlanRange asked{.v_from = v.from - std::min(v.from - 2, k.to - k_from),
+                        .v_to = std::min(v.to + margin, largest_v_of_a_plan),
+                        .k_from = k_from,
+                        .k_to = k.to,
+                        .change = request.change.value_or(2)};
+  if (asked.k_to - asked.k_from >= most_cells_of_a_plan / 2 / (asked.v_to - asked.v_from + 1)) {
+    throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells", request.k,
+                                 request.v, most_cells_of_a_plan)};
+  }
+  const Plan plan = plan_range(Registry::standard(), asked,
+                               [](const Design& design) { return verify(design).valid(); });
+  const std::string format = request.output.chosen();
+  Cells all;
+  std::string text;
+  for (const Kind kind : {Kind::circular, Kind::linear}) {
+    if (kind == Kind::circular ? request.linear : request.circular) {
+      continue;
+    }
+    Cells cells;
+    for (std::uint64_t a = k.from; a <= k.to; ++a) {
+      for (std::uint64_t b = v.from; b <= v.to; ++b) {
+        cells.push_back(&plan.at({.v = b, .k = a, .change = asked.change, .kind = kind}));
+      }
+    }
+    text +=
+        as_grid(cells, style_of(format, title(cells), static_cast<std::size_t>(k.to - k.from + 1)));
+    text += format == "table" ? summary(cells) + "\n" : "";
+    all.insert(all.end(), cells.begin(), cells.end());
+  }
+  if (format == "json" || format == "csv") {
+    text = format == "json" ? as_json(all) : as_csv(all);
+  }
+  deliver(text, request.output);
+  return exit_code::done;
+}
+
+}  // namespace
+
+void add_table(Program& program) {
+  auto request = std::make_shared<TableRequest>();
+  request->k = "3..8";
+  request->v = "..40";
+  Verb& verb = program.add("table", "the best known design for every v and k of a range");
+  verb.option("--k", request->k, "A..B", "block sizes (default 3..8)");
+  verb.option("--v", request->v, "C..D", "numbers of elements (default ..40)");
+  verb.option("-m,--change", request->change, "M",
+              "elements in which consecutive blocks differ (default 2)");
+  verb.flag("--circular", request->circular, "circular designs only");
+  verb.flag("--linear", request->linear, "linear designs only");
+  request->output.add_to(verb, {"table", "csv", "json", "markdown", "latex"});
+  verb.examples({"changeover table --k 3..6 --v ..30",
+                 "changeover table --k 4 --v 5..100 --change 1 --json"});
+  verb.run([request] { return run(*request); });
+}
+
+}  // namespace changeover::cli

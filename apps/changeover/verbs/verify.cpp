@@ -1,0 +1,198 @@
+// changeover verify FILE: is it a change covering design, and how good.
+#include "changeover/verify/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "changeover/io/read_design.hpp"
+#include "io/write/json_writer.hpp"
+#include "request/input_files.hpp"
+#include "request/request.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct VerifyRequest {
+  std::string path;
+  std::optional<std::uint64_t> v;
+  std::optional<std::uint64_t> k;
+  std::optional<std::uint64_t> change;
+  std::optional<std::uint64_t> strength;
+  bool circular = false;
+  bool linear = false;
+  bool elements = false;
+  OutputRequest output;
+};
+
+ReadOptions read_options(const VerifyRequest& request) {
+  if (request.circular && request.linear) {
+    throw UsageError{"--circular and --linear exclude each other"};
+  }
+  if (request.strength && (*request.strength < 2 || *request.strength > max_strength)) {
+    throw UsageError{
+        fmt::format("--strength {}: it must be 2, 3 or {}", *request.strength, max_strength)};
+  }
+  ReadOptions options{
+      .v = request.v, .k = request.k, .change = request.change, .kind = {}, .strength = {}};
+  if (request.circular || request.linear) {
+    options.kind = request.circular ? Kind::circular : Kind::linear;
+  }
+  if (request.strength) {
+    options.strength = static_cast<std::uint32_t>(*request.strength);
+  }
+  return options;
+}
+
+using Labels = std::vector<std::string>;
+
+std::string element(Element x, const Labels& labels) {
+  return labels.empty() ? std::to_string(x) : labels[x];
+}
+
+std::string set(const std::vector<Element>& elements, const Labels& labels) {
+  std::string text = "{";
+  for (const Element x : elements) {
+    text += (text.size() == 1 ? "" : ",") + element(x, labels);
+  }
+  return text + "}";
+}
+
+std::string some(const std::vector<Element>& elements, const Labels& labels) {
+  constexpr std::size_t most = 20;
+  if (elements.size() <= most) {
+    return set(elements, labels);
+  }
+  const std::vector<Element> first(elements.begin(), elements.begin() + most);
+  return fmt::format("{} and {} more", set(first, labels), elements.size() - most);
+}
+
+// "1 to 3", "2": the range of a count over the elements.
+std::string range(const Verdict& verdict, std::uint64_t ElementCount::*count) {
+  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t most = 0;
+  for (const ElementCount& each : verdict.elements) {
+    least = std::min(least, each.*count);
+    most = std::max(most, each.*count);
+  }
+  return least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
+}
+
+void add_defects(const Verdict& verdict, const Labels& labels, std::string& text) {
+  const Parameters& p = verdict.parameters;
+  if (verdict.b == 0) {
+    text += "there is no block\n";
+  }
+  if (verdict.bad_steps > 0) {
+    text += fmt::format("{} {} not change exactly {}:\n", count_of(verdict.bad_steps, "step"),
+                        verdict.bad_steps == 1 ? "does" : "do", count_of(p.change, "element"));
+    for (const BadStep& step : verdict.bad_step_examples) {
+      text += fmt::format("  from block {} to block {}{}: {} changed\n", step.from, step.to,
+                          step.to < step.from ? " (the circle closes)" : "",
+                          count_of(step.changes, "element"));
+    }
+  }
+  if (verdict.uncovered > 0) {
+    text += fmt::format("{} of {} {} in no block:", verdict.uncovered, verdict.subsets,
+                        p.strength == 2 ? "pairs are" : fmt::format("{}-subsets are", p.strength));
+    for (const Block& subset : verdict.uncovered_examples) {
+      text += " " + set(subset, labels);
+    }
+    text += verdict.uncovered > verdict.uncovered_examples.size() ? " …\n" : "\n";
+  }
+}
+
+void add_qualities(const Verdict& verdict, const Judgement& judgement, const Labels& labels,
+                   std::string& text) {
+  const Parameters& p = verdict.parameters;
+  const std::string subsets = p.strength == 2 ? "pairs" : fmt::format("{}-subsets", p.strength);
+  text += fmt::format("quality:  {}\n", quality(judgement));
+  text += fmt::format("bound:    {}\n", judgement.bound.reason);
+  text += fmt::format("excess:   {} of {} covered {} are repetitions\n", verdict.excess,
+                      verdict.covered, subsets);
+  if (verdict.never_newly_covered > 0) {
+    text += fmt::format("fixed:    {} {} in every block, never newly covered\n",
+                        verdict.never_newly_covered, subsets);
+  }
+  text += fmt::format("elements: introduced {} times each, in {} blocks each\n",
+                      range(verdict, &ElementCount::introductions),
+                      range(verdict, &ElementCount::blocks));
+  if (p.strength == 2) {
+    text += fmt::format("degrees:  i_x(k-1) + m(r_x-i_x) = v-1 + e_x {} at every element, e_x {}\n",
+                        verdict.degree_identity ? "holds" : "fails",
+                        range(verdict, &ElementCount::excess));
+  }
+  if (!verdict.fixed.empty() && verdict.b > 1) {
+    text += fmt::format("fixed:    {} in every block\n", some(verdict.fixed, labels));
+  }
+  if (verdict.unchanged_subsets) {
+    text += fmt::format("unchanged subsets: {} distinct", *verdict.unchanged_subsets);
+    text += verdict.never_unchanged.empty()
+                ? ", every element is in one\n"
+                : fmt::format("; in none: {}\n", some(verdict.never_unchanged, labels));
+  }
+}
+
+void add_elements(const Verdict& verdict, const Labels& labels, std::string& text) {
+  text += fmt::format("{:>12} {:>12} {:>12} {:>12}\n", "element", "i_x", "r_x", "e_x");
+  for (std::size_t x = 0; x < verdict.elements.size(); ++x) {
+    const ElementCount& count = verdict.elements[x];
+    text += fmt::format("{:>12} {:>12} {:>12} {:>12}\n", element(static_cast<Element>(x), labels),
+                        count.introductions, count.blocks, count.excess);
+  }
+}
+
+int run(const VerifyRequest& request) {
+  refuse_to_overwrite_inputs(request.output.path, {{"the design", request.path}});
+  const auto input = open_design(request.path, read_options(request));
+  const Verdict verdict = verify(*input, {.unchanged = true});
+  const Judgement judgement = judge(verdict);
+  const Labels& labels = input->labels();
+  std::string text;
+  if (request.output.chosen() == "json") {
+    JsonWriter json;
+    json.begin_object();
+    json.key("verdict").raw(verdict_to_json(judgement.verdict));
+    json.key("bound").begin_object();
+    json.key("name").value(judgement.bound.name).key("reason").value(judgement.bound.reason);
+    json.end_object();
+    json.key("details").raw(verdict_to_json(verdict, labels));
+    json.end_object();
+    text = json.take() + "\n";
+  } else {
+    text = fmt::format("{}: {} with {}\n", verdict.valid() ? "valid" : "INVALID",
+                       name(verdict.parameters), count_of(verdict.b, "block"));
+    add_defects(verdict, labels, text);
+    if (verdict.valid()) {
+      add_qualities(verdict, judgement, labels, text);
+    }
+    if (request.elements) {
+      add_elements(verdict, labels, text);
+    }
+  }
+  deliver(text, request.output);
+  return verdict.valid() ? exit_code::done : exit_code::refuted;
+}
+
+}  // namespace
+
+void add_verify(Program& program) {
+  auto request = std::make_shared<VerifyRequest>();
+  Verb& verb = program.add("verify", "is it a change covering design, and how good");
+  verb.positional("FILE", request->path, "text, JSON or CSV; - is standard input");
+  verb.option("-v", request->v, "V", "number of elements, if the file does not say");
+  verb.option("-k", request->k, "K", "elements in a block");
+  verb.option("-m,--change", request->change, "M", "elements in which consecutive blocks differ");
+  verb.option("-t,--strength", request->strength, "T", "every T elements must meet (2, 3 or 4)");
+  verb.flag("--circular", request->circular, "take it as circular, whatever the file says");
+  verb.flag("--linear", request->linear, "take it as linear");
+  verb.flag("--elements", request->elements, "show i_x, r_x and e_x of every element");
+  request->output.add_to(verb, {"text", "json"});
+  verb.examples({"changeover verify mine.txt", "changeover verify mine.csv --circular --change 1",
+                 "changeover design 105 9 --json | changeover verify -",
+                 "exit code 0: valid, 1: refuted, 3: not a list of blocks"});
+  verb.run([request] { return run(*request); });
+}
+
+}  // namespace changeover::cli

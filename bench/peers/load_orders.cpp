@@ -1,0 +1,212 @@
+#include "peers/load_orders.hpp"
+
+#include <algorithm>
+#include <list>
+#include <memory>
+#include <numeric>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/core/parameters.hpp"
+
+namespace changeover {
+namespace {
+
+using Steps = std::vector<LoadStep>;
+
+class ListedSteps final : public StepSource {
+ public:
+  explicit ListedSteps(std::shared_ptr<const Steps> steps) : steps_(std::move(steps)) {}
+
+  bool next(LoadStep& step) override {
+    if (position_ == steps_->size()) {
+      return false;
+    }
+    step = (*steps_)[position_++];
+    return true;
+  }
+
+ private:
+  std::shared_ptr<const Steps> steps_;
+  std::size_t position_ = 0;
+};
+
+LoadOrder listed(std::uint64_t items, std::uint64_t room, std::string method,
+                 std::string explanation, Steps list) {
+  LoadOrderFacts facts;
+  facts.items = items;
+  facts.room = room;
+  facts.bound = load_lower_bound(items, room);
+  facts.method = std::move(method);
+  facts.explanation = std::move(explanation);
+  facts.steps = list.size();
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    list[i].number = i + 1;
+    facts.loads += list[i].load.size();
+  }
+  auto steps = std::make_shared<const Steps>(std::move(list));
+  return {std::move(facts), [steps] { return std::make_unique<ListedSteps>(steps); }};
+}
+
+void check(std::uint64_t items, std::uint64_t room) {
+  static_cast<void>(load_lower_bound(items, room));
+  if (items > max_elements_in_memory) {
+    throw ImpossibleParameters("orders for comparison are made for at most 65535 items");
+  }
+}
+
+LoadStep first_step(std::uint64_t count) {
+  LoadStep step;
+  step.load.resize(static_cast<std::size_t>(count));
+  std::iota(step.load.begin(), step.load.end(), 0U);
+  return step;
+}
+
+LoadStep exchange(Element in, Element out) { return {0, {out}, {in}}; }
+
+// Rounds of C−1 held items, the last place being the last entry of `memory`. With `hold_the_last`, what
+// passed last counts among those to be held next and one of the old ones becomes the place to pass.
+Steps rounds(std::uint64_t items, std::uint64_t room, bool hold_the_last) {
+  Steps steps{first_step(std::min(items, room))};
+  if (items <= room) {
+    return steps;
+  }
+  const auto held = static_cast<std::size_t>(room - 1);
+  std::vector<Element> memory = steps.front().load;
+  std::vector<Element> rest;  // not done, not in memory
+  for (auto x = static_cast<Element>(room); x < items; ++x) {
+    rest.push_back(x);
+  }
+  while (true) {
+    // Pass all that is not done through the last place.
+    std::vector<Element> passed;
+    for (const Element x : rest) {
+      steps.push_back(exchange(x, memory.back()));
+      passed.push_back(memory.back());
+      memory.back() = x;
+    }
+    // Those held are done. Others take their places.
+    rest = std::move(passed);
+    if (rest.empty()) {
+      return steps;
+    }
+    if (hold_the_last) {
+      std::rotate(memory.begin(), memory.end() - 1, memory.end());
+    }
+    const std::size_t from = hold_the_last ? 1 : 0;
+    for (std::size_t i = from; i < held + from && !rest.empty(); ++i) {
+      steps.push_back(exchange(rest.front(), memory[i]));
+      memory[i] = rest.front();
+      rest.erase(rest.begin());
+    }
+    if (rest.empty()) {
+      return steps;
+    }
+  }
+}
+
+/// Items asked for two at a time through a cache that evicts what was used longest ago.
+class LeastRecentlyUsed {
+ public:
+  LeastRecentlyUsed(std::uint64_t items, std::uint64_t room)
+      : room_(room), where_(static_cast<std::size_t>(items), order_.end()) {}
+
+  void ask(Element x, Element y) {
+    LoadStep step;
+    touch(x, step);
+    touch(y, step);
+    if (!step.load.empty()) {
+      steps_.push_back(std::move(step));
+    }
+  }
+
+  [[nodiscard]] Steps take() { return std::move(steps_); }
+
+ private:
+  void touch(Element x, LoadStep& step) {
+    if (where_[x] != order_.end()) {
+      order_.splice(order_.begin(), order_, where_[x]);
+      return;
+    }
+    if (order_.size() == room_) {
+      step.evict.push_back(order_.back());
+      where_[order_.back()] = order_.end();
+      order_.pop_back();
+    }
+    order_.push_front(x);
+    where_[x] = order_.begin();
+    step.load.push_back(x);
+  }
+
+  std::uint64_t room_;
+  std::list<Element> order_;  // most recently used first
+  std::vector<std::list<Element>::iterator> where_;
+  Steps steps_;
+};
+
+Steps single_item() { return {first_step(1)}; }
+
+}  // namespace
+
+LoadOrder beta_order(std::uint64_t items, std::uint64_t room) {
+  check(items, room);
+  return listed(items, room, "beta",
+                "Keep C-1 items, pass all others, replace the C-1, repeat on the rest.",
+                rounds(items, room, false));
+}
+
+LoadOrder hold_order(std::uint64_t items, std::uint64_t room) {
+  check(items, room);
+  return listed(items, room, "hold",
+                "Hold C-1 items, stream the rest, hold the last one and others, repeat.",
+                rounds(items, room, true));
+}
+
+LoadOrder tiles_order(std::uint64_t items, std::uint64_t room) {
+  check(items, room);
+  const std::uint64_t side = room / 2;
+  LeastRecentlyUsed cache(items, room);
+  for (std::uint64_t row = 0; row < items; row += side) {
+    for (std::uint64_t column = row; column < items; column += side) {
+      for (std::uint64_t x = row; x < std::min(row + side, items); ++x) {
+        for (std::uint64_t y = std::max(column, x + 1); y < std::min(column + side, items); ++y) {
+          cache.ask(static_cast<Element>(x), static_cast<Element>(y));
+        }
+      }
+    }
+  }
+  return listed(items, room, "tiles", "Square tiles of C/2 by C/2, least recently used goes.",
+                items == 1 ? single_item() : cache.take());
+}
+
+LoadOrder exhaustive_order(std::uint64_t items, std::uint64_t room) {
+  check(items, room);
+  const std::uint64_t side = room / 2;
+  LeastRecentlyUsed cache(items, room);
+  for (std::uint64_t first = 0; first < items; first += side) {
+    for (std::uint64_t second = 0; second < items; second += side) {
+      for (std::uint64_t x = first; x < std::min(first + side, items); ++x) {
+        for (std::uint64_t y = second; y < std::min(second + side, items); ++y) {
+          // Each pair in one of the two orders of its blocks, half of them each time.
+          if ((x > y && x % side <= y % side) || (x < y && x % side < y % side)) {
+            cache.ask(static_cast<Element>(x), static_cast<Element>(y));
+          }
+        }
+      }
+    }
+  }
+  return listed(items, room, "exhaustive",
+                "Every block of C/2 against every block, least recently used goes.",
+                items == 1 ? single_item() : cache.take());
+}
+
+std::vector<LoadOrder> baseline_orders(std::uint64_t items, std::uint64_t room) {
+  std::vector<LoadOrder> orders;
+  orders.push_back(beta_order(items, room));
+  orders.push_back(hold_order(items, room));
+  orders.push_back(tiles_order(items, room));
+  orders.push_back(exhaustive_order(items, room));
+  return orders;
+}
+
+}  // namespace changeover

@@ -1,0 +1,116 @@
+// The tight circular DCCD(2k−2, k, k−1), k even: the tight circular SCCD(k−1, k/2, k−1) with every
+// element x replaced by the two elements 2x and 2x+1.
+//
+// A single change becomes a double change. {2x, 2x+1} is covered when x is introduced, and x is
+// introduced once; {y,z} of different x is covered exactly where {⌊y/2⌋, ⌊z/2⌋} was. For k = 2
+// there is one block and nothing to double.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "changeover/construct/registry.hpp"
+#include "construct/entry.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::string_view single_change = "mcsorley-circular";
+
+std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
+  if (!asks_for_pairs(p, 2) || p.kind != Kind::circular || p.k % 2 != 0 || p.v != 2 * p.k - 2) {
+    return std::nullopt;
+  }
+  Recipe recipe{std::string(construction.name()), p, {}, {}, {}};
+  if (p.k > 2) {
+    const Parameters half{p.k - 1, p.k / 2, 1, Kind::circular, 2};
+    recipe.inputs.push_back(Recipe{std::string(single_change), half, {}, {}, {}});
+  }
+  return recipe;
+}
+
+class DoubledSource final : public BlockSource {
+ public:
+  DoubledSource(const Parameters& parameters, std::unique_ptr<BlockSource> source)
+      : parameters_(parameters),
+        source_(std::move(source)),
+        half_(static_cast<std::size_t>(parameters.k / 2)) {}
+
+  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return source_->block_count();
+  }
+  bool next(std::span<Element> block) override {
+    if (!source_->next(half_)) {
+      return false;
+    }
+    for (std::size_t i = 0; i < half_.size(); ++i) {
+      block[2 * i] = 2 * half_[i];
+      block[2 * i + 1] = 2 * half_[i] + 1;
+    }
+    return true;
+  }
+  bool rewind() override { return source_->rewind(); }
+
+ private:
+  Parameters parameters_;
+  std::unique_ptr<BlockSource> source_;
+  Block half_;
+};
+
+class Doubling final : public Construction {
+ public:
+  std::string_view name() const override { return "doubling"; }
+  std::string_view summary() const override {
+    return "every element of a tight circular SCCD(k-1,k/2) replaced by two";
+  }
+  std::string_view preconditions() const override { return "circular, m = 2, v = 2k-2, k even"; }
+  std::string_view guarantee() const override { return "a tight circular DCCD(2k-2,k,k-1)"; }
+  Citation citation() const override { return {"ChafeeStevens2025", "Theorem 3"}; }
+
+  std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
+    std::optional<Recipe> recipe = recipe_for(*this, p);
+    if (!recipe || (!recipe->inputs.empty() && registry.find(single_change) == nullptr)) {
+      return std::nullopt;
+    }
+    return Offer{*std::move(recipe), p.k - 1, true, true, p.k == 4};
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                     const Registry& registry) const override {
+    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
+    if (recipe.inputs.empty()) {
+      return std::make_unique<BlockListSource>(recipe.parameters, std::vector<Block>{{0, 1}});
+    }
+    return std::make_unique<DoubledSource>(recipe.parameters,
+                                           registry.build(recipe.inputs.front()));
+  }
+
+  // v = 2(k−2) + 2, so k−2 divides v only for k = 4 (k = 3 is odd): a partition of Z_6 into the
+  // unchanged subsets {2,3}, {4,5}, {0,1} after blocks 1, 2, 3 of {0,1,2,3}, {2,3,4,5}, {4,5,0,1}.
+  std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,
+                                                            const Registry&) const override {
+    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
+    if (recipe.parameters.k != 4) {
+      return std::nullopt;
+    }
+    return std::vector<UnchangedSubset>{{1, {2, 3}}, {2, {4, 5}}, {3, {0, 1}}};
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
+    if (recipe.inputs.empty()) {
+      return "The one block {0,1}.";
+    }
+    return fmt::format("Replace every element x in the blocks of the {} by 2x and 2x+1.",
+                       changeover::name(recipe.inputs.front().parameters));
+  }
+};
+
+}  // namespace
+
+const Construction& doubling_construction() {
+  static const Doubling construction;
+  return construction;
+}
+
+}  // namespace changeover

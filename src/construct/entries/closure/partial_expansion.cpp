@@ -1,0 +1,439 @@
+// Partial expansion of designs whose cover by unchanged subsets is known in closed form.
+//
+// Excess. Going from v₀ to v = v₀ + w with ℓ intervals costs, w even and ℓ ≥ w − 1, an excess of
+// (ℓ(k−2) − v₀)w + (ℓ−w+1)w/2, which is concave in w: it is least for few new elements and for
+// about ℓ + 1 of them. So of the cyclic designs on c(4k−6)+1 elements only some with the largest c
+// and some with v₀ + v₀/(k−2) + 1 near v are looked at, and an offer takes a fixed number of
+// evaluations.
+//
+// A new element leaves one block after it came, so the result has neither an expansion set nor such
+// a cover. Only one more element can be added, as the others can come beside it; this is known
+// here, so this construction need not ask itself. Those that it asks must not ask the registry: it
+// asks the families below by name, and others only if they tell the size of a cover.
+#include "changeover/construct/partial_expansion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "changeover/construct/expansion.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+#include "construct/entry.hpp"
+#include "construct/expansion/partial_expansion_parts.hpp"
+
+namespace changeover {
+namespace {
+
+// The largest v that is offered: a cover lists v elements.
+constexpr std::uint64_t largest_v = std::uint64_t{1} << 24;
+// How many values of c are looked at below the largest one, and to either side of the other.
+constexpr std::uint64_t values_of_c = 6;
+// How many elements less an input may have whose cover only its construction knows.
+constexpr std::uint64_t most_new_elements_elsewhere = 64;
+// The most elements in the blocks of an input whose cover is searched for.
+constexpr std::uint64_t most_searched = std::uint64_t{1} << 24;
+
+// How the unchanged subsets of a family look.
+enum class Family : std::uint8_t {
+  interval,  // c base blocks over Z_v with an interval in common
+  doubled,   // a circular SCCD(k−1, k/2, k−1) of that sort with two copies of every element
+  fixed,     // one of those with one more element in every block
+};
+
+struct Known {
+  std::string_view name;
+  std::uint64_t change;
+  Family family;
+};
+
+constexpr std::array<Known, 6> known_families{{
+    {"cyclic", 2, Family::interval},
+    {"cyclic-paper", 2, Family::interval},
+    {"cyclic-single-change", 1, Family::interval},
+    {"mcsorley-circular", 1, Family::interval},
+    {"doubling", 2, Family::doubled},
+    {"fixed-element", 2, Family::fixed},
+}};
+
+const Known* known_family(const Recipe& recipe) {
+  for (const Known& known : known_families) {
+    if (known.name == recipe.construction && known.change == recipe.parameters.change) {
+      return &known;
+    }
+  }
+  return nullptr;
+}
+
+// The SCCD that was doubled.
+Parameters halved(const Parameters& p) { return {p.k / 2 * 2 - 1, p.k / 2, 1, p.kind, 2}; }
+
+std::optional<IntervalCoverSize> cover_size(Family family, const Parameters& p, std::uint64_t b,
+                                            std::uint64_t w) {
+  if (family == Family::interval) {
+    return interval_cover_size(p, b / p.v, w);
+  }
+  const Parameters half = halved(p);
+  if (half.k < 2 || (w == 1 && p.v < p.k + 3)) {
+    return std::nullopt;
+  }
+  const auto count = detail::best_positions(p, interval_cover_size(half, 1, 1)->subsets, b, w);
+  return count ? std::optional(IntervalCoverSize{*count, false}) : std::nullopt;
+}
+
+// The cover of a recipe of a known family; its b is known by its parameters.
+std::optional<IntervalCoverSize> known_size(const Recipe& recipe, std::uint64_t w) {
+  const Known* known = known_family(recipe);
+  if (known == nullptr) {
+    return std::nullopt;
+  }
+  const Parameters& p = recipe.parameters;
+  const std::uint64_t period = p.change == 1 ? 2 * p.k - 2 : 4 * p.k - 6;
+  return cover_size(known->family, p,
+                    known->family == Family::interval ? (p.v - 1) / period * p.v : halved(p).v, w);
+}
+
+// The intervals of the SCCD with two copies of every element, and the fixed element if there is
+// one.
+UnchangedCover doubled_cover(const Parameters& p, std::uint64_t count, bool fixed) {
+  const Parameters half = halved(p);
+  UnchangedCover cover = interval_cover(half, 1, 1, {});
+  for (std::uint64_t position = 1; cover.subsets.size() < count; ++position) {
+    if (std::none_of(cover.subsets.begin(), cover.subsets.end(),
+                     [&](const auto& subset) { return subset.position == position; })) {
+      Block elements;
+      for (std::uint64_t i = 0; i + 1 < half.k; ++i) {
+        elements.push_back(static_cast<Element>((position + i) % half.v));
+      }
+      std::sort(elements.begin(), elements.end());
+      cover.subsets.push_back({static_cast<std::size_t>(position), std::move(elements)});
+    }
+  }
+  std::sort(cover.subsets.begin(), cover.subsets.end(),
+            [](const auto& a, const auto& b) { return a.position < b.position; });
+  for (UnchangedSubset& subset : cover.subsets) {
+    Block copies;
+    for (const Element x : subset.elements) {
+      copies.push_back(2 * x);
+      copies.push_back(2 * x + 1);
+    }
+    if (fixed) {
+      copies.push_back(static_cast<Element>(p.v - 1));
+    }
+    subset.elements = std::move(copies);
+  }
+  return cover;
+}
+
+// The points of base blocks whose interval is {0, …, k−m−1}.
+IntervalDevelopedSource::Points points_of(const Recipe& recipe, const Registry& registry) {
+  const Construction& maker = registry.construction_of(recipe);
+  if (auto listed = maker.interval_base_blocks(recipe)) {
+    return [base = *std::move(listed)](std::uint64_t which, std::span<Element> points) {
+      std::ranges::copy(base.points_of(static_cast<std::size_t>(which)), points.begin());
+    };
+  }
+  if (auto written = maker.base_blocks(recipe)) {
+    return [base = *std::move(written)](std::uint64_t which, std::span<Element> points) {
+      std::ranges::copy(std::span(base.blocks[static_cast<std::size_t>(which)]).last(points.size()),
+                        points.begin());
+    };
+  }
+  throw BadInput(fmt::format("{} has too many base blocks to list", name(recipe.parameters)));
+}
+
+constexpr std::string_view own_name = "partial-expansion";
+
+class PartialExpander final : public Construction {
+ public:
+  std::string_view name() const override { return own_name; }
+  std::string_view summary() const override {
+    return "w new elements inserted at positions whose unchanged subsets cover all elements";
+  }
+  std::string_view preconditions() const override {
+    return "circular, m = 2 and v > 4k-5, or m = 1 and v > 2k-1, and some smaller v";
+  }
+  std::string_view guarantee() const override {
+    return "l ceil(w/2) blocks more for m = 2 and l positions; often economical";
+  }
+  Citation citation() const override {
+    return {"ChafeeStevens2025", "after Theorem 2: any w, and subsets that overlap"};
+  }
+
+  bool asks_registry() const override { return true; }
+
+  std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
+    if (p.kind != Kind::circular || !asks_for_pairs(p, p.change) || p.change > 2 ||
+        p.change == p.k || p.v > largest_v) {
+      return std::nullopt;
+    }
+    std::optional<Offer> best;
+    for (const Parameters& smaller : inputs(p)) {
+      for (const Known& known : known_families) {
+        if (known.change == p.change) {
+          if (const Construction* maker = registry.find(known.name)) {
+            const std::optional<Offer> input = maker->offer(smaller, registry);
+            take_better(best, of_family(p, known.family, input));
+            take_better(best, one_more(p, known.family, input));
+          }
+        }
+      }
+    }
+    for (std::uint64_t w = 1; w <= most_new_elements_elsewhere && w < p.v - p.k; ++w) {
+      for (const Construction* maker : registry.constructions()) {
+        take_better(best, elsewhere(p, w, *maker, registry));
+      }
+    }
+    return best;
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                     const Registry& registry) const override {
+    require_fit(recipe);
+    const Recipe& input = recipe.inputs.front();
+    const std::uint64_t w = recipe.parameters.v - input.parameters.v;
+    std::unique_ptr<BlockSource> source = registry.build(input);
+    UnchangedCover cover = cover_of(input, w, *source, registry);
+    return expand_by(std::move(source), std::move(cover), w);
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    require_fit(recipe);
+    const Parameters& p = recipe.parameters;
+    const Parameters& input = recipe.inputs.front().parameters;
+    const std::uint64_t w = p.v - input.v;
+    const std::string added = w == 1 ? fmt::format("the new element {}", input.v)
+                              : w == 2
+                                  ? fmt::format("the new elements {} and {}", input.v, input.v + 1)
+                                  : fmt::format("the new elements {},…,{}", input.v, p.v - 1);
+    const auto size = known_size(recipe.inputs.front(), w);
+    const bool sweeps = size && detail::takes_sweep(input, size->subsets, w);
+    std::string how;
+    if (w <= p.change) {
+      how = w == p.change ? added
+                          : fmt::format("{} and {} from neither block there", added,
+                                        p.change - w == 1 ? "an old one" : "old ones");
+    } else if (p.change == 1) {
+      how = fmt::format("each of {} in turn", added);
+    } else if (w % 2 == 0) {
+      how = fmt::format("the edges of one 1-factor of K_{} on {}", w, added);
+    } else {
+      how = fmt::format(
+          "the edges of one near-1-factor of K_{} on {}, and its unmatched element and an old one",
+          w, added);
+    }
+    return fmt::format(
+        "At each {} of a cover of the {} by unchanged subsets, insert the subset with {}{}.",
+        size ? fmt::format("of the {} positions", size->subsets) : "position",
+        changeover::name(input), how,
+        sweeps ? "; at one of them, let all these meet one another" : "");
+  }
+
+  std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
+    require_fit(recipe);
+    const Recipe& input = recipe.inputs.front();
+    return expanded_labels(registry.construction_of(input).labels(input, registry),
+                           recipe.parameters.v - input.parameters.v);
+  }
+
+ private:
+  // The smaller parameters of the families that are worth a look; p.change is 1 or 2.
+  static std::vector<Parameters> inputs(const Parameters& p) {
+    std::vector<std::uint64_t> sizes;
+    const std::uint64_t n = p.k - p.change;
+    const std::uint64_t period = p.change == 1 ? 2 * n : 4 * n + 2;
+    const std::uint64_t largest_c = p.v >= 2 ? (p.v - 2) / period : 0;
+    const auto add = [&](std::uint64_t c) {
+      if (c >= 1 && c <= largest_c) {
+        sizes.push_back(c * period + 1);
+      }
+    };
+    const std::uint64_t other = p.v * n / (n + 1) / period;
+    for (std::uint64_t i = 0; i <= values_of_c; ++i) {
+      add(largest_c - std::min(i, largest_c));
+      add(other + i);
+      add(other - std::min(i, other));
+    }
+    if (p.change == 2) {
+      sizes.push_back(p.k % 2 == 0 ? 2 * p.k - 2 : 2 * p.k - 3);
+    }
+    std::sort(sizes.begin(), sizes.end(), std::greater<>());
+    sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
+    std::vector<Parameters> result;
+    for (const std::uint64_t v : sizes) {
+      if (v < p.v && v > p.k) {
+        result.push_back(p);
+        result.back().v = v;
+      }
+    }
+    return result;
+  }
+
+  static void take_better(std::optional<Offer>& best, std::optional<Offer> other) {
+    if (other && (!best || other->b < best->b)) {
+      best = std::move(other);
+    }
+  }
+
+  // What an input makes with a cover of that size.
+  std::optional<Offer> with(const Parameters& p, Offer input, const IntervalCoverSize& size) const {
+    const Parameters& smaller = input.recipe.parameters;
+    const std::uint64_t w = p.v - smaller.v;
+    std::uint64_t b = 0;
+    if (__builtin_add_overflow(input.b, blocks_added(smaller, size.subsets, w, size.left_out),
+                               &b)) {
+      return std::nullopt;
+    }
+    const std::uint64_t pairs = binomial(p.v, 2);
+    const std::uint64_t each = newly_covered_at_most(p);
+    const bool economical = b == ceil_div(pairs, each);
+    Recipe recipe{std::string(name()),
+                  p,
+                  {{"w", static_cast<std::int64_t>(w)}},
+                  {std::move(input.recipe)},
+                  {}};
+    return Offer{std::move(recipe), b, input.tight && economical && pairs % each == 0, economical,
+                 false};
+  }
+
+  std::optional<Offer> of_family(const Parameters& p, Family family,
+                                 std::optional<Offer> input) const {
+    if (!input) {
+      return std::nullopt;
+    }
+    const Parameters& smaller = input->recipe.parameters;
+    const auto size = cover_size(family, smaller, input->b, p.v - smaller.v);
+    return size ? with(p, *std::move(input), *size) : std::nullopt;
+  }
+
+  // For w odd, m = 2: first w − 1 elements, then one.
+  std::optional<Offer> one_more(const Parameters& p, Family family,
+                                const std::optional<Offer>& input) const {
+    if (!input || family != Family::interval || p.change != 2) {
+      return std::nullopt;
+    }
+    const Parameters& smaller = input->recipe.parameters;
+    const std::uint64_t c = input->b / smaller.v;
+    const std::uint64_t w = p.v - smaller.v - 1;
+    const auto count = w >= 2 ? interval_cover_for_one_more_size(smaller, c, w) : std::nullopt;
+    if (!count) {
+      return std::nullopt;
+    }
+    Parameters between = p;
+    --between.v;
+    std::optional<Offer> first = with(between, *input, *interval_cover_size(smaller, c, w));
+    return first ? with(p, *std::move(first), {*count, true}) : std::nullopt;
+  }
+
+  std::optional<Offer> elsewhere(const Parameters& p, std::uint64_t w, const Construction& maker,
+                                 const Registry& registry) const {
+    Parameters smaller = p;
+    smaller.v -= w;
+    const std::optional<std::uint64_t> count = maker.unchanged_cover_size(smaller);
+    if (!count || (w < p.change && smaller.v < p.k + 2 * p.change - w) ||
+        *count < least_positions(smaller, w)) {
+      return std::nullopt;
+    }
+    std::optional<Offer> input = maker.offer(smaller, registry);
+    return input ? with(p, *std::move(input), {*count, false}) : std::nullopt;
+  }
+
+  // In closed form if it is known, else by search.
+  static UnchangedCover cover_of(const Recipe& input, std::uint64_t w, BlockSource& source,
+                                 const Registry& registry) {
+    const Parameters& p = input.parameters;
+    const std::optional<std::uint64_t> b = source.block_count();
+    const Known* known = known_family(input);
+    const auto size = known != nullptr && b ? cover_size(known->family, p, *b, w) : std::nullopt;
+    if (size && p.v <= largest_v) {
+      if (known->family != Family::interval) {
+        return doubled_cover(p, size->subsets, known->family == Family::fixed);
+      }
+      return interval_cover(
+          p, *b / p.v, w,
+          size->left_out ? points_of(input, registry) : IntervalDevelopedSource::Points{});
+    }
+    if (auto cover = cover_for_one_more(input, w, b, registry)) {
+      return *std::move(cover);
+    }
+    if (auto told = registry.construction_of(input).unchanged_cover(input, registry);
+        told && told->size() >= least_positions(p, w)) {
+      return UnchangedCover{*std::move(told), {}, 0, false};
+    }
+    if (!b || p.v > max_elements_in_memory || *b > most_searched / p.k) {
+      throw BadInput(fmt::format("no cover by unchanged subsets is known of {} as made by {}",
+                                 changeover::name(p), input.construction));
+    }
+    const std::unique_ptr<BlockSource> again = registry.build(input);
+    CoverOptions options;
+    options.new_elements = w;
+    std::optional<UnchangedCover> found = find_cover(read_all(*again), options);
+    if (!found) {
+      throw BadInput(fmt::format("no unchanged subsets cover {} as made by {} for w = {}",
+                                 changeover::name(p), input.construction, w));
+    }
+    return *std::move(found);
+  }
+
+  // Of a partial expansion of a cyclic design by an even number of elements.
+  static std::optional<UnchangedCover> cover_for_one_more(const Recipe& input, std::uint64_t w,
+                                                          std::optional<std::uint64_t> b,
+                                                          const Registry& registry) {
+    if (input.construction != own_name || w != 1 || !b || input.inputs.empty()) {
+      return std::nullopt;
+    }
+    const Recipe& smallest = input.inputs.front();
+    const Parameters& p = smallest.parameters;
+    const Known* known = known_family(smallest);
+    if (known == nullptr || known->family != Family::interval || p.v > largest_v) {
+      return std::nullopt;
+    }
+    const std::uint64_t c = *registry.build(smallest)->block_count() / p.v;
+    const std::uint64_t before = input.parameters.v - p.v;
+    if (!interval_cover_for_one_more_size(p, c, before)) {
+      return std::nullopt;
+    }
+    return interval_cover_for_one_more(p, c, before, points_of(smallest, registry));
+  }
+
+  // The input may be any recipe of the right parameters; everything else is determined.
+  void require_fit(const Recipe& recipe) const {
+    const Parameters& p = recipe.parameters;
+    try {
+      check(p);
+    } catch (const ImpossibleParameters& fault) {
+      throw BadInput(fmt::format("partial-expansion: {}", fault.what()));
+    }
+    const bool one = recipe.inputs.size() == 1;
+    const std::uint64_t w = one && recipe.inputs.front().parameters.v < p.v
+                                ? p.v - recipe.inputs.front().parameters.v
+                                : 0;
+    Parameters smaller = p;
+    smaller.v -= w;
+    if (w == 0 || smaller.v < p.k || recipe.inputs.front().parameters != smaller) {
+      throw BadInput(fmt::format(
+          "partial-expansion to {} takes one input with fewer elements that is else alike",
+          changeover::name(p)));
+    }
+    require_recipe(
+        recipe, *this,
+        Recipe{std::string(name()), p, {{"w", static_cast<std::int64_t>(w)}}, recipe.inputs, {}});
+    try {
+      (void)least_positions(smaller, w);
+    } catch (const ImpossibleParameters& fault) {
+      throw BadInput(fmt::format("partial-expansion: {}", fault.what()));
+    }
+  }
+};
+
+}  // namespace
+
+const Construction& partial_expansion_construction() {
+  static const PartialExpander construction;
+  return construction;
+}
+
+}  // namespace changeover

@@ -1,0 +1,125 @@
+// The v → v+1 expansion: U ∪ {v}, inserted at the positions of an expansion set of an SCCD(v,k).
+//
+// See construct/expansion/single_change_expansion.hpp, which also serves subsets that overlap.
+#include "construct/expansion/single_change_expansion.hpp"
+#include "bounds/counting_bound.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/error.hpp"
+#include "construct/entry.hpp"
+
+namespace changeover {
+namespace {
+
+std::optional<Parameters> input_parameters(const Parameters& p) {
+  if (!asks_for_pairs(p, 1) || p.v <= p.k || (p.v - 1) % (p.k - 1) != 0) {
+    return std::nullopt;
+  }
+  Parameters smaller = p;
+  --smaller.v;
+  return smaller;
+}
+
+// Only what does not ask the registry itself is asked, so that questions end.
+std::optional<Offer> best_with_expansion_set(const Parameters& p, const Registry& registry) {
+  std::optional<Offer> best;
+  for (const Construction* construction : registry.constructions()) {
+    if (construction->asks_registry()) {
+      continue;
+    }
+    std::optional<Offer> offer = construction->offer(p, registry);
+    if (offer && offer->expansion_set && (!best || offer->b < best->b)) {
+      best = std::move(offer);
+    }
+  }
+  return best;
+}
+
+class SingleChangeExpansion final : public Construction {
+ public:
+  std::string_view name() const override { return "single-change-expansion"; }
+  std::string_view summary() const override {
+    return "a new element beside every unchanged subset of an expansion set";
+  }
+  std::string_view preconditions() const override {
+    return "m = 1, k-1 divides v-1, and an SCCD(v-1,k) with an expansion set";
+  }
+  std::string_view guarantee() const override {
+    return "(v-1)/(k-1) blocks more; tight and circular if the smaller design is";
+  }
+  Citation citation() const override { return {"PreeceEtAl1995", ""}; }
+
+  bool asks_registry() const override { return true; }
+
+  std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
+    const std::optional<Parameters> smaller = input_parameters(p);
+    if (!smaller) {
+      return std::nullopt;
+    }
+    std::optional<Offer> input = best_with_expansion_set(*smaller, registry);
+    std::uint64_t b = 0;
+    if (!input || __builtin_add_overflow(input->b, smaller->v / (p.k - 1), &b)) {
+      return std::nullopt;
+    }
+    Recipe recipe{std::string(name()), p, {}, {std::move(input->recipe)}, {}};
+    return Offer{std::move(recipe), b, input->tight, b == counting_bound(p), false};
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                     const Registry& registry) const override {
+    require_fit(recipe);
+    const Recipe& input = recipe.inputs.front();
+    std::optional<ExpansionSet> set =
+        registry.construction_of(input).expansion_set(input, registry);
+    if (!set) {
+      throw BadInput(fmt::format("no expansion set is known of {} as made by {}",
+                                 changeover::name(input.parameters), input.construction));
+    }
+    return expand_single_change(registry.build(input), *std::move(set));
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    require_fit(recipe);
+    const Parameters& input = recipe.inputs.front().parameters;
+    return fmt::format(
+        "At each of the {} positions of an expansion set of the {}, insert its unchanged subset "
+        "with "
+        "the new element {}.",
+        input.v / (input.k - 1), changeover::name(input), input.v);
+  }
+
+  std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
+    require_fit(recipe);
+    const Recipe& input = recipe.inputs.front();
+    return expanded_labels(registry.construction_of(input).labels(input, registry), 1);
+  }
+
+ private:
+  // The input may be any recipe of the right parameters.
+  void require_fit(const Recipe& recipe) const {
+    const std::optional<Parameters> smaller = input_parameters(recipe.parameters);
+    if (!smaller) {
+      require_recipe(recipe, *this, std::nullopt);
+      return;
+    }
+    if (recipe.inputs.size() != 1 || recipe.inputs.front().parameters != *smaller) {
+      throw BadInput(fmt::format("single-change-expansion to {} takes one input, a {}",
+                                 changeover::name(recipe.parameters), changeover::name(*smaller)));
+    }
+    require_recipe(recipe, *this,
+                   Recipe{std::string(name()), recipe.parameters, {}, recipe.inputs, {}});
+  }
+};
+
+}  // namespace
+
+const Construction& single_change_expansion_construction() {
+  static const SingleChangeExpansion construction;
+  return construction;
+}
+
+}  // namespace changeover

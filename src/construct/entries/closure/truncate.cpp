@@ -1,0 +1,207 @@
+// Truncate: one element fewer, as many blocks.
+//
+// Delete x. In each run of consecutive blocks that hold x, put in its place some element that is in none
+// of them nor in the block before or after the run: the steps at both ends of the run then change as
+// many elements as before, and no other pair is lost. The last element takes the name x.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "construct/entry.hpp"
+
+namespace changeover {
+namespace {
+
+/// Where the elements of a design are, to see which of them can go.
+class Truncation {
+ public:
+  explicit Truncation(const Design& design)
+      : design_(design),
+        b_(design.block_count()),
+        circular_(design.parameters().kind == Kind::circular && b_ > 1),
+        where_(static_cast<std::size_t>(design.v())),
+        used_(static_cast<std::size_t>(design.v()), 0) {
+    for (std::size_t i = 0; i < b_; ++i) {
+      for (const Element x : design.block(i)) {
+        where_[x].push_back(i);
+      }
+    }
+  }
+
+  /// Whether each run of blocks that hold x leaves an element to put in its place. O(blocks with x · k).
+  bool can_go(Element x) {
+    if (where_[x].size() == b_) {
+      return false;
+    }
+    for (const Run& run : runs(x)) {
+      // So few blocks cannot hold all elements.
+      if ((run.length + 2) * design_.k() >= design_.v() && !substitute(run)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The design without x, if it can go.
+  std::optional<std::vector<Block>> without(Element x) {
+    if (where_[x].size() == b_) {
+      return std::nullopt;
+    }
+    std::vector<Block> blocks;
+    blocks.reserve(b_);
+    for (std::size_t i = 0; i < b_; ++i) {
+      blocks.emplace_back(design_.block(i).begin(), design_.block(i).end());
+    }
+    for (const Run& run : runs(x)) {
+      const std::optional<Element> other = substitute(run);
+      if (!other) {
+        return std::nullopt;
+      }
+      for (std::size_t i = 0; i < run.length; ++i) {
+        Block& block = blocks[(run.first + i) % b_];
+        std::replace(block.begin(), block.end(), x, *other);
+      }
+    }
+    const auto last = static_cast<Element>(design_.v() - 1);
+    for (Block& block : blocks) {
+      std::replace(block.begin(), block.end(), last, x);
+    }
+    return blocks;
+  }
+
+ private:
+  /// Consecutive blocks, modulo b, that hold an element; those before and after do not.
+  struct Run {
+    std::size_t first = 0;
+    std::size_t length = 0;
+  };
+
+  [[nodiscard]] std::vector<Run> runs(Element x) const {
+    std::vector<Run> runs;
+    for (const std::size_t i : where_[x]) {
+      if (!runs.empty() && runs.back().first + runs.back().length == i) {
+        ++runs.back().length;
+      } else {
+        runs.push_back({i, 1});
+      }
+    }
+    const bool wraps = circular_ && runs.size() > 1 && runs.front().first == 0 &&
+                       runs.back().first + runs.back().length == b_;
+    if (wraps) {
+      runs.back().length += runs.front().length;
+      runs.erase(runs.begin());
+    }
+    return runs;
+  }
+
+  // The least element that is in no block of the run nor beside it.
+  std::optional<Element> substitute(const Run& run) {
+    ++stamp_;
+    const auto mark = [this](std::size_t i) {
+      for (const Element y : design_.block(i)) {
+        used_[y] = stamp_;
+      }
+    };
+    for (std::size_t i = 0; i < run.length; ++i) {
+      mark((run.first + i) % b_);
+    }
+    if (circular_ || run.first > 0) {
+      mark((run.first + b_ - 1) % b_);
+    }
+    if (circular_ || run.first + run.length < b_) {
+      mark((run.first + run.length) % b_);
+    }
+    const auto free =
+        std::find_if(used_.begin(), used_.end(), [this](std::size_t s) { return s != stamp_; });
+    return free == used_.end() ? std::nullopt
+                               : std::optional(static_cast<Element>(free - used_.begin()));
+  }
+
+  const Design& design_;
+  std::size_t b_;
+  bool circular_;
+  std::vector<std::vector<std::size_t>> where_;  // by element: the blocks that hold it, in order
+  std::vector<std::size_t> used_;                // by element: the stamp of the last mark
+  std::size_t stamp_ = 0;
+};
+
+class Truncate final : public Construction {
+ public:
+  std::string_view name() const override { return "truncate"; }
+  std::string_view summary() const override {
+    return "delete an element; other elements take its place, run by run";
+  }
+  std::string_view preconditions() const override {
+    return "a design on v+1 elements in which each run of some element leaves another one free";
+  }
+  std::string_view guarantee() const override { return "as many blocks as the larger design"; }
+  Citation citation() const override { return {}; }
+
+  // A planner finds out which element can go; see construct/planner.hpp.
+  std::optional<Offer> offer(const Parameters&, const Registry&) const override {
+    return std::nullopt;
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                     const Registry& registry) const override {
+    const Element x = deleted(recipe);
+    const Design design = read_all(*registry.build(recipe.inputs.front()));
+    std::optional<std::vector<Block>> blocks = Truncation(design).without(x);
+    if (!blocks) {
+      throw BadInput(fmt::format("truncate: no element can take the place of {} everywhere", x));
+    }
+    return std::make_unique<BlockListSource>(recipe.parameters, *std::move(blocks));
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    return fmt::format(
+        "Delete element {} of the {}, others taking its place; the last element takes its name.",
+        deleted(recipe), changeover::name(recipe.inputs.front().parameters));
+  }
+
+ private:
+  static Element deleted(const Recipe& recipe) {
+    const auto given = recipe.arguments.find("element");
+    Parameters larger = recipe.parameters;
+    ++larger.v;
+    if (recipe.construction != "truncate" || recipe.inputs.size() != 1 || !recipe.blocks.empty() ||
+        recipe.arguments.size() != 1 || given == recipe.arguments.end() || given->second < 0 ||
+        static_cast<std::uint64_t>(given->second) >= larger.v ||
+        recipe.inputs.front().parameters != larger) {
+      throw BadInput(
+          fmt::format("truncate to {} takes one input on {} elements and the element to delete",
+                      changeover::name(recipe.parameters), larger.v));
+    }
+    return static_cast<Element>(given->second);
+  }
+};
+
+}  // namespace
+
+std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design) {
+  if (design.v() <= design.k() + 1) {
+    return std::nullopt;
+  }
+  Truncation truncation(design);
+  for (auto x = static_cast<Element>(design.v()); x-- > 0;) {
+    stop_if_asked();
+    if (truncation.can_go(x)) {
+      Parameters smaller = input.parameters;
+      --smaller.v;
+      return Recipe{"truncate", smaller, {{"element", x}}, {input}, {}};
+    }
+  }
+  return std::nullopt;
+}
+
+const Construction& truncate_construction() {
+  static const Truncate construction;
+  return construction;
+}
+
+}  // namespace changeover

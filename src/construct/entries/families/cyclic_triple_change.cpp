@@ -1,0 +1,185 @@
+// Tight circular 3-change designs (6c(k−2)+1, k) with c base blocks {0, …, k−4} ∪ {three points}.
+//
+// With n = k−3, N = n+1, v = 6cN+1 and A = {0, …, n−1} put x_p = pN+n. The differences x_p − a, a in A,
+// are pN+1, …, pN+n, up to sign those of p and of −p−1 alike; two points differ in (p−q)N. So c triples
+// of integers do for every k if of each two numbers p, −p−1 with 0 ≤ p < 3c one is used, once, and the
+// differences inside the triples are 1, …, 3c, once each. The base block with x_0 = n comes last: it
+// holds A+1. Proof: docs/theorems.md, Theorem 4.
+//
+// Each triple has two differences that add up to the third, so 1 + … + 3c is even: c ≡ 0 or 1 modulo 4.
+// The triples below were found by exact cover.
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "changeover/core/error.hpp"
+#include "construct/tools/interval_family.hpp"
+
+namespace changeover {
+namespace {
+
+using Triple = std::array<int, 3>;
+
+struct Triples {
+  std::uint64_t c = 0;
+  std::vector<Triple> triples;  ///< the one with 0 last
+};
+
+const std::vector<Triples>& tables() {
+  static const std::vector<Triples> all{
+      {1, {{-3, -2, 0}}},
+      {4, {{-2, 2, 10}, {-8, -7, 3}, {-12, -10, -5}, {-9, -6, 0}}},
+      {5, {{-7, -6, 8}, {-4, 1, 9}, {-15, -13, -3}, {-14, -11, -5}, {0, 7, 11}}},
+      {8,
+       {{-15, -11, 9},
+        {-19, -9, 4},
+        {-20, -18, 1},
+        {-12, -6, 6},
+        {-4, -3, 13},
+        {-22, -17, -8},
+        {-24, -21, -13},
+        {0, 15, 22}}},
+      {9,
+       {{-10, -3, 17},
+        {-24, -21, 1},
+        {-17, -16, 7},
+        {-7, -5, 14},
+        {3, 11, 21},
+        {-23, -19, -6},
+        {8, 13, 24},
+        {-26, -20, -11},
+        {0, 12, 26}}},
+      {12,
+       {{-16, -15, 19},
+        {-32, -30, 1},
+        {-29, -22, 3},
+        {-5, 9, 25},
+        {-18, -7, 11},
+        {2, 10, 30},
+        {-35, -25, -8},
+        {-21, -17, 5},
+        {-33, -28, -9},
+        {12, 18, 33},
+        {23, 26, 35},
+        {-23, 0, 13}}},
+      {13,
+       {{-38, -28, 1},
+        {-31, -27, 6},
+        {-15, -13, 21},
+        {-3, 13, 32},
+        {-24, -23, 8},
+        {5, 10, 35},
+        {-25, -19, 3},
+        {-37, -30, -10},
+        {-34, -26, -8},
+        {4, 15, 28},
+        {11, 20, 34},
+        {16, 19, 31},
+        {0, 17, 38}}},
+      {16,
+       {{-32, -27, 16},
+        {-25, -13, 22},
+        {-36, -30, 10},
+        {-26, -7, 19},
+        {-6, 11, 38},
+        {-44, -24, -2},
+        {7, 9, 46},
+        {-41, -31, -3},
+        {3, 18, 39},
+        {8, 17, 42},
+        {-48, -45, -16},
+        {14, 27, 45},
+        {-35, -21, -5},
+        {-38, -37, -14},
+        {-33, -29, -22},
+        {0, 33, 41}}},
+      {17,
+       {{-19, 1, 32},
+        {-10, 14, 40},
+        {-45, -28, 4},
+        {-29, -11, 19},
+        {-39, -27, 8},
+        {-40, -31, 6},
+        {-34, -32, 11},
+        {5, 13, 47},
+        {7, 12, 48},
+        {-3, 16, 37},
+        {-43, -42, -4},
+        {17, 23, 50},
+        {20, 34, 49},
+        {21, 24, 46},
+        {-46, -36, -23},
+        {25, 29, 36},
+        {-44, -16, 0}}},
+  };
+  return all;
+}
+
+/// nullptr if there is no table for c.
+const Triples* triples_for(std::uint64_t c) {
+  const auto found = std::ranges::find(tables(), c, &Triples::c);
+  return found == tables().end() ? nullptr : &*found;
+}
+
+// x_p modulo v.
+Element point(std::uint64_t v, std::uint64_t k, int p) {
+  const auto n = static_cast<std::int64_t>(k - 3);
+  const std::int64_t x = p * (n + 1) + n;
+  return static_cast<Element>(x < 0 ? x + static_cast<std::int64_t>(v) : x);
+}
+
+class CyclicTripleChange final : public IntervalFamily {
+ public:
+  CyclicTripleChange() : IntervalFamily(3) {}
+
+  std::string_view name() const override { return "cyclic-triple-change"; }
+  std::string_view summary() const override {
+    return "c base blocks {0,...,k-4,x,y,z} over Z_v from c triples of integers, developed";
+  }
+  std::string_view preconditions() const override {
+    return "circular, m = 3, k >= 4, v = 6c(k-2)+1 with c = 1, 4, 5, 8, 9, 12, 13, 16, 17";
+  }
+  std::string_view guarantee() const override {
+    return "a tight circular 3-change design with cv blocks";
+  }
+  Citation citation() const override { return {"", "docs/theorems.md, Theorem 4"}; }
+
+ protected:
+  std::uint64_t base_block_count(const Parameters& p) const override {
+    if (!asks_for_pairs(p, 3) || p.kind != Kind::circular || p.k < 4 ||
+        (p.v - 1) % (6 * (p.k - 2)) != 0) {
+      return 0;
+    }
+    const std::uint64_t c = (p.v - 1) / (6 * (p.k - 2));
+    return triples_for(c) == nullptr ? 0 : c;
+  }
+
+  IntervalDevelopedSource::Points points_of(std::uint64_t c, std::uint64_t k) const override {
+    return [triples = triples_for(c), v = 6 * c * (k - 2) + 1, k](std::uint64_t which,
+                                                                  std::span<Element> points) {
+      const Triple& triple = triples->triples[static_cast<std::size_t>(which)];
+      std::ranges::transform(triple, points.begin(), [&](int p) { return point(v, k, p); });
+      std::ranges::sort(points);
+    };
+  }
+
+  IntervalBaseBlocks interval_blocks(std::uint64_t c, std::uint64_t k) const override {
+    const Parameters p{6 * c * (k - 2) + 1, k, 3, Kind::circular, 2};
+    check(p);
+    IntervalBaseBlocks base{p, 0, k - 3, std::vector<Element>(3 * static_cast<std::size_t>(c))};
+    const auto points = points_of(c, k);
+    for (std::uint64_t i = 0; i < c; ++i) {
+      points(i, std::span(base.points).subspan(3 * static_cast<std::size_t>(i), 3));
+    }
+    return base;
+  }
+};
+
+}  // namespace
+
+const Construction& cyclic_triple_change_construction() {
+  static const CyclicTripleChange construction;
+  return construction;
+}
+
+}  // namespace changeover

@@ -1,0 +1,190 @@
+// A greedy walk through disjoint blocks, for k = m, where nothing can be held: the fallback that makes even
+// these parameters served.
+//
+// From a block go to the disjoint block that newly covers most pairs, chosen element by element; if all
+// pairs outside the block are covered, go through a block that leaves the elements of some uncovered pair
+// free. Every second step covers a pair, so the walk ends. In a circular design the shortest way leads
+// back (construct/tools/path.hpp). Nothing is promised but that it works; the walk is made to count its blocks.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <utility>
+
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/core/pair_set.hpp"
+#include "construct/entry.hpp"
+#include "construct/tools/path.hpp"
+
+namespace changeover {
+namespace {
+
+class Walk {
+ public:
+  explicit Walk(const Parameters& p)
+      : p_(p),
+        v_(static_cast<std::size_t>(p.v)),
+        k_(static_cast<std::size_t>(p.k)),
+        covered_(p.v),
+        words_(ceil_div(p.v, 64)),
+        missing_(v_ * words_, 0) {
+    for (std::size_t x = 0; x < v_; ++x) {
+      for (std::size_t y = 0; y < v_; ++y) {
+        missing_[x * words_ + y / 64] |= x == y ? 0 : std::uint64_t{1} << (y % 64);
+      }
+    }
+  }
+
+  std::vector<Block> run() {
+    Block first(k_);
+    std::iota(first.begin(), first.end(), 0U);
+    visit(first);
+    while (left_ > 0) {
+      Block block = best(outside(blocks_.back(), {}));
+      if (block.empty()) {
+        // The uncovered pair stays free while one step is made; then it is outside.
+        Block pair;
+        covered_.for_each_missing(1, [&](Element x, Element y) { pair = {x, y}; });
+        block = outside(blocks_.back(), pair);
+        block.resize(k_);
+      }
+      visit(block);
+    }
+    if (p_.kind == Kind::circular) {
+      for (Block& between : connecting_blocks(blocks_.back(), first, p_.change, p_.v)) {
+        blocks_.push_back(std::move(between));
+      }
+    }
+    return std::move(blocks_);
+  }
+
+ private:
+  void visit(const Block& block) {
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (!covered_.contains(block[i], block[j])) {
+          covered_.insert(block[i], block[j]);
+          meet(block[i], block[j]);
+          meet(block[j], block[i]);
+          --left_;
+        }
+      }
+    }
+    blocks_.push_back(block);
+  }
+
+  void meet(Element x, Element y) {
+    missing_[x * words_ + y / 64] &= ~(std::uint64_t{1} << (y % 64));
+  }
+
+  [[nodiscard]] Block outside(const Block& block, const Block& also) const {
+    std::vector<bool> taken(v_, false);
+    for (const Element x : block) {
+      taken[x] = true;
+    }
+    for (const Element x : also) {
+      taken[x] = true;
+    }
+    Block rest;
+    for (Element x = 0; x < v_; ++x) {
+      if (!taken[x]) {
+        rest.push_back(x);
+      }
+    }
+    return rest;
+  }
+
+  // k elements of `from`, each the one with most uncovered pairs among those before it, the first the
+  // one with most among all; empty if no pair is uncovered there.
+  [[nodiscard]] Block best(const Block& from) const {
+    std::vector<std::uint64_t> among(words_, 0);
+    for (const Element y : from) {
+      among[y / 64] |= std::uint64_t{1} << (y % 64);
+    }
+    std::vector<std::uint64_t> gain(from.size(), 0);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      for (std::size_t word = 0; word < words_; ++word) {
+        gain[i] += static_cast<std::uint64_t>(
+            std::popcount(missing_[from[i] * words_ + word] & among[word]));
+      }
+    }
+    const auto next = std::max_element(gain.begin(), gain.end());
+    if (*next == 0) {
+      return {};
+    }
+    auto chosen = static_cast<std::size_t>(next - gain.begin());
+    gain.assign(from.size(), 0);
+    Block block;
+    std::vector<bool> used(from.size(), false);
+    while (true) {
+      used[chosen] = true;
+      block.push_back(from[chosen]);
+      if (block.size() == k_) {
+        return block;
+      }
+      std::size_t most = from.size();
+      for (std::size_t i = 0; i < from.size(); ++i) {
+        if (used[i]) {
+          continue;
+        }
+        gain[i] += covered_.contains(from[i], block.back()) ? 0U : 1U;
+        if (most == from.size() || gain[i] > gain[most]) {
+          most = i;
+        }
+      }
+      chosen = most;
+    }
+  }
+
+  Parameters p_;
+  std::size_t v_;
+  std::size_t k_;
+  PairSet covered_;
+  std::size_t words_;
+  std::vector<std::uint64_t> missing_;  // a row of bits for each x: the y that it has not met
+  std::uint64_t left_ = binomial(p_.v, 2);
+  std::vector<Block> blocks_;
+};
+
+class DisjointWalk final : public Construction {
+ public:
+  std::string_view name() const override { return "disjoint-walk"; }
+  std::string_view summary() const override { return "a greedy walk through disjoint blocks"; }
+  std::string_view preconditions() const override { return "k = m, 2k + 1 <= v <= 128"; }
+  std::string_view guarantee() const override { return "that it works; b is counted by walking"; }
+  Citation citation() const override { return {}; }
+
+  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
+    constexpr std::uint64_t largest_v = 128;
+    if (!asks_for_pairs(p, p.change) || p.change != p.k || p.v < 2 * p.k + 1 || p.v > largest_v) {
+      return std::nullopt;
+    }
+    return Offer{{std::string(name()), p, {}, {}, {}}, Walk(p).run().size(), false, false, false};
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                     const Registry& registry) const override {
+    const std::optional<Offer> expected = offer(recipe.parameters, registry);
+    require_recipe(recipe, *this, expected ? std::optional(expected->recipe) : std::nullopt);
+    return std::make_unique<BlockListSource>(recipe.parameters, Walk(recipe.parameters).run());
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    return fmt::format(
+        "From {{0,…,{}}} go from block to disjoint block, each time to one that covers many new "
+        "pairs.",
+        recipe.parameters.k - 1);
+  }
+};
+
+}  // namespace
+
+const Construction& disjoint_walk_construction() {
+  static const DisjointWalk construction;
+  return construction;
+}
+
+}  // namespace changeover

@@ -1,0 +1,93 @@
+// The tight circular DCCD(2k−3, k, k−2), k odd: a new element in every block of the tight circular
+// DCCD(2k−4, k−1, k−2).
+//
+// Each old element is introduced exactly once there, so its pair with the new one is covered once.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "changeover/construct/registry.hpp"
+#include "construct/entry.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::string_view smaller = "doubling";
+
+// The parameters of the design that gets the new element.
+Parameters without_fixed(const Parameters& p) { return {p.v - 1, p.k - 1, 2, Kind::circular, 2}; }
+
+bool serves(const Parameters& p) {
+  return asks_for_pairs(p, 2) && p.kind == Kind::circular && p.k % 2 != 0 && p.v == 2 * p.k - 3;
+}
+
+class FixedSource final : public BlockSource {
+ public:
+  FixedSource(const Parameters& parameters, std::unique_ptr<BlockSource> source)
+      : parameters_(parameters), source_(std::move(source)) {}
+
+  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return source_->block_count();
+  }
+  bool next(std::span<Element> block) override {
+    const std::size_t old = block.size() - 1;
+    block[old] = static_cast<Element>(parameters_.v - 1);
+    return source_->next(block.first(old));
+  }
+  bool rewind() override { return source_->rewind(); }
+
+ private:
+  Parameters parameters_;
+  std::unique_ptr<BlockSource> source_;
+};
+
+class FixedElement final : public Construction {
+ public:
+  std::string_view name() const override { return "fixed-element"; }
+  std::string_view summary() const override {
+    return "a new element in every block of a tight circular DCCD(2k-4,k-1,k-2)";
+  }
+  std::string_view preconditions() const override {
+    return "circular, m = 2, v = 2k-3, k odd, k >= 3";
+  }
+  std::string_view guarantee() const override { return "a tight circular DCCD(2k-3,k,k-2)"; }
+  Citation citation() const override { return {"ChafeeStevens2025", "Theorem 8"}; }
+
+  std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
+    const Construction* construction = registry.find(smaller);
+    if (!serves(p) || construction == nullptr) {
+      return std::nullopt;
+    }
+    std::optional<Offer> input = construction->offer(without_fixed(p), registry);
+    if (!input) {
+      return std::nullopt;
+    }
+    Recipe recipe{std::string(name()), p, {}, {std::move(input->recipe)}, {}};
+    return Offer{std::move(recipe), p.k - 2, true, true, false};
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                     const Registry& registry) const override {
+    const std::optional<Offer> offered = offer(recipe.parameters, registry);
+    require_recipe(recipe, *this, offered ? std::optional(offered->recipe) : std::nullopt);
+    return std::make_unique<FixedSource>(recipe.parameters, registry.build(recipe.inputs.front()));
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    if (!serves(recipe.parameters)) {
+      require_recipe(recipe, *this, std::nullopt);
+    }
+    return fmt::format("Add the new element {} to every block of the {}.", recipe.parameters.v - 1,
+                       changeover::name(without_fixed(recipe.parameters)));
+  }
+};
+
+}  // namespace
+
+const Construction& fixed_element_construction() {
+  static const FixedElement construction;
+  return construction;
+}
+
+}  // namespace changeover

@@ -1,0 +1,136 @@
+// The minimum DCCD(v,2): the edges of K_v in an order in which consecutive edges are disjoint.
+//
+// Even v = 2n ≥ 6: the 1-factors {i,∞}, {i−j,i+j}, 1 ≤ j < n, over Z_{v−1}, i = 0, …, v−2. Factor i
+// goes from j = n−1 down to 1 and ends with {i,∞}; factor i+1 begins with {i+1−(n−1), i+1+(n−1)} =
+// {i+n+1, i+n}, which holds i only if n ≤ 2.
+// Odd v = 2n+1 ≥ 7: the near-1-factors {i−j,i+j}, 1 ≤ j ≤ n, over Z_v. Near-1-factor i begins with
+// j = 1 and ends with j = 3: {i−3,i+3} and {i,i+2} have an element in common only if v = 3 or 5.
+// Both are developed from factor 0, so that the list is circular. For v = 5 it is a Hamiltonian
+// path of the Petersen graph, which has no Hamiltonian cycle: a circular DCCD(5,2) needs an 11th
+// block.
+#include <fmt/format.h>
+
+#include "changeover/construct/registry.hpp"
+#include "construct/entry.hpp"
+#include "construct/tools/short_blocks.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::string_view path_of_5 = "01 23 04 12 34 02 13 24 03 14";
+constexpr std::string_view walk_of_5 = "01 23 01 24 03 14 02 13 04 12 34";
+
+std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
+  if (!asks_for_pairs(p, 2) || p.k != 2 || p.v < 5) {
+    return std::nullopt;
+  }
+  return Recipe{std::string(construction.name()), p, {}, {}, {}};
+}
+
+bool needs_one_more(const Parameters& p) { return p.v == 5 && p.kind == Kind::circular; }
+
+// v ≥ 6.
+class FactorsSource final : public BlockSource {
+ public:
+  explicit FactorsSource(const Parameters& parameters)
+      : parameters_(parameters), modulus_(parameters.v - (parameters.v % 2 == 0 ? 1 : 0)) {}
+
+  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return modulus_ * (parameters_.v / 2);
+  }
+
+  bool next(std::span<Element> block) override {
+    if (factor_ == modulus_) {
+      return false;
+    }
+    const std::uint64_t n = parameters_.v / 2;
+    const bool even = parameters_.v % 2 == 0;
+    const std::uint64_t j = even ? n - 1 - edge_ : distance_in_near_factor(edge_, n);
+    block[0] = static_cast<Element>((factor_ + modulus_ - j) % modulus_);
+    block[1] = static_cast<Element>(j == 0 ? modulus_ : (factor_ + j) % modulus_);
+    if (++edge_ == n) {
+      edge_ = 0;
+      ++factor_;
+    }
+    return true;
+  }
+
+  bool rewind() override {
+    factor_ = edge_ = 0;
+    return true;
+  }
+
+ private:
+  // 1, 2, 4, 5, …, n, 3.
+  static std::uint64_t distance_in_near_factor(std::uint64_t edge, std::uint64_t n) {
+    if (edge + 1 == n) {
+      return 3;
+    }
+    return edge < 2 ? edge + 1 : edge + 2;
+  }
+
+  Parameters parameters_;
+  std::uint64_t modulus_;
+  std::uint64_t factor_ = 0;
+  std::uint64_t edge_ = 0;
+};
+
+class PairsDoubleChange final : public Construction {
+ public:
+  std::string_view name() const override { return "pairs-double-change"; }
+  std::string_view summary() const override {
+    return "the edges of a complete graph, 1-factor after 1-factor, consecutive edges disjoint";
+  }
+  std::string_view preconditions() const override { return "m = 2, k = 2, v >= 5"; }
+  std::string_view guarantee() const override {
+    return "a minimum DCCD(v,2): v(v-1)/2 blocks and tight, but 11 blocks if circular and v = 5";
+  }
+  Citation citation() const override { return {"Lindbloom2011", ""}; }
+
+  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
+    std::optional<Recipe> recipe = recipe_for(*this, p);
+    if (!recipe) {
+      return std::nullopt;
+    }
+    const bool tight = !needs_one_more(p);
+    return Offer{*std::move(recipe), p.v * (p.v - 1) / 2 + (tight ? 0 : 1), tight, tight, false};
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
+    const Parameters& p = recipe.parameters;
+    require_recipe(recipe, *this, recipe_for(*this, p));
+    if (p.v == 5) {
+      const std::string_view list = p.kind == Kind::circular ? walk_of_5 : path_of_5;
+      return std::make_unique<BlockListSource>(p, detail::short_blocks(list));
+    }
+    return std::make_unique<FactorsSource>(p);
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    const Parameters& p = recipe.parameters;
+    require_recipe(recipe, *this, recipe_for(*this, p));
+    if (p.v == 5) {
+      return p.kind == Kind::circular
+                 ? "A closed walk of length 11 through the Petersen graph, whose vertices are the "
+                   "pairs."
+                 : "A Hamiltonian path of the Petersen graph, whose vertices are the pairs.";
+    }
+    if (p.v % 2 == 0) {
+      return fmt::format(
+          "For i = 0,…,{0}, the edges {{i-j,i+j}} over Z_{1}, j = {2},…,1, and {{i,{1}}}.", p.v - 2,
+          p.v - 1, p.v / 2 - 1);
+    }
+    return fmt::format("For i = 0,…,{}, the edges {{i-j,i+j}} over Z_{}, j = 1,…,{} with 3 last.",
+                       p.v - 1, p.v, p.v / 2);
+  }
+};
+
+}  // namespace
+
+const Construction& pairs_double_change_construction() {
+  static const PairsDoubleChange construction;
+  return construction;
+}
+
+}  // namespace changeover

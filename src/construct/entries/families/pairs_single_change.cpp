@@ -1,0 +1,138 @@
+// The tight SCCD(v,2): the edges of K_v in an order in which consecutive edges share one vertex.
+//
+// Run x, 0 ≤ x ≤ v−2, lists the edges {x,y}, x < y. It begins with y = v−1 if x is even and with
+// y = v−2 if x is odd, and ends with the other of the two, so that the next run begins with the
+// same y; the last run is {v−2,v−1}, which meets the ends of all others. Run 0 begins with {0,v−1}:
+// the list is circular.
+//
+// Expansion set: x ≤ v−3 after the first edge of its run, v−2 between runs 0 and 1, v−1 between
+// runs 1 and 2 (for v = 3, between the last edge and the first).
+#include <fmt/format.h>
+
+#include "changeover/construct/registry.hpp"
+#include "construct/entry.hpp"
+
+namespace changeover {
+namespace {
+
+// The largest v whose expansion set, v subsets, is written down.
+constexpr std::uint64_t largest_expansion_set = std::uint64_t{1} << 20;
+
+std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
+  if (!asks_for_pairs(p, 1) || p.k != 2 || p.v < 3) {
+    return std::nullopt;
+  }
+  return Recipe{std::string(construction.name()), p, {}, {}, {}};
+}
+
+class RunsOfEdgesSource final : public BlockSource {
+ public:
+  explicit RunsOfEdgesSource(const Parameters& parameters) : parameters_(parameters) {}
+
+  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return parameters_.v * (parameters_.v - 1) / 2;
+  }
+
+  bool next(std::span<Element> block) override {
+    const std::uint64_t v = parameters_.v;
+    if (x_ + 1 == v) {
+      return false;
+    }
+    const std::uint64_t length = v - 1 - x_;
+    std::uint64_t y = x_ + edge_;
+    if (length == 1) {
+      y = v - 1;
+    } else if (edge_ == 0) {
+      y = x_ % 2 == 0 ? v - 1 : v - 2;
+    } else if (edge_ + 1 == length) {
+      y = x_ % 2 == 0 ? v - 2 : v - 1;
+    }
+    block[0] = static_cast<Element>(x_);
+    block[1] = static_cast<Element>(y);
+    if (++edge_ == length) {
+      edge_ = 0;
+      ++x_;
+    }
+    return true;
+  }
+
+  bool rewind() override {
+    x_ = edge_ = 0;
+    return true;
+  }
+
+ private:
+  Parameters parameters_;
+  std::uint64_t x_ = 0;
+  std::uint64_t edge_ = 0;
+};
+
+class PairsSingleChange final : public Construction {
+ public:
+  std::string_view name() const override { return "pairs-single-change"; }
+  std::string_view summary() const override {
+    return "the edges of a complete graph, vertex after vertex, consecutive edges share a vertex";
+  }
+  std::string_view preconditions() const override { return "m = 1, k = 2, v >= 3"; }
+  std::string_view guarantee() const override {
+    return "a tight SCCD(v,2,v(v-1)/2), with an expansion set if v <= 2^20";
+  }
+  Citation citation() const override { return {"WallisYucasZhang1993", ""}; }
+
+  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
+    std::optional<Recipe> recipe = recipe_for(*this, p);
+    if (!recipe) {
+      return std::nullopt;
+    }
+    return Offer{*std::move(recipe), p.v * (p.v - 1) / 2, true, true, p.v <= largest_expansion_set};
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
+    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
+    return std::make_unique<RunsOfEdgesSource>(recipe.parameters);
+  }
+
+  std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,
+                                                            const Registry&) const override {
+    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
+    const std::uint64_t v = recipe.parameters.v;
+    if (v > largest_expansion_set) {
+      return std::nullopt;
+    }
+    std::vector<UnchangedSubset> set;
+    set.reserve(static_cast<std::size_t>(v));
+    const auto add = [&set](std::uint64_t position, std::uint64_t x) {
+      set.push_back({static_cast<std::size_t>(position), {static_cast<Element>(x)}});
+    };
+    std::uint64_t before = 0;  // edges in the runs before run x
+    for (std::uint64_t x = 0; x < v - 2 || x <= 2; ++x) {
+      if (x == 1 || x == 2) {
+        add(before, v - 3 + x);
+      }
+      if (x + 3 <= v) {
+        add(before + 1, x);
+      }
+      before += v - 1 - x;
+    }
+    return set;
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
+    const std::uint64_t v = recipe.parameters.v;
+    return fmt::format(
+        "For x = 0,…,{}, the edges {{x,y}} with y > x; y = {} comes first and y = {} last if x is "
+        "even, the other way round if x is odd.",
+        v - 2, v - 1, v - 2);
+  }
+};
+
+}  // namespace
+
+const Construction& pairs_single_change_construction() {
+  static const PairsSingleChange construction;
+  return construction;
+}
+
+}  // namespace changeover

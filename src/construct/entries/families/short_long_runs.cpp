@@ -1,0 +1,131 @@
+// The circular DCCD(2k−2, k, k), k odd: every element but two stays for one run of consecutive
+// blocks, and two such runs among k blocks cannot miss each other.
+//
+// With h = (k+1)/2 and blocks numbered from 0 modulo k, the elements i_s, 0 ≤ i ≤ k−3, have short
+// runs, h blocks from block i(h−1) − 1 on; i_l have long runs, h+1 blocks from block ih on. A run
+// ends in the block in which that of i+1 begins. ∞_s is in blocks (k−1)/2 and k−1, ∞_l in blocks 0
+// and (k−1)/2. The three blocks with ∞_s or ∞_l cover all their pairs. A tight one, with k−1
+// blocks, would need runs of k/2 blocks, so k blocks are the minimum.
+#include <fmt/format.h>
+
+#include "changeover/construct/registry.hpp"
+#include "construct/entry.hpp"
+
+namespace changeover {
+namespace {
+
+std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
+  if (!asks_for_pairs(p, 2) || p.kind != Kind::circular || p.k % 2 == 0 || p.k < 5 ||
+      p.v != 2 * p.k - 2) {
+    return std::nullopt;
+  }
+  return Recipe{std::string(construction.name()), p, {}, {}, {}};
+}
+
+// Elements in the order ∞_s, 0_s, …, (k−3)_s, ∞_l, 0_l, …, (k−3)_l.
+class RunsSource final : public BlockSource {
+ public:
+  explicit RunsSource(const Parameters& parameters) : parameters_(parameters) {}
+
+  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override { return parameters_.k; }
+
+  bool next(std::span<Element> block) override {
+    const std::uint64_t k = parameters_.k;
+    if (index_ == k) {
+      return false;
+    }
+    const std::uint64_t h = (k + 1) / 2;
+    const bool middle = index_ == (k - 1) / 2;
+    std::size_t filled = 0;
+    const auto add_if = [&](bool wanted, std::uint64_t element) {
+      if (wanted) {
+        block[filled++] = static_cast<Element>(element);
+      }
+    };
+    add_if(middle || index_ == k - 1, 0);
+    add_if(middle || index_ == 0, k - 1);
+    for (std::uint64_t i = 0; i + 2 < k; ++i) {
+      add_if(runs(i * (h - 1) + k - 1, h), 1 + i);
+      add_if(runs(i * h, h + 1), k + i);
+    }
+    ++index_;
+    return true;
+  }
+
+  bool rewind() override {
+    index_ = 0;
+    return true;
+  }
+
+ private:
+  // Whether the block lies in the run of that many blocks from block `start` on, modulo k.
+  [[nodiscard]] bool runs(std::uint64_t start, std::uint64_t length) const {
+    const std::uint64_t k = parameters_.k;
+    return (index_ + k - start % k) % k < length;
+  }
+
+  Parameters parameters_;
+  std::uint64_t index_ = 0;
+};
+
+class ShortLongRuns final : public Construction {
+ public:
+  std::string_view name() const override { return "short-long-runs"; }
+  std::string_view summary() const override {
+    return "elements that stay for one short or one long run, and two that come twice";
+  }
+  std::string_view preconditions() const override {
+    return "circular, m = 2, v = 2k-2, k odd, k >= 5";
+  }
+  std::string_view guarantee() const override {
+    return "a minimum circular DCCD(2k-2,k,k), one block above the counting bound";
+  }
+  Citation citation() const override { return {"ChafeeStevens2025", "Theorem 4"}; }
+
+  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
+    std::optional<Recipe> recipe = recipe_for(*this, p);
+    if (!recipe) {
+      return std::nullopt;
+    }
+    return Offer{*std::move(recipe), p.k, false, false, false};
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
+    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
+    return std::make_unique<RunsSource>(recipe.parameters);
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
+    const std::uint64_t k = recipe.parameters.k;
+    const std::uint64_t h = (k + 1) / 2;
+    return fmt::format(
+        "Number the blocks from 0 modulo {0}. For i = 0,…,{1}, put i_s into {2} blocks from block "
+        "{3}i - 1 on and i_l into {4} blocks from block {2}i on; put ∞_s into blocks {3} and {5}, "
+        "and "
+        "∞_l into blocks 0 and {3}.",
+        k, k - 3, h, h - 1, h + 1, k - 1);
+  }
+
+  std::vector<std::string> labels(const Recipe& recipe, const Registry&) const override {
+    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
+    std::vector<std::string> labels;
+    for (const char* run : {"s", "l"}) {
+      labels.push_back(fmt::format("∞_{}", run));
+      for (std::uint64_t i = 0; i + 2 < recipe.parameters.k; ++i) {
+        labels.push_back(fmt::format("{}_{}", i, run));
+      }
+    }
+    return labels;
+  }
+};
+
+}  // namespace
+
+const Construction& short_long_runs_construction() {
+  static const ShortLongRuns construction;
+  return construction;
+}
+
+}  // namespace changeover

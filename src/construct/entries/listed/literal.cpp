@@ -1,0 +1,80 @@
+// A list of blocks as given, so that designs from elsewhere can take part in recipes. Nothing is
+// offered and nothing promised: whether the list is a design is for verification to say.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/expansion.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/error.hpp"
+#include "construct/entry.hpp"
+
+namespace changeover {
+namespace {
+
+// So that building never hangs; the same set is found wherever the search does not end here.
+constexpr std::uint64_t search_nodes = 10'000'000;
+
+class Literal final : public Construction {
+ public:
+  std::string_view name() const override { return "literal"; }
+  std::string_view summary() const override { return "the blocks that the recipe lists"; }
+  std::string_view preconditions() const override {
+    return "any parameters, with a list of blocks";
+  }
+  std::string_view guarantee() const override { return "none: verify the list"; }
+  Citation citation() const override { return {}; }
+
+  std::optional<Offer> offer(const Parameters&, const Registry&) const override {
+    return std::nullopt;
+  }
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
+    require_recipe(
+        recipe, *this,
+        Recipe{std::string(name()), recipe.parameters, {}, {}, recipe.blocks, recipe.provenance});
+    return std::make_unique<BlockListSource>(recipe.parameters, recipe.blocks);
+  }
+
+  // The first one that exact cover finds.
+  std::optional<std::vector<UnchangedSubset>> expansion_set(
+      const Recipe& recipe, const Registry& registry) const override {
+    const std::unique_ptr<BlockSource> source = build(recipe, registry);
+    if (recipe.parameters.v > max_elements_in_memory) {
+      return std::nullopt;
+    }
+    const ExpansionSearch search = find_expansion_sets(
+        read_all(*source),
+        {.how_many = 1, .count = false, .partial = false, .limits = {search_nodes, {}}});
+    return search.sets.empty() ? std::nullopt : std::optional(search.sets.front());
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    const std::string blocks =
+        recipe.blocks.size() == 1
+            ? "The one block that is listed"
+            : fmt::format("The {} blocks that are listed", recipe.blocks.size());
+    return recipe.provenance.empty() ? blocks + "."
+                                     : fmt::format("{}, from: {}.", blocks, recipe.provenance);
+  }
+};
+
+}  // namespace
+
+Recipe literal_recipe(const Design& design, std::string provenance) {
+  Recipe recipe{"literal", design.parameters(), {}, {}, {}, std::move(provenance)};
+  recipe.blocks.reserve(design.block_count());
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    const auto block = design.block(i);
+    recipe.blocks.emplace_back(block.begin(), block.end());
+  }
+  return recipe;
+}
+
+const Construction& literal_construction() {
+  static const Literal construction;
+  return construction;
+}
+
+}  // namespace changeover

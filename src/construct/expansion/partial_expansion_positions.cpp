@@ -1,0 +1,186 @@
+// Positions beyond those of a cover, what stands beside new elements, and how many to add.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+#include "construct/expansion/partial_expansion_parts.hpp"
+
+namespace changeover {
+
+std::vector<UnchangedSubset> detail::one_subset_a_position(const Design& design) {
+  const std::size_t b = design.block_count();
+  const auto size = static_cast<std::ptrdiff_t>(design.k() - design.parameters().change);
+  std::vector<UnchangedSubset> result = unchanged_subsets(design);
+  std::erase_if(result, [&](const UnchangedSubset& subset) {
+    return static_cast<std::ptrdiff_t>(subset.elements.size()) != size;
+  });
+  if (b > 0 && design.parameters().kind == Kind::linear) {
+    const auto end = [&](std::size_t block) {
+      const auto elements = design.block(block);
+      Block subset(elements.begin(), elements.begin() + size);
+      std::sort(subset.begin(), subset.end());
+      return subset;
+    };
+    result.insert(result.begin(), {0, end(0)});
+    result.push_back({b, end(b - 1)});
+  }
+  return result;
+}
+
+bool detail::add_positions(UnchangedCover& cover, const std::vector<UnchangedSubset>& more,
+                           std::uint64_t count) {
+  std::vector<UnchangedSubset>& subsets = cover.subsets;
+  const auto by_position = [](const auto& a, const auto& b) { return a.position < b.position; };
+  std::vector<UnchangedSubset> added;
+  for (const UnchangedSubset& subset : more) {
+    if (subsets.size() + added.size() >= count) {
+      break;
+    }
+    if (!std::binary_search(subsets.begin(), subsets.end(), subset, by_position)) {
+      added.push_back(subset);
+    }
+  }
+  subsets.insert(subsets.end(), added.begin(), added.end());
+  std::sort(subsets.begin(), subsets.end(), by_position);
+  return subsets.size() >= count;
+}
+
+std::optional<std::vector<Block>> detail::share_out(
+    const Block& rest, std::size_t places, std::size_t capacity,
+    const std::function<bool(std::size_t, Element)>& allowed) {
+  std::vector<Block> result(places);
+  std::size_t start = 0;
+  for (const Element y : rest) {
+    const auto has_room = [&](std::size_t place) { return result[place].size() < capacity; };
+    bool placed = false;
+    for (std::size_t i = 0; i < places && !placed; ++i) {
+      const std::size_t place = (start + i) % places;
+      if (has_room(place) && allowed(place, y)) {
+        result[place].push_back(y);
+        start = (place + 1) % places;
+        placed = true;
+      }
+    }
+    // Otherwise y takes the place of another that can go elsewhere.
+    for (std::size_t place = 0; place < places && !placed; ++place) {
+      if (!allowed(place, y)) {
+        continue;
+      }
+      for (Element& other : result[place]) {
+        for (std::size_t elsewhere = 0; elsewhere < places && !placed; ++elsewhere) {
+          if (has_room(elsewhere) && allowed(elsewhere, other)) {
+            result[elsewhere].push_back(other);
+            other = y;
+            placed = true;
+          }
+        }
+        if (placed) {
+          break;
+        }
+      }
+    }
+    if (!placed) {
+      return std::nullopt;
+    }
+  }
+  for (Block& beside : result) {
+    std::sort(beside.begin(), beside.end());
+  }
+  return result;
+}
+
+bool detail::put_beside(const Parameters& p, std::uint64_t w, UnchangedCover& cover,
+                        const std::function<bool(std::size_t, Element)>& allowed) {
+  const Block rest = left_out_elements(p.v, cover.subsets);
+  cover.beside.clear();
+  if (rest.empty()) {
+    return true;
+  }
+  const std::size_t places = cover.subsets.size();
+  if (rest.size() > may_be_left_out(p, places, w)) {
+    return false;
+  }
+  if (w < p.change) {
+    auto shared = share_out(rest, places, static_cast<std::size_t>(p.change - w), allowed);
+    if (!shared) {
+      return false;
+    }
+    cover.beside = *std::move(shared);
+    return true;
+  }
+  // The new element number i mod w of the factorization is unmatched at the i-th position.
+  cover.beside.resize(places);
+  for (std::size_t i = 0; i < places; ++i) {
+    if (const auto turn = static_cast<std::size_t>(i / w); turn < rest.size()) {
+      cover.beside[i] = {rest[turn]};
+    }
+  }
+  return true;
+}
+
+std::optional<NewElements> best_new_elements(const Design& design, std::uint64_t from,
+                                             std::uint64_t to, const CoverOptions& options) {
+  if (from == 0 || from > to) {
+    throw BadInput(
+        fmt::format("the range {}..{} of new elements is empty or begins with 0", from, to));
+  }
+  const Parameters& p = design.parameters();
+  const auto positions = detail::one_subset_a_position(design);
+  const auto find = [&](std::uint64_t w) {
+    CoverOptions mine = options;
+    mine.new_elements = w;
+    return find_cover(design, mine);
+  };
+  // A cover that leaves nothing out; for m = 1, w > 1 one that suits w = 2.
+  std::optional<UnchangedCover> plain;
+  bool has_plain = false;
+  std::optional<NewElements> best;
+  for (std::uint64_t w = from; w <= to; ++w) {
+    if (p.change >= 3 && w > p.change) {
+      break;
+    }
+    if (w < p.change && p.v < p.k + 2 * p.change - w) {
+      continue;
+    }
+    std::optional<UnchangedCover> cover;
+    const bool even = p.change == 2 && w % 2 == 0;
+    if (even || (p.change == 1 && w > 1) ||
+        (p.change == 2 && w > 2 && has_plain && plain && plain->subsets.size() < w)) {
+      if (!has_plain) {
+        plain = find(2);
+        has_plain = true;
+      }
+      cover = plain;
+      if (cover) {
+        const auto count = detail::best_positions(p, cover->subsets.size(), positions.size(), w);
+        if (!count || !detail::add_positions(*cover, positions, *count)) {
+          cover.reset();
+        }
+      }
+    } else {
+      cover = find(w);
+    }
+    if (!cover) {
+      continue;
+    }
+    NewElements mine{w, 0, 0, *std::move(cover)};
+    const bool left_out =
+        p.change == 1 && !detail::left_out_elements(p.v, mine.cover.subsets).empty();
+    mine.b =
+        checked_add(design.block_count(), blocks_added(p, mine.cover.subsets.size(), w, left_out));
+    Parameters larger = p;
+    larger.v += w;
+    mine.lower_bound = lower_bound(larger).blocks;
+    if (!best ||
+        checked_multiply(mine.b, best->lower_bound) < checked_multiply(best->b, mine.lower_bound)) {
+      best = std::move(mine);
+    }
+  }
+  return best;
+}
+
+}  // namespace changeover

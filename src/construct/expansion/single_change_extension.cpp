@@ -1,0 +1,356 @@
+#include "construct/expansion/single_change_extension.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "changeover/construct/exact_cover.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/core/transitions.hpp"
+
+namespace changeover {
+namespace {
+
+// Which of the 4(k−1) elements of a script: 0 is e, 1, …, k−2 the p_i, k−1, …, 2k−3 the x_i, and
+// then the new ones follow.
+using Role = std::uint32_t;
+
+// Scripts as they are written, without the block S: old roles as digits, new ones as letters from a
+// on. "*abc" stands for {a,b,c} with each further old element in turn.
+constexpr std::string_view script_3 = "02a 12a 1ab *ab 3ab abd abc 0bc 2bc 2cd *cd 3cd 1cd 01d";
+constexpr std::string_view script_4 =
+    "345a 45ab 5abc *abc 0abc 0abd 1abd 13bd 13cd 14cd 14de 4def 5def *def 2def 23ef 2aef 2bef "
+    "2cef "
+    "02ef 012f";
+
+constexpr std::string_view script_text(std::uint64_t k) {
+  switch (k) {
+    case 3:
+      return script_3;
+    case 4:
+      return script_4;
+    default:
+      return {};
+  }
+}
+
+std::uint64_t old_roles(std::uint64_t k) { return 2 * (k - 1); }
+
+struct Script {
+  struct Step {
+    std::vector<Role> roles;  // k of them, or k − 1 that are held beside every further element
+    bool all_further = false;
+  };
+  std::vector<Step> steps;
+  std::vector<Role> next;  // by old role: the role of this round that has it in the next
+};
+
+// e, p_i and x_i by the last k − 1 blocks of a list; `common` holds e. nullopt if it ends in
+// another way.
+template <typename Blocks>
+std::optional<Block> roles_at_end(const Blocks& last, std::uint64_t k, const Block& common) {
+  Block roles(static_cast<std::size_t>(old_roles(k)));
+  Block introduced;
+  std::size_t x = roles.size();
+  for (std::size_t i = 1; i < last.size(); ++i) {
+    const Block in = difference(last[i], last[i - 1]);
+    const Block out = difference(last[i - 1], last[i]);
+    if (in.size() != 1 || out.size() != 1) {
+      return std::nullopt;
+    }
+    introduced.push_back(in.front());
+    roles[i] = in.front();
+    roles[--x] = out.front();
+  }
+  const Block& start = last.front();
+  const Block remaining = intersection(last.back(), start);
+  const Block candidates = difference(intersection(remaining, common), introduced);
+  if (!intersection(start, introduced).empty() || remaining.size() != 2 || candidates.empty() ||
+      intersection(last.back(), introduced).size() != introduced.size() ||
+      intersection(common, introduced).size() != introduced.size()) {
+    return std::nullopt;
+  }
+  roles[0] = *std::ranges::min_element(candidates);
+  roles[static_cast<std::size_t>(k - 1)] = remaining[remaining.front() == roles[0] ? 1 : 0];
+  return roles;
+}
+
+Script parse(std::string_view text, std::uint64_t k) {
+  Script script;
+  script.steps.emplace_back();
+  for (const char c : text) {
+    if (c == ' ') {
+      script.steps.emplace_back();
+    } else if (c == '*') {
+      script.steps.back().all_further = true;
+    } else {
+      const auto letter = static_cast<Role>(old_roles(k)) + static_cast<Role>(c - 'a');
+      script.steps.back().roles.push_back(c <= '9' ? static_cast<Role>(c - '0') : letter);
+    }
+  }
+  std::vector<Block> last;
+  for (auto step = script.steps.end() - static_cast<std::ptrdiff_t>(k - 1);
+       step != script.steps.end(); ++step) {
+    last.push_back(step->roles);
+  }
+  Block common;
+  for (Role role = 0; role + 1 < k; ++role) {
+    common.push_back(role);
+  }
+  script.next = roles_at_end(last, k, common).value();
+  return script;
+}
+
+const Script& script(std::uint64_t k) {
+  static const std::array<Script, 2> scripts{parse(script_3, 3), parse(script_4, 4)};
+  return scripts.at(static_cast<std::size_t>(k - 3));
+}
+
+std::optional<Block> end_of(const Design& design) {
+  const std::uint64_t k = design.k();
+  std::vector<Block> last;
+  for (std::size_t i = design.block_count() - static_cast<std::size_t>(k - 1);
+       i < design.block_count(); ++i) {
+    last.emplace_back(design.block(i).begin(), design.block(i).end());
+  }
+  const bool circular = design.parameters().kind == Kind::circular;
+  const Block common = circular ? intersection(last.back(), design.block(0)) : last.back();
+  if (circular && common.size() != k - 1) {
+    return std::nullopt;
+  }
+  return roles_at_end(last, k, common);
+}
+
+// How many elements and blocks there are after some rounds.
+struct Size {
+  std::uint64_t v = 0;
+  std::uint64_t b = 0;
+};
+
+Size size_after(const Design& design, std::uint64_t rounds) {
+  const std::uint64_t k = design.k();
+  const std::uint64_t added = checked_multiply(rounds, 2 * (k - 1));
+  const std::uint64_t v = checked_add(design.v(), added);
+  // Round r = 0, 1, … adds 2(v + 2(k−1)r) + 2k − 3 blocks.
+  const std::uint64_t linear = checked_multiply(rounds, 2 * (design.v() + k) - 3);
+  const std::uint64_t quadratic = checked_multiply(added, rounds == 0 ? 0 : rounds - 1);
+  return {v, checked_add(design.block_count(), checked_add(linear, quadratic))};
+}
+
+Parameters extended_parameters(const Design& design, std::uint64_t rounds) {
+  if (const auto defect = single_change_extension_defect(design)) {
+    throw BadInput(fmt::format("cannot be extended: {}", *defect));
+  }
+  Parameters p = design.parameters();
+  p.v = size_after(design, rounds).v;
+  check(p);
+  return p;
+}
+
+class ExtendedSource final : public BlockSource {
+ public:
+  ExtendedSource(const Design& design, std::uint64_t rounds)
+      : design_(design),
+        rounds_(rounds),
+        parameters_(extended_parameters(design, rounds)),
+        script_(script(design.k())) {}
+
+  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return size_after(design_, rounds_).b;
+  }
+
+  bool next(std::span<Element> block) override {
+    const std::size_t taken_away = static_cast<std::size_t>(design_.k() - 2);
+    if (index_ + (rounds_ > 0 ? taken_away : 0) < design_.block_count()) {
+      std::ranges::copy(design_.block(index_++), block.begin());
+      return true;
+    }
+    while (begun_ <= rounds_ && rounds_ > 0) {
+      if (begun_ > 0) {
+        const bool last_round = begun_ == rounds_;
+        if (step_ + (last_round ? 0 : taken_away) < script_.steps.size()) {
+          if (next_of_step(block)) {
+            return true;
+          }
+          continue;
+        }
+        if (last_round) {
+          return false;
+        }
+      }
+      begin_round();
+    }
+    return false;
+  }
+
+  bool rewind() override {
+    index_ = 0;
+    begun_ = 0;
+    step_ = 0;
+    return true;
+  }
+
+ private:
+  void begin_round() {
+    const auto old = static_cast<std::size_t>(old_roles(design_.k()));
+    if (begun_ == 0) {
+      elements_ = *end_of(design_);
+      v_ = design_.v();
+    } else {
+      Block kept(old);
+      for (std::size_t role = 0; role < old; ++role) {
+        kept[role] = elements_[script_.next[role]];
+      }
+      elements_ = std::move(kept);
+      v_ += old;
+    }
+    ++begun_;
+    step_ = 0;
+    further_ = 0;
+    for (std::size_t i = 0; i < old; ++i) {
+      elements_.push_back(static_cast<Element>(v_ + i));
+    }
+  }
+
+  // The next block of the step, false if there is no more in it.
+  bool next_of_step(std::span<Element> block) {
+    const Script::Step& step = script_.steps[step_];
+    if (step.all_further) {
+      const auto old = elements_.begin() + static_cast<std::ptrdiff_t>(old_roles(design_.k()));
+      while (further_ < v_ &&
+             std::find(elements_.begin(), old, static_cast<Element>(further_)) != old) {
+        ++further_;
+      }
+      if (further_ == v_) {
+        further_ = 0;
+        ++step_;
+        return false;
+      }
+      block.back() = static_cast<Element>(further_++);
+    }
+    std::ranges::transform(step.roles, block.begin(),
+                           [this](Role role) { return elements_[role]; });
+    step_ += step.all_further ? 0U : 1U;
+    return true;
+  }
+
+  Design design_;
+  std::uint64_t rounds_;
+  Parameters parameters_;
+  const Script& script_;
+  std::size_t index_ = 0;      // blocks read from the design
+  std::uint64_t begun_ = 0;    // rounds begun
+  std::size_t step_ = 0;       // of the script
+  std::uint64_t further_ = 0;  // where to look for the next further element
+  std::uint64_t v_ = 0;        // elements before this round
+  Block elements_;             // by role
+};
+
+// Of a design whose end may be taken away; see the header.
+std::optional<ExpansionSet> lasting_expansion_set(const Design& design) {
+  const std::size_t b = design.block_count();
+  const bool circular = design.parameters().kind == Kind::circular;
+  std::vector<UnchangedSubset> subsets;
+  if (!circular) {
+    for (const Element left_out : design.block(0)) {
+      subsets.push_back({0, difference(design.block(0), std::array{left_out})});
+    }
+  }
+  for (UnchangedSubset& subset : unchanged_subsets(design)) {
+    if (subset.position + design.k() <= b + 1 || subset.position == b) {
+      subsets.push_back(std::move(subset));
+    }
+  }
+  const auto v = static_cast<std::uint32_t>(design.v());
+  ExactCover cover(v, 1);
+  for (const UnchangedSubset& subset : subsets) {
+    std::vector<std::uint32_t> columns(subset.elements.begin(), subset.elements.end());
+    if (subset.position == 0) {
+      columns.push_back(v);  // at most one of them
+    }
+    cover.add_row(columns);
+  }
+  const auto rows = cover.first_solution(SearchLimits{.nodes = 1'000'000, .stop = {}}).rows;
+  if (!rows) {
+    return std::nullopt;
+  }
+  ExpansionSet set;
+  for (const std::size_t row : *rows) {
+    set.push_back(std::move(subsets[row]));
+    std::ranges::sort(set.back().elements);
+  }
+  return set;
+}
+
+}  // namespace
+
+bool has_single_change_extension(std::uint64_t k) { return !script_text(k).empty(); }
+
+std::optional<std::string> single_change_extension_defect(const Design& design) {
+  const Parameters& p = design.parameters();
+  if (p.change != 1 || p.strength != 2) {
+    return fmt::format("a {} is not a single-change design of strength 2", name(p));
+  }
+  if (!has_single_change_extension(p.k)) {
+    return fmt::format("no extension is known for blocks of {} elements", p.k);
+  }
+  if (p.v < old_roles(p.k) || design.block_count() < p.k) {
+    return fmt::format("it needs v >= 2k - 2 = {} and at least k = {} blocks", old_roles(p.k), p.k);
+  }
+  if (!end_of(design)) {
+    return fmt::format(
+        "the last {} blocks do not introduce different elements that all stay until the {}",
+        p.k - 2, p.kind == Kind::circular ? "first block follows" : "last block");
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<BlockSource> extend_single_change(const Design& design, std::uint64_t rounds) {
+  return std::make_unique<ExtendedSource>(design, rounds);
+}
+
+std::optional<ExpansionSet> extended_expansion_set(const Design& design, std::uint64_t rounds) {
+  (void)extended_parameters(design, rounds);
+  const std::uint64_t k = design.k();
+  std::optional<ExpansionSet> set = lasting_expansion_set(design);
+  if (!set) {
+    return std::nullopt;
+  }
+  std::optional<UnchangedSubset> closing;
+  if (!set->empty() && set->back().position == design.block_count()) {
+    closing = std::move(set->back());
+    set->pop_back();
+  }
+  for (std::uint64_t round = 0; round < rounds; ++round) {
+    const Size size = size_after(design, round);
+    std::uint64_t position = size.b - (k - 2);
+    for (const Script::Step& step : script(k).steps) {
+      if (!step.all_further) {
+        ++position;
+        continue;
+      }
+      UnchangedSubset held{static_cast<std::size_t>(position), {}};
+      for (const Role role : step.roles) {
+        held.elements.push_back(static_cast<Element>(size.v + role - old_roles(k)));
+      }
+      set->push_back(std::move(held));
+      position += size.v - old_roles(k);
+    }
+  }
+  if (closing) {
+    closing->position = static_cast<std::size_t>(size_after(design, rounds).b);
+    set->push_back(*std::move(closing));
+  }
+  return set;
+}
+
+}  // namespace changeover

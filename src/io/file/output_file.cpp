@@ -1,0 +1,336 @@
+#include "changeover/io/output_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <vector>
+
+#include "changeover/core/error.hpp"
+#include "io/file/links.hpp"
+
+namespace changeover {
+namespace {
+
+// Paths of temporaries where a signal handler can find them: static memory, never freed.
+class Unfinished {
+ public:
+  /// The slot that holds `path`, or −1 if there is no room: it is then not removed on a signal.
+  int add(const std::string& path) {
+    if (path.size() >= PATH_MAX) {
+      return -1;
+    }
+    for (std::size_t i = 0; i < slots_.size(); ++i) {
+      int expected = free_slot;
+      if (slots_[i].state.compare_exchange_strong(expected, claimed)) {
+        std::memcpy(slots_[i].path.data(), path.c_str(), path.size() + 1);
+        slots_[i].state.store(active);
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  }
+
+  void drop(int slot) {
+    if (slot >= 0) {
+      slots_[static_cast<std::size_t>(slot)].state.store(free_slot);
+    }
+  }
+
+  void remove_all() noexcept {
+    for (Slot& slot : slots_) {
+      if (slot.state.load() == active) {
+        ::unlink(slot.path.data());
+      }
+    }
+  }
+
+ private:
+  static constexpr int free_slot = 0, claimed = 1, active = 2;
+  struct Slot {
+    std::atomic<int> state = free_slot;
+    std::array<char, PATH_MAX> path = {};
+  };
+  std::array<Slot, 16> slots_;
+};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
+
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a handler has no other way.
+Unfinished unfinished;
+
+std::string_view how_to_mend(int error) {
+  switch (error) {
+    case ENOSPC:
+    case EDQUOT:
+      return "free some space or write elsewhere";
+    case ENOENT:
+    case ENOTDIR:
+      return "make the directory first, or check how the path is spelt";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "write to a place where you may";
+    case EISDIR:
+      return "name a file in it";
+    case EPIPE:
+    case ECONNRESET:
+      return "the reader went away; keep it running";
+    case EFBIG:
+      return "raise the limit on the size of files (ulimit -f), or write elsewhere";
+    case EBADF:
+      return "the stream is closed; keep it open, or name a file";
+    case EIO:
+      return "the device failed; write elsewhere";
+    case ELOOP:
+      return "a symbolic link leads back to itself; correct it";
+    case EMFILE:
+    case ENFILE:
+      return "too many files are open; raise the limit (ulimit -n), or close some";
+    case ENAMETOOLONG:
+      return "use a shorter name";
+    default:
+      return "write elsewhere";
+  }
+}
+
+[[noreturn]] void cannot_write(const std::string& path, int error) {
+  const std::string line =
+      fmt::format("{}: cannot write: {}; {}", path, std::strerror(error), how_to_mend(error));
+  if (error == EPIPE || error == ECONNRESET) {
+    throw ReaderGone(line);
+  }
+  throw MissingResource(line);
+}
+
+}  // namespace
+
+struct OutputFile::State {
+  std::string name;       // for messages
+  std::string target;     // what a regular file becomes by commit(); empty if written directly
+  std::string temporary;  // its path until then
+  int slot = -1;
+  int descriptor = -1;
+  bool owned = false;     // the descriptor is ours to close
+  bool standard = false;  // standard output: a file can have its number where it was closed
+  int failure = 0;        // the first error of the system; from then on the bytes are not whole
+  std::vector<char> buffer;
+
+  static constexpr std::size_t buffer_bytes = std::size_t{1} << 16;
+
+  [[noreturn]] void fail(int error) {
+    failure = failure != 0 ? failure : error;
+    cannot_write(name, failure);
+  }
+
+  // Whoever goes on after a fault must not end with a file that has a hole in it.
+  void require_whole() {
+    if (failure != 0) {
+      fail(failure);
+    }
+  }
+
+  void write_through(std::string_view bytes) {
+    require_whole();
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+      if (count >= 0) {
+        bytes.remove_prefix(static_cast<std::size_t>(count));
+      } else if (errno == EAGAIN) {  // a stream shared with a program that does not want to wait
+        pollfd ready{.fd = descriptor, .events = POLLOUT, .revents = 0};
+        ::poll(&ready, 1, -1);
+      } else if (errno != EINTR) {
+        fail(errno);
+      }
+    }
+  }
+
+  void flush() {
+    const std::string_view bytes(buffer.data(), buffer.size());
+    write_through(bytes);
+    buffer.clear();
+  }
+
+  void close() {
+    if (owned && descriptor >= 0) {
+      const int result = ::close(descriptor);
+      descriptor = -1;
+      if (result != 0 && errno != EINTR) {
+        fail(errno);
+      }
+    }
+  }
+
+  // Makes the new name as durable as the bytes are. The file is in place by then and some file systems
+  // cannot do this, so that it fails is no fault.
+  void sync_folder() const {
+    const std::size_t slash = target.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : target.substr(0, slash + 1);
+    const int directory = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (directory >= 0) {
+      ::fsync(directory);
+      ::close(directory);
+    }
+  }
+
+  // Creates the temporary beside the target, with the permissions that the target shall have.
+  void create_temporary(const std::filesystem::path& path, const struct stat* old) {
+    static std::atomic<unsigned> counter = 0;
+    const std::filesystem::path folder = path.parent_path();
+    // The name of a file can be as long as NAME_MAX; ours must not be longer.
+    const std::string stem = path.filename().string().substr(0, 200);
+    for (int attempt = 0; attempt < 100; ++attempt) {
+      temporary = (folder / fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), counter++)).string();
+      slot = unfinished.add(temporary);
+      descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor >= 0) {
+        break;
+      }
+      const int error = errno;
+      unfinished.drop(slot);
+      if (error != EEXIST) {
+        cannot_write(name, error);
+      }
+    }
+    if (descriptor < 0) {
+      cannot_write(name, EEXIST);
+    }
+    owned = true;
+    if (old != nullptr) {
+      // Only root can give files away; without it the owner changes, as with any replaced file.
+      if (::fchown(descriptor, old->st_uid, old->st_gid) != 0) {
+        errno = 0;
+      }
+      ::fchmod(descriptor, old->st_mode & 07777);
+    }
+  }
+
+  void discard() noexcept {
+    if (owned && descriptor >= 0) {
+      ::close(descriptor);
+      descriptor = -1;
+    }
+    if (!temporary.empty()) {
+      ::unlink(temporary.c_str());
+      unfinished.drop(slot);
+      temporary.clear();
+    }
+  }
+};
+
+OutputFile::OutputFile(const std::string& path) : state_(std::make_unique<State>()) {
+  State& s = *state_;
+  s.buffer.reserve(State::buffer_bytes);
+  if (path.empty() || path == "-") {
+    s.name = "<stdout>";
+    s.descriptor = STDOUT_FILENO;
+    s.standard = true;
+    return;
+  }
+  s.name = path;
+  struct stat status = {};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) {
+    cannot_write(path, errno);
+  }
+  if ((exists && S_ISDIR(status.st_mode)) || path.back() == '/') {
+    cannot_write(path, exists ? EISDIR : ENOENT);
+  }
+  if (exists && !S_ISREG(status.st_mode)) {
+    s.descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (s.descriptor < 0) {
+      cannot_write(path, errno);
+    }
+    s.owned = true;
+    return;
+  }
+  // Renaming would replace a file that may not be written.
+  if (exists && ::access(path.c_str(), W_OK) != 0) {
+    cannot_write(path, errno);
+  }
+  const auto target = io_detail::behind_links(path);
+  if (!target) {
+    cannot_write(path, ELOOP);
+  }
+  s.target = target->string();
+  s.create_temporary(*target, exists ? &status : nullptr);
+}
+
+OutputFile::~OutputFile() {
+  if (state_) {
+    state_->discard();
+  }
+}
+
+void OutputFile::write(std::string_view bytes) {
+  State& s = *state_;
+  const bool large = bytes.size() >= State::buffer_bytes;
+  if (large || s.buffer.size() + bytes.size() > State::buffer_bytes) {
+    s.flush();
+  }
+  s.require_whole();
+  if (large) {  // whoever gathers this much has a buffer of its own
+    s.write_through(bytes);
+  } else {
+    s.buffer.insert(s.buffer.end(), bytes.begin(), bytes.end());
+  }
+}
+
+void OutputFile::flush() { state_->flush(); }
+
+void OutputFile::commit() {
+  State& s = *state_;
+  s.flush();
+  if (s.target.empty()) {
+    s.close();
+    return;
+  }
+  if (::fsync(s.descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
+    s.fail(errno);
+  }
+  s.close();
+  if (::rename(s.temporary.c_str(), s.target.c_str()) != 0) {
+    s.fail(errno);
+  }
+  unfinished.drop(s.slot);
+  s.temporary.clear();
+  s.sync_folder();
+}
+
+std::string OutputFile::path_until_commit() const {
+  if (is_standard_output()) {
+    return {};
+  }
+  return state_->temporary.empty() ? state_->name : state_->temporary;
+}
+
+bool OutputFile::is_standard_output() const { return state_->standard; }
+
+void remove_unfinished_outputs() noexcept { unfinished.remove_all(); }
+
+void remove_unfinished_outputs_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction old = {};
+    if (::sigaction(signal, nullptr, &old) != 0 || old.sa_handler != SIG_DFL) {
+      continue;
+    }
+    struct sigaction action = {};
+    action.sa_handler = [](int number) {
+      remove_unfinished_outputs();
+      ::raise(number);  // SA_RESETHAND: this time it ends the process
+    };
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    ::sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace changeover

@@ -1,0 +1,237 @@
+#include "io/read/declared.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "changeover/core/error.hpp"
+#include "io/read/token_table.hpp"
+
+namespace changeover::io_detail {
+namespace {
+
+template <typename T>
+std::optional<std::string> declare_number(std::optional<T>& found, std::string_view key,
+                                          std::string_view text, std::uint64_t least,
+                                          std::uint64_t most) {
+  if (found) {
+    return fmt::format("{} is given twice; give it once", key);
+  }
+  const auto value = plain_number(text);
+  if (!value || *value < least || *value > most) {
+    return fmt::format("{}={}: bad value; give a whole number from {} to {}", key, shown(text),
+                       least, most);
+  }
+  found = static_cast<T>(*value);
+  return std::nullopt;
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const std::size_t start = line.find_first_not_of(" \t\r");
+    if (start == std::string_view::npos) {
+      return words;
+    }
+    line.remove_prefix(start);
+    const std::size_t length = std::min(line.find_first_of(" \t\r"), line.size());
+    words.push_back(line.substr(0, length));
+    line.remove_prefix(length);
+  }
+}
+
+// The lines that are not blank or comments, up to `limit` of them.
+std::vector<std::string_view> first_lines(std::string_view text, std::size_t limit) {
+  std::vector<std::string_view> lines;
+  while (!text.empty() && lines.size() < limit) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t start = line.find_first_not_of(" \t\r");
+    if (start != std::string_view::npos && line[start] != '#') {
+      lines.push_back(line.substr(start));
+    }
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return lines;
+}
+
+// A header says that what follows is no table, whatever it looks like.
+bool has_header(std::string_view beginning) {
+  return without_byte_order_mark(beginning).starts_with("# changeover design");
+}
+
+// B1, B12 or B0,3.
+bool is_block_name(std::string_view word) {
+  return word.size() >= 2 && word[0] == 'B' && word[1] >= '0' && word[1] <= '9' &&
+         word.find_first_not_of("0123456789,", 1) == std::string_view::npos;
+}
+
+}  // namespace
+
+std::optional<std::string> declare(ReadOptions& found, std::string_view key,
+                                   std::string_view text) {
+  if (key == "v") {
+    return declare_number(found.v, key, text, 1, max_elements_in_memory);
+  }
+  if (key == "k") {
+    return declare_number(found.k, key, text, 1, max_elements_in_memory);
+  }
+  if (key == "change") {
+    return declare_number(found.change, key, text, 1, max_elements_in_memory);
+  }
+  if (key == "strength") {
+    return declare_number(found.strength, key, text, 2, max_strength);
+  }
+  if (key == "kind") {
+    if (found.kind) {
+      return "kind is given twice; give it once";
+    }
+    found.kind = kind_from_string(text);
+    if (!found.kind) {
+      return fmt::format("kind={}: bad value; give linear or circular", shown(text));
+    }
+  }
+  return std::nullopt;
+}
+
+Declared merged(const std::string& name, const ReadOptions& caller, const ReadOptions& file) {
+  const auto require = [&](std::string_view key, const auto& value, std::uint64_t least,
+                           std::uint64_t most) {
+    if (value && (*value < least || *value > most)) {
+      throw BadReadOption(fmt::format("{}: {} = {} cannot be; give a whole number from {} to {}",
+                                      name, key, *value, least, most));
+    }
+  };
+  require("v", caller.v, 1, max_elements_in_memory);
+  require("k", caller.k, 1, max_elements_in_memory);
+  require("change", caller.change, 1, max_elements_in_memory);
+  require("strength", caller.strength, 2, max_strength);
+  Declared both{caller, caller};
+  const auto take = [](auto& into, const auto& from) {
+    if (!into) {
+      into = from;
+    }
+  };
+  take(both.v, file.v);
+  take(both.k, file.k);
+  take(both.change, file.change);
+  take(both.kind, file.kind);
+  take(both.strength, file.strength);
+  return both;
+}
+
+Parameters completed(const std::string& name, Place place, const Declared& declared,
+                     std::uint64_t v, std::uint64_t k, std::uint64_t first_change) {
+  Parameters p{.v = v, .k = k};
+  p.change =
+      declared.change.value_or(first_change != 0 ? first_change : std::min<std::uint64_t>(2, k));
+  p.kind = declared.kind.value_or(Kind::linear);
+  p.strength = declared.strength.value_or(2);
+  try {
+    check(p);
+  } catch (const ImpossibleParameters& fault) {
+    const ReadOptions& caller = declared.by_caller;
+    const bool callers = p.k > p.v        ? caller.v.has_value()
+                         : p.change > p.k ? caller.change.has_value()
+                                          : caller.strength.has_value();
+    if (callers) {
+      throw BadReadOption(fmt::format("{}: {}", name, fault.what()));
+    }
+    fail(name, place, fault.what());
+  }
+  return p;
+}
+
+std::optional<std::string> label_count_defect(std::size_t labels, const ReadOptions& declared) {
+  if (labels > max_elements_in_memory) {
+    return fmt::format("more than {} labels; use fewer elements", max_elements_in_memory);
+  }
+  if (labels == 0) {
+    return "no labels; list one for each element, or leave the list away";
+  }
+  if (declared.v && *declared.v != labels) {
+    return fmt::format("{} labels for v = {} elements; give one each", labels, *declared.v);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> table_defect(std::string_view beginning) {
+  // The names of the blocks come first, or below the lines that introduce the table.
+  constexpr std::size_t most_lines = 12;
+  const std::vector<std::string_view> lines = first_lines(beginning, most_lines);
+  if (lines.empty() || has_header(beginning)) {
+    return std::nullopt;
+  }
+  const std::vector<std::string_view> words = words_of(lines[0]);
+  const bool command = words[0][0] == '\\' && words[0].find('{') != std::string_view::npos;
+  if (command || std::find(words.begin(), words.end(), "&") != words.end()) {
+    return "this looks like LaTeX, a table for people: write it with --format text or --json";
+  }
+  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    const std::vector<std::string_view> names = words_of(lines[i]);
+    if ((names[0] == "B1" || names[0] == "B0" || names[0] == "B0,0") &&
+        std::all_of(names.begin(), names.end(), is_block_name)) {
+      const std::vector<std::string_view> below = words_of(lines[i + 1]);
+      if (std::none_of(below.begin(), below.end(), is_block_name)) {
+        return "this looks like a table for people: write it with --format text or --json";
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+bool only_numbers(std::string_view beginning) {
+  while (!beginning.empty()) {
+    const std::string_view line = beginning.substr(0, beginning.find('\n'));
+    for (const std::string_view word : words_of(line.substr(0, line.find('#')))) {
+      if (!plain_number(word)) {
+        return false;
+      }
+    }
+    beginning.remove_prefix(std::min(line.size() + 1, beginning.size()));
+  }
+  return true;
+}
+
+std::string size_defect(std::uint64_t number, std::uint64_t size, std::uint64_t k, bool declared) {
+  if (declared) {
+    return fmt::format("block {} has {} elements, not k = {}; correct it, or k", number, size, k);
+  }
+  return fmt::format("block {} has {} elements, the blocks before have {}; correct one of them",
+                     number, size, k);
+}
+
+std::string surplus_defect(std::uint64_t number, std::uint64_t k, bool declared) {
+  if (declared) {
+    return fmt::format("block {} has more than k = {} elements; correct it, or k", number, k);
+  }
+  if (number == 1) {
+    return fmt::format("more than {} elements in a block; end each block with a line end", k);
+  }
+  return fmt::format(
+      "block {} has more than the {} elements of the blocks before; correct one of "
+      "them",
+      number, k);
+}
+
+std::string repeat_defect(std::uint64_t number, std::string_view word) {
+  return fmt::format("element {} is twice in block {}; remove or correct one", shown(word), number);
+}
+
+std::string above_v_defect(std::string_view word, std::uint64_t v) {
+  return fmt::format("element {} is not below v = {}; count from 0, or correct v", shown(word), v);
+}
+
+std::string unknown_label_defect(std::string_view word) {
+  return fmt::format("element {} is not in the list of labels; correct one of them", shown(word));
+}
+
+std::string too_many_defect(std::string_view word, std::optional<std::uint64_t> v) {
+  if (v) {
+    return fmt::format("element {} is one more than v = {}; correct it, or v", shown(word), *v);
+  }
+  return fmt::format("element {} is one more than the {} that can be read; use fewer", shown(word),
+                     max_elements_in_memory);
+}
+
+}  // namespace changeover::io_detail

@@ -1,0 +1,308 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/core/error.hpp"
+#include "changeover/io/json.hpp"
+#include "io/read/collector.hpp"
+#include "io/read/declared.hpp"
+#include "io/read/json_events.hpp"
+#include "io/read/recipe_handler.hpp"
+
+namespace changeover {
+namespace {
+
+using io_detail::JsonEvent;
+using io_detail::JsonHandler;
+using io_detail::JsonText;
+using io_detail::Place;
+using Type = JsonEvent::Type;
+
+// Calls visit(event) for each element of the blocks; knows only the shape.
+class BlockFinder final : public JsonHandler {
+ public:
+  struct Found {
+    std::size_t offset;
+  };
+
+  explicit BlockFinder(std::uint64_t element) : left_(element) {}
+
+  void on(const JsonEvent& event) override {
+    switch (event.type) {
+      case Type::begin_object:
+      case Type::begin_array:
+        if (depth_ == 0 && event.type == Type::begin_array) {
+          in_blocks_ = true;
+          blocks_depth_ = 0;
+        }
+        ++depth_;
+        break;
+      case Type::end_object:
+      case Type::end_array:
+        --depth_;
+        break;
+      case Type::key:
+        if (depth_ == 1) {
+          in_blocks_ = event.text == "blocks";
+          blocks_depth_ = 1;
+        }
+        break;
+      default:
+        if (in_blocks_ && depth_ == blocks_depth_ + 2 && left_-- == 0) {
+          throw Found{event.offset};
+        }
+    }
+  }
+
+ private:
+  std::uint64_t left_;
+  std::size_t depth_ = 0;
+  std::size_t blocks_depth_ = 0;
+  bool in_blocks_ = false;
+};
+
+class DesignHandler final : public JsonHandler {
+ public:
+  explicit DesignHandler(const JsonText& json) : json_(&json) {}
+
+  void on(const JsonEvent& event) override {
+    if (recipe_handler_) {
+      recipe_handler_->on(event);
+      if (recipe_handler_->done()) {
+        recipe_ = recipe_handler_->take();
+        recipe_handler_.reset();
+      }
+    } else if (skipped_ > 0) {
+      skip(event);
+    } else if (where_ == Where::start) {
+      start(event);
+    } else if (where_ == Where::document) {
+      on_document(event);
+    } else if (where_ == Where::value) {
+      where_ = Where::document;
+      on_value(event);
+    } else if (where_ == Where::labels) {
+      on_label(event);
+    } else if (where_ == Where::blocks) {
+      on_blocks(event);
+    } else {
+      on_element(event);
+    }
+  }
+
+  Design finish(const ReadOptions& options) {
+    if (!has_blocks_) {
+      json_->fail(end_, "no key \"blocks\"; this is no design");
+    }
+    io_detail::Collector::Context context{
+        .name = json_->name,
+        .declared = io_detail::merged(json_->name, options, file_),
+        .labels = std::move(labels_),
+        .labels_place = json_->place(labels_offset_),
+        .place = json_->place(start_),
+        .named = false,
+        .place_of_word = [this](std::uint64_t word) { return place_of_element(word); }};
+    Design design = collector_.finish(context);
+    design.recipe = std::move(recipe_);
+    return design;
+  }
+
+ private:
+  enum class Where : std::uint8_t { start, document, value, labels, blocks, block };
+
+  void skip(const JsonEvent& event) {
+    if (event.type == Type::begin_array || event.type == Type::begin_object) {
+      ++skipped_;
+    } else if (event.type == Type::end_array || event.type == Type::end_object) {
+      --skipped_;
+    }
+  }
+
+  [[noreturn]] void wrong(const JsonEvent& event, std::string_view wanted) const {
+    json_->fail(event.offset, fmt::format("{} where {} belongs; correct it",
+                                          io_detail::to_string(event.type), wanted));
+  }
+
+  void start(const JsonEvent& event) {
+    start_ = event.offset;
+    if (event.type == Type::begin_array) {
+      bare_ = has_blocks_ = true;
+      where_ = Where::blocks;
+    } else if (event.type == Type::begin_object) {
+      where_ = Where::document;
+    } else {
+      wrong(event, "a design, an object with the key \"blocks\",");
+    }
+  }
+
+  void on_document(const JsonEvent& event) {
+    if (event.type == Type::key) {
+      key_ = event.text;
+      key_offset_ = event.offset;
+      where_ = Where::value;
+    } else {
+      end_ = event.offset;  // of the object: nothing comes after it
+    }
+  }
+
+  void on_value(const JsonEvent& event) {
+    if (event.type == Type::null) {
+      return;
+    }
+    if (key_ == "format") {
+      if (event.type != Type::string || event.text != "changeover-design/1") {
+        json_->fail(event.offset,
+                    "format is not \"changeover-design/1\"; this is another kind of "
+                    "file, or of a later version");
+      }
+    } else if (key_ == "v" || key_ == "k" || key_ == "change" || key_ == "strength") {
+      if (event.type != Type::natural && event.type != Type::other_number) {
+        wrong(event, "the number " + key_);
+      }
+      declare(event);
+    } else if (key_ == "kind") {
+      if (event.type != Type::string) {
+        wrong(event, "\"linear\" or \"circular\"");
+      }
+      declare(event);
+    } else if (key_ == "labels") {
+      begin_list(event, labels_.has_value());
+      labels_.emplace();
+      labels_offset_ = event.offset;
+      where_ = Where::labels;
+    } else if (key_ == "blocks") {
+      begin_list(event, has_blocks_);
+      has_blocks_ = true;
+      where_ = Where::blocks;
+    } else if (key_ == "recipe") {
+      if (event.type != Type::begin_object) {
+        wrong(event, "the recipe, an object,");
+      }
+      if (recipe_) {
+        given_twice();
+      }
+      recipe_handler_.emplace(*json_);
+      recipe_handler_->on(event);
+    } else {
+      skip(event);
+    }
+  }
+
+  void declare(const JsonEvent& event) {
+    if (const auto defect = io_detail::declare(file_, key_, event.text)) {
+      json_->fail(event.offset, *defect);
+    }
+  }
+
+  void begin_list(const JsonEvent& event, bool again) {
+    if (event.type != Type::begin_array) {
+      wrong(event, "the array " + key_);
+    }
+    if (again) {
+      given_twice();
+    }
+  }
+
+  [[noreturn]] void given_twice() const {
+    json_->fail(key_offset_, fmt::format("{} is given twice; give it once", key_));
+  }
+
+  void on_label(const JsonEvent& event) {
+    if (event.type == Type::end_array) {
+      where_ = Where::document;
+      return;
+    }
+    if (event.type != Type::string && event.type != Type::natural) {
+      wrong(event, "a label, a string,");
+    }
+    if (const auto defect = io_detail::word_defect(event.text)) {
+      json_->fail(event.offset, *defect);
+    }
+    if (known_labels_.find(event.text) != io_detail::TokenTable::none) {
+      json_->fail(event.offset, fmt::format("label {} is listed twice; remove or correct one",
+                                            io_detail::shown(event.text)));
+    }
+    if (labels_->size() == max_elements_in_memory) {
+      json_->fail(event.offset, *io_detail::label_count_defect(labels_->size() + 1, {}));
+    }
+    known_labels_.add(event.text);
+    labels_->emplace_back(event.text);
+  }
+
+  void on_blocks(const JsonEvent& event) {
+    if (event.type == Type::begin_array) {
+      where_ = Where::block;
+    } else if (event.type == Type::end_array) {
+      where_ = Where::document;
+      end_ = event.offset;
+    } else {
+      wrong(event, "a block, an array of elements,");
+    }
+  }
+
+  void on_element(const JsonEvent& event) {
+    std::optional<std::string> defect;
+    if (event.type == Type::natural) {
+      defect = collector_.add(event.text == "-0" ? "0" : event.text);
+    } else if (event.type == Type::string) {
+      quoted_.assign(1, '"').append(event.text);
+      defect = collector_.add(quoted_);
+    } else if (event.type == Type::end_array) {
+      where_ = Where::blocks;
+      defect = collector_.end_block();
+    } else if (event.type == Type::other_number && io_detail::plain_number(event.text)) {
+      defect = collector_.add(event.text);  // too large for a machine word, not for a name
+    } else if (event.type == Type::other_number) {
+      defect = fmt::format("element {} is no whole number from 0 on; correct it",
+                           io_detail::shown(event.text));
+    } else {
+      wrong(event, "an element, a number or a label,");
+    }
+    if (defect) {
+      json_->fail(event.offset, *defect);
+    }
+  }
+
+  Place place_of_element(std::uint64_t element) const {
+    BlockFinder finder(element);
+    try {
+      io_detail::parse_json(*json_, finder);
+    } catch (const BlockFinder::Found& found) {
+      return json_->place(found.offset);
+    }
+    throw InternalError("an element of a design in JSON was lost");
+  }
+
+  const JsonText* json_;
+  Where where_ = Where::start;
+  bool bare_ = false;
+  bool has_blocks_ = false;
+  std::size_t skipped_ = 0;  // depth within a value that means nothing to us
+  std::size_t start_ = 0, end_ = 0;
+  std::string key_;
+  std::size_t key_offset_ = 0;
+  std::string quoted_;
+  ReadOptions file_;
+  std::optional<std::vector<std::string>> labels_;
+  std::size_t labels_offset_ = 0;
+  io_detail::TokenTable known_labels_;
+  io_detail::Collector collector_;
+  std::optional<Recipe> recipe_;
+  std::optional<io_detail::RecipeHandler> recipe_handler_;
+};
+
+}  // namespace
+
+Design read_json(Input& input, const ReadOptions& options) {
+  const std::string text = read_to_end(input);
+  const JsonText json{io_detail::without_byte_order_mark(text), input.name()};
+  DesignHandler handler(json);
+  io_detail::parse_json(json, handler);
+  return handler.finish(options);
+}
+
+Recipe recipe_from_json(std::string_view json, const std::string& name) {
+  return io_detail::recipe_at(json, name, {});
+}
+
+}  // namespace changeover

@@ -1,0 +1,166 @@
+#include "changeover/io/read_design.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "changeover/io/csv.hpp"
+#include "changeover/io/json.hpp"
+#include "changeover/io/text.hpp"
+#include "io/read/declared.hpp"
+#include "io/read/place.hpp"
+
+namespace changeover {
+namespace {
+
+// An input of which some bytes were read to look at them: they are handed out again first.
+class PeekedInput final : public Input {
+ public:
+  explicit PeekedInput(std::unique_ptr<Input> inner)
+      : Input(inner->name()), inner_(std::move(inner)), peeked_(4096) {
+    while (size_ < peeked_.size()) {
+      const std::size_t count = inner_->read(std::span(peeked_).subspan(size_));
+      if (count == 0) {
+        break;
+      }
+      size_ += count;
+    }
+  }
+
+  std::string_view beginning() const { return {peeked_.data(), size_}; }
+
+  std::size_t read(std::span<char> buffer) override {
+    if (position_ == size_) {
+      return inner_->read(buffer);
+    }
+    const std::size_t count = std::min(buffer.size(), size_ - position_);
+    std::copy_n(peeked_.data() + position_, count, buffer.data());
+    position_ += count;
+    return count;
+  }
+
+  bool rewind() override {
+    if (!inner_->rewind()) {
+      return false;
+    }
+    position_ = size_;  // what was peeked comes from the inner input again
+    return true;
+  }
+
+ private:
+  std::unique_ptr<Input> inner_;
+  std::vector<char> peeked_;
+  std::size_t size_ = 0;
+  std::size_t position_ = 0;
+};
+
+// A design in memory as something that was read.
+class MemoryInput final : public DesignInput {
+ public:
+  explicit MemoryInput(Design design) : design_(std::move(design)), source_(design_) {}
+  MemoryInput(const MemoryInput&) = delete;
+  MemoryInput& operator=(const MemoryInput&) = delete;
+
+  const Parameters& parameters() const override { return design_.parameters(); }
+  std::optional<std::uint64_t> block_count() const override { return design_.block_count(); }
+  bool next(std::span<Element> block) override { return source_.next(block); }
+  bool rewind() override { return source_.rewind(); }
+  const std::vector<std::string>& labels() const override { return design_.labels(); }
+  const std::optional<Recipe>& recipe() const override { return design_.recipe; }
+
+ private:
+  Design design_;
+  DesignSource source_;
+};
+
+struct Opened {
+  std::unique_ptr<Input> input;
+  Format format;
+};
+
+// JSON and CSV are read whole before they are understood, which would take long for a device or for what
+// only happens to begin like them.
+void refuse_binary(const PeekedInput& input) {
+  const std::string_view beginning = input.beginning();
+  const auto control = std::find_if(beginning.begin(), beginning.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
+  });
+  if (control != beginning.end()) {
+    io_detail::fail(
+        input.name(),
+        io_detail::place_of(beginning, static_cast<std::size_t>(control - beginning.begin())),
+        io_detail::control_byte_defect(*control));
+  }
+}
+
+Opened look_at(std::unique_ptr<Input> input) {
+  auto peeked = std::make_unique<PeekedInput>(std::move(input));
+  const Format format = guess_format(peeked->beginning());
+  if (format != Format::text) {
+    refuse_binary(*peeked);
+  }
+  return {std::move(peeked), format};
+}
+
+}  // namespace
+
+Format guess_format(std::string_view beginning) {
+  beginning = io_detail::without_byte_order_mark(beginning);
+  const std::size_t start = beginning.find_first_not_of(" \t\r\n");
+  if (start == std::string_view::npos) {
+    return Format::text;
+  }
+  if (beginning[start] == '{' || beginning[start] == '[') {
+    return Format::json;
+  }
+  if (beginning.substr(start).starts_with("# changeover design") ||
+      io_detail::table_defect(beginning)) {
+    return Format::text;
+  }
+  std::string_view rest = beginning.substr(start);
+  while (rest.starts_with('#')) {
+    const std::size_t line_end = std::min(rest.find('\n'), rest.size());
+    rest.remove_prefix(line_end);
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r\n"), rest.size()));
+  }
+  const std::string_view line = rest.substr(0, rest.find('\n'));
+  return line.substr(0, line.find('#')).find_first_of(",;") == std::string_view::npos ? Format::text
+                                                                                      : Format::csv;
+}
+
+Design read_design(std::unique_ptr<Input> input, const ReadOptions& options) {
+  Opened opened = look_at(std::move(input));
+  switch (opened.format) {
+    case Format::json:
+      return read_json(*opened.input, options);
+    case Format::csv:
+      return read_csv(*opened.input, options);
+    case Format::text:
+      break;
+  }
+  return read_text(std::move(opened.input), options);
+}
+
+Design read_design(const std::string& path, const ReadOptions& options) {
+  return read_design(open_input(path), options);
+}
+
+std::unique_ptr<DesignInput> open_design(std::unique_ptr<Input> input, const ReadOptions& options) {
+  Opened opened = look_at(std::move(input));
+  switch (opened.format) {
+    case Format::json:
+      return std::make_unique<MemoryInput>(read_json(*opened.input, options));
+    case Format::csv:
+      return std::make_unique<MemoryInput>(read_csv(*opened.input, options));
+    case Format::text:
+      break;
+  }
+  return open_text(std::move(opened.input), options);
+}
+
+std::unique_ptr<DesignInput> open_design(const std::string& path, const ReadOptions& options) {
+  return open_design(open_input(path), options);
+}
+
+}  // namespace changeover

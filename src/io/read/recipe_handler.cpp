@@ -1,0 +1,196 @@
+#include "io/read/recipe_handler.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "changeover/core/parameters.hpp"
+
+namespace changeover::io_detail {
+
+using Type = JsonEvent::Type;
+
+void RecipeHandler::wrong(const JsonEvent& event, std::string_view wanted) const {
+  json_->fail(event.offset, fmt::format("{} where {} belongs; correct the recipe",
+                                        to_string(event.type), wanted));
+}
+
+void RecipeHandler::on(const JsonEvent& event) {
+  if (skipped_ > 0) {
+    if (event.type == Type::begin_array || event.type == Type::begin_object) {
+      ++skipped_;
+    } else if (event.type == Type::end_array || event.type == Type::end_object) {
+      --skipped_;
+    }
+    return;
+  }
+  if (frames_.empty()) {
+    if (event.type != Type::begin_object) {
+      wrong(event, "a recipe, an object,");
+    }
+    started_ = true;
+    frames_.emplace_back().offset = event.offset;
+    return;
+  }
+  Frame& frame = frames_.back();
+  switch (frame.where) {
+    case Where::keys:
+      if (event.type == Type::key) {
+        on_key(frame, event);
+      } else {
+        finish_frame(event);
+      }
+      break;
+    case Where::value:
+      frame.where = Where::keys;
+      on_value(frame, event);
+      break;
+    case Where::arguments:
+      if (event.type == Type::key) {
+        frame.argument = event.text;
+        frame.where = Where::argument;
+      } else {
+        frame.where = Where::keys;
+      }
+      break;
+    case Where::argument:
+      frame.where = Where::arguments;
+      on_argument(frame, event);
+      break;
+    case Where::inputs:
+      if (event.type == Type::end_array) {
+        frame.where = Where::keys;
+      } else if (event.type == Type::begin_object) {
+        frames_.emplace_back().offset = event.offset;
+      } else {
+        wrong(event, "a recipe, an object,");
+      }
+      break;
+    case Where::blocks:
+      if (event.type == Type::end_array) {
+        frame.where = Where::keys;
+      } else if (event.type == Type::begin_array) {
+        frame.recipe.blocks.emplace_back();
+        frame.where = Where::block;
+      } else {
+        wrong(event, "a block, an array of numbers,");
+      }
+      break;
+    case Where::block:
+      if (event.type == Type::end_array) {
+        frame.where = Where::blocks;
+      } else if (event.type == Type::natural &&
+                 event.natural <= std::numeric_limits<Element>::max()) {
+        frame.recipe.blocks.back().push_back(static_cast<Element>(event.natural));
+      } else {
+        wrong(event, "an element, a number below 2^32,");
+      }
+      break;
+  }
+}
+
+void RecipeHandler::on_key(Frame& frame, const JsonEvent& event) {
+  frame.key = event.text;
+  if (std::find(frame.seen.begin(), frame.seen.end(), frame.key) != frame.seen.end()) {
+    json_->fail(event.offset, fmt::format("{} is given twice; give it once", shown(frame.key)));
+  }
+  frame.seen.push_back(frame.key);
+  frame.where = Where::value;
+}
+
+void RecipeHandler::on_value(Frame& frame, const JsonEvent& event) {
+  const std::string& key = frame.key;
+  Parameters& p = frame.recipe.parameters;
+  const auto number = [&](std::uint64_t most) {
+    if (event.type != Type::natural || event.natural > most) {
+      wrong(event, fmt::format("the number {}, at most {},", key, most));
+    }
+    return event.natural;
+  };
+  const auto begin = [&](Type type, Where where) {
+    if (event.type != type) {
+      wrong(event, type == Type::begin_array ? "the array " + key : "the object " + key);
+    }
+    frame.where = where;
+  };
+  constexpr std::uint64_t most = std::numeric_limits<Element>::max();
+  if (key == "construction") {
+    if (event.type != Type::string || event.text.empty()) {
+      wrong(event, "the name of a construction, a string,");
+    }
+    frame.recipe.construction = event.text;
+  } else if (key == "provenance") {
+    if (event.type != Type::string) {
+      wrong(event, "where the blocks come from, a string,");
+    }
+    frame.recipe.provenance = event.text;
+  } else if (key == "v") {
+    p.v = number(most);
+  } else if (key == "k") {
+    p.k = number(most);
+  } else if (key == "change") {
+    p.change = number(most);
+  } else if (key == "strength") {
+    p.strength = static_cast<std::uint32_t>(number(max_strength));
+  } else if (key == "kind") {
+    const auto kind =
+        event.type == Type::string ? kind_from_string(event.text) : std::optional<Kind>();
+    if (!kind) {
+      wrong(event, "\"linear\" or \"circular\"");
+    }
+    p.kind = *kind;
+  } else if (key == "arguments") {
+    begin(Type::begin_object, Where::arguments);
+  } else if (key == "inputs") {
+    begin(Type::begin_array, Where::inputs);
+  } else if (key == "blocks") {
+    begin(Type::begin_array, Where::blocks);
+  } else if (event.type == Type::begin_array || event.type == Type::begin_object) {
+    skipped_ = 1;
+  }
+}
+
+void RecipeHandler::on_argument(Frame& frame, const JsonEvent& event) {
+  std::int64_t value = 0;
+  const char* const end = event.text.data() + event.text.size();
+  const bool number = event.type == Type::natural || event.type == Type::other_number;
+  if (!number) {
+    wrong(event, "a whole number");
+  }
+  const auto result = std::from_chars(event.text.data(), end, value);
+  if (result.ec != std::errc() || result.ptr != end) {
+    json_->fail(event.offset, fmt::format("argument {} = {} is no whole number of 64 bits; correct "
+                                          "the recipe",
+                                          shown(frame.argument), shown(event.text)));
+  }
+  if (!frame.recipe.arguments.emplace(frame.argument, value).second) {
+    json_->fail(event.offset,
+                fmt::format("argument {} is given twice; give it once", shown(frame.argument)));
+  }
+}
+
+void RecipeHandler::finish_frame(const JsonEvent& event) {
+  Frame frame = std::move(frames_.back());
+  frames_.pop_back();
+  for (const std::string_view needed : {"construction", "v", "k", "change", "kind"}) {
+    if (std::find(frame.seen.begin(), frame.seen.end(), needed) == frame.seen.end()) {
+      json_->fail(event.offset, fmt::format("the recipe does not say {}; add it", needed));
+    }
+  }
+  if (frames_.empty()) {
+    result_ = std::move(frame.recipe);
+  } else {
+    frames_.back().recipe.inputs.push_back(std::move(frame.recipe));
+  }
+}
+
+Recipe recipe_at(std::string_view json, const std::string& name, Place origin) {
+  const JsonText text{json, name, origin};
+  RecipeHandler handler(text);
+  parse_json(text, handler);
+  return handler.take();
+}
+
+}  // namespace changeover::io_detail

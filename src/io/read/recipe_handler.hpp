@@ -1,0 +1,47 @@
+// A recipe from the events of its JSON.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "changeover/core/recipe.hpp"
+#include "io/read/json_events.hpp"
+
+namespace changeover::io_detail {
+
+/// Takes the events of one recipe, from its begin_object to its end_object.
+class RecipeHandler final : public JsonHandler {
+ public:
+  explicit RecipeHandler(const JsonText& json) : json_(&json) {}
+
+  void on(const JsonEvent& event) override;
+
+  [[nodiscard]] bool done() const { return started_ && frames_.empty(); }
+  [[nodiscard]] Recipe take() { return std::move(result_); }
+
+ private:
+  enum class Where : std::uint8_t { keys, value, arguments, argument, inputs, blocks, block };
+  struct Frame {
+    Recipe recipe;
+    Where where = Where::keys;
+    std::string key;
+    std::string argument;
+    std::vector<std::string> seen;  // keys
+    std::size_t offset = 0;
+  };
+
+  void on_key(Frame& frame, const JsonEvent& event);
+  void on_value(Frame& frame, const JsonEvent& event);
+  void on_argument(Frame& frame, const JsonEvent& event);
+  void finish_frame(const JsonEvent& event);
+  [[noreturn]] void wrong(const JsonEvent& event, std::string_view wanted) const;
+
+  const JsonText* json_;
+  std::vector<Frame> frames_;  // the recipe and, below it, the input that is being read, …
+  Recipe result_;
+  bool started_ = false;
+  std::size_t skipped_ = 0;
+};
+
+}  // namespace changeover::io_detail

@@ -1,0 +1,101 @@
+#include "io/write/csv_cell.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace changeover {
+namespace {
+
+// The last four are the wide forms of = + - @, which spreadsheets in East Asia take for the narrow ones.
+constexpr std::array<std::string_view, 11> formula_beginnings = {
+    "=",           "+", "-", "@", "\t", "\r", "\n", "\xEF\xBC\x9D", "\xEF\xBC\x8B", "\xEF\xBC\x8D",
+    "\xEF\xBC\xA0"};
+
+std::size_t digits_at_front(std::string_view text) {
+  return std::min(text.find_first_not_of("0123456789"), text.size());
+}
+
+// Optional sign, digits with at most one point, optional exponent.
+bool is_decimal(std::string_view text) {
+  text.remove_prefix(text.starts_with('+') || text.starts_with('-') ? 1 : 0);
+  std::size_t digits = digits_at_front(text);
+  text.remove_prefix(digits);
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    const std::size_t more = digits_at_front(text);
+    digits += more;
+    text.remove_prefix(more);
+  }
+  if (digits == 0) {
+    return false;
+  }
+  if (text.starts_with('e') || text.starts_with('E')) {
+    text.remove_prefix(1);
+    text.remove_prefix(text.starts_with('+') || text.starts_with('-') ? 1 : 0);
+    const std::size_t exponent = digits_at_front(text);
+    text.remove_prefix(exponent);
+    return exponent > 0 && text.empty();
+  }
+  return text.empty();
+}
+
+// Programs differ in whether blanks before a formula are passed over, so they are here.
+bool is_formula(std::string_view text) {
+  const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
+  const std::string_view rest = text.substr(blanks);
+  return std::any_of(formula_beginnings.begin(), formula_beginnings.end(),
+                     [&](std::string_view beginning) { return rest.starts_with(beginning); }) &&
+         !is_decimal(rest);
+}
+
+// Whether it would be a formula without the apostrophes in front, if there are any.
+bool is_formula_behind_apostrophes(std::string_view text) {
+  return is_formula(text.substr(std::min(text.find_first_not_of('\''), text.size())));
+}
+
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+bool needs_quotes(std::string_view cell) {
+  const auto special = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return c == ',' || c == ';' || c == '"' || byte < 0x20 || byte == 0x7f;
+  };
+  return std::any_of(cell.begin(), cell.end(), special) ||
+         (!cell.empty() && (is_blank(cell.front()) || is_blank(cell.back())));
+}
+
+}  // namespace
+
+std::string csv_cell(std::string_view text) {
+  std::string cell = is_formula_behind_apostrophes(text) ? "'" : "";
+  cell += text;
+  if (!needs_quotes(cell)) {
+    return cell;
+  }
+  std::string quoted = "\"";
+  for (const char c : cell) {
+    quoted += c;
+    if (c == '"') {
+      quoted += c;
+    }
+  }
+  return quoted + '"';
+}
+
+std::string_view csv_text(std::string_view cell) {
+  const bool escaped = cell.starts_with('\'') && is_formula_behind_apostrophes(cell);
+  return cell.substr(escaped ? 1 : 0);
+}
+
+std::string csv_number(double number) {
+  if (!std::isfinite(number)) {
+    return {};
+  }
+  std::array<char, 32> text = {};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  return {text.data(), end};
+}
+
+}  // namespace changeover

@@ -1,0 +1,73 @@
+#include "io/write/element_text.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "changeover/core/parameters.hpp"
+
+namespace changeover::io_detail {
+
+ElementText::ElementText(Sink& sink, std::uint64_t v, const std::vector<std::string>& labels,
+                         char separator)
+    : sink_(&sink), labels_(&labels), separator_(separator), buffer_(4096) {
+  p_ = buffer_.data();
+  end_ = p_ + buffer_.size();
+  const bool short_words = std::all_of(labels.begin(), labels.end(), [](const std::string& label) {
+    return label.size() < longest;
+  });
+  if (std::endian::native != std::endian::little || !short_words || v > max_elements_in_memory) {
+    return;
+  }
+  slots_.reserve(static_cast<std::size_t>(v));
+  for (std::uint64_t x = 0; x < v; ++x) {
+    const std::string word =
+        (labels.empty() ? std::to_string(x) : labels[static_cast<std::size_t>(x)]) + separator;
+    std::uint64_t slot = 0;
+    std::memcpy(&slot, word.data(), word.size());
+    slots_.push_back(slot | static_cast<std::uint64_t>(word.size()) << 56);
+  }
+}
+
+void ElementText::put(std::string_view text) {
+  make_room(text.size());
+  std::memcpy(p_, text.data(), text.size());
+  p_ += text.size();
+}
+
+void ElementText::elements_slowly(std::span<const Element> block, char last) {
+  for (const Element x : block) {
+    if (labels_->empty()) {
+      put_number(x);
+    } else {
+      put((*labels_)[x]);
+    }
+    put(separator_);
+  }
+  p_[-1] = last;
+}
+
+void ElementText::flush() {
+  sink_->write({buffer_.data(), static_cast<std::size_t>(p_ - buffer_.data())});
+  p_ = buffer_.data();
+}
+
+// The buffer grows to a size that the system writes fast, and is then emptied, but of whole pages only:
+// those are stored faster, too.
+void ElementText::make_room_slowly(std::size_t bytes) {
+  constexpr std::size_t page = std::size_t{1} << 16;
+  constexpr std::size_t usual = std::size_t{1} << 20;
+  auto size = static_cast<std::size_t>(p_ - buffer_.data());
+  if (buffer_.size() >= usual) {
+    const std::size_t given = size / page * page;
+    sink_->write({buffer_.data(), given});
+    size -= given;
+    std::memmove(buffer_.data(), buffer_.data() + given, size);
+  }
+  if (buffer_.size() < size + bytes) {
+    buffer_.resize(std::max(size + bytes, std::min(8 * buffer_.size(), usual)));
+  }
+  p_ = buffer_.data() + size;
+  end_ = buffer_.data() + buffer_.size();
+}
+
+}  // namespace changeover::io_detail

@@ -1,0 +1,174 @@
+#include "changeover/io/latex.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <unordered_set>
+
+#include "changeover/core/parameters.hpp"
+#include "changeover/core/printable.hpp"
+#include "io/write/block_name.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::string_view infinity = "∞";
+
+bool all_of(std::string_view text, std::string_view allowed) {
+  return text.find_first_not_of(allowed) == std::string_view::npos;
+}
+
+// The text of a label within math mode: ∞ becomes \infty, all else looks as it does in text.
+std::string in_math(std::string_view text, bool subscript) {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t next = std::min(text.find(infinity), text.size());
+    const std::string_view plain = text.substr(0, next);
+    if (all_of(plain, "0123456789") || (plain.size() == 1 && all_of(plain, letters))) {
+      result += plain;
+    } else if (all_of(plain, letters)) {
+      result += "\\mathrm{" + std::string(plain) + "}";
+    } else {
+      result += (subscript ? "\\mbox{\\scriptsize " : "\\mbox{") + latex_escaped(plain) + "}";
+    }
+    text.remove_prefix(next);
+    if (!text.empty()) {
+      text.remove_prefix(infinity.size());
+      // A letter must not run into the command's name.
+      result += !text.empty() && all_of(text.substr(0, 1), letters) ? "\\infty " : "\\infty";
+    }
+  }
+  return result;
+}
+
+std::string default_caption(const Design& design) {
+  // "circular DCCD(6,4)" with the number of blocks, as the field writes it.
+  std::string name = changeover::name(design.parameters());
+  const std::size_t end = name.find(')');
+  name.insert(end, fmt::format(",{}", design.block_count()));
+  return "A " + latex_escaped(name);
+}
+
+}  // namespace
+
+std::string latex_escaped(std::string_view text) {
+  std::string result;
+  for (const char c : printable(text)) {
+    switch (c) {
+      case '\\':
+        result += "\\textbackslash{}";
+        break;
+      case '~':
+        result += "\\textasciitilde{}";
+        break;
+      case '^':
+        result += "\\textasciicircum{}";
+        break;
+      case '<':
+        result += "\\textless{}";
+        break;
+      case '>':
+        result += "\\textgreater{}";
+        break;
+      case '|':
+        result += "\\textbar{}";
+        break;
+      case '{':
+      case '}':
+      case '$':
+      case '&':
+      case '#':
+      case '_':
+      case '%':
+        result += '\\';
+        [[fallthrough]];
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string latex_element(std::string_view label, bool introduced, bool leaving) {
+  // One underscore with something on both sides makes a subscript.
+  const std::size_t under = label.find('_');
+  const bool subscript = under != std::string_view::npos && under > 0 && under + 1 < label.size() &&
+                         label.rfind('_') == under;
+  if (!subscript && label.find(infinity) == std::string_view::npos) {
+    std::string result = latex_escaped(label);
+    if (introduced || leaving) {
+      result += fmt::format("${}{}$", introduced ? "^*" : "", leaving ? "_*" : "");
+    }
+    // A bracket at the start of a row would be read as an argument of the line break before it.
+    return label.starts_with('[') || label.starts_with('*') ? "{" + result + "}" : result;
+  }
+  const std::string base = in_math(subscript ? label.substr(0, under) : label, false);
+  const std::string below =
+      (subscript ? in_math(label.substr(under + 1), true) : "") + (leaving ? "*" : "");
+  return fmt::format("${}{}{}$", base, below.empty() ? "" : "_{" + below + "}",
+                     introduced ? "^{*}" : "");
+}
+
+void write_latex(const Design& design, Sink& sink, const LatexOptions& options) {
+  const std::unordered_set<std::uint64_t> positions(options.positions.begin(),
+                                                    options.positions.end());
+  const bool marks = !positions.empty();
+  const std::vector<AlignedBlock> blocks = aligned_rows(design);
+  const std::size_t band = std::max<std::size_t>(
+      1, std::min<std::size_t>(options.columns, std::max<std::size_t>(1, blocks.size())));
+
+  std::string text = "\\begin{table}[ht!]\n\\centering\n\\begin{tabular}{";
+  if (marks) {
+    text += "c@{}";
+  }
+  for (std::size_t i = 0; i < band; ++i) {
+    text += marks ? "lc@{}" : "l";
+  }
+  text += "}\n";
+  for (std::size_t start = 0; start < blocks.size(); start += band) {
+    const std::size_t stop = std::min(start + band, blocks.size());
+    if (start > 0) {
+      text += " \\\\ \\hline\n";
+    }
+    const auto row = [&](const auto& cell, bool last) {
+      if (marks) {
+        text += last && start == 0 && positions.contains(0) ? "$_{\\land}$ & " : "& ";
+      }
+      for (std::size_t i = start; i < stop; ++i) {
+        text += i > start ? " & " : "";
+        text += cell(i);
+        if (marks) {
+          text += last && positions.contains(i + 1) ? " & $_{\\land}$" : " &";
+        }
+      }
+      text += last ? "" : " \\\\\n";
+    };
+    row([&](std::size_t i) { return "$B_{" + io_detail::block_name(options.names, i) + "}$"; },
+        false);
+    const std::size_t k = blocks[start].size();
+    for (std::size_t r = 0; r < k; ++r) {
+      row(
+          [&](std::size_t i) {
+            const MarkedElement& cell = blocks[i][r];
+            return latex_element(design.label(cell.element), options.introduced && cell.introduced,
+                                 options.leaving && cell.leaving);
+          },
+          r + 1 == k);
+    }
+    sink.write(text);
+    text.clear();
+  }
+  text += "\n\\end{tabular}\n";
+  const std::string caption = options.caption.value_or(default_caption(design));
+  if (!caption.empty()) {
+    text += "\\caption{" + caption + "}\n";
+  }
+  if (!options.label.empty()) {
+    text += "\\label{" + options.label + "}\n";
+  }
+  text += "\\end{table}\n";
+  sink.write(text);
+}
+
+}  // namespace changeover

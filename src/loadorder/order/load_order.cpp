@@ -1,0 +1,238 @@
+#include "changeover/loadorder/load_order.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/planner.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/load_check.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "loadorder/order/block_steps.hpp"
+#include "loadorder/order/streamed_order.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t most_items = 10'000'000;
+// Beyond both, streamed orders are within a few in 10⁴ of the bound and offers would cost seconds.
+constexpr std::uint64_t most_for_registry = 2'000;
+constexpr std::uint64_t most_for_registry_by_room = 16;
+constexpr std::uint64_t largest_change = 3;
+
+void check(std::uint64_t items, std::uint64_t room) {
+  if (items == 0) {
+    throw BadInput("a load order of 0 items: give at least 1 item");
+  }
+  if (room < 2) {
+    throw BadInput(
+        fmt::format("room for {} item{}: no two items could meet; give room for at least 2", room,
+                    room == 1 ? "" : "s"));
+  }
+  if (items > most_items) {
+    throw ImpossibleParameters(
+        fmt::format("{} items: load orders are made for at most {}", items, most_items));
+  }
+}
+
+std::uint64_t loads_of(const Offer& offer) {
+  const Parameters& p = offer.recipe.parameters;
+  return checked_add(p.k, checked_multiply(p.change, offer.b - 1));
+}
+
+struct Candidate {
+  std::uint64_t loads = 0;
+  std::uint64_t steps = 0;
+  std::optional<Offer> offer;  // otherwise the streamed order
+
+  [[nodiscard]] bool better_than(const Candidate& other) const {
+    return std::pair(loads, steps) < std::pair(other.loads, other.steps);
+  }
+};
+
+void consider(Candidate& best, std::optional<Offer> offer) {
+  if (offer && offer->b > 0) {
+    const Candidate candidate{loads_of(*offer), offer->b, std::move(offer)};
+    if (candidate.better_than(best)) {
+      best = candidate;
+    }
+  }
+}
+
+// What the constructions give for any small change number and both kinds.
+void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t room,
+                            bool planner) {
+  const bool plans = items <= largest_planned_v && planner;
+  for (std::uint64_t m = 1; m <= std::min(largest_change, room - 1); ++m) {
+    for (const Kind kind : {Kind::linear, Kind::circular}) {
+      const Parameters p{.v = items, .k = room, .change = m, .kind = kind};
+      if (impossibility(p)) {
+        continue;
+      }
+      consider(best, Registry::standard().best(p));
+      // No more than the fewest loads that blocks of this m could do with.
+      if (plans && kind == Kind::linear && room + m * (lower_bound(p).blocks - 1) <= best.loads) {
+        consider(best, best_known(Registry::standard(), p,
+                                  [](const Design& design) { return verify(design).valid(); }));
+      }
+    }
+  }
+}
+
+LoadOrder::Maker maker_of(std::shared_ptr<const Design> design) {
+  return [design] {
+    return std::make_unique<BlockSteps>(std::make_unique<DesignSource>(*design), design);
+  };
+}
+
+// A linear single-change design: the best so far if it is one, else the streamed order, whose steps all
+// load one item into a full memory.
+Design start_of_search(const Candidate& best, const StreamedShape& shape) {
+  if (best.offer && best.offer->recipe.parameters.change == 1) {
+    Design design = Registry::standard().build_design(best.offer->recipe);
+    design.set_kind(Kind::linear);
+    design.recipe.reset();
+    return design;
+  }
+  Design design({.v = shape.items, .k = shape.room, .change = 1, .kind = Kind::linear});
+  Block block;
+  LoadStep step;
+  for (const auto steps = streamed_steps(shape); steps->next(step);) {
+    for (const Element x : step.evict) {
+      std::erase(block, x);
+    }
+    block.insert(block.end(), step.load.begin(), step.load.end());
+    design.append(block);
+  }
+  return design;
+}
+
+// Reads every step, or leaves the certificate to the structure.
+void certify_order(LoadOrder::Maker& maker, LoadOrderFacts& facts, const std::string& by_structure,
+                   std::vector<Element> kept_as) {
+  facts.certificate = by_structure;
+  if (!facts.every_step_read) {
+    return;
+  }
+  LoadCheckOptions options;
+  options.kept_as = std::move(kept_as);
+  const LoadVerdict verdict = check_loads(*maker(), facts.items, facts.room, options);
+  if (!verdict.valid() || verdict.loads != facts.loads || verdict.steps != facts.steps ||
+      verdict.loads < facts.bound.loads) {
+    throw InternalError(fmt::format("the load order '{}' of {} items with room for {} is wrong: {}",
+                                    facts.method, facts.items, facts.room,
+                                    verdict.valid() ? "it does not keep its promise"
+                                                    : verdict.fault + verdict.uncovered_example));
+  }
+  facts.certificate = fmt::format("every step read, all {} pairs met", binomial(facts.items, 2));
+}
+
+}  // namespace
+
+LoadBound load_lower_bound(std::uint64_t items, std::uint64_t room) {
+  check(items, room);
+  if (items <= room) {
+    return {items, fmt::format("each of {} items is loaded", items)};
+  }
+  const Parameters p{.v = items, .k = room, .change = 1, .kind = Kind::linear};
+  const Bound bound = lower_bound(p);
+  return {checked_add(room, bound.blocks - 1),
+          fmt::format("loads from number {} on make blocks of a linear SCCD({},{}), {}: {}", room,
+                      items, room, bound.name, bound.reason)};
+}
+
+double LoadOrderFacts::gap() const {
+  return static_cast<double>(loads) / static_cast<double>(bound.loads) - 1;
+}
+
+LoadOrder::LoadOrder(LoadOrderFacts facts, Maker maker)
+    : facts_(std::move(facts)), maker_(std::move(maker)), reader_(maker_()) {}
+
+LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
+                          const LoadOrderOptions& options) {
+  check(items, room);
+  LoadOrderFacts facts;
+  facts.items = items;
+  facts.room = room;
+  facts.bound = load_lower_bound(items, room);
+  const StreamedShape shape = best_streamed_shape(items, room);
+  constexpr std::uint64_t most_steps_read = 100'000'000;  // some seconds
+  facts.every_step_read =
+      items <= std::min<std::uint64_t>(options.read_up_to, max_elements_in_memory) &&
+      shape.steps() <= most_steps_read;
+
+  Candidate best{shape.loads, shape.steps(), std::nullopt};
+  // What cannot be read is taken from the structure that certifies itself.
+  if (items > room && facts.every_step_read && options.constructions &&
+      (items <= most_for_registry || items / room < most_for_registry_by_room)) {
+    consider_constructions(best, items, room, options.planner);
+  }
+  std::shared_ptr<const Design> improved;
+  if (options.improve && items > room && items <= options.improve_up_to &&
+      best.loads > facts.bound.loads) {
+    const Design start = start_of_search(best, shape);
+    auto better = options.improve(start, facts.bound.loads - room + 1);
+    if (better && better->parameters() == start.parameters() &&
+        room + better->block_count() - 1 < best.loads) {
+      improved = std::make_shared<const Design>(std::move(*better));
+      best.loads = room + improved->block_count() - 1;
+      best.steps = improved->block_count();
+    }
+  }
+
+  facts.loads = best.loads;
+  facts.steps = best.steps;
+  LoadOrder::Maker maker;
+  std::string by_structure;
+  std::vector<Element> kept_as;
+  if (improved) {
+    facts.method = "improved";
+    facts.explanation = "A linear single-change design that search made shorter.";
+    maker = maker_of(improved);
+  } else if (best.offer) {
+    const Recipe recipe = best.offer->recipe;
+    facts.method = recipe.construction;
+    facts.explanation = fmt::format("Blocks of a {}. {}", name(recipe.parameters),
+                                    Registry::standard().construction_of(recipe).explain(recipe));
+    maker = [recipe] { return std::make_unique<BlockSteps>(Registry::standard().build(recipe)); };
+  } else {
+    facts.method = items <= room ? "one-step" : "streamed";
+    facts.explanation = shape.explain();
+    maker = [shape] { return streamed_steps(shape); };
+    if (!facts.every_step_read) {
+      by_structure = certify(shape);
+    } else {
+      kept_as = names_by_window(shape);
+    }
+  }
+  certify_order(maker, facts, by_structure, std::move(kept_as));
+  return {std::move(facts), std::move(maker)};
+}
+
+LoadOrder load_order_of(std::shared_ptr<const Design> design, std::string method,
+                        std::string explanation) {
+  const Parameters& p = design->parameters();
+  if (p.kind != Kind::linear || design->block_count() == 0) {
+    throw BadInput("a load order is made of a linear design with one block or more");
+  }
+  LoadOrderFacts facts;
+  facts.items = p.v;
+  facts.room = p.k;
+  facts.bound = load_lower_bound(p.v, p.k);
+  facts.steps = design->block_count();
+  facts.method = std::move(method);
+  facts.explanation = std::move(explanation);
+  LoadOrder::Maker maker = maker_of(design);
+  LoadStep step;
+  for (const auto reader = maker(); reader->next(step);) {
+    facts.loads += step.load.size();
+  }
+  return {std::move(facts), std::move(maker)};
+}
+
+}  // namespace changeover

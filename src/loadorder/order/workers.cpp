@@ -1,0 +1,260 @@
+#include "changeover/loadorder/workers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bounds/counting_bound.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/load_check.hpp"
+#include "changeover/run/scope.hpp"
+#include "loadorder/order/streamed_order.hpp"
+
+namespace changeover {
+namespace {
+
+/// Steps `first` to `first + count − 1` of an order of groups, as steps of items.
+class Stretch final : public StepSource {
+ public:
+  Stretch(std::unique_ptr<StepSource> order, std::uint64_t first, std::uint64_t count,
+          std::uint64_t items, std::uint64_t groups)
+      : order_(std::move(order)), first_(first), count_(count), items_(items), groups_(groups) {}
+
+  bool next(LoadStep& step) override {
+    if (done_ == count_ || !(done_ == 0 ? start() : order_->next(inner_))) {
+      return false;
+    }
+    step.number = ++done_;
+    step.evict.clear();
+    step.load.clear();
+    for (const Element group : inner_.evict) {
+      expand(group, step.evict);
+    }
+    for (const Element group : inner_.load) {
+      expand(group, step.load);
+    }
+    return true;
+  }
+
+ private:
+  // The first step loads what is in memory then.
+  bool start() {
+    std::vector<bool> present(static_cast<std::size_t>(groups_), false);
+    for (std::uint64_t i = 0; i < first_; ++i) {
+      if (!order_->next(inner_)) {
+        return false;
+      }
+      for (const Element x : inner_.evict) {
+        present[x] = false;
+      }
+      for (const Element x : inner_.load) {
+        present[x] = true;
+      }
+    }
+    inner_.evict.clear();
+    inner_.load.clear();
+    for (Element x = 0; x < groups_; ++x) {
+      if (present[x]) {
+        inner_.load.push_back(x);
+      }
+    }
+    return true;
+  }
+
+  void expand(Element group, std::vector<Element>& out) const {
+    const auto begin = static_cast<Element>(group * items_ / groups_);
+    const auto end = static_cast<Element>((group + std::uint64_t{1}) * items_ / groups_);
+    for (Element x = begin; x < end; ++x) {
+      out.push_back(x);
+    }
+  }
+
+  std::unique_ptr<StepSource> order_;
+  std::uint64_t first_, count_, items_, groups_;
+  std::uint64_t done_ = 0;
+  LoadStep inner_;
+};
+
+void check_workers(std::uint64_t workers) {
+  if (workers == 0 || workers > most_workers) {
+    throw BadInput(fmt::format("{} workers: give 1 to {}", workers, most_workers));
+  }
+}
+
+// Most pairs that `loads` loads bring together.
+std::uint64_t capacity(std::uint64_t loads, std::uint64_t room) {
+  return loads <= room ? binomial(loads, 2)
+                       : checked_add(binomial(room, 2), checked_multiply(loads - room, room - 1));
+}
+
+struct Grouping {
+  std::uint64_t groups = 0;
+  std::uint64_t room = 0;
+  std::uint64_t makespan = 0;
+  std::uint64_t loads = 0;
+
+  [[nodiscard]] bool better_than(const Grouping& other) const {
+    return std::pair(makespan, loads) < std::pair(other.makespan, other.loads);
+  }
+};
+
+// What a split of b steps that load `change` groups of at most `size` items costs at most.
+Grouping cost(std::uint64_t groups, std::uint64_t room, std::uint64_t size, std::uint64_t steps,
+              std::uint64_t change, std::uint64_t workers) {
+  const std::uint64_t busy = std::min(workers, steps);
+  return {groups, room, size * (room + change * (ceil_div(steps, workers) - 1)),
+          size * (busy * room + change * (steps - busy))};
+}
+
+void verify_split(const WorkerSplit& split) {
+  const SplitFacts& facts = split.facts();
+  LoadCheckOptions options;
+  if (split.order().facts().method == "streamed" && facts.groups == facts.items) {
+    options.kept_as = names_by_window(best_streamed_shape(facts.items, facts.room));
+  }
+  LoadCheck check(facts.items, facts.room, options);
+  LoadStep step;
+  for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
+    check.start_over();
+    for (const auto steps = split.stream(w); steps->next(step);) {
+      stop_if_asked();
+      check.read(step);
+    }
+  }
+  const LoadVerdict verdict = check.finish();
+  if (!verdict.valid() || verdict.loads != facts.loads) {
+    throw InternalError(fmt::format("the split of {} items with room for {} is wrong: {}{}",
+                                    facts.items, facts.room, verdict.fault,
+                                    verdict.uncovered_example));
+  }
+}
+
+}  // namespace
+
+LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uint64_t workers) {
+  check_workers(workers);
+  const LoadBound alone = load_lower_bound(items, room);
+  if (workers == 1) {
+    return alone;
+  }
+  const std::uint64_t pairs = binomial(items, 2);
+  // The least number of loads that is enough, by bisection: capacity() increases.
+  std::uint64_t low = ceil_div(items, workers);
+  std::uint64_t high = alone.loads;
+  const std::uint64_t needed = ceil_div(pairs, workers);
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    if (capacity(middle, room) >= needed) {
+      high = middle;
+    } else {
+      low = middle + 1;
+    }
+  }
+  return {low,
+          fmt::format("one of {} workers brings at least {} of {} pairs together; {} loads are "
+                      "enough for {} at most",
+                      workers, needed, pairs, low, capacity(low, room))};
+}
+
+WorkerSplit::WorkerSplit(SplitFacts facts, LoadOrder order)
+    : facts_(std::move(facts)), order_(std::move(order)) {}
+
+std::unique_ptr<StepSource> WorkerSplit::stream(std::uint64_t worker) const {
+  if (worker >= facts_.workers.size()) {
+    throw BadInput(
+        fmt::format("worker {} of {}: they are numbered from 0", worker, facts_.workers.size()));
+  }
+  const WorkerFacts& facts = facts_.workers[static_cast<std::size_t>(worker)];
+  return std::make_unique<Stretch>(order_.stream(), facts.first_step, facts.steps, facts_.items,
+                                   facts_.groups);
+}
+
+WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
+                        std::uint64_t workers) {
+  check_workers(workers);
+  const LoadOrderFacts& whole = order.facts();
+  if (whole.items > items) {
+    throw BadInput(fmt::format("{} items cannot be put into {} groups", items, whole.items));
+  }
+  SplitFacts facts;
+  facts.items = items;
+  facts.room = room;
+  facts.groups = whole.items;
+  facts.group_room = whole.room;
+  facts.makespan_bound = makespan_lower_bound(items, room, workers);
+  facts.certificate = whole.certificate;
+  facts.workers.resize(static_cast<std::size_t>(workers));
+  // Blocks are full and steps alike, unless items are grouped: then sizes differ by one.
+  const std::uint64_t first_loads = std::min(whole.room, whole.items);
+  const std::uint64_t change =
+      whole.steps > 1 ? (whole.loads - first_loads) / (whole.steps - 1) : 0;
+  const bool alike =
+      whole.items == items && whole.loads == first_loads + change * (whole.steps - 1);
+  std::uint64_t next = 1;
+  for (std::uint64_t w = 0; w < workers; ++w) {
+    WorkerFacts& worker = facts.workers[static_cast<std::size_t>(w)];
+    worker.steps = whole.steps / workers + (w < whole.steps % workers ? 1 : 0);
+    worker.first_step = worker.steps > 0 ? next : 0;
+    next += worker.steps;
+    if (worker.steps > 0 && alike) {
+      worker.loads = first_loads + change * (worker.steps - 1);
+    } else if (worker.steps > 0) {
+      Stretch stretch(order.stream(), worker.first_step, worker.steps, items, whole.items);
+      for (LoadStep step; stretch.next(step);) {
+        stop_if_asked();
+        worker.loads += step.load.size();
+      }
+    }
+    facts.loads += worker.loads;
+    facts.makespan = std::max(facts.makespan, worker.loads);
+  }
+  return {std::move(facts), std::move(order)};
+}
+
+WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
+                             const LoadOrderOptions& options) {
+  constexpr std::uint64_t most_groups = 40;
+  check_workers(workers);
+  LoadOrder order = plan_load_order(items, room, options);
+  if (workers > 1) {
+    const LoadOrderFacts& facts = order.facts();
+    const std::uint64_t first = std::min(room, items);
+    const std::uint64_t change = facts.steps > 1 ? (facts.loads - first) / (facts.steps - 1) : 0;
+    Grouping best = cost(items, first, 1, facts.steps, change, workers);
+    std::optional<LoadOrder> grouped;
+    LoadOrderOptions quick = options;
+    quick.improve = nullptr;
+    quick.planner = false;
+    for (std::uint64_t groups = 2; groups <= std::min(most_groups, items); ++groups) {
+      const std::uint64_t size = ceil_div(items, groups);
+      for (std::uint64_t r = 2; r <= std::min(room / size, groups - 1); ++r) {
+        // No order of these groups can be shorter than its bound.
+        const Parameters p{.v = groups, .k = r, .change = 1, .kind = Kind::linear};
+        if (!cost(groups, r, size, counting_bound(p), 1, workers).better_than(best)) {
+          continue;
+        }
+        LoadOrder candidate = plan_load_order(groups, r, quick);
+        const LoadOrderFacts& its = candidate.facts();
+        const std::uint64_t m = its.steps > 1 ? (its.loads - r) / (its.steps - 1) : 0;
+        const Grouping grouping = cost(groups, r, size, its.steps, m, workers);
+        if (grouping.better_than(best)) {
+          best = grouping;
+          grouped = std::move(candidate);
+        }
+      }
+    }
+    if (grouped) {
+      order = std::move(*grouped);
+    }
+  }
+  WorkerSplit split = split_order(std::move(order), items, room, workers);
+  if (items <= max_elements_in_memory && split.order().facts().every_step_read) {
+    verify_split(split);
+  }
+  return split;
+}
+
+}  // namespace changeover

@@ -1,0 +1,111 @@
+#include "loadorder/run/reader.hpp"
+
+#include <algorithm>
+#include <new>
+
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+#include "run/threads.hpp"
+
+namespace changeover {
+
+Reader::Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsigned threads)
+    : source_(&source),
+      capacity_(static_cast<std::size_t>(
+          ceil_div(std::max<std::uint64_t>(1, source.buffer_bytes()), buffer_alignment) *
+          buffer_alignment)),
+      slots_(static_cast<std::size_t>(room)),
+      where_(static_cast<std::size_t>(items), 0) {
+  for (std::uint32_t i = 0; i < slots_.size(); ++i) {
+    slots_[i].buffer.reset(
+        static_cast<std::byte*>(std::aligned_alloc(buffer_alignment, capacity_)));
+    if (!slots_[i].buffer) {
+      throw std::bad_alloc();
+    }
+    free_.push_back(i);
+  }
+  start_threads(
+      threads_, std::max(1U, threads), [this](unsigned) { serve(); }, [this] { close(); });
+}
+
+void Reader::close() {
+  {
+    const std::lock_guard lock(mutex_);
+    closing_ = true;
+  }
+  wanted_.notify_all();
+}
+
+Reader::~Reader() {
+  close();
+  for (std::thread& thread : threads_) {
+    thread.join();
+  }
+}
+
+void Reader::serve() {
+  while (true) {
+    std::uint32_t index = 0;
+    {
+      std::unique_lock lock(mutex_);
+      wanted_.wait(lock, [this] { return closing_ || !queue_.empty(); });
+      if (closing_) {
+        return;
+      }
+      index = queue_.front();
+      queue_.pop_front();
+    }
+    // Nobody else touches a slot that is on its way.
+    Slot& slot = slots_[index];
+    try {
+      slot.bytes = source_->read(slot.item, {slot.buffer.get(), capacity_});
+    } catch (...) {
+      slot.fault = std::current_exception();
+    }
+    {
+      const std::lock_guard lock(mutex_);
+      slot.ready = true;
+    }
+    arrived_.notify_all();
+  }
+}
+
+void Reader::request(Element item) {
+  if (free_.empty()) {
+    throw InternalError("an item is to be loaded when every buffer is taken");
+  }
+  const std::uint32_t index = free_.back();
+  free_.pop_back();
+  Slot& slot = slots_[index];
+  slot.item = item;
+  slot.bytes = {};
+  slot.fault = nullptr;
+  where_[item] = index;
+  ++requests_;
+  most_used_ = std::max<std::uint64_t>(most_used_, slots_.size() - free_.size());
+  {
+    const std::lock_guard lock(mutex_);
+    slot.ready = false;
+    queue_.push_back(index);
+  }
+  wanted_.notify_one();
+}
+
+std::span<const std::byte> Reader::wait(Element item) {
+  const auto start = std::chrono::steady_clock::now();
+  Slot& slot = slots_[where_[item]];
+  {
+    std::unique_lock lock(mutex_);
+    arrived_.wait(lock, [&slot] { return slot.ready; });
+  }
+  waited_ += std::chrono::steady_clock::now() - start;
+  if (slot.fault) {
+    std::rethrow_exception(slot.fault);
+  }
+  bytes_read_ += slot.bytes.size();
+  return slot.bytes;
+}
+
+void Reader::release(Element item) { free_.push_back(where_[item]); }
+
+}  // namespace changeover

@@ -1,0 +1,85 @@
+// The source paper, rebuilt: every table, figure, theorem and corollary of [ChafeeStevens2025]
+// compared with what this library builds and proves.
+//
+//     PaperReport report = run_paper_report(Registry::standard());
+//     report.count(PaperStatus::differs);       // in how many places the print is not right
+//     std::cout << render_text(report);         // one line an item, details beneath
+//
+// An item is one claim at one place, with what was found of it:
+//   reproduced    rebuilt, or recomputed, and equal in every cell that was compared
+//   differs       the print says one thing and the computation another; each finding says both,
+//                 and why
+//   out of scope  a claim of the literature that the paper cites and does not prove, or a matter
+//                 that would need a search; the reason is given
+// Nothing is hard-coded: a misprint is found because a comparison fails, and every comparison can
+// fail (the print is an argument). "For all k" is checked for every k up to a limit, not proved.
+//
+// Deterministic: the same text every time, no times and no machine in it. Under a second.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/construct/registry.hpp"
+#include "paper/printed.hpp"
+
+namespace changeover {
+
+enum class PaperStatus : std::uint8_t { reproduced, differs, out_of_scope };
+
+/// "reproduced", "differs", "out of scope".
+[[nodiscard]] std::string_view to_string(PaperStatus status);
+
+/// Where print and computation part.
+struct PaperFinding {
+  std::string printed;
+  std::string truth;
+  std::string why;
+
+  bool operator==(const PaperFinding&) const = default;
+};
+
+struct PaperItem {
+  std::string place;  ///< "Table 11", "Corollary 15"
+  std::string what;   ///< one line: the claim, or what was compared
+  PaperStatus status = PaperStatus::reproduced;
+  std::uint64_t checked = 0;           ///< how many comparisons were made
+  std::string unit;                    ///< of what: "blocks", "cells", "designs"
+  std::vector<PaperFinding> findings;  ///< of an item that differs
+  std::vector<std::string> notes;      ///< remarks, and reasons why an item is out of scope
+
+  bool operator==(const PaperItem&) const = default;
+};
+
+struct PaperReport {
+  std::vector<PaperItem> items;  ///< in the order of the paper
+
+  [[nodiscard]] std::size_t count(PaperStatus status) const;
+};
+
+struct PaperReportOptions {
+  std::uint64_t largest_k = 40;  ///< theorems "for all k" are checked up to this block size
+};
+
+/// Checks the print against the constructions of a registry.
+/// @param paper what is printed; tests pass falsified copies.
+/// @throws BadInput if the print cannot be read; a table whose columns are no blocks differs, but
+/// where other items build upon it this throws.
+[[nodiscard]] PaperReport run_paper_report(const Registry& registry,
+                                           const PaperReportOptions& options = {},
+                                           const Paper& paper = printed_paper());
+
+/// For a terminal: a line for each item, findings and notes beneath, counts at the end.
+[[nodiscard]] std::string render_text(const PaperReport& report);
+
+/// The same as a Markdown page.
+[[nodiscard]] std::string render_markdown(const PaperReport& report);
+
+/// {"format":"changeover-paper/1","reproduced":n,"differs":n,"out_of_scope":n,"items":[{"place",
+/// "what","status","checked","unit","findings":[{"printed","truth","why"}],"notes":[…]}]}. One line.
+[[nodiscard]] std::string render_json(const PaperReport& report);
+
+}  // namespace changeover

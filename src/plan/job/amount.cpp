@@ -1,0 +1,106 @@
+#include "changeover/plan/amount.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "changeover/core/error.hpp"
+#include "io/read/place.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t unit = 1'000'000;
+constexpr unsigned most_decimals = 6;
+constexpr auto largest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+constexpr std::uint64_t too_many = std::numeric_limits<std::uint64_t>::max();
+
+Amount in_range(std::uint64_t millionths) {
+  if (millionths > largest) {
+    throw ImpossibleParameters(
+        "these costs are too large: a total exceeds 9.2e12; use a larger unit");
+  }
+  return {millionths};
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+}  // namespace
+
+Amount operator+(Amount a, Amount b) {
+  std::uint64_t sum = 0;
+  const bool wrapped = __builtin_add_overflow(a.millionths, b.millionths, &sum);
+  return in_range(wrapped ? too_many : sum);
+}
+
+Amount operator*(Amount a, std::uint64_t times) {
+  std::uint64_t product = 0;
+  const bool wrapped = __builtin_mul_overflow(a.millionths, times, &product);
+  return in_range(wrapped ? too_many : product);
+}
+
+Amount operator-(Amount a, Amount b) {
+  if (b > a) {
+    throw InternalError("an amount of money became negative");
+  }
+  return {a.millionths - b.millionths};
+}
+
+Amount parse_amount(std::string_view text) {
+  const std::string shown = io_detail::shown(text);
+  if (text.starts_with('-')) {
+    throw BadInput(fmt::format("the cost {} is negative; give 0 or more", shown));
+  }
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const std::string_view whole = text.substr(0, point);
+  const std::string_view decimals = point < text.size() ? text.substr(point + 1) : "";
+  if (whole.size() + decimals.size() == 0 || !std::all_of(whole.begin(), whole.end(), is_digit) ||
+      !std::all_of(decimals.begin(), decimals.end(), is_digit)) {
+    throw BadInput(fmt::format("{} is not a cost; write it as 12 or 12.50", shown));
+  }
+  if (decimals.size() > most_decimals) {
+    throw BadInput(fmt::format("the cost {} has more than six decimals; round it", shown));
+  }
+  std::uint64_t units = 0;
+  for (const char c : whole) {
+    units = 10 * units + static_cast<std::uint64_t>(c - '0');
+    if (units > largest / unit) {
+      throw ImpossibleParameters(fmt::format(
+          "the cost {} is too large; a total can be 9.2e12, so use a larger unit", shown));
+    }
+  }
+  std::uint64_t millionths = units * unit;
+  std::uint64_t weight = unit;
+  for (const char c : decimals) {
+    weight /= 10;
+    millionths += static_cast<std::uint64_t>(c - '0') * weight;
+  }
+  return in_range(millionths);
+}
+
+unsigned decimals_needed(Amount amount) {
+  std::uint64_t rest = amount.millionths % unit;
+  if (rest == 0) {
+    return 0;
+  }
+  unsigned decimals = most_decimals;
+  for (; rest % 10 == 0; rest /= 10) {
+    --decimals;
+  }
+  return std::max(2U, decimals);
+}
+
+std::string to_string(Amount amount, unsigned at_least_decimals) {
+  const unsigned decimals =
+      std::min(most_decimals, std::max(at_least_decimals, decimals_needed(amount)));
+  std::string text = fmt::format("{}", amount.millionths / unit);
+  if (decimals > 0) {
+    const std::string all = fmt::format("{:06}", amount.millionths % unit);
+    text += "." + all.substr(0, decimals);
+  }
+  return text;
+}
+
+}  // namespace changeover

@@ -1,0 +1,208 @@
+#include "changeover/plan/job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <unordered_set>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "io/read/place.hpp"
+#include "plan/job/plain_text.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::size_t most_defects = 10;
+constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
+
+std::string pair_name(const Job& job, Element x, Element y) {
+  return fmt::format("{} and {}", job.names[x], job.names[y]);
+}
+
+// Malformed in a way that makes no sense of what follows.
+void find_malformed(const Job& job, std::vector<std::string>& found) {
+  if (job.parts() < 2) {
+    found.push_back("there are fewer than two parts; a pair needs two");
+  }
+  if (job.parts() > max_parts) {
+    found.push_back(
+        fmt::format("there are {} parts; at most {} are supported", job.parts(), max_parts));
+  }
+  if (job.at_once < 2) {
+    found.push_back(fmt::format("{} at once: no pair can meet; give at least 2", job.at_once));
+  }
+  std::unordered_set<std::string> seen;
+  for (const std::string& name : job.names) {
+    if (const auto defect = text_defect(name)) {
+      found.push_back(fmt::format("the name {}: {}", io_detail::shown(name), *defect));
+    } else if (name.empty()) {
+      found.push_back("a part has no name; name it");
+    } else if (!seen.insert(name).second) {
+      found.push_back(fmt::format("two parts are called {}; rename one", name));
+    }
+  }
+  if (job.change_costs.size() != job.parts() || job.needed.v() != job.parts() ||
+      job.never.v() != job.parts()) {
+    found.push_back("the number of change costs or the pairs do not fit the number of parts");
+  }
+  for (const Block* block : {&job.mounted, &job.start}) {
+    for (std::size_t i = 0; i < block->size(); ++i) {
+      if ((*block)[i] >= job.parts()) {
+        found.push_back("a mounted part is none of the parts");
+      } else if (std::count(block->begin(), block->end(), (*block)[i]) > 1) {
+        found.push_back(fmt::format("{} is mounted twice", job.names[(*block)[i]]));
+      }
+    }
+  }
+}
+
+void find_impossible(const Job& job, std::vector<std::string>& found) {
+  if (job.start.size() > job.at_once) {
+    found.push_back(fmt::format("{} parts are mounted at the start, but only {} fit",
+                                job.start.size(), job.at_once));
+  }
+  if (job.mounted.size() > job.at_once) {
+    found.push_back(
+        fmt::format("{} parts stay mounted, but only {} fit", job.mounted.size(), job.at_once));
+  }
+  for (std::size_t i = 0; i < job.mounted.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (job.never.contains(job.mounted[i], job.mounted[j])) {
+        found.push_back(fmt::format("{} both stay mounted, but must never be in one set-up",
+                                    pair_name(job, job.mounted[j], job.mounted[i])));
+      }
+    }
+  }
+  if (!found.empty()) {
+    return;
+  }
+  // By part: whether it stays mounted, and the first mounted part that it must never meet.
+  std::vector<bool> stays(job.names.size());
+  std::vector<std::optional<Element>> enemy(job.names.size());
+  for (const Element m : job.mounted) {
+    stays[m] = true;
+    for (Element x = 0; x < job.parts(); ++x) {
+      if (x != m && !enemy[x] && job.never.contains(m, x)) {
+        enemy[x] = m;
+      }
+    }
+  }
+  const std::size_t mounted = job.mounted.size();
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    if (found.size() >= most_defects) {
+      return;
+    }
+    const std::size_t together = mounted + (stays[x] ? 0U : 1U) + (stays[y] ? 0U : 1U);
+    if (job.never.contains(x, y)) {
+      found.push_back(
+          fmt::format("{} must meet and must never be in one set-up", pair_name(job, x, y)));
+    } else if (together > job.at_once) {
+      found.push_back(
+          fmt::format("{} must meet, but beside the {} that stay mounted there is no "
+                      "room for both",
+                      pair_name(job, x, y), mounted));
+    } else {
+      for (const Element z : {x, y}) {
+        if (enemy[z]) {
+          found.push_back(fmt::format(
+              "{} must meet, but {} must never be in one set-up with {}, which stays mounted",
+              pair_name(job, x, y), job.names[z], job.names[*enemy[z]]));
+        }
+      }
+    }
+  });
+}
+
+}  // namespace
+
+bool Job::one_change_cost() const {
+  return std::all_of(change_costs.begin(), change_costs.end(),
+                     [&](Amount cost) { return cost == change_costs.front(); });
+}
+
+Job make_job(std::uint64_t v, std::uint64_t at_once, Amount test_cost, Amount change_cost) {
+  if (v > max_parts) {
+    throw BadInput(fmt::format("there are {} parts; at most {} are supported", v, max_parts));
+  }
+  Job job;
+  for (std::uint64_t i = 1; i <= v; ++i) {
+    job.names.push_back(fmt::format("{}", i));
+  }
+  job.at_once = at_once;
+  job.test_cost = test_cost;
+  job.change_costs.assign(static_cast<std::size_t>(v), change_cost);
+  job.never = PairSet(v);
+  job.needed = all_pairs_but(job.never);
+  return job;
+}
+
+PairSet all_pairs_but(const PairSet& pairs) {
+  PairSet rest(pairs.v());
+  pairs.for_each_missing(all_of_them, [&](Element x, Element y) { rest.insert(x, y); });
+  return rest;
+}
+
+std::vector<std::string> defects(const Job& job) {
+  std::vector<std::string> found;
+  find_malformed(job, found);
+  if (found.empty()) {
+    find_impossible(job, found);
+  }
+  found.resize(std::min(found.size(), most_defects));
+  return found;
+}
+
+void check(const Job& job) {
+  const std::vector<std::string> found = defects(job);
+  if (found.empty()) {
+    return;
+  }
+  throw BadInput(found.size() == 1
+                     ? found.front()
+                     : fmt::format("{} (and {} more like this)", found.front(), found.size() - 1));
+}
+
+void mark_done(Job& job, const std::vector<Block>& setups) {
+  // For each part a row of bits: with whom it was.
+  const std::size_t words = (job.names.size() + 63) / 64;
+  std::vector<std::uint64_t> met(words * job.names.size(), 0);
+  std::vector<std::uint64_t> together(words);
+  for (const Block& setup : setups) {
+    stop_if_asked();
+    if (setup.size() > job.at_once) {
+      throw BadInput(fmt::format("a test that was done has {} parts, but only {} fit at once",
+                                 setup.size(), job.at_once));
+    }
+    together.assign(words, 0);
+    for (const Element x : setup) {
+      if (x >= job.parts()) {
+        throw BadInput(fmt::format("a test that was done names part {} of {}", std::uint64_t{x} + 1,
+                                   job.parts()));
+      }
+      if ((together[x / 64] >> (x % 64) & 1) != 0) {
+        throw BadInput(fmt::format("a test that was done has {} twice", job.names[x]));
+      }
+      together[x / 64] |= std::uint64_t{1} << (x % 64);
+    }
+    for (const Element x : setup) {
+      for (std::size_t w = 0; w < words; ++w) {
+        met[x * words + w] |= together[w];
+      }
+    }
+  }
+  PairSet rest(job.parts());
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    if ((met[x * words + y / 64] >> (y % 64) & 1) == 0) {
+      rest.insert(x, y);
+    }
+  });
+  job.needed = std::move(rest);
+  job.tests_done += setups.size();
+  if (job.start.empty() && !setups.empty()) {
+    job.start = setups.back();
+  }
+}
+
+}  // namespace changeover

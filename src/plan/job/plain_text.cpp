@@ -1,0 +1,73 @@
+#include "plan/job/plain_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <utility>
+
+#include "changeover/plan/job.hpp"
+#include "core/utf8.hpp"
+
+namespace changeover {
+namespace {
+
+// A name with one of these is shown in another order than that of its letters.
+bool turns_around(char32_t c) {
+  return (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+}
+
+bool ends_a_line(char32_t c) { return c == 0x2028 || c == 0x2029; }
+
+}  // namespace
+
+namespace plan_detail {
+
+std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
+  for (std::size_t at = 0; at < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[at]);
+    if (byte >= 0x20 && byte < 0x7f) {  // almost all of them
+      ++at;
+      continue;
+    }
+    if (byte == '\t') {
+      if (!allow_tabs) {
+        return TextDefect{at, "a tab; write a blank, and a comma between fields"};
+      }
+      ++at;
+      continue;
+    }
+    if (byte < 0x20 || byte == 0x7f) {
+      return TextDefect{at,
+                        fmt::format("control byte 0x{:02x}; the input must be plain text", byte)};
+    }
+    const CodePoint point = first_code_point(text.substr(at));
+    if (!point.valid) {
+      return TextDefect{at,
+                        fmt::format("byte 0x{:02x} is not UTF-8; save the text as UTF-8", byte)};
+    }
+    const auto number = static_cast<std::uint32_t>(point.value);
+    if (point.value < 0xa0) {
+      return TextDefect{
+          at, fmt::format("control character U+{:04X}; the input must be plain text", number)};
+    }
+    if (turns_around(point.value)) {
+      return TextDefect{
+          at,
+          fmt::format("U+{:04X}, which turns the direction of writing around; remove it", number)};
+    }
+    if (ends_a_line(point.value)) {
+      return TextDefect{at, fmt::format("U+{:04X}, which ends a line; remove it", number)};
+    }
+    at += point.bytes;
+  }
+  return std::nullopt;
+}
+
+}  // namespace plan_detail
+
+std::optional<std::string> text_defect(std::string_view text) {
+  auto defect = plan_detail::first_defect(text, false);
+  return defect ? std::optional(std::move(defect->what)) : std::nullopt;
+}
+
+}  // namespace changeover

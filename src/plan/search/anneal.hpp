@@ -1,0 +1,52 @@
+// Simulated annealing over lists of set-ups with any number of changes a step, under the true cost.
+//
+//     energy = cost + penalty · (uncovered needed pairs)
+// and under a budget
+//     energy = cost/4 + 4 · max(0, cost − budget) + penalty · (uncovered needed pairs).
+// Moves: exchange two parts in a stretch of set-ups, mount or take out a part in a stretch, take out a
+// set-up, insert one beside a set-up that it resembles, reverse a stretch, move one. Half of the exchanges
+// aim at an uncovered pair. Deterministic: integers, and floating point with + − × and comparisons only.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "changeover/run/control.hpp"
+#include "plan/search/sequence.hpp"
+#include "run/random.hpp"
+
+namespace changeover::plan_detail {
+
+struct Annealing {
+  std::uint64_t steps = 0;
+  double penalty =
+      0;  ///< of an uncovered pair; this and the temperatures in the unit of the weights
+  double hot = 0;
+  double cold = 0;
+  std::optional<std::int64_t> budget = {};
+  std::size_t most_tests = 0;  ///< set-ups are not inserted beyond that
+  std::string phase = {};      ///< for progress
+};
+
+/// The best that an annealing met: all pairs covered, at the least cost; or within the budget, the most
+/// pairs, and at the least cost among these.
+struct Annealed {
+  std::optional<std::vector<Block>> setups;
+  std::int64_t cost = 0;  ///< in weights
+  std::size_t uncovered = 0;
+  std::uint64_t steps = 0;  ///< moves that were made
+};
+
+/// Anneals from the state that is given, which ends wherever it ends.
+Annealed anneal(Sequence& sequence, const Annealing& options, Random& random, RunControl& control);
+
+/// Covers what is uncovered by set-ups where they cost least, then takes away what is not needed. False,
+/// with pairs uncovered, if the control says stop before that is done. O(tests · at_once²) a pair.
+bool repair(Sequence& sequence, RunControl& control);
+
+/// Takes away set-ups, and parts from whole runs of set-ups, while this leaves no pair uncovered that was
+/// covered and costs no more, or until the control says stop.
+void prune(Sequence& sequence, RunControl& control);
+
+}  // namespace changeover::plan_detail

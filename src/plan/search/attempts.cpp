@@ -1,0 +1,176 @@
+#include "plan/search/attempts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include "run/threads.hpp"
+
+namespace changeover::plan_detail {
+namespace {
+
+// How attempts differ: the penalty of an uncovered pair as a multiple of what a pair costs in the best
+// list, and the temperatures as multiples of the penalty.
+struct Style {
+  double penalty;
+  double hot;
+  double cold;
+};
+constexpr std::array<Style, 4> styles{{
+    {2.0, 0.30, 0.10},
+    {1.8, 0.25, 0.10},
+    {2.0, 0.25, 0.08},
+    {2.3, 0.25, 0.10},
+}};
+
+// Beyond that, a list has far more set-ups than pairs are worth.
+std::size_t most_tests(const Job& job, std::size_t tests) {
+  return tests + std::min<std::size_t>(static_cast<std::size_t>(job.needed.size()), tests + 16);
+}
+
+}  // namespace
+
+std::uint64_t Attempts::suitable_steps(const Candidate& like) const {
+  // A move costs some tens of nanoseconds for each part of each set-up of its stretch.
+  constexpr std::uint64_t least = 400'000;
+  constexpr std::uint64_t most = 6'000'000;
+  return std::clamp<std::uint64_t>(like.tests() * job_->room() * 12'000, least, most);
+}
+
+Start Attempts::covering(const Candidate& from, std::uint64_t steps) {
+  const std::size_t limit = most_tests(*job_, from.setups.size());
+  const Weights true_weights = Weights::of(*job_, limit);
+  // Set-ups are all that counts; changes break ties.
+  Weights weights{.test = 1000, .change = std::vector<std::uint64_t>(job_->names.size(), 1)};
+  Sequence sequence(*job_, weights, from.setups);
+  const double per_pair =
+      1000.0 * static_cast<double>(from.tests()) / static_cast<double>(job_->needed.size());
+  const double penalty = std::max(1.5 * per_pair, 300.0);
+  Random random(control_->seed(), 1'000'000);
+  const Annealed found = anneal(sequence,
+                                {.steps = steps,
+                                 .penalty = penalty,
+                                 .hot = 0.4 * penalty,
+                                 .cold = 0.04 * penalty,
+                                 .most_tests = limit,
+                                 .phase = "looking for a covering with few tests"},
+                                random, *control_);
+  steps_ += found.steps;
+  std::vector<Block> setups = found.setups.value_or(from.setups);
+  if (repair(sequence, *control_) && sequence.size() < setups.size()) {
+    setups = sequence.setups();
+  }
+  setups = order_cheaply(*job_, true_weights, std::move(setups), *control_);
+  Sequence ordered(*job_, true_weights, setups);
+  prune(ordered, *control_);
+  return {"ordered covering",
+          fmt::format("a covering with {} set-ups, in a cheap order", ordered.size()),
+          ordered.setups()};
+}
+
+Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>& others,
+                             std::uint64_t steps, unsigned attempts, unsigned round) {
+  std::size_t longest = best.setups.size();
+  for (const Candidate& other : others) {
+    longest = std::max(longest, other.setups.size());
+  }
+  const std::size_t limit = most_tests(*job_, longest);
+  const Weights weights = Weights::of(*job_, limit);
+  struct Result {
+    std::int64_t cost = 0;
+    std::vector<Block> setups;
+    std::string from;
+  };
+  // Whatever cuts an attempt short, nothing is worse than the best.
+  std::vector<Result> results(attempts,
+                              {std::numeric_limits<std::int64_t>::max(), best.setups, best.name});
+  in_parallel(*control_, attempts, [&](std::size_t i) {
+    // Every other attempt starts elsewhere: what is cheapest may be far from what could be.
+    const Candidate& from =
+        i % 2 == 0 || others.empty() ? best : others[(i / 2 + round) % others.size()];
+    Sequence sequence(*job_, weights, best.setups);
+    prune(sequence, *control_);
+    results[i] = {sequence.cost(), sequence.setups(), best.name};
+    if (control_->stop_wanted()) {
+      return;
+    }
+    const Style& style = styles[i % styles.size()];
+    const double per_pair =
+        static_cast<double>(sequence.cost()) / static_cast<double>(job_->needed.size());
+    const double penalty = style.penalty * per_pair;
+    Random random(control_->seed(), std::uint64_t{round} * attempts + i);
+    sequence = Sequence(*job_, weights, from.setups);
+    const Annealed found = anneal(sequence,
+                                  {.steps = steps,
+                                   .penalty = penalty,
+                                   .hot = style.hot * penalty,
+                                   .cold = style.cold * penalty,
+                                   .most_tests = limit,
+                                   .phase = fmt::format("local search {} of {}", i + 1, attempts)},
+                                  random, *control_);
+    steps_ += found.steps;
+    if (repair(sequence, *control_) && sequence.cost() < results[i].cost) {
+      results[i] = {sequence.cost(), sequence.setups(), from.name};
+    }
+    if (found.setups) {
+      const std::int64_t least = results[i].cost;
+      if (found.cost < least) {
+        results[i] = {found.cost, *found.setups, from.name};
+      }
+      Sequence met(*job_, weights, *found.setups);
+      prune(met, *control_);
+      if (met.cost() < least) {
+        results[i] = {met.cost(), met.setups(), from.name};
+      }
+    }
+  });
+  const Result& cheapest =
+      *std::min_element(results.begin(), results.end(),
+                        [](const Result& a, const Result& b) { return a.cost < b.cost; });
+  return {search_name,
+          fmt::format("any number of changes a step; started from the {}", cheapest.from),
+          cheapest.setups};
+}
+
+Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps,
+                       unsigned attempts) {
+  const std::size_t limit = most_tests(*job_, best.setups.size());
+  const Weights weights = Weights::of(*job_, limit);
+  // The weights are the costs, rounded up: what weighs no more than the budget costs no more.
+  const auto most = static_cast<std::int64_t>(budget.millionths / weights.unit);
+  std::vector<Annealed> results(attempts);
+  in_parallel(*control_, attempts, [&](std::size_t i) {
+    Sequence sequence(*job_, weights, best.setups);
+    const Style& style = styles[i % styles.size()];
+    const double per_pair = static_cast<double>(bound_->cost.millionths) /
+                            static_cast<double>(weights.unit) /
+                            static_cast<double>(job_->needed.size());
+    const double penalty = 1.5 * style.penalty * std::max(1.0, per_pair);
+    Random random(control_->seed(), 2'000'000 + i);
+    results[i] =
+        anneal(sequence,
+               {.steps = steps,
+                .penalty = penalty,
+                .hot = style.hot * penalty,
+                .cold = style.cold * penalty,
+                .budget = most,
+                .most_tests = limit,
+                .phase = fmt::format("local search {} of {} within the budget", i + 1, attempts)},
+               random, *control_);
+    steps_ += results[i].steps;
+  });
+  Start start{search_name, "any number of changes a step, within the budget", best.setups};
+  std::size_t least = static_cast<std::size_t>(job_->needed.size() - best.pairs_tested);
+  for (Annealed& result : results) {
+    if (result.setups && result.uncovered < least) {
+      least = result.uncovered;
+      start.setups = std::move(*result.setups);
+    }
+  }
+  return start;
+}
+
+}  // namespace changeover::plan_detail

@@ -1,0 +1,284 @@
+#include "changeover/plan/run_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+#include <tuple>
+#include <utility>
+
+#include "changeover/core/design.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "plan/search/attempts.hpp"
+#include "plan/search/starts.hpp"
+
+namespace changeover {
+namespace {
+
+using plan_detail::Start;
+
+// A list that changes the same number of parts at every step and tests all pairs is a change covering
+// design: the verifier must agree.
+void verify_as_design(const Job& job, const RunSheet& sheet) {
+  const auto change = sheet.constant_change();
+  const std::uint64_t v = job.parts();
+  if (!change || !sheet.does_the_job() || sheet.pairs_needed != v * (v - 1) / 2 || *change == 0) {
+    return;
+  }
+  Design design({.v = v, .k = sheet.steps.front().setup.size(), .change = *change});
+  for (const RunStep& step : sheet.steps) {
+    design.append(step.setup);
+  }
+  if (!verify(design).valid()) {
+    throw InternalError("the verifier rejects a plan that was counted as complete");
+  }
+}
+
+// Counting what was found is short, and is not stopped: nothing is shown without it.
+Candidate counted(const Job& job, const Start& start) {
+  RunControl undisturbed({});
+  const RunScope scope(undisturbed);
+  const RunSheet sheet = run_sheet(job, start.setups);
+  if (!sheet.faults.empty()) {
+    throw InternalError(fmt::format("{}: {}", start.name, sheet.faults.front()));
+  }
+  verify_as_design(job, sheet);
+  return {.name = start.name,
+          .how = start.how,
+          .setups = start.setups,
+          .changes = sheet.changes,
+          .change_cost = sheet.change_cost,
+          .cost = sheet.cost,
+          .pairs_tested = sheet.pairs_tested};
+}
+
+Candidate counted_complete(const Job& job, const Start& start) {
+  Candidate candidate = counted(job, start);
+  if (candidate.pairs_tested != job.needed.size()) {
+    throw InternalError(fmt::format("{} leaves pairs untested", start.name));
+  }
+  return candidate;
+}
+
+bool cheaper(const Candidate& a, const Candidate& b) {
+  return std::tuple(a.cost, a.changes, a.tests()) < std::tuple(b.cost, b.changes, b.tests());
+}
+
+bool tests_more(const Candidate& a, const Candidate& b) {
+  return a.pairs_tested != b.pairs_tested ? a.pairs_tested > b.pairs_tested : cheaper(a, b);
+}
+
+// The longest affordable beginning of a plan.
+Start affordable(const Job& job, const Candidate& plan, Amount budget) {
+  Start part{"the beginning of the cheapest plan", "as far as the budget goes", {}};
+  for (const RunStep& step : run_sheet(job, plan.setups).steps) {
+    if (step.cost_so_far > budget) {
+      break;
+    }
+    part.setups.push_back(step.setup);
+  }
+  return part;
+}
+
+class Planner {
+ public:
+  Planner(const Job& job, const PlanOptions& options, RunControl& control)
+      : job_(&job), options_(&options), control_(&control) {}
+
+  RunPlan run() {
+    const RunScope scope(*control_);
+    RunPlan plan;
+    plan.bound = cost_bound(*job_);
+    require_memory(bytes_of_plans(plan.bound.tests),
+                   fmt::format("a plan of {} tests", plan.bound.tests));
+    if (job_->needed.size() == 0) {
+      plan.candidates.push_back(counted(*job_, {"no test", "nothing is left to test", {}}));
+    } else {
+      find_complete(plan);
+    }
+    if (options_->budget) {
+      find_affordable(plan);
+    }
+    std::stable_sort(plan.candidates.begin(), plan.candidates.end(),
+                     within_budget_ ? tests_more : cheaper);
+    drop_repeated(plan.candidates);
+    plan.sheet = run_sheet(*job_, plan.candidates.front().setups);
+    plan.why_stopped = control_->why_stopped();
+    if (plan.why_stopped == WhyStopped::running) {
+      plan.why_stopped = plan.proved_cheapest() ? WhyStopped::found : WhyStopped::step_limit;
+    }
+    return plan;
+  }
+
+ private:
+  // Candidates and sheets of so many tests, about.
+  [[nodiscard]] std::uint64_t bytes_of_plans(std::uint64_t tests) const {
+    constexpr std::uint64_t a_test = 500;
+    constexpr std::uint64_t a_part = 40;
+    constexpr std::uint64_t a_pair = 16;
+    return tests * (a_test + a_part * (job_->mounted.size() + 2)) +
+           a_pair * job_->parts() * job_->parts();
+  }
+
+  // The slots, counts and copies of all local searches, about.
+  [[nodiscard]] std::uint64_t bytes_of_search(const Candidate& like) const {
+    constexpr std::uint64_t a_test = 300;
+    constexpr std::uint64_t a_part = 12;
+    constexpr std::uint64_t a_pair = 12;
+    const std::uint64_t searches = std::min<std::uint64_t>(control_->threads(), options_->attempts);
+    return searches * (like.tests() * (a_test + a_part * job_->room() + job_->parts() / 8) +
+                       a_pair * job_->parts() * job_->parts());
+  }
+
+  // Does what may go on for long, or want more than there is: what was found before stays.
+  template <typename Work>
+  void keep_what_there_is(RunPlan& plan, Work&& work) const {
+    try {
+      work();
+    } catch (const Stopped&) {
+      // The control knows why.
+    } catch (const MissingResource& fault) {
+      plan.shortage = fault.what();
+    } catch (const std::bad_alloc&) {
+      plan.shortage = fmt::format("not enough memory to go on searching among lists of {} tests",
+                                  plan.candidates.front().tests());
+    }
+  }
+
+  void find_complete(RunPlan& plan) {
+    add(plan, plan_detail::greedy_start(*job_, *control_));
+    keep_what_there_is(plan, [&] { search(plan); });
+  }
+
+  void add(RunPlan& plan, const Start& start) const {
+    std::vector<Candidate>& all = plan.candidates;
+    try {
+      all.push_back(counted_complete(*job_, start));
+    } catch (const ImpossibleParameters&) {
+      if (all.empty()) {
+        throw;
+      }
+      return;  // It costs more than can be counted, and others do not.
+    }
+    if (all.back().cost < plan.bound.cost) {
+      throw InternalError(fmt::format("{} costs less than the lower bound", start.name));
+    }
+  }
+
+  void search(RunPlan& plan) {
+    std::vector<Candidate>& all = plan.candidates;
+    for (const Start& start :
+         plan_detail::design_starts(*job_, options_->design_moves, *control_)) {
+      add(plan, start);
+    }
+    const auto best = [&]() -> const Candidate& {
+      return *std::min_element(all.begin(), all.end(), cheaper);
+    };
+    require_memory(bytes_of_search(best()),
+                   fmt::format("searching among lists of {} tests", best().tests()));
+    plan_detail::Attempts attempts(*job_, plan.bound, *control_);
+    std::uint64_t steps = options_->steps == 0 ? attempts.suitable_steps(best()) : options_->steps;
+    keep_what_there_is(plan, [&] {
+      if (!control_->stop_wanted() && best().tests() > 1) {
+        add(plan, attempts.covering(*std::min_element(all.begin(), all.end(),
+                                                      [](const Candidate& a, const Candidate& b) {
+                                                        return a.tests() < b.tests();
+                                                      }),
+                                    steps / 4));
+      }
+      // Longer and longer searches, if that is wished, each from the best so far.
+      for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
+        add(plan, attempts.cheaper_than(best(), next_best(all), steps, options_->attempts, round));
+        if (!options_->until_stopped) {
+          break;
+        }
+        constexpr std::uint64_t longest = std::uint64_t{1} << 60;
+        steps = std::min(longest, steps + steps / 2);
+      }
+    });
+    plan.steps += attempts.steps();
+  }
+
+  // The cheapest few that are no results of the search, but for the cheapest of all.
+  static std::vector<Candidate> next_best(std::vector<Candidate> all) {
+    constexpr std::size_t few = 3;
+    std::stable_sort(all.begin(), all.end(), cheaper);
+    const std::string best = all.front().name;
+    std::erase_if(all, [&](const Candidate& c) {
+      return c.name == best || c.name == plan_detail::search_name;
+    });
+    all.resize(std::min(all.size(), few));
+    return all;
+  }
+
+  // The search is listed once, and only if it found something better than the others.
+  static void drop_repeated(std::vector<Candidate>& all) {
+    bool seen = false;
+    std::size_t others_best = 0;
+    while (others_best < all.size() && all[others_best].name == plan_detail::search_name) {
+      ++others_best;
+    }
+    std::erase_if(all, [&, position = std::size_t{0}](const Candidate& c) mutable {
+      const std::size_t at = position++;
+      if (c.name != plan_detail::search_name) {
+        return false;
+      }
+      const bool worse = at > others_best;
+      return std::exchange(seen, true) || worse;
+    });
+  }
+
+  void find_affordable(RunPlan& plan) {
+    const Amount budget = *options_->budget;
+    std::stable_sort(plan.candidates.begin(), plan.candidates.end(), cheaper);
+    drop_repeated(plan.candidates);
+    plan.complete = plan.candidates.front();
+    if (plan.complete->cost <= budget) {
+      return;
+    }
+    std::vector<Candidate> within;
+    for (const Candidate& whole : plan.candidates) {
+      if (!within.empty() && control_->stop_wanted()) {
+        break;
+      }
+      Start part = affordable(*job_, whole, budget);
+      part.name = "beginning of: " + whole.name;
+      part.how = fmt::format("the first {} of its {} tests", part.setups.size(), whole.tests());
+      within.push_back(counted(*job_, part));
+    }
+    std::stable_sort(within.begin(), within.end(), tests_more);
+    plan_detail::Attempts attempts(*job_, plan.bound, *control_);
+    const std::uint64_t steps =
+        options_->steps == 0 ? attempts.suitable_steps(*plan.complete) : options_->steps;
+    keep_what_there_is(plan, [&] {
+      if (!control_->stop_wanted()) {
+        within.push_back(
+            counted(*job_, attempts.within(budget, within.front(), steps, options_->attempts)));
+      }
+    });
+    plan.steps += attempts.steps();
+    for (const Candidate& candidate : within) {
+      if (candidate.cost > budget) {
+        throw InternalError(candidate.name + " exceeds the budget");
+      }
+    }
+    plan.candidates = std::move(within);
+    within_budget_ = true;
+  }
+
+  const Job* job_;
+  const PlanOptions* options_;
+  RunControl* control_;
+  bool within_budget_ = false;  // the candidates need not test all pairs
+};
+
+}  // namespace
+
+RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {
+  check(job);
+  return Planner(job, options, control).run();
+}
+
+}  // namespace changeover

@@ -1,0 +1,202 @@
+#include "changeover/plan/what_if.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "plan/search/attempts.hpp"
+
+namespace changeover {
+namespace {
+
+// A candidate's cost at ratio r is tests + r·slope, in units that both share.
+struct Line {
+  std::uint64_t tests = 0;
+  std::uint64_t slope = 0;
+  const Candidate* plan = nullptr;
+};
+
+__extension__ using Wide = unsigned __int128;
+
+// Where the steeper line, which has fewer tests, meets the other.
+Ratio meeting(const Line& steep, const Line& flat) {
+  return {flat.tests - steep.tests, steep.slope - flat.slope};
+}
+
+bool less(const Ratio& a, const Ratio& b) {
+  return Wide{a.over} * b.under < Wide{b.over} * a.under;
+}
+
+std::vector<Line> lines_of(const Job& job, const std::vector<Candidate>& candidates) {
+  std::vector<Line> lines;
+  const bool by_factor = !job.one_change_cost();
+  for (const Candidate& plan : candidates) {
+    if (plan.pairs_tested != job.needed.size()) {
+      continue;
+    }
+    lines.push_back(by_factor ? Line{(job.test_cost * plan.tests()).millionths,
+                                     plan.change_cost.millionths, &plan}
+                              : Line{plan.tests(), plan.changes, &plan});
+  }
+  std::stable_sort(lines.begin(), lines.end(), [](const Line& a, const Line& b) {
+    return std::tie(a.tests, a.slope) < std::tie(b.tests, b.slope);
+  });
+  return lines;
+}
+
+// The job at another ratio of change to test cost.
+Job at_ratio(const Job& job, const Ratio& ratio) {
+  const std::uint64_t divisor = std::max<std::uint64_t>(1, std::gcd(ratio.over, ratio.under));
+  const Amount over{ratio.over / divisor};
+  const Amount under{ratio.under / divisor};
+  Job other = job;
+  if (job.one_change_cost()) {
+    other.test_cost = under * 1000;
+    other.change_costs.assign(job.names.size(), over * 1000);
+  } else {
+    // Keeps the numbers small: no cost needs more than so many digits to be compared.
+    constexpr double scale = 1e6;
+    const double factor =
+        static_cast<double>(over.millionths) / static_cast<double>(under.millionths);
+    double largest = static_cast<double>(job.test_cost.millionths);
+    for (const Amount cost : job.change_costs) {
+      largest = std::max(largest, factor * static_cast<double>(cost.millionths));
+    }
+    const auto scaled = [&](double cost) {
+      return Amount{
+          static_cast<std::uint64_t>(std::llround(cost / std::max(1.0, largest) * scale))};
+    };
+    other.test_cost = scaled(static_cast<double>(job.test_cost.millionths));
+    for (Amount& cost : other.change_costs) {
+      cost = scaled(factor * static_cast<double>(cost.millionths));
+    }
+  }
+  return other;
+}
+
+}  // namespace
+
+std::string Ratio::to_string() const {
+  return fmt::format("{:.4g}", static_cast<double>(over) / static_cast<double>(under));
+}
+
+WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
+  WhatIf answer;
+  answer.by_factor = !job.one_change_cost();
+  if (answer.by_factor) {
+    answer.asked = Ratio{1, 1};
+  } else if (job.test_cost.millionths > 0) {
+    answer.asked = Ratio{job.change_costs.front().millionths, job.test_cost.millionths};
+  }
+  const std::vector<Line> lines = lines_of(job, candidates);
+  std::vector<Line> hull;  // from r = 0 on: more and more tests, fewer and fewer changes
+  for (const Line& line : lines) {
+    if (!hull.empty() && line.slope >= hull.back().slope) {
+      continue;
+    }
+    if (!hull.empty() && line.tests == hull.back().tests) {
+      hull.pop_back();
+    }
+    while (hull.size() >= 2 &&
+           !less(meeting(hull[hull.size() - 2], hull.back()), meeting(hull.back(), line))) {
+      hull.pop_back();
+    }
+    hull.push_back(line);
+  }
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    answer.ranges.push_back(
+        {.from = i == 0 ? std::nullopt : std::optional(meeting(hull[i - 1], hull[i])),
+         .to = i + 1 == hull.size() ? std::nullopt : std::optional(meeting(hull[i], hull[i + 1])),
+         .plan = *hull[i].plan});
+  }
+  return answer;
+}
+
+WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
+               RunControl& control) {
+  const RunScope scope(control);
+  std::vector<Candidate> candidates = plan.candidates;
+  if (plan.complete) {
+    candidates.push_back(*plan.complete);
+  }
+  std::set<std::pair<std::uint64_t, std::uint64_t>> searched;
+  // Finds whether any list is cheaper at this ratio than those that are known.
+  const auto search = [&](Ratio ratio) {
+    const std::uint64_t divisor = std::max<std::uint64_t>(1, std::gcd(ratio.over, ratio.under));
+    if (!searched.emplace(ratio.over / divisor, ratio.under / divisor).second ||
+        control.stop_wanted() || job.needed.size() == 0) {
+      return false;
+    }
+    const Job other = at_ratio(job, ratio);
+    const CostBound bound = cost_bound(other);
+    std::optional<Candidate> best;
+    for (const Candidate& candidate : candidates) {
+      if (control.stop_wanted()) {
+        return false;
+      }
+      Candidate there = candidate;
+      there.cost = run_sheet(other, candidate.setups).cost;
+      if (candidate.pairs_tested == job.needed.size() && (!best || there.cost < best->cost)) {
+        best = std::move(there);
+      }
+    }
+    if (!best || best->cost == bound.cost) {
+      return false;
+    }
+    plan_detail::Attempts attempts(other, bound, control);
+    const std::uint64_t steps =
+        options.steps == 0 ? attempts.suitable_steps(*best) / 2 : options.steps;
+    const plan_detail::Start start =
+        attempts.cheaper_than(*best, candidates, steps, std::min(options.attempts, 2U), 0);
+    if (run_sheet(other, start.setups).cost >= best->cost) {
+      return false;
+    }
+    const RunSheet sheet = run_sheet(job, start.setups);
+    if (!sheet.does_the_job()) {
+      throw InternalError("a plan for other costs leaves pairs untested");
+    }
+    candidates.push_back({.name = start.name,
+                          .how = start.how,
+                          .setups = start.setups,
+                          .changes = sheet.changes,
+                          .change_cost = sheet.change_cost,
+                          .cost = sheet.cost,
+                          .pairs_tested = sheet.pairs_tested});
+    return true;
+  };
+  constexpr std::uint64_t far = 1000;
+  std::optional<std::string> shortage = plan.shortage;
+  try {
+    search({1, far});
+    search({far, 1});
+    constexpr unsigned most_rounds = 12;
+    for (unsigned round = 0; round < most_rounds; ++round) {
+      bool found = false;
+      for (const WhatIf::Range& range : envelope(job, candidates).ranges) {
+        found = (range.to && search(*range.to)) || found;
+      }
+      if (!found) {
+        break;
+      }
+    }
+  } catch (const Stopped&) {
+    // What was found before is the answer.
+  } catch (const MissingResource& fault) {
+    shortage = fault.what();
+  } catch (const std::bad_alloc&) {
+    shortage = "not enough memory to search at all ratios";
+  }
+  WhatIf answer = envelope(job, candidates);
+  answer.shortage = shortage;
+  return answer;
+}
+
+}  // namespace changeover

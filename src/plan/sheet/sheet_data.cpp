@@ -1,0 +1,198 @@
+// Run sheets as CSV, JSON and Markdown.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/plan/read_job.hpp"
+#include "io/write/csv_cell.hpp"
+#include "io/write/json_writer.hpp"
+#include "plan/sheet/sheet_words.hpp"
+
+namespace changeover {
+namespace {
+
+using namespace plan_detail;
+
+void write_candidate(JsonWriter& json, const Money& money, const Candidate& candidate) {
+  json.begin_object().key("name").value(candidate.name).key("how").value(candidate.how);
+  json.key("tests").value(candidate.tests()).key("changes").value(candidate.changes);
+  json.key("cost").raw(money(candidate.cost));
+  json.key("pairs_tested").value(candidate.pairs_tested).end_object();
+}
+
+void write_ratio(JsonWriter& json, const std::optional<Ratio>& ratio) {
+  ratio ? json.value(static_cast<double>(ratio->over) / static_cast<double>(ratio->under))
+        : json.null();
+}
+
+std::string ratio_text(const std::optional<Ratio>& ratio) {
+  return ratio ? ratio->to_string() : std::string();
+}
+
+// A text in a cell of a Markdown table: nothing in it is markup.
+std::string markdown(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("\\`*_{}[]<>#|~&").find(c) != std::string_view::npos) {
+      escaped += '\\';
+    }
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::string markdown_list(const Job& job, const Block& parts) {
+  return markdown(joined(names_of(job, parts)));
+}
+
+}  // namespace
+
+std::string sheet_as_csv(const SheetDocument& document) {
+  const Job& job = *document.job;
+  const Money money(job, document.budget);
+  std::size_t slots = 0;
+  for (const RunStep& step : document.plan->sheet.steps) {
+    slots = std::max(slots, step.setup.size());
+  }
+  std::vector<std::string> cells;  // by part: made once, for a part may be in every set-up
+  cells.reserve(job.names.size());
+  for (const std::string& name : job.names) {
+    cells.push_back("," + csv_cell(name));
+  }
+  std::string text = "step,take_out,put_in";
+  for (std::size_t i = 1; i <= slots; ++i) {
+    text += fmt::format(",slot_{}", i);
+  }
+  text += ",new_pairs,cost,cost_so_far\n";
+  std::uint64_t number = job.tests_done;
+  for (const RunStep& step : document.plan->sheet.steps) {
+    text += fmt::format("{},{},{}", ++number, csv_cell(parts_text(step.take_out, job.names)),
+                        csv_cell(parts_text(step.put_in, job.names)));
+    for (std::size_t i = 0; i < slots; ++i) {
+      text += i < step.setup.size() ? cells[step.setup[i]] : ",";
+    }
+    text += fmt::format(",{},{},{}\n", step.new_pairs.size(), money(step.cost),
+                        money(step.cost_so_far));
+  }
+  return text;
+}
+
+std::string sheet_as_json(const SheetDocument& document) {
+  const Job& job = *document.job;
+  const RunPlan& plan = *document.plan;
+  const RunSheet& sheet = plan.sheet;
+  const Money money(job, document.budget);
+  JsonWriter json;
+  json.begin_object().key("format").value("changeover-plan/1").key("title").value(document.title);
+  json.key("parts").begin_array();
+  for (std::size_t i = 0; i < job.names.size(); ++i) {
+    json.begin_object().key("name").value(job.names[i]);
+    json.key("change_cost").raw(money(job.change_costs[i])).end_object();
+  }
+  json.end_array().key("at_once").value(job.at_once);
+  json.key("test_cost").raw(money(job.test_cost));
+  json.key("mounted").value(names_of(job, job.mounted));
+  json.key("start").value(names_of(job, job.start));
+  json.key("tests_done").value(job.tests_done);
+  json.key("tests").value(sheet.steps.size()).key("changes").value(sheet.changes);
+  json.key("cost").raw(money(sheet.cost)).key("pairs_needed").value(sheet.pairs_needed);
+  json.key("pairs_tested").value(sheet.pairs_tested);
+  json.key("proved_cheapest").value(plan.proved_cheapest());
+  json.key("lower_bound").begin_object().key("cost").raw(money(plan.bound.cost));
+  json.key("tests").value(plan.bound.tests).key("changes").value(plan.bound.introductions);
+  json.key("reason").value(plan.bound.reason).end_object().key("budget");
+  document.budget ? json.raw(money(*document.budget)) : json.null();
+  json.key("steps").begin_array();
+  std::uint64_t number = job.tests_done;
+  for (const RunStep& step : sheet.steps) {
+    json.begin_object().key("step").value(++number);
+    json.key("take_out").value(names_of(job, step.take_out));
+    json.key("put_in").value(names_of(job, step.put_in));
+    json.key("set_up").value(names_of(job, step.setup)).key("new_pairs").begin_array();
+    for (const auto& [x, y] : step.new_pairs) {
+      json.value(names_of(job, {x, y}));
+    }
+    json.end_array().key("cost").raw(money(step.cost));
+    json.key("cost_so_far").raw(money(step.cost_so_far)).end_object();
+  }
+  json.end_array().key("candidates").begin_array();
+  for (const Candidate& candidate : plan.candidates) {
+    write_candidate(json, money, candidate);
+  }
+  json.end_array().end_object();
+  return json.take() + "\n";
+}
+
+std::string sheet_as_markdown(const SheetDocument& document) {
+  const Job& job = *document.job;
+  const RunPlan& plan = *document.plan;
+  const Money money(job, document.budget);
+  std::string text = "# " + markdown(document.title) + "\n\n";
+  for (const std::string& line : summary(document)) {
+    text += "- " + line + "\n";
+  }
+  text +=
+      "\n| step | take out | put in | set-up | new pairs | cost so far |\n"
+      "|---:|:---|:---|:---|---:|---:|\n";
+  std::uint64_t number = job.tests_done;
+  for (const RunStep& step : plan.sheet.steps) {
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {} |\n", ++number,
+                    markdown_list(job, step.take_out), markdown_list(job, step.put_in),
+                    markdown_list(job, step.setup), step.new_pairs.size(), money(step.cost_so_far));
+  }
+  text +=
+      "\n| plan | tests | changes | cost | pairs | dearer by | how |\n"
+      "|:---|---:|---:|---:|---:|---:|:---|\n";
+  for (const Candidate& candidate : plan.candidates) {
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", candidate.name, candidate.tests(),
+                        candidate.changes, money(candidate.cost), candidate.pairs_tested,
+                        difference(document, candidate), candidate.how);
+  }
+  return text;
+}
+
+std::string what_if_as_csv(const Job& job, const WhatIf& answer) {
+  const Money money(job);
+  std::string text = "from,to,tests,changes,change_cost,plan\n";
+  for (const WhatIf::Range& range : answer.ranges) {
+    text += fmt::format("{},{},{},{},{},{}\n", ratio_text(range.from), ratio_text(range.to),
+                        range.plan.tests(), range.plan.changes, money(range.plan.change_cost),
+                        csv_cell(range.plan.name));
+  }
+  return text;
+}
+
+std::string what_if_as_json(const Job& job, const WhatIf& answer) {
+  const Money money(job);
+  JsonWriter json;
+  json.begin_object().key("format").value("changeover-what-if/1");
+  json.key("by").value(answer.by_factor ? "factor of all change costs"
+                                        : "ratio of change cost to test cost");
+  json.key("asked");
+  write_ratio(json, answer.asked);
+  json.key("ranges").begin_array();
+  for (const WhatIf::Range& range : answer.ranges) {
+    json.begin_object().key("from");
+    write_ratio(json, range.from);
+    json.key("to");
+    write_ratio(json, range.to);
+    json.key("plan");
+    write_candidate(json, money, range.plan);
+    json.end_object();
+  }
+  json.end_array().end_object();
+  return json.take() + "\n";
+}
+
+std::string what_if_as_markdown(const Job&, const WhatIf& answer) {
+  std::string text = "| from | to | tests | changes | plan |\n|---:|---:|---:|---:|:---|\n";
+  for (const WhatIf::Range& range : answer.ranges) {
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", range.from ? range.from->to_string() : "0",
+                        range.to ? range.to->to_string() : "any", range.plan.tests(),
+                        range.plan.changes, range.plan.name);
+  }
+  return text;
+}
+
+}  // namespace changeover

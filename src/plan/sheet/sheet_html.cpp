@@ -1,0 +1,193 @@
+// Run sheets to print: one page that needs nothing else.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plan/sheet/sheet_words.hpp"
+
+namespace changeover {
+namespace {
+
+using namespace plan_detail;
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+constexpr std::string_view style = R"(
+  @page { size: A4; margin: 14mm 12mm; }
+  * { box-sizing: border-box; }
+  body { margin: 2rem auto; max-width: 60rem; padding: 0 1rem; color: #000; background: #fff;
+         font: 14px/1.4 "Helvetica Neue", Helvetica, Arial, "Liberation Sans", sans-serif; }
+  h1 { font-size: 1.6rem; margin: 0 0 .25rem; }
+  h2 { font-size: 1.1rem; margin: 2rem 0 .5rem; }
+  p { margin: .25rem 0; }
+  dl { display: flex; flex-wrap: wrap; gap: .5rem 2.25rem; margin: .75rem 0; padding: .6rem 0;
+       border-top: 2px solid #000; border-bottom: 1px solid #000; }
+  dt { font-size: .75rem; }
+  dd { margin: 0; font-size: 1.15rem; font-weight: 600; font-variant-numeric: tabular-nums; }
+  .small { font-size: .85em; }
+  table { width: 100%; border-collapse: collapse; }
+  thead { display: table-header-group; }
+  tr { break-inside: avoid; }
+  th { text-align: left; font-size: .75rem; border-bottom: 2px solid #000; vertical-align: bottom; }
+  th, td { padding: .3rem .5rem; }
+  th:first-child, td:first-child { padding-left: 0; }
+  td { border-bottom: 1px solid #999; vertical-align: top; }
+  .n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+  .in { font-weight: 600; }
+  .part { white-space: nowrap; }
+  .lines .part { display: block; }
+  .lines .wide { white-space: normal; padding-left: 1em; text-indent: -1em; }
+  .box { display: inline-block; width: 1em; height: 1em; border: 1.5px solid #000;
+         vertical-align: -.12em; }
+  .notes { width: 12%; }
+  .lines .notes { width: auto; }
+  .in-use { width: 27%; }
+  .lines .in-use { width: auto; }
+  @media print { body { margin: 0; max-width: none; padding: 0; font-size: 9pt; }
+                 dl { gap: .5rem 1.4rem; } dd { font-size: 11pt; }
+                 h2 { break-after: avoid; } }
+)";
+
+// Long names stand one a line, short ones side by side with dots between them.
+bool has_long_names(const Job& job) {
+  constexpr std::size_t long_name = 8;
+  return std::any_of(job.names.begin(), job.names.end(),
+                     [](const std::string& name) { return name.size() > long_name; });
+}
+
+// A list of parts; the marked ones are bold.
+std::string list(const Job& job, const Block& parts, const Block& marked) {
+  constexpr std::size_t wide_name = 26;
+  const bool side_by_side = !has_long_names(job);
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool bold = std::find(marked.begin(), marked.end(), parts[i]) != marked.end();
+    text +=
+        fmt::format("{}<span class=\"part{}{}\">{}{}</span>", i > 0 && side_by_side ? " " : "",
+                    bold ? " in" : "", job.names[parts[i]].size() > wide_name ? " wide" : "",
+                    escaped(job.names[parts[i]]), side_by_side && i + 1 < parts.size() ? " ·" : "");
+  }
+  return text;
+}
+
+// The same in a line of text.
+std::string in_words(const Job& job, const Block& parts) {
+  return escaped(joined(names_of(job, parts), " · "));
+}
+
+std::string figure(const std::string& what, const std::string& value) {
+  return fmt::format("  <div><dt>{}</dt><dd>{}</dd></div>\n", what, escaped(value));
+}
+
+std::string figures(const SheetDocument& document) {
+  const Job& job = *document.job;
+  const RunSheet& sheet = document.plan->sheet;
+  const Money money(job, document.budget);
+  std::string text = "<dl>\n";
+  text += figure("Parts, at a time", fmt::format("{}, {}", job.parts(), job.at_once));
+  text += figure("Tests", fmt::format("{}", sheet.steps.size()));
+  text += figure("Changes", fmt::format("{}", sheet.changes));
+  text += figure("Pairs tested", fmt::format("{} of {}", sheet.pairs_tested, sheet.pairs_needed));
+  text += figure("Cost of tests", money(sheet.cost - sheet.change_cost));
+  text += figure("Cost of changes", money(sheet.change_cost));
+  text += figure("Total cost", money(sheet.cost));
+  if (document.budget) {
+    text += figure("Budget", money(*document.budget));
+  }
+  return text + "</dl>\n";
+}
+
+std::string constraints(const SheetDocument& document) {
+  const Job& job = *document.job;
+  std::string text;
+  if (!job.mounted.empty()) {
+    text += "<p>Stay mounted: " + in_words(job, job.mounted) + "</p>\n";
+  }
+  if (!job.start.empty()) {
+    text += "<p>Mounted before the first step: " + in_words(job, job.start) + "</p>\n";
+  }
+  if (job.tests_done > 0) {
+    text += fmt::format("<p>{} done before.</p>\n", count_of(job.tests_done, "test"));
+  }
+  return text;
+}
+
+std::string steps(const SheetDocument& document) {
+  const Job& job = *document.job;
+  const Money money(job, document.budget);
+  std::string text = fmt::format("<table{}>\n", has_long_names(job) ? " class=\"lines\"" : "");
+  text +=
+      "<thead><tr><th>Done</th><th class=\"n\">Step</th><th>Take out</th><th>Put in</th>"
+      "<th class=\"in-use\">Set-up</th><th class=\"n\">New<br>pairs</th><th class=\"n\">Cost<br>so "
+      "far</th>"
+      "<th class=\"notes\">Notes</th></tr></thead>\n<tbody>\n";
+  std::uint64_t number = job.tests_done;
+  for (const RunStep& step : document.plan->sheet.steps) {
+    text += fmt::format(
+        "<tr><td><span class=\"box\"></span></td><td class=\"n\">{}</td><td>{}</td><td>{}</td>"
+        "<td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td></td></tr>\n",
+        ++number, list(job, step.take_out, {}), list(job, step.put_in, step.put_in),
+        list(job, step.setup, step.put_in), step.new_pairs.size(), money(step.cost_so_far));
+  }
+  return text + "</tbody>\n</table>\n";
+}
+
+std::string comparison(const SheetDocument& document) {
+  const Money money(*document.job, document.budget);
+  std::string text =
+      "<h2>Compared</h2>\n<table>\n<thead><tr><th>Plan</th><th class=\"n\">Tests</th>"
+      "<th class=\"n\">Changes</th><th class=\"n\">Cost</th><th class=\"n\">Pairs</th>"
+      "<th class=\"n\">Dearer by</th></tr></thead>\n<tbody>\n";
+  for (const Candidate& candidate : document.plan->candidates) {
+    text += fmt::format(
+        "<tr><td>{}<br><span class=\"small\">{}</span></td><td class=\"n\">{}</td>"
+        "<td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
+        "<td class=\"n\">{}</td></tr>\n",
+        escaped(candidate.name), escaped(candidate.how), candidate.tests(), candidate.changes,
+        money(candidate.cost), candidate.pairs_tested, escaped(difference(document, candidate)));
+  }
+  return text + "</tbody>\n</table>\n";
+}
+
+}  // namespace
+
+std::string sheet_as_html(const SheetDocument& document) {
+  std::string notes;
+  const std::vector<std::string> lines = summary(document);
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    notes += fmt::format("<p class=\"small\">{}</p>\n", escaped(lines[i]));
+  }
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}{3}{4}{5}{6}"
+      "</body>\n</html>\n",
+      escaped(document.title), style, figures(document), constraints(document), steps(document),
+      comparison(document), notes);
+}
+
+}  // namespace changeover

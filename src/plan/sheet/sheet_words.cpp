@@ -1,0 +1,101 @@
+#include "plan/sheet/sheet_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace changeover::plan_detail {
+namespace {
+
+// How far a is above b, in per cent.
+std::string per_cent_above(Amount a, Amount b) {
+  return fmt::format("{:.1f} %", 100.0 * static_cast<double>((a - b).millionths) /
+                                     static_cast<double>(b.millionths));
+}
+
+}  // namespace
+
+Money::Money(const Job& job, std::optional<Amount> budget) {
+  decimals_ = decimals_needed(job.test_cost);
+  for (const Amount cost : job.change_costs) {
+    decimals_ = std::max(decimals_, decimals_needed(cost));
+  }
+  decimals_ = std::max(decimals_, decimals_needed(budget.value_or(Amount{})));
+}
+
+std::string count_of(std::uint64_t n, const std::string& singular) {
+  return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
+}
+
+std::vector<std::string> names_of(const Job& job, const Block& parts) {
+  std::vector<std::string> names;
+  for (const Element x : parts) {
+    names.push_back(job.names[x]);
+  }
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& names, const std::string& between) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : between) + name;
+  }
+  return text;
+}
+
+std::vector<std::string> summary(const SheetDocument& document) {
+  const Job& job = *document.job;
+  const RunPlan& plan = *document.plan;
+  const RunSheet& sheet = plan.sheet;
+  const Money money(job, document.budget);
+  std::vector<std::string> lines{
+      fmt::format("{}, {} at a time: {}, {}, cost {}", count_of(job.parts(), "part"), job.at_once,
+                  count_of(sheet.steps.size(), "test"), count_of(sheet.changes, "change"),
+                  money(sheet.cost)),
+      fmt::format("{} of {} tested, checked by an independent count", sheet.pairs_tested,
+                  count_of(sheet.pairs_needed, "needed pair"))};
+  if (job.tests_done > 0) {
+    lines.front() += fmt::format(", after {} done", count_of(job.tests_done, "test"));
+  }
+  if (plan.candidates.size() > 1) {
+    const Candidate& best = plan.candidates[0];
+    const Candidate& next = plan.candidates[1];
+    const std::string by = difference(document, next);
+    lines.push_back(fmt::format("best: the {}{}", best.name,
+                                plan.complete ? ""
+                                : by.empty()  ? fmt::format("; the {} costs as much", next.name)
+                                              : fmt::format("; next the {}, {}", next.name, by)));
+  }
+  if (plan.complete) {
+    lines.push_back(fmt::format("budget {}: testing all pairs would cost {}",
+                                money(document.budget.value_or(Amount{})),
+                                money(plan.complete->cost)));
+  }
+  const Amount cheapest = plan.complete ? plan.complete->cost : sheet.cost;
+  const CostBound& bound = plan.bound;
+  if (cheapest == bound.cost) {
+    lines.push_back(plan.complete ? "no plan for all pairs is cheaper than that"
+                                  : "no plan for all pairs is cheaper: this is the lower bound");
+  } else {
+    lines.push_back(fmt::format(
+        "lower bound for all pairs: {}{}", money(bound.cost),
+        bound.cost.millionths == 0
+            ? ""
+            : fmt::format(" ({} {} above it)", plan.complete ? "that is" : "this plan is",
+                          per_cent_above(cheapest, bound.cost))));
+  }
+  lines.push_back("because " + bound.reason);
+  return lines;
+}
+
+std::string difference(const SheetDocument& document, const Candidate& candidate) {
+  const Amount least = document.plan->candidates.front().cost;
+  if (document.plan->complete || candidate.cost <= least) {
+    return "";
+  }
+  const Money money(*document.job, document.budget);
+  std::string text = "+" + money(candidate.cost - least);
+  return least.millionths == 0 ? text : text + " (" + per_cent_above(candidate.cost, least) + ")";
+}
+
+}  // namespace changeover::plan_detail

@@ -1,0 +1,250 @@
+#include "search/enumerate/enumeration_team.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <bit>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "run/threads.hpp"
+#include "search/enumerate/enumeration_tree.hpp"
+
+namespace changeover {
+namespace {
+
+using Mask = std::uint64_t;
+
+constexpr std::size_t prefixes_wanted = 512;  // for each case, if it has so many
+constexpr std::size_t prefixes_at_most = 1'000'000;
+constexpr std::size_t found_at_once = 64;  // handed out together when it is one's turn
+
+struct Prefix {
+  std::size_t own_case = 0;
+  std::vector<Mask> blocks;
+};
+
+// Collects the nodes at one depth.
+class PrefixCollector final : public EnumerationVisitor {
+ public:
+  explicit PrefixCollector(RunControl& control) : control_(&control) {}
+
+  bool reached(std::span<const Mask> blocks) override {
+    found.emplace_back(blocks.begin(), blocks.end());
+    return !too_many();
+  }
+  [[nodiscard]] bool too_many() const { return found.size() > prefixes_at_most; }
+
+  bool go_on(std::uint64_t more) override {
+    nodes += more;
+    return !control_->stop_wanted();
+  }
+
+  std::vector<std::vector<Mask>> found;
+  std::uint64_t nodes = 0;
+
+ private:
+  RunControl* control_;
+};
+
+// The design of a list of masks: the elements that are in every block first.
+Design design_of(const Parameters& p, std::size_t fixed, std::span<const Mask> blocks) {
+  Design design(p);
+  design.reserve(blocks.size());
+  Block block;
+  for (const Mask mask : blocks) {
+    block.clear();
+    for (std::size_t x = 0; x < fixed; ++x) {
+      block.push_back(static_cast<Element>(x));
+    }
+    for (Mask rest = mask; rest != 0; rest &= rest - 1) {
+      block.push_back(
+          static_cast<Element>(fixed + static_cast<std::size_t>(std::countr_zero(rest))));
+    }
+    design.append(block);
+  }
+  return design;
+}
+
+class Team {
+ public:
+  Team(const EnumerationTask& task, RunControl& control) : task_(task), control_(control) {}
+
+  EnumerationRun run() {
+    require_memory();
+    cut();
+    slots_.resize(mine_.size());
+    const std::size_t threads = std::min<std::size_t>(control_.threads(), mine_.size());
+    run_together(control_, static_cast<unsigned>(threads), [this](unsigned) { work(); });
+    // A limit may have left gaps; what lies behind them is still good.
+    for (Slot& slot : slots_) {
+      hand_out(slot.found);
+    }
+    const WhyStopped why = control_.why_stopped();
+    result_.why = why == WhyStopped::running ? WhyStopped::exhausted : why;
+    result_.nodes = nodes_;
+    result_.prefixes = prefixes_.size();
+    return result_;
+  }
+
+ private:
+  // What one prefix led to and has not been handed out.
+  struct Slot {
+    std::vector<DesignClass> found;
+    bool done = false;
+  };
+
+  // One prefix being explored.
+  class Explorer final : public EnumerationVisitor {
+   public:
+    Explorer(Team& team, std::size_t turn) : team_(team), turn_(turn) {}
+
+    bool reached(std::span<const Mask> blocks) override {
+      const Prefix& prefix = team_.prefixes_[team_.mine_[turn_]];
+      const EnumerationCase& own = team_.task_.cases[prefix.own_case];
+      if (auto judged = team_.task_.judge(design_of(team_.task_.parameters, own.fixed, blocks))) {
+        found_.push_back(std::move(*judged));
+        if (found_.size() >= found_at_once && team_.turn_ == turn_) {
+          const std::scoped_lock lock(team_.handing_out_);
+          team_.hand_out(found_);
+        }
+      }
+      return team_.control_.why_stopped() != WhyStopped::fault;
+    }
+    bool go_on(std::uint64_t nodes) override {
+      team_.nodes_ += nodes;
+      team_.tell();
+      return !team_.control_.stop_wanted();
+    }
+
+    std::vector<DesignClass> found_;
+
+   private:
+    Team& team_;
+    std::size_t turn_;
+  };
+
+  // Tables by the number of fixed elements, and a tree for each thread.
+  void require_memory() const {
+    std::uint64_t bytes = 0;
+    for (std::size_t c = 0; c < task_.cases.size(); ++c) {
+      if (c == 0 || task_.cases[c].fixed != task_.cases[c - 1].fixed) {
+        bytes += DegreeTable::bytes(task_.cases[c].b);
+      }
+    }
+    if (!task_.cases.empty()) {
+      bytes += (control_.threads() + 1) * EnumerationTree::bytes(task_.cases.front().b);
+    }
+    control_.require_memory(bytes, "the tables of this enumeration");
+  }
+
+  void cut() {
+    const WorkShare share = control_.settings().share;
+    for (std::size_t c = 0; c < task_.cases.size() && !control_.stop_wanted(); ++c) {
+      const EnumerationCase& own = task_.cases[c];
+      if (c == 0 || own.fixed != task_.cases[c - 1].fixed) {
+        degrees_.push_back(std::make_shared<const DegreeTable>(own));
+      } else {
+        degrees_.push_back(degrees_.back());
+      }
+      EnumerationTree tree(own, *degrees_.back());
+      const std::vector<Mask> root{own.first_block()};
+      std::vector<std::vector<Mask>> cut{root};
+      std::uint64_t nodes = 0;
+      for (std::size_t depth = 1; depth < own.b && !control_.stop_wanted(); ++depth) {
+        PrefixCollector collector(control_);
+        tree.explore(root, depth, collector);
+        if (collector.too_many()) {
+          break;  // a level up there were few, and so they stay
+        }
+        cut = std::move(collector.found);
+        nodes = collector.nodes;
+        if (cut.empty() || cut.size() >= prefixes_wanted) {
+          break;
+        }
+      }
+      const std::size_t length = cut.empty() ? 0 : cut.front().size();
+      list_bytes_ += cut.size() * (sizeof(Prefix) + length * sizeof(Mask));
+      control_.require_memory(list_bytes_, "the beginnings into which this enumeration is cut");
+      for (auto& blocks : cut) {
+        prefixes_.push_back({.own_case = c, .blocks = std::move(blocks)});
+      }
+      nodes_ += share.index == 0 ? nodes : 0;
+    }
+    for (std::size_t i = share.index; i < prefixes_.size();
+         i += std::max<std::uint64_t>(share.of, 1)) {
+      mine_.push_back(i);
+    }
+  }
+
+  void work() {
+    std::optional<EnumerationTree> tree;
+    std::size_t last_case = task_.cases.size();
+    for (std::size_t turn = next_++; turn < mine_.size(); turn = next_++) {
+      if (control_.stop_wanted()) {
+        return;
+      }
+      const Prefix& prefix = prefixes_[mine_[turn]];
+      const EnumerationCase& own = task_.cases[prefix.own_case];
+      if (prefix.own_case != last_case) {
+        tree.emplace(own, *degrees_[prefix.own_case]);
+        last_case = prefix.own_case;
+      }
+      Explorer explorer(*this, turn);
+      tree->explore(prefix.blocks, own.b - 1, explorer);
+      finish(turn, std::move(explorer.found_));
+    }
+  }
+
+  void finish(std::size_t turn, std::vector<DesignClass> found) {
+    const std::scoped_lock lock(handing_out_);
+    slots_[turn].found = std::move(found);
+    slots_[turn].done = true;
+    std::size_t next = turn_;
+    while (next < slots_.size() && slots_[next].done) {
+      hand_out(slots_[next].found);
+      turn_ = ++next;
+    }
+  }
+
+  void hand_out(std::vector<DesignClass>& found) {
+    for (DesignClass& each : found) {
+      ++result_.forms;
+      if (task_.hand_out) {
+        task_.hand_out(each);
+      }
+    }
+    found.clear();
+  }
+
+  void tell() {
+    if (control_.progress_due()) {
+      control_.tell(
+          {.phase = fmt::format("enumeration: {} of {} prefixes", turn_.load(), mine_.size()),
+           .steps = nodes_,
+           .unit = "nodes"});
+    }
+  }
+
+  const EnumerationTask& task_;
+  RunControl& control_;
+  std::vector<std::shared_ptr<const DegreeTable>> degrees_;  // by case
+  std::vector<Prefix> prefixes_;
+  std::uint64_t list_bytes_ = 0;
+  std::vector<std::size_t> mine_;  // prefixes of this share
+  std::vector<Slot> slots_;        // by position in mine_
+  std::atomic<std::size_t> next_{0};
+  std::atomic<std::size_t> turn_{0};
+  std::atomic<std::uint64_t> nodes_{0};
+  std::mutex handing_out_;
+  EnumerationRun result_;
+};
+
+}  // namespace
+
+EnumerationRun explore_together(const EnumerationTask& task, RunControl& control) {
+  return Team(task, control).run();
+}
+
+}  // namespace changeover

@@ -1,0 +1,390 @@
+#include "changeover/search/exact.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <ctime>
+#include <filesystem>
+#include <limits>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "changeover/construct/closure.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/io/output_file.hpp"
+#include "changeover/proof/drat.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "run/threads.hpp"
+#include "search/sat/sat_solver.hpp"
+
+namespace changeover {
+namespace {
+
+namespace fs = std::filesystem;
+using Seconds = std::chrono::duration<double>;
+
+constexpr Seconds no_limit = std::chrono::hours(24 * 365 * 100);
+
+/// Of this thread's processor time, so that figures do not depend on what else runs.
+class Stopwatch {
+ public:
+  [[nodiscard]] Seconds elapsed() const { return now() - begin_; }
+
+ private:
+  static Seconds now() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+  }
+
+  Seconds begin_ = now();
+};
+
+void require_regular(const std::string& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) {
+    throw MissingResource(path + ": a proof must be read back, so it needs a regular file");
+  }
+}
+
+std::string proof_folder(const ExactOptions& options) {
+  std::error_code error;
+  if (options.proof_directory.empty()) {
+    fs::path folder = fs::temp_directory_path(error);
+    return error ? "." : folder.string();
+  }
+  fs::create_directories(options.proof_directory, error);
+  if (error) {
+    throw MissingResource(
+        fmt::format("{}: cannot make the directory for proofs: {}; name another one",
+                    options.proof_directory, error.message()));
+  }
+  return options.proof_directory;
+}
+
+// Threads and processes that share a question each need a part of it.
+bool must_split(const RunControl& control) {
+  return control.threads() > 1 || control.settings().share.of > 1;
+}
+
+/// One question, with or without cubes.
+class Question {
+ public:
+  Question(const Parameters& p, std::uint64_t b, const ExactOptions& options, RunControl& control)
+      : options_(options),
+        control_(control, options.time_per_step.value_or(no_limit)),
+        stem_(file_stem(p, b)) {
+    decision_.parameters = p;
+    decision_.b = b;
+  }
+
+  Decision run() {
+    const auto begin = RunControl::Clock::now();
+    const WorkShare share = control_.settings().share;
+    if (share.of == 0 || share.index >= share.of) {
+      throw BadInput(fmt::format("share {} of {}: the index must be below the number of shares",
+                                 share.index, share.of));
+    }
+    if (options_.prove) {
+      folder_ = proof_folder(options_);
+    }
+    try {
+      solve(share);
+    } catch (const MissingResource&) {
+      if (!decision_.design) {
+        throw;  // else one thread found a design while another ran out of disk, say
+      }
+    } catch (const std::bad_alloc&) {
+      throw MissingResource(fmt::format("not enough memory for {}; ask for something smaller",
+                                        formula_name(decision_.parameters, decision_.b)));
+    }
+    conclude(share);
+    decision_.time = RunControl::Clock::now() - begin;
+    return std::move(decision_);
+  }
+
+ private:
+  void solve(const WorkShare& share) {
+    const RunScope scope(control_);
+    try {
+      const unsigned threads = require_room(decision_.parameters, decision_.b, options_, control_);
+      formula_.emplace(encode_design(decision_.parameters, decision_.b, options_.encoding));
+      if (must_split(control_)) {
+        split(share);
+      } else {
+        cubes_.emplace_back();
+      }
+      mine_ = (cubes_.size() - share.index + share.of - 1) / share.of;
+      work(share, static_cast<unsigned>(std::min<std::uint64_t>(threads, mine_)));
+    } catch (const Stopped&) {
+      // The control knows why, and mine_ whether there was work yet.
+    }
+  }
+
+  // About 16 cubes for each process, or 8 for each thread: enough to even out their times.
+  void split(const WorkShare& share) {
+    const std::uint64_t wanted =
+        share.of > 1 ? 16 * share.of : 8 * static_cast<std::uint64_t>(control_.threads());
+    constexpr int deepest = 12;
+    const auto depth = std::min(static_cast<int>(std::bit_width(wanted - 1)), deepest);
+    const std::uint64_t places = decision_.b * decision_.parameters.v;
+    cubes_ = split_into_cubes(formula_->cnf(), static_cast<std::size_t>(places),
+                              static_cast<unsigned>(depth));
+    if (!cubes_cover_everything(cubes_)) {
+      throw InternalError(fmt::format("the cubes of {} leave something out", stem_));
+    }
+    decision_.cubes = cubes_.size();
+  }
+
+  // The threads take the cubes of this process one after another, in order.
+  void work(const WorkShare& share, unsigned threads) {
+    std::atomic<std::uint64_t> next{share.index};
+    run_together(control_, std::max(1U, threads), [&](unsigned) {
+      while (!control_.stop_wanted()) {
+        const std::uint64_t index = next.fetch_add(share.of);
+        if (index >= cubes_.size()) {
+          return;
+        }
+        solve_part(index);
+      }
+    });
+  }
+
+  [[nodiscard]] std::string path_of(std::uint64_t index, const char* ending) const {
+    const std::string part =
+        cubes_.size() == 1 ? "" : fmt::format("-part{}of{}", index + 1, cubes_.size());
+    // Temporary files are of this process alone.
+    const std::string front =
+        options_.proof_directory.empty() ? fmt::format("changeover-{}-", ::getpid()) : "";
+    return (fs::path(folder_) / (front + stem_ + part + ending)).string();
+  }
+
+  [[nodiscard]] Progress progress(const char* doing) const {
+    return {.phase =
+                fmt::format("{} {} with {} blocks", doing, name(decision_.parameters), decision_.b),
+            .unit = "kB of proof"};
+  }
+
+  void solve_part(std::uint64_t index) {
+    const Cube& cube = cubes_[index];
+    SatOptions sat{.progress = progress("deciding"), .conflicts = options_.conflicts_per_step};
+    if (!options_.prove) {
+      const SatResult result = solve_sat(formula_->cnf(), cube, sat, control_);
+      if (result.answer == SatAnswer::satisfiable) {
+        found(result);
+      } else if (result.answer == SatAnswer::unsatisfiable) {
+        const std::scoped_lock lock(mutex_);
+        ++unproved_;
+      } else {
+        control_.stop(WhyStopped::step_limit);  // unless the control stopped it
+      }
+      return;
+    }
+    OutputFile cnf(path_of(index, ".cnf"));
+    OutputFile proof(path_of(index, ".drat"));
+    write_dimacs(formula_->cnf(), cube, comments(index), cnf);
+    cnf.flush();
+    sat.proof_path = proof.path_until_commit();
+    const Stopwatch solving;
+    const SatResult result = solve_sat(formula_->cnf(), cube, sat, control_);
+    if (result.answer == SatAnswer::satisfiable) {
+      found(result);
+      return;
+    }
+    if (result.answer != SatAnswer::unsatisfiable) {
+      control_.stop(WhyStopped::step_limit);  // unless the control stopped it
+      return;
+    }
+    CheckedPart part{.cube = cube, .solve_time = solving.elapsed()};
+    if (!checked(cnf.path_until_commit(), sat.proof_path, part)) {
+      return;
+    }
+    if (!options_.proof_directory.empty()) {
+      part.cnf_path = path_of(index, ".cnf");
+      part.proof_path = path_of(index, ".drat");
+      cnf.commit();
+      proof.commit();
+    }
+    const std::scoped_lock lock(mutex_);
+    decision_.parts.push_back(std::move(part));
+  }
+
+  // What our solver wrote and the disk took whole cannot be malformed.
+  [[nodiscard]] ProofVerdict read_back(const std::string& cnf, const std::string& proof,
+                                       const ProofOptions& limits) const {
+    try {
+      return check_proof_files(cnf, proof, limits);
+    } catch (const BadInput& fault) {
+      throw InternalError(fmt::format("the proof for {} cannot be read: {}", stem_, fault.what()));
+    }
+  }
+
+  // False if the control stopped the check.
+  bool checked(const std::string& cnf, const std::string& proof, CheckedPart& part) {
+    require_regular(cnf);
+    require_regular(proof);
+    control_.tell(progress("checking the proof for"));
+    const Stopwatch checking;
+    ProofOptions limits{.stop = [this] { return control_.stop_wanted(); }};
+    limits.max_variable = std::max<std::uint64_t>(limits.max_variable, formula_->cnf().variables());
+    limits.max_literals = std::numeric_limits<std::uint32_t>::max();
+    const ProofVerdict verdict = read_back(cnf, proof, limits);
+    if (verdict.outcome == ProofVerdict::Outcome::stopped) {
+      return false;
+    }
+    if (!verdict.verified()) {
+      throw InternalError(fmt::format("the proof for {} does not check: line {}: {}", stem_,
+                                      verdict.line, verdict.reason));
+    }
+    part.variables = verdict.variables;
+    part.clauses = verdict.clauses;
+    part.proof_steps = verdict.added + verdict.deleted + verdict.ignored_deletions;
+    part.check_time = checking.elapsed();
+    std::error_code error;
+    part.proof_bytes = fs::file_size(proof, error);
+    return true;
+  }
+
+  [[nodiscard]] std::vector<std::string> comments(std::uint64_t index) const {
+    const Parameters& p = decision_.parameters;
+    std::vector<std::string> lines{
+        fmt::format("There is a {} with {} blocks.", name(p), decision_.b),
+        fmt::format("Block i holds element e, from 0: variable {} i + e + 1.", p.v)};
+    if (cubes_.size() > 1) {
+      lines.push_back(
+          fmt::format("Part {} of {}: the last {} clauses are its cube; see the list of cubes "
+                      "beside this file.",
+                      index + 1, cubes_.size(), cubes_[index].size()));
+    }
+    return lines;
+  }
+
+  void found(const SatResult& result) {
+    // The time may be up: what was found is verified all the same.
+    RunControl unhurried({});
+    const RunScope scope(unhurried);
+    Design design = formula_->decode([&](Literal x) { return result.is_true(x); });
+    if (!verify(design).valid()) {
+      throw InternalError(fmt::format("a solution of {} is no design", stem_));
+    }
+    design.recipe = literal_recipe(design, "search by SAT");
+    const std::scoped_lock lock(mutex_);
+    if (!decision_.design) {
+      decision_.design = std::move(design);
+    }
+    control_.stop(WhyStopped::found);
+  }
+
+  void conclude(const WorkShare& share) {
+    if (decision_.design) {
+      discard_proofs();
+      decision_.answer = Answer::found;
+      decision_.why = WhyStopped::found;
+      return;
+    }
+    if (formula_ == std::nullopt || cubes_.empty() || decision_.parts.size() + unproved_ < mine_) {
+      decision_.answer = Answer::unknown;
+      decision_.why = control_.why_stopped();
+      return;
+    }
+    decision_.why = WhyStopped::exhausted;
+    decision_.answer = unproved_ > 0 || (!options_.prove && mine_ == 0) ? Answer::none_unproved
+                       : share.of > 1                                   ? Answer::none_in_share
+                                                                        : Answer::none;
+    std::sort(decision_.parts.begin(), decision_.parts.end(),
+              [](const CheckedPart& a, const CheckedPart& b) { return a.cnf_path < b.cnf_path; });
+    if (cubes_.size() > 1 && options_.prove && !options_.proof_directory.empty()) {
+      write_cubes();
+    }
+  }
+
+  // Parts were excluded, but not the whole.
+  void discard_proofs() {
+    std::error_code ignored;
+    for (const CheckedPart& part : decision_.parts) {
+      fs::remove(part.cnf_path, ignored);
+      fs::remove(part.proof_path, ignored);
+    }
+    decision_.parts.clear();
+  }
+
+  void write_cubes() {
+    decision_.cubes_path = (fs::path(folder_) / (stem_ + ".cubes")).string();
+    OutputFile file(decision_.cubes_path);
+    for (const Cube& cube : cubes_) {
+      std::string line = "a ";
+      for (const Literal literal : cube) {
+        line += fmt::format("{} ", literal);
+      }
+      file.write(line + "0\n");
+    }
+    file.commit();
+  }
+
+  const ExactOptions& options_;
+  RunControl control_;
+  std::string stem_;
+  std::string folder_;
+  std::optional<DesignFormula> formula_;
+  std::vector<Cube> cubes_;
+  std::mutex mutex_;
+  Decision decision_;
+  std::uint64_t unproved_ = 0;
+  std::uint64_t mine_ = 0;  // of the cubes, once there are any
+};
+
+}  // namespace
+
+std::string_view to_string(Answer answer) {
+  switch (answer) {
+    case Answer::found:
+      return "found";
+    case Answer::none:
+      return "none";
+    case Answer::none_in_share:
+      return "none in this share";
+    case Answer::none_unproved:
+      return "none, unproved";
+    case Answer::unknown:
+      return "unknown";
+  }
+  return "";
+}
+
+unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& options,
+                      const RunControl& control) {
+  if (options.prove) {
+    (void)proof_folder(options);
+  }
+  const CnfSize size = design_formula_size(p, b, options.encoding);
+  SolvingNeeds needs{
+      .proof = options.prove, .split = must_split(control), .threads = control.threads()};
+  const auto limit = control.settings().memory_bytes;
+  while (limit && needs.threads > 1 && solving_bytes(size, needs) > *limit) {
+    --needs.threads;
+  }
+  control.require_memory(solving_bytes(size, needs), formula_name(p, b));
+  return needs.threads;
+}
+
+std::string file_stem(const Parameters& p, std::uint64_t b) {
+  return fmt::format("{}-m{}-v{}-k{}{}-b{}", to_string(p.kind), p.change, p.v, p.k,
+                     p.strength == 2 ? std::string() : fmt::format("-t{}", p.strength), b);
+}
+
+Decision decide(const Parameters& p, std::uint64_t b, const ExactOptions& options,
+                RunControl& control) {
+  check(p);
+  if (b == 0) {
+    throw BadInput("a design has at least one block");
+  }
+  return Question(p, b, options, control).run();
+}
+
+}  // namespace changeover

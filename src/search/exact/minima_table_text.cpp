@@ -1,0 +1,275 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/search/minima_table.hpp"
+#include "io/write/json_writer.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::string_view head =
+    "strength,change,kind,k,v,on_paper,lower,upper,by,seconds,solve_seconds,check_seconds,"
+    "proof_bytes,proof_steps,limit";
+
+class RowReader {
+ public:
+  RowReader(const std::string& name, std::size_t line, std::string_view text)
+      : name_(name), line_(line), text_(text) {}
+
+  std::string_view cell() {
+    if (done_) {
+      fail("the row is too short");
+    }
+    const std::size_t comma = text_.find(',');
+    const std::string_view cell = text_.substr(0, comma);
+    done_ = comma == std::string_view::npos;
+    text_.remove_prefix(done_ ? text_.size() : comma + 1);
+    return cell;
+  }
+
+  template <typename Number>
+  Number number() {
+    const std::string_view digits = cell();
+    Number value{};
+    const auto [rest, failure] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (failure != std::errc() || rest != digits.data() + digits.size()) {
+      fail(fmt::format("'{}' is not a number that fits here", digits));
+    }
+    return value;
+  }
+
+  void end() const {
+    if (!done_) {
+      fail("the row is too long");
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw BadInput(
+        fmt::format("{}:{}: {}; remove the row, it will be filled in again", name_, line_, what));
+  }
+
+ private:
+  const std::string& name_;
+  std::size_t line_;
+  std::string_view text_;
+  bool done_ = false;
+};
+
+MinimaRow row_from(RowReader& reader) {
+  MinimaRow row;
+  Parameters& p = row.parameters;
+  p.strength = reader.number<std::uint32_t>();
+  p.change = reader.number<std::uint64_t>();
+  const auto kind = kind_from_string(reader.cell());
+  if (!kind) {
+    reader.fail("the kind must be linear or circular");
+  }
+  p.kind = *kind;
+  p.k = reader.number<std::uint64_t>();
+  p.v = reader.number<std::uint64_t>();
+  row.start = reader.number<std::uint64_t>();
+  row.lower = reader.number<std::uint64_t>();
+  if (const auto upper = reader.number<std::uint64_t>(); upper != 0) {
+    row.upper = upper;
+  }
+  row.by = reader.cell();
+  row.seconds = reader.number<double>();
+  row.solve_seconds = reader.number<double>();
+  row.check_seconds = reader.number<double>();
+  row.proof_bytes = reader.number<std::uint64_t>();
+  row.proof_steps = reader.number<std::uint64_t>();
+  row.limit = reader.number<std::uint64_t>();
+  reader.end();
+  return row;
+}
+
+std::string interval(const MinimaRow& row) {
+  if (!row.upper) {
+    return fmt::format(">= {}", row.lower);
+  }
+  return row.settled() ? fmt::format("{}", row.lower)
+                       : fmt::format("{}..{}", row.lower, *row.upper);
+}
+
+// "12", "12 s" if the design comes from search, "12 p" if smaller numbers were excluded by proofs.
+std::string grid_cell(const MinimaRow& row) {
+  std::string text = interval(row);
+  if (row.settled() && row.by == "SAT") {
+    text += " s";
+  }
+  if (row.lower > row.start) {
+    text += " p";
+  }
+  return text;
+}
+
+std::string title(const Parameters& p) {
+  const std::string what = p.change == 1   ? "single-change"
+                           : p.change == 2 ? "double-change"
+                                           : fmt::format("{}-change", p.change);
+  return fmt::format("{} {} covering designs{}", to_string(p.kind), what,
+                     p.strength == 2 ? "" : fmt::format(" of strength {}", p.strength));
+}
+
+using Rows = std::vector<const MinimaRow*>;
+
+std::string grid(const Rows& rows) {
+  std::set<std::uint64_t> ks;
+  std::map<std::uint64_t, std::map<std::uint64_t, std::string>> cells;
+  for (const MinimaRow* row : rows) {
+    ks.insert(row->parameters.k);
+    cells[row->parameters.v][row->parameters.k] = grid_cell(*row);
+  }
+  std::string text = fmt::format("### {}\n\n| v |", title(rows.front()->parameters));
+  std::string rule = "|---:|";
+  for (const std::uint64_t k : ks) {
+    text += fmt::format(" k={} |", k);
+    rule += "---:|";
+  }
+  text += "\n" + rule + "\n";
+  for (auto& [v, row] : cells) {
+    text += fmt::format("| {} |", v);
+    for (const std::uint64_t k : ks) {
+      text += fmt::format(" {} |", row[k]);
+    }
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+std::string proofs(const Rows& rows) {
+  std::string text =
+      "| design | bound on paper | minimum | design by | solving, s | checking, s | proof, bytes "
+      "| proof, steps |\n|---|---:|---:|---|---:|---:|---:|---:|\n";
+  for (const MinimaRow* row : rows) {
+    text += fmt::format("| {} | {} | {} | {} | {:.2f} | {:.2f} | {} | {} |\n",
+                        name(row->parameters), row->start, interval(*row), row->by,
+                        row->solve_seconds, row->check_seconds, row->proof_bytes, row->proof_steps);
+  }
+  return text + "\n";
+}
+
+std::string open(const Rows& rows) {
+  std::string text =
+      "| design | bound on paper | between | design by | conflicts a step |\n"
+      "|---|---:|---:|---|---:|\n";
+  for (const MinimaRow* row : rows) {
+    text += fmt::format("| {} | {} | {} | {} | {} |\n", name(row->parameters), row->start,
+                        interval(*row), row->by, row->limit);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string minima_json(const std::vector<MinimaRow>& rows) {
+  JsonWriter json;
+  json.begin_object().key("minima").begin_array();
+  for (const MinimaRow& row : rows) {
+    const Parameters& p = row.parameters;
+    json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+    json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+    json.key("settled").value(row.settled()).key("bound_on_paper").value(row.start);
+    json.key("lower_bound").value(row.lower).key("upper_bound").value(row.upper);
+    json.key("design_by").value(row.by).key("seconds").value(row.seconds);
+    json.key("proof_bytes").value(row.proof_bytes).key("proof_steps").value(row.proof_steps);
+    json.key("conflicts").value(row.limit).end_object();
+  }
+  json.end_array().end_object();
+  return json.take() + "\n";
+}
+
+void write_minima(const std::vector<MinimaRow>& rows, Sink& sink) {
+  sink.write(fmt::format("{}\n", head));
+  for (const MinimaRow& row : rows) {
+    const Parameters& p = row.parameters;
+    sink.write(fmt::format("{},{},{},{},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{},{},{}\n", p.strength,
+                           p.change, to_string(p.kind), p.k, p.v, row.start, row.lower,
+                           row.upper.value_or(0), row.by, row.seconds, row.solve_seconds,
+                           row.check_seconds, row.proof_bytes, row.proof_steps, row.limit));
+  }
+}
+
+std::vector<MinimaRow> read_minima(Input& input) {
+  constexpr std::size_t most_bytes = std::size_t{1} << 26;
+  const std::string text = read_to_end(input, most_bytes);
+  std::vector<MinimaRow> rows;
+  std::size_t line = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view content = std::string_view(text).substr(begin, end - begin);
+    begin = end + 1;
+    RowReader reader(input.name(), ++line, content);
+    if (line == 1) {
+      if (content != head) {
+        throw BadInput(fmt::format("{}:1: expected the line '{}'", input.name(), head));
+      }
+      continue;
+    }
+    rows.push_back(row_from(reader));
+  }
+  const auto place = [](const MinimaRow& row) {
+    const Parameters& p = row.parameters;
+    return std::tuple(p.strength, p.change, p.kind, p.k, p.v);
+  };
+  std::sort(rows.begin(), rows.end(),
+            [&](const MinimaRow& a, const MinimaRow& b) { return place(a) < place(b); });
+  return rows;
+}
+
+std::string minima_markdown(const std::vector<MinimaRow>& rows) {
+  std::map<std::tuple<std::uint32_t, std::uint64_t, Kind>, Rows> tables;
+  Rows excluded;
+  Rows unsettled;
+  std::size_t settled = 0;
+  std::size_t by_search = 0;
+  for (const MinimaRow& row : rows) {
+    const Parameters& p = row.parameters;
+    tables[{p.strength, p.change, p.kind}].push_back(&row);
+    settled += row.settled() ? 1U : 0U;
+    by_search += row.settled() && row.by == "SAT" ? 1U : 0U;
+    if (row.lower > row.start) {
+      excluded.push_back(&row);
+    }
+    if (!row.settled()) {
+      unsettled.push_back(&row);
+    }
+  }
+  std::string text = fmt::format(
+      "# Minima\n\nThe least number of blocks, for {} sets of parameters: {} are settled, {} of "
+      "them "
+      "by a design that only search found, and for {} a checked proof goes beyond the bounds on "
+      "paper.\n\n"
+      "`12`: a bound on paper is met by a construction. `s`: the design was found by SAT. `p`: "
+      "fewer blocks were excluded by SAT, and the DRAT proofs checked (docs/trust.md). `12..14`: "
+      "open between these.\n\n",
+      rows.size(), settled, by_search, excluded.size());
+  for (const auto& [which, members] : tables) {
+    text += grid(members);
+  }
+  if (!excluded.empty()) {
+    text +=
+        "## Excluded with checked proofs\n\nTimes are of one processor; a proof's size is that of "
+        "its text, for all numbers of blocks from the bound on paper up to the minimum. "
+        "`changeover search V K --exact --proof DIR` with --change and --linear or --circular "
+        "writes the formulas and proofs anew.\n\n" +
+        proofs(excluded);
+  }
+  if (!unsettled.empty()) {
+    text += "## Open\n\n" + open(unsettled);
+  }
+  text.pop_back();
+  return text;
+}
+
+}  // namespace changeover

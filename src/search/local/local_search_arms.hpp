@@ -1,0 +1,77 @@
+// Which attempt of local search comes next.
+//
+// An arm is one kind of attempt; it aims at a number of blocks below the best so far, by `step` in
+// its own units, and doubles its budget whenever it fails at the nearest aim. The arm of least cost
+// comes next: moves spent and about to be spent, in the time that they take, times (1 + what the
+// last attempt missed)². An arm is left out while its counters would take more memory than an attempt may.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "changeover/core/parameters.hpp"
+#include "changeover/run/control.hpp"
+#include "search/local/checkpoint.hpp"
+#include "search/local/segment_orbits.hpp"
+
+namespace changeover {
+
+/// What one attempt is to do.
+struct Attempt {
+  std::size_t arm = 0;
+  std::uint64_t number = 0;   ///< of the attempt, from 0
+  std::uint64_t aim = 0;      ///< blocks; base blocks of an imposed automorphism
+  std::uint64_t promise = 0;  ///< blocks of the design that may come of it, at least
+  std::uint64_t moves = 0;
+  bool nearest = false;  ///< the aim is the nearest one
+};
+
+class SearchArms {
+ public:
+  /// Arms for p; `goal` blocks are enough. An attempt may take so many bytes; nothing: any.
+  SearchArms(const Parameters& p, std::uint64_t goal, bool imposed, const WorkShare& share,
+             std::optional<std::uint64_t> most_bytes = {});
+
+  [[nodiscard]] const std::vector<SearchArm>& arms() const { return arms_; }
+  /// Goes on with what arms of the same kinds, from a checkpoint, have cost and promise.
+  void restore(const std::vector<SearchArm>& arms);
+
+  /// There was no memory for this arm after all: it is left out from now on.
+  void leave_out(std::size_t arm) { no_memory_[arm] = true; }
+
+  /// If arms with an aim are left out, the bytes that the least of them would take; 0 if none is.
+  [[nodiscard]] std::uint64_t bytes_left_out(std::uint64_t best) const;
+
+  /// The next attempt to find a design of fewer than `best` blocks; nullopt if no arm has an aim.
+  /// Its moves are taken for spent.
+  [[nodiscard]] std::optional<Attempt> next(std::uint64_t best);
+
+  /// Tells how an attempt ended: with `missed` uncovered, 0 if it succeeded. `improved`: a better
+  /// design came of it.
+  void report(const Attempt& attempt, std::uint64_t missed, bool improved);
+
+  [[nodiscard]] Parameters parameters_of(const SearchArm& arm) const;
+
+ private:
+  // The number of blocks or base blocks that an arm is to try, the nearest to `best` first if step
+  // is 1.
+  [[nodiscard]] std::optional<std::uint64_t> aim(const SearchArm& arm, std::uint64_t best,
+                                                 std::uint64_t step) const;
+
+  [[nodiscard]] std::uint64_t bytes(const SearchArm& arm, std::uint64_t aim) const;
+  [[nodiscard]] bool is_left_out(std::size_t arm, std::uint64_t aim) const {
+    return no_memory_[arm] || (most_bytes_ && bytes(arms_[arm], aim) > *most_bytes_);
+  }
+
+  Parameters parameters_;
+  std::uint64_t goal_;
+  std::optional<std::uint64_t> most_bytes_;
+  std::uint64_t allowance_ = 0;  // blocks that a cut may save
+  std::vector<SearchArm> arms_;
+  std::vector<std::uint64_t> fewest_;  // base blocks of each arm, by counting
+  std::vector<bool> no_memory_;        // by arm
+};
+
+}  // namespace changeover

@@ -1,0 +1,27 @@
+// Annealing a list of blocks with the counters that fit it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "changeover/core/design.hpp"
+#include "search/local/anneal.hpp"
+
+namespace changeover {
+
+struct Annealed {
+  std::optional<Design> design;  ///< if nothing is missing; not verified
+  AnnealOutcome outcome;
+};
+
+/// The memory that annealing so many blocks takes, at most; the largest number if that exceeds 64 bits.
+[[nodiscard]] std::uint64_t annealing_bytes(const Parameters& p, std::uint64_t blocks);
+
+/// Anneals all blocks but the first `frozen`. Listens to the scope of this thread while it begins.
+/// @throws MissingResource if the counters would need more memory than `control` allows.
+[[nodiscard]] Annealed anneal_blocks(const Design& start, std::size_t frozen,
+                                     const AnnealSchedule& schedule, Random& random,
+                                     RunControl& control, const AnnealWatch& watch = {});
+
+}  // namespace changeover

@@ -1,0 +1,401 @@
+// The state of a local search for strength 2: blocks, and how often each pair occurs in them.
+//
+//     SegmentPairs<std::uint8_t> state(design);            // any list with the change property
+//     const SegmentSwap move = state.propose(random);
+//     if (move.length > 0) {
+//       state.attempt(move, [](std::int32_t change) { return change <= 0; });
+//     }
+//     state.missing();                                     // pairs that are in no block
+//
+// A move on a run of n blocks looks at rows of v counters: for every z, d(z) is how often z is in
+// the run beside y less how often beside x, so the pair {x,z} gains d(z) and {y,z} loses it, and
+// all that matters is which counters become or cease to be 0. Counters are bytes (or 16 bits) and
+// rows are added 16 bytes at a time, so looking costs O((n + 1)·v/16) whatever k is, and about 50
+// ns at (30,6).
+//
+// Memory: bytes(v, k, b), about (2v² + bv)·sizeof(Count) + 4v² + 2bk. Making it listens (run/scope.hpp).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/run/scope.hpp"
+#include "run/random.hpp"
+#include "search/local/segment_swap.hpp"
+
+namespace changeover {
+
+/// Blocks under search; see above. Count must hold the number of blocks that contain an element:
+/// 8 bits if that is at most 255 in the beginning (moves that would exceed it are not possible).
+template <typename Count>
+class SegmentPairs {
+ public:
+  /// Whether this design can be searched with such counters. O(bk).
+  [[nodiscard]] static bool fits(const Design& design) {
+    std::vector<std::size_t> blocks(static_cast<std::size_t>(design.v()), 0);
+    for (const Element x : design.elements()) {
+      ++blocks[x];
+    }
+    return *std::max_element(blocks.begin(), blocks.end()) <= most;
+  }
+
+  /// The memory that b < 2³² blocks of k of v ≤ 65,535 elements need, at most: while most pairs are uncovered
+  /// their list is as long as all pairs.
+  [[nodiscard]] static constexpr std::uint64_t bytes(std::uint64_t v, std::uint64_t k,
+                                                     std::uint64_t b) {
+    const std::uint64_t row = 16 * vectors_of_a_row(v);
+    return (2 * v + b + 1) * row + v * v * (sizeof(std::uint32_t) + sizeof(Pair)) + 4 * v +
+           b * k * sizeof(std::uint16_t);
+  }
+
+  /// A list of one or more blocks that fits(), v ≤ 65,535. The first `frozen` < b blocks never
+  /// change.
+  explicit SegmentPairs(const Design& design, std::size_t frozen = 0)
+      : parameters_(design.parameters()),
+        v_(static_cast<std::uint32_t>(design.v())),
+        k_(static_cast<std::uint32_t>(design.k())),
+        b_(static_cast<std::uint32_t>(design.block_count())),
+        frozen_(static_cast<std::uint32_t>(frozen)),
+        circular_(design.parameters().kind == Kind::circular),
+        usual_(usual_segment(design.k(), design.parameters().change)),
+        row_(static_cast<std::uint32_t>(vectors_of_a_row(v_))) {
+    grow(counts_, std::size_t{v_} * row_, Sixteen{});
+    grow(members_, std::size_t{b_} * row_, Sixteen{});
+    grow(keep_, std::size_t{v_} * row_, Sixteen{});
+    gained_.resize(row_);
+    blocks_of_.resize(v_);
+    grow(place_, std::size_t{v_} * v_, absent);
+    elements_.reserve(std::size_t{b_} * k_);
+    for (Element x = 0; x < v_; ++x) {
+      stop_if_asked();
+      std::fill_n(lane(keep_, x), row_ * lanes, static_cast<Count>(~Count{0}));
+      lane(keep_, x)[x] = 0;
+    }
+    for (std::uint32_t i = 0; i < b_; ++i) {
+      stop_if_asked();
+      for (const Element x : design.block(i)) {
+        elements_.push_back(static_cast<std::uint16_t>(x));
+        lane(members_, i)[x] = 1;
+        ++blocks_of_[x];
+        for (const Element y : design.block(i)) {
+          if (x != y) {
+            ++lane(counts_, x)[y];
+          }
+        }
+      }
+    }
+    for (Element y = 1; y < v_; ++y) {
+      stop_if_asked();
+      for (Element x = 0; x < y; ++x) {
+        if (lane(counts_, x)[y] == 0) {
+          enlist(x, y);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint32_t block_count() const { return b_; }
+  /// How many pairs are in no block. O(1).
+  [[nodiscard]] std::uint64_t missing() const { return uncovered_.size(); }
+  [[nodiscard]] bool contains(std::uint32_t block, Element x) const {
+    return lane(members_, block)[x] != 0;
+  }
+  /// In how many blocks both are; x ≠ y.
+  [[nodiscard]] std::uint32_t count(Element x, Element y) const { return lane(counts_, x)[y]; }
+  /// The k elements of a block, in no order.
+  [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
+    return std::span(elements_).subspan(std::size_t{index} * k_, k_);
+  }
+
+  /// The blocks as they are now.
+  [[nodiscard]] Design design() const {
+    Design design(parameters_);
+    design.reserve(b_);
+    Block block(k_);
+    for (std::uint32_t i = 0; i < b_; ++i) {
+      std::copy_n(elements_.begin() + std::ptrdiff_t{i} * k_, k_, block.begin());
+      design.append(block);
+    }
+    return design;
+  }
+
+  /// The move that exchanges x in block i and y outside it; of length 0 if it would touch a frozen
+  /// block, relabel a whole circular list or exceed a counter.
+  [[nodiscard]] SegmentSwap segment(std::uint32_t i, Element x, Element y) const {
+    return segment(i, x, y, b_);
+  }
+
+  /// The same, but of length 0 if it is longer than `longest`.
+  [[nodiscard]] SegmentSwap segment(std::uint32_t i, Element x, Element y,
+                                    std::uint32_t longest) const {
+    SegmentSwap move = find_segment(b_, circular_, longest, i, x, y, [&](std::uint32_t block) {
+      const Count* row = lane(members_, block);
+      return row[x] != row[y];
+    });
+    if (move.first < frozen_ || (frozen_ > 0 && move.first + move.length > b_) ||
+        std::max(blocks_of_[x], blocks_of_[y]) + move.length > most) {
+      move.length = 0;
+    }
+    return move;
+  }
+
+  /// A move at a random place.
+  [[nodiscard]] SegmentSwap propose(Random& random) const {
+    const std::uint32_t i = frozen_ + random.below(b_ - frozen_);
+    const Element x = block(i)[random.below(k_)];
+    Element y = random.below(v_);
+    while (contains(i, y)) {
+      y = random.below(v_);
+    }
+    return segment(i, x, y, longest(random));
+  }
+
+  /// A move that brings the elements of some uncovered pair together; needs missing() > 0.
+  [[nodiscard]] SegmentSwap propose_aimed(Random& random) const {
+    const std::uint64_t bits = random.next();
+    const auto which = static_cast<std::size_t>(((bits & 0xffffffff) * uncovered_.size()) >> 32);
+    Element p = uncovered_[which].x;
+    Element q = uncovered_[which].y;
+    if (bits >> 63 != 0) {
+      std::swap(p, q);
+    }
+    for (std::uint32_t tries = 0; tries < most_tries; ++tries) {
+      const std::uint32_t i = frozen_ + random.below(b_ - frozen_);
+      if (contains(i, p)) {
+        Element x = block(i)[random.below(k_)];
+        while (x == p && k_ > 1) {
+          x = block(i)[random.below(k_)];
+        }
+        return segment(i, x, q, longest(random));
+      }
+    }
+    return propose(random);
+  }
+
+  /// Computes by how much missing() would change and makes the move if accept(change) says so.
+  /// Returns whether it was made. The move must come from segment() in this state.
+  template <typename Accept>
+  bool attempt(const SegmentSwap& move, Accept&& accept) {
+    if (!accept(look(move))) {
+      return false;
+    }
+    make(move);
+    return true;
+  }
+
+  /// Makes the move. Twice the same move is none.
+  void apply(const SegmentSwap& move) {
+    attempt(move, [](std::int32_t) { return true; });
+  }
+
+ private:
+  using Lanes __attribute__((vector_size(16))) = Count;
+  using Words __attribute__((vector_size(16))) = std::uint64_t;
+  static constexpr std::uint32_t lanes = 16 / sizeof(Count);
+  static constexpr std::uint32_t chunk = 4;  // vectors of a row that are held in registers
+  static constexpr std::uint32_t most = std::numeric_limits<Count>::max();
+  static constexpr std::uint32_t absent = 0xffffffff;
+  static constexpr std::uint32_t most_tries = 1000;
+
+  /// 16 bytes of a row; a struct, as template arguments lose the attribute.
+  struct Sixteen {
+    Lanes of;
+  };
+
+  struct Pair {
+    std::uint16_t x = 0;
+    std::uint16_t y = 0;
+  };
+
+  // Whole registers' worth, if it is more than one.
+  [[nodiscard]] static constexpr std::uint64_t vectors_of_a_row(std::uint64_t v) {
+    const std::uint64_t vectors = (v + lanes - 1) / lanes;
+    return vectors > chunk ? (vectors + chunk - 1) / chunk * chunk : vectors;
+  }
+
+  // The system takes its time to hand out much memory: it is touched piece by piece.
+  template <typename Value>
+  static void grow(std::vector<Value>& values, std::size_t size, const Value& value) {
+    constexpr std::size_t piece = std::size_t{1} << 20;
+    values.reserve(size);
+    while (values.size() < size) {
+      stop_if_asked();
+      values.resize(std::min(size, values.size() + piece), value);
+    }
+  }
+
+  // One move in 16 may have any length.
+  [[nodiscard]] std::uint32_t longest(Random& random) const {
+    return (random.next() >> 60) == 0 ? b_ : usual_;
+  }
+
+  // The counters of row `index` one by one.
+  [[nodiscard]] Count* lane(std::vector<Sixteen>& rows, std::size_t index) {
+    return reinterpret_cast<Count*>(rows.data() + index * row_);
+  }
+  [[nodiscard]] const Count* lane(const std::vector<Sixteen>& rows, std::size_t index) const {
+    return reinterpret_cast<const Count*>(rows.data() + index * row_);
+  }
+
+  void enlist(Element x, Element y) {
+    const auto at = static_cast<std::uint32_t>(uncovered_.size());
+    place_[std::size_t{x} * v_ + y] = at;
+    place_[std::size_t{y} * v_ + x] = at;
+    uncovered_.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
+  }
+
+  void strike(Element x, Element y) {
+    const std::uint32_t at = place_[std::size_t{x} * v_ + y];
+    const Pair last = uncovered_.back();
+    uncovered_[at] = last;
+    place_[std::size_t{last.x} * v_ + last.y] = at;
+    place_[std::size_t{last.y} * v_ + last.x] = at;
+    uncovered_.pop_back();
+  }
+
+  // The sum of signed lanes. They are made positive first, then added in pairs.
+  [[nodiscard]] static std::int32_t sum(const Lanes& signed_lanes) {
+    if constexpr (sizeof(Count) == 1) {
+      constexpr std::uint64_t even = 0x00ff00ff00ff00ffULL;
+      constexpr std::uint64_t ones = 0x0001000100010001ULL;
+      const Lanes positive = signed_lanes + Count{0x80};
+      const auto words = reinterpret_cast<Words>(positive);
+      const std::uint64_t low = (words[0] & even) + (words[0] >> 8 & even);
+      const std::uint64_t high = (words[1] & even) + (words[1] >> 8 & even);
+      return static_cast<std::int32_t>(((low + high) * ones) >> 48) - 16 * 0x80;
+    } else {
+      std::int32_t total = 0;
+      for (std::uint32_t i = 0; i < lanes; ++i) {
+        total += static_cast<std::make_signed_t<Count>>(signed_lanes[i]);
+      }
+      return total;
+    }
+  }
+
+  // N vectors from vector w on: d into gained_, the change into `change`.
+  template <std::uint32_t N>
+  void look_at(const SegmentSwap& move, std::uint32_t w, Lanes& change) {
+    std::array<Sixteen, N> d{};
+    std::uint32_t j = move.first;
+    for (std::uint32_t n = 0; n < move.length; ++n) {
+      const Sixteen* row = members_.data() + std::size_t{j} * row_;
+      const Count holds_x = reinterpret_cast<const Count*>(row)[move.x];
+      const Lanes sign = Lanes{} - holds_x;  // all bits if x is there: its pairs go
+      for (std::uint32_t i = 0; i < N; ++i) {
+        d[i].of += (row[w + i].of ^ sign) - sign;
+      }
+      j = j + 1 == b_ ? 0 : j + 1;
+    }
+    const Sixteen* keep_x = keep_.data() + std::size_t{move.x} * row_ + w;
+    const Sixteen* keep_y = keep_.data() + std::size_t{move.y} * row_ + w;
+    const Sixteen* of_x = counts_.data() + std::size_t{move.x} * row_ + w;
+    const Sixteen* of_y = counts_.data() + std::size_t{move.y} * row_ + w;
+    for (std::uint32_t i = 0; i < N; ++i) {
+      const Lanes gained = d[i].of & keep_x[i].of & keep_y[i].of;
+      gained_[w + i].of = gained;
+      // A comparison that holds is −1 in its lane.
+      const auto before =
+          reinterpret_cast<Lanes>(of_x[i].of == 0) + reinterpret_cast<Lanes>(of_y[i].of == 0);
+      const auto after = reinterpret_cast<Lanes>(of_x[i].of + gained == 0) +
+                         reinterpret_cast<Lanes>(of_y[i].of - gained == 0);
+      change += before - after;
+    }
+  }
+
+  [[nodiscard]] std::int32_t look(const SegmentSwap& move) {
+    Lanes change{};
+    switch (row_) {
+      case 1:
+        look_at<1>(move, 0, change);
+        return sum(change);
+      case 2:
+        look_at<2>(move, 0, change);
+        return sum(change);
+      case 3:
+        look_at<3>(move, 0, change);
+        return sum(change);
+      default:
+        break;
+    }
+    // Each chunk is summed at once: a lane of 8 bits could not hold many.
+    std::int32_t total = 0;
+    for (std::uint32_t w = 0; w < row_; w += chunk) {
+      Lanes part{};
+      look_at<chunk>(move, w, part);
+      total += sum(part);
+    }
+    return total;
+  }
+
+  // Needs gained_ of look().
+  void make(const SegmentSwap& move) {
+    const auto [first, length, x, y] = move;
+    std::uint32_t j = first;
+    for (std::uint32_t n = 0; n < length; ++n) {
+      Count* row = lane(members_, j);
+      const Element out = row[x] != 0 ? x : y;
+      const Element in = row[x] != 0 ? y : x;
+      row[out] = 0;
+      row[in] = 1;
+      --blocks_of_[out];
+      ++blocks_of_[in];
+      std::uint16_t* place = elements_.data() + std::size_t{j} * k_;
+      while (*place != out) {
+        ++place;
+      }
+      *place = static_cast<std::uint16_t>(in);
+      j = j + 1 == b_ ? 0 : j + 1;
+    }
+    Count* of_x = lane(counts_, x);
+    Count* of_y = lane(counts_, y);
+    const Count* gained = reinterpret_cast<const Count*>(gained_.data());
+    for (std::uint32_t w = 0; w < row_ * lanes; w += 8 / sizeof(Count)) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, gained + w, sizeof word);
+      if (word == 0) {
+        continue;
+      }
+      for (std::uint32_t z = w; z < w + 8 / sizeof(Count); ++z) {
+        if (gained[z] != 0) {
+          change_count(x, z, of_x[z], static_cast<Count>(of_x[z] + gained[z]));
+          change_count(y, z, of_y[z], static_cast<Count>(of_y[z] - gained[z]));
+        }
+      }
+    }
+  }
+
+  void change_count(Element x, Element z, Count before, Count after) {
+    lane(counts_, x)[z] = after;
+    lane(counts_, z)[x] = after;
+    if (before == 0) {
+      strike(x, z);
+    } else if (after == 0) {
+      enlist(x, z);
+    }
+  }
+
+  Parameters parameters_;
+  std::uint32_t v_, k_, b_, frozen_;
+  bool circular_;
+  std::uint32_t usual_;                   // length of a segment
+  std::uint32_t row_;                     // vectors of a row
+  std::vector<Sixteen> counts_;           // v rows: in how many blocks {x,z} is
+  std::vector<Sixteen> members_;          // b rows: 1 where the block has the element
+  std::vector<Sixteen> keep_;             // v rows: all bits except at the row's own element
+  std::vector<Sixteen> gained_;           // of the move that was looked at
+  std::vector<std::uint16_t> elements_;   // k of each block
+  std::vector<std::uint32_t> blocks_of_;  // by element
+  std::vector<Pair> uncovered_;           // without order
+  std::vector<std::uint32_t> place_;      // of a pair in uncovered_
+};
+
+}  // namespace changeover

@@ -1,0 +1,104 @@
+// The state of a local search for any strength t: a list of blocks, and how often each t-subset
+// occurs.
+//
+//     SegmentSubsets state(design);                        // design.parameters().strength says t
+//     anneal(state, {.moves = 1'000'000}, random, control);
+//
+// As segment_pairs.hpp, but with one counter for each of the C(v,t) subsets, and a move that is
+// looked at is made and, if refused, taken back: O(segment · C(k−1,t−1)). Making it listens (run/scope.hpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/core/parameters.hpp"
+#include "run/random.hpp"
+#include "search/local/segment_swap.hpp"
+
+namespace changeover {
+
+/// Blocks under search; see above.
+class SegmentSubsets {
+ public:
+  /// The memory that b blocks need. @throws ImpossibleParameters if that exceeds 64 bits.
+  [[nodiscard]] static std::uint64_t bytes(const Parameters& p, std::uint64_t b);
+
+  /// A list of one or more blocks; the first `frozen` < b never change.
+  /// @throws MissingResource if C(v,t) exceeds 2²⁸.
+  explicit SegmentSubsets(const Design& design, std::size_t frozen = 0);
+
+  [[nodiscard]] std::uint32_t block_count() const { return b_; }
+  /// How many t-subsets are in no block. O(1).
+  [[nodiscard]] std::uint64_t missing() const { return uncovered_.size(); }
+  /// The k elements of a block, in no order.
+  [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
+    return std::span(elements_).subspan(std::size_t{index} * k_, k_);
+  }
+  [[nodiscard]] bool contains(std::uint32_t i, Element x) const {
+    return members_[std::size_t{i} * v_ + x] != 0;
+  }
+  /// In how many blocks all of these t increasing elements are.
+  [[nodiscard]] std::uint32_t count(std::span<const Element> subset) const;
+
+  /// The blocks as they are now.
+  [[nodiscard]] Design design() const;
+
+  /// As SegmentPairs::segment().
+  [[nodiscard]] SegmentSwap segment(std::uint32_t i, Element x, Element y) const {
+    return segment(i, x, y, b_);
+  }
+  [[nodiscard]] SegmentSwap segment(std::uint32_t i, Element x, Element y,
+                                    std::uint32_t longest) const;
+
+  /// A move at a random place.
+  [[nodiscard]] SegmentSwap propose(Random& random) const;
+  /// A move that brings one more element of an uncovered subset into a block that has some; missing()
+  /// must not be 0.
+  [[nodiscard]] SegmentSwap propose_aimed(Random& random) const;
+
+  /// As SegmentPairs::attempt(), in subsets.
+  template <typename Accept>
+  bool attempt(const SegmentSwap& move, Accept&& accept) {
+    const auto before = static_cast<std::int32_t>(uncovered_.size());
+    exchange(move);
+    if (accept(static_cast<std::int32_t>(uncovered_.size()) - before)) {
+      return true;
+    }
+    exchange(move);  // its own inverse
+    return false;
+  }
+
+  /// Makes the move. Twice the same move is none.
+  void apply(const SegmentSwap& move) { exchange(move); }
+
+ private:
+  // C(n,r); a subset {x₁ < x₂ < …} has rank ΣC(xᵢ,i).
+  [[nodiscard]] std::uint64_t choose(std::uint32_t n, std::uint32_t r) const {
+    return choose_[std::size_t{r} * (v_ + 1) + n];
+  }
+  void exchange(const SegmentSwap& move);
+  template <bool Adding>
+  void count_with(Element x, std::uint32_t from, std::uint32_t chosen, std::uint32_t below,
+                  std::uint64_t rank);
+  [[nodiscard]] Block subset_of(std::uint64_t rank) const;
+  void add(std::uint64_t rank);
+  void remove(std::uint64_t rank);
+
+  Parameters parameters_;
+  std::uint32_t v_, k_, t_, b_, frozen_, usual_;
+  bool circular_;
+  std::vector<std::uint64_t> choose_;     // t+1 rows of v+1
+  std::vector<std::uint32_t> counts_;     // by subset
+  std::vector<std::uint8_t> members_;     // b rows of v
+  std::vector<std::uint16_t> elements_;   // k of each block
+  std::vector<std::uint32_t> uncovered_;  // subsets, without order
+  std::vector<std::uint32_t> place_;      // of a subset in uncovered_
+  std::vector<Element> others_;           // scratch: a block without x, increasing
+};
+
+}  // namespace changeover

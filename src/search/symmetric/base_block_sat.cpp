@@ -1,0 +1,275 @@
+#include "search/symmetric/base_block_sat.hpp"
+
+#include <algorithm>
+
+#include "changeover/core/checked.hpp"
+#include "changeover/run/scope.hpp"
+#include "search/sat/base_block_solver.hpp"
+#include "search/sat/cardinality.hpp"
+#include "search/symmetric/base_block_degrees.hpp"
+#include "search/symmetric/base_block_orbits.hpp"
+
+namespace changeover {
+namespace {
+
+class Model {
+ public:
+  Model(const Parameters& p, const BaseBlockShape& shape, bool tight, std::uint64_t seed)
+      : formula(seed),
+        p_(p),
+        shape_(shape),
+        orbits_(shape),
+        v_(orbits_.v()),
+        c_(static_cast<std::size_t>(shape.base_blocks)) {
+    in_block_ = variables(c_ * v_);
+    require_changes();
+    if (tight) {
+      cover_exactly_once();
+      require_degrees();
+    } else {
+      cover();
+    }
+    break_symmetry();
+  }
+
+  std::vector<Block> blocks() const {
+    std::vector<Block> blocks(c_);
+    for (std::size_t i = 0; i < c_; ++i) {
+      for (Element x = 0; x < v_; ++x) {
+        if (formula.holds(in(i, x))) {
+          blocks[i].push_back(x);
+        }
+      }
+    }
+    return blocks;
+  }
+
+  Formula formula;
+
+ private:
+  std::vector<Literal> variables(std::size_t how_many) {
+    std::vector<Literal> list(how_many);
+    std::generate(list.begin(), list.end(), [&] { return formula.cnf.new_variable(); });
+    return list;
+  }
+
+  Literal in(std::size_t i, Element x) const { return in_block_[i * v_ + x]; }
+  Literal introduced(std::size_t i, Element x) const { return introduced_[i * v_ + x]; }
+
+  // x in the block before block i: block 0 follows π⁻¹(B_{c−1}), which holds x if B_{c−1} holds π(x).
+  Literal before(std::size_t i, Element x) const {
+    return i > 0 ? in(i - 1, x) : in(c_ - 1, orbits_.moved(x, 1));
+  }
+
+  // A new variable for: a and not b.
+  Literal and_not(Literal a, Literal b) {
+    Cnf& cnf = formula.cnf;
+    const Literal result = cnf.new_variable();
+    cnf.add({-result, a});
+    cnf.add({-result, -b});
+    cnf.add({result, -a, b});
+    return result;
+  }
+
+  void require_changes() {
+    introduced_.reserve(c_ * v_);
+    const auto k = static_cast<std::size_t>(p_.k);
+    const auto m = static_cast<std::size_t>(p_.change);
+    for (std::size_t i = 0; i < c_; ++i) {
+      stop_if_asked();
+      std::vector<Literal> leaving;
+      for (Element x = 0; x < v_; ++x) {
+        introduced_.push_back(and_not(in(i, x), before(i, x)));
+        leaving.push_back(and_not(before(i, x), in(i, x)));
+      }
+      const auto row = static_cast<std::ptrdiff_t>(i * v_);
+      const auto width = static_cast<std::ptrdiff_t>(v_);
+      const std::vector<Literal> block(in_block_.begin() + row, in_block_.begin() + row + width);
+      const std::vector<Literal> enter(introduced_.begin() + row,
+                                       introduced_.begin() + row + width);
+      require_exactly(formula.cnf, block, k);
+      require_exactly(formula.cnf, enter, m);
+      require_exactly(formula.cnf, leaving, m);
+    }
+  }
+
+  void cover() {
+    std::vector<std::vector<Literal>> covers(orbits_.count());
+    for (std::size_t i = 0; i < c_; ++i) {
+      for (Element y = 1; y < v_; ++y) {
+        stop_if_asked();
+        for (Element x = 0; x < y; ++x) {
+          const Literal both = formula.cnf.new_variable();
+          formula.cnf.add({-both, in(i, x)});
+          formula.cnf.add({-both, in(i, y)});
+          covers[orbits_.of(x, y)].push_back(both);
+        }
+      }
+    }
+    for (const std::vector<Literal>& clause : covers) {
+      formula.cnf.add(clause);
+    }
+  }
+
+  void cover_exactly_once() {
+    Cnf& cnf = formula.cnf;
+    std::vector<std::vector<Literal>> covers(orbits_.count());
+    for (std::size_t i = 0; i < c_; ++i) {
+      for (Element y = 1; y < v_; ++y) {
+        stop_if_asked();
+        for (Element x = 0; x < y; ++x) {
+          const Literal newly = cnf.new_variable();
+          cnf.add({-newly, in(i, x)});
+          cnf.add({-newly, in(i, y)});
+          cnf.add({-newly, introduced(i, x), introduced(i, y)});
+          cnf.add({newly, -introduced(i, x), -in(i, y)});
+          cnf.add({newly, -introduced(i, y), -in(i, x)});
+          covers[orbits_.of(x, y)].push_back(newly);
+        }
+      }
+    }
+    for (const std::vector<Literal>& orbit : covers) {
+      stop_if_asked();
+      cnf.add(orbit);
+      at_most_one(cnf, orbit);
+    }
+  }
+
+  // Each cycle has one of the degrees that the identity allows: if its introductions are at least and at
+  // most i, then its occurrences are at least and at most r.
+  void require_degrees() {
+    for (std::uint64_t cycle = 0; cycle < shape_.cycles + shape_.fixed; ++cycle) {
+      std::vector<Literal> enter;
+      std::vector<Literal> occur;
+      for (std::size_t i = 0; i < c_; ++i) {
+        for (Element x = 0; x < v_; ++x) {
+          if (orbits_.cycle(x) == cycle) {
+            enter.push_back(introduced(i, x));
+            occur.push_back(in(i, x));
+          }
+        }
+      }
+      const std::vector<Degree> degrees =
+          cycle < shape_.cycles ? cycle_degrees(p_, shape_) : fixed_degrees(p_, shape_);
+      require_degree(enter, occur, degrees);
+    }
+  }
+
+  void require_degree(const std::vector<Literal>& enter, const std::vector<Literal>& occur,
+                      const std::vector<Degree>& degrees) {
+    Cnf& cnf = formula.cnf;
+    std::uint64_t most_enter = 0;
+    std::uint64_t most_occur = 0;
+    for (const Degree& degree : degrees) {
+      most_enter = std::max(most_enter, degree.introductions);
+      most_occur = std::max(most_occur, degree.occurrences);
+    }
+    const auto enters = unary_count(cnf, enter, static_cast<std::size_t>(most_enter + 1));
+    const auto occurs = unary_count(cnf, occur, static_cast<std::size_t>(most_occur + 1));
+    std::vector<Literal> one_of;
+    for (const Degree& degree : degrees) {
+      const Literal chosen = cnf.new_variable();
+      one_of.push_back(chosen);
+      const auto exactly = [&](const std::vector<Literal>& at_least, std::uint64_t number) {
+        if (number > at_least.size()) {
+          cnf.add({-chosen});
+          return;
+        }
+        if (number > 0) {
+          cnf.add({-chosen, at_least[static_cast<std::size_t>(number - 1)]});
+        }
+        if (number < at_least.size()) {
+          cnf.add({-chosen, -at_least[static_cast<std::size_t>(number)]});
+        }
+      };
+      exactly(enters, degree.introductions);
+      exactly(occurs, degree.occurrences);
+    }
+    cnf.add(one_of);
+  }
+
+  // Sound together: each cycle can be rotated by itself; which blocks it meets does not change by that,
+  // so cycles can be ordered by it; and fixed points can be ordered by the blocks that hold them.
+  void break_symmetry() {
+    Cnf& cnf = formula.cnf;
+    std::vector<std::vector<Literal>> meets;
+    for (std::uint64_t cycle = 0; cycle < shape_.cycles; ++cycle) {
+      const auto first = static_cast<Element>(cycle * shape_.n);
+      std::vector<Literal> met;
+      stop_if_asked();
+      for (std::size_t i = 0; i < c_; ++i) {
+        const Literal meet = cnf.new_variable();
+        std::vector<Literal> some{-meet};
+        for (Element x = first; x < first + shape_.n; ++x) {
+          cnf.add({meet, -in(i, x)});
+          some.push_back(in(i, x));
+        }
+        cnf.add(some);
+        // The first block that meets the cycle holds its residue 0.
+        std::vector<Literal> if_first = met;
+        if_first.insert(if_first.end(), {-meet, in(i, first)});
+        cnf.add(if_first);
+        met.push_back(meet);
+      }
+      meets.push_back(std::move(met));
+    }
+    for (std::size_t cycle = 1; cycle < meets.size(); ++cycle) {
+      require_not_less(cnf, meets[cycle - 1], meets[cycle]);
+    }
+    for (auto x = static_cast<Element>(v_ - shape_.fixed); x + 1 < v_; ++x) {
+      std::vector<Literal> here;
+      std::vector<Literal> next;
+      for (std::size_t i = 0; i < c_; ++i) {
+        here.push_back(in(i, x));
+        next.push_back(in(i, x + 1));
+      }
+      require_not_less(cnf, here, next);
+    }
+  }
+
+  Parameters p_;
+  BaseBlockShape shape_;
+  PairOrbits orbits_;
+  std::size_t v_;
+  std::size_t c_;
+  std::vector<Literal> in_block_;    // by block and element
+  std::vector<Literal> introduced_;  // in the block, after the one before
+};
+
+}  // namespace
+
+std::uint64_t sat_size(const BaseBlockShape& shape) {
+  return checked_multiply(shape.base_blocks, binomial(shape.v(), 2));
+}
+
+// Literals of the pairs' clauses, with the zeros that end them: 8 for covering; 26 for covering exactly once, with
+// those of the chain that allows at most one. The rest, counters of blocks and steps, grows with c·v·k.
+std::uint64_t sat_bytes(const Parameters& p, const BaseBlockShape& shape, bool tight) {
+  // Ours take 4 bytes. The solver's, with its clauses, watches and copies: some 40 were seen.
+  constexpr std::uint64_t bytes_of_a_literal = 44;
+  const std::uint64_t of_pairs = checked_multiply(tight ? 26 : 8, sat_size(shape));
+  constexpr std::uint64_t of_a_counter = 30;
+  const std::uint64_t of_counters = checked_multiply(
+      of_a_counter, checked_multiply(checked_multiply(shape.base_blocks, p.v), p.k + 2 * p.change));
+  // Which block meets a cycle first.
+  const std::uint64_t of_symmetry =
+      checked_multiply(checked_multiply(shape.base_blocks, shape.base_blocks), shape.cycles);
+  return checked_multiply(bytes_of_a_literal,
+                          checked_add(checked_add(of_pairs, of_counters), of_symmetry));
+}
+
+SatOutcome base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape, bool tight,
+                              std::optional<std::uint64_t> conflicts, RunControl& control) {
+  control.require_memory(sat_bytes(p, shape, tight), "the formula for " + to_string(shape));
+  Model model(p, shape, tight, control.seed());
+  const Formula::Answer answer = model.formula.solve(control, conflicts);
+  SatOutcome outcome;
+  outcome.conflicts = model.formula.conflicts();
+  outcome.none = answer == Formula::Answer::unsatisfiable;
+  if (answer == Formula::Answer::satisfiable) {
+    outcome.blocks = model.blocks();
+  }
+  return outcome;
+}
+
+}  // namespace changeover

@@ -1,0 +1,301 @@
+#include "changeover/search/base_block_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
+#include "run/grace.hpp"
+#include "search/symmetric/base_block_anneal.hpp"
+#include "search/symmetric/base_block_sat.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t most_elements = 2000;
+constexpr std::array methods{std::pair{BaseBlockMethod::automatic, "automatic"},
+                             std::pair{BaseBlockMethod::sat, "sat"},
+                             std::pair{BaseBlockMethod::anneal, "anneal"}};
+
+/// One search: what is asked, and what has been found out.
+class Search {
+ public:
+  Search(const Parameters& p, const BaseBlockOptions& options, RunControl& control)
+      : p_(p), circular_(p), options_(options), control_(control), random_(control.seed()) {
+    circular_.kind = Kind::circular;
+  }
+
+  BaseBlockResult run() {
+    const RunScope scope(control_);
+    try {
+      work();
+    } catch (const Stopped&) {
+      // What is known by now is the result.
+    }
+    if (!result_.found() && !left_out_.empty() && result_.moves + result_.conflicts == 0) {
+      throw MissingResource(left_out_);  // nothing could be tried
+    }
+    result_.why = why();
+    return std::move(result_);
+  }
+
+ private:
+  void work() {
+    if (const auto best = Registry::standard().best(p_)) {
+      result_.registry_b = best->b;
+      result_.registry_construction = best->recipe.construction;
+      registry_tight_ = best->tight;
+    }
+    const std::vector<BaseBlockShape> shapes = base_block_shapes(p_, shape_options());
+    for (const BaseBlockShape& shape : shapes) {
+      if (std::gcd(options_.shift, shape.n) != 1) {
+        throw BadInput(fmt::format("the shift {} is no unit of Z_{}", options_.shift, shape.n));
+      }
+    }
+    for (const BaseBlockShape& shape : shapes) {
+      if (control_.stop_wanted()) {
+        break;
+      }
+      try {
+        if (attempt(shape)) {
+          break;
+        }
+      } catch (const MissingResource& fault) {
+        left_out_ = fault.what();  // a smaller one may follow
+      }
+    }
+  }
+
+  ShapeOptions shape_options() const {
+    ShapeOptions options = options_.shapes;
+    if (!options.tight && !options.base_blocks && !options.most_blocks) {
+      options.most_blocks = result_.registry_b ? *result_.registry_b
+                                               : checked_multiply(2, lower_bound(circular_).blocks);
+    }
+    return options;
+  }
+
+  bool attempt(const BaseBlockShape& shape) {
+    ShapeAttempt& attempt = result_.attempts.emplace_back();
+    attempt.shape = shape;
+    std::vector<Block> blocks;
+    const bool tight = options_.shapes.tight;
+    const bool small = sat_size(shape) <= options_.sat_size;
+    const auto solve = [&] {
+      SatOutcome outcome =
+          base_blocks_by_sat(circular_, shape, tight, options_.conflicts, control_);
+      attempt.conflicts += outcome.conflicts;
+      attempt.outcome = outcome.none ? ShapeOutcome::none : ShapeOutcome::open;
+      blocks = std::move(outcome.blocks);
+    };
+    const auto anneal = [&](std::uint64_t moves) {
+      BaseBlockAnnealing outcome =
+          base_blocks_by_annealing(circular_, shape, moves, random_, control_);
+      attempt.moves += outcome.moves;
+      attempt.missing = std::min(attempt.missing.value_or(outcome.missing), outcome.missing);
+      blocks = std::move(outcome.blocks);
+    };
+    const auto undecided = [&] {
+      return blocks.empty() && attempt.outcome != ShapeOutcome::none && !control_.stop_wanted();
+    };
+    switch (options_.method) {
+      case BaseBlockMethod::sat:
+        solve();
+        break;
+      case BaseBlockMethod::anneal:
+        anneal(options_.moves);
+        break;
+      case BaseBlockMethod::automatic: {
+        const std::uint64_t first = tight && small ? 0 : options_.moves / 4;
+        if (first > 0) {
+          anneal(first);
+        }
+        if (small && undecided()) {
+          solve();
+        }
+        if (undecided()) {
+          anneal(options_.moves - first);
+        }
+        break;
+      }
+    }
+    result_.moves += attempt.moves;
+    result_.conflicts += attempt.conflicts;
+    if (blocks.empty()) {
+      return false;
+    }
+    attempt.outcome = ShapeOutcome::found;
+    take(shape, std::move(blocks), attempt);
+    return true;
+  }
+
+  // Stopped or not.
+  void take(const BaseBlockShape& shape, std::vector<Block> blocks, const ShapeAttempt& attempt) {
+    const RunGrace to_the_end(control_);
+    result_.shape = shape;
+    result_.base_blocks = std::move(blocks);
+    const std::string provenance =
+        attempt.conflicts > 0 && attempt.moves == 0
+            ? fmt::format("SAT search for base blocks, seed {}, {} conflicts", control_.seed(),
+                          attempt.conflicts)
+            : fmt::format("annealing of base blocks, seed {}, {} moves, {} conflicts",
+                          control_.seed(), attempt.moves, attempt.conflicts);
+    Recipe recipe =
+        developed_recipe(circular_, shape, result_.base_blocks, options_.shift, provenance);
+    if (p_.kind == Kind::linear) {
+      recipe = cut_recipe(std::move(recipe));
+    }
+    result_.design = Registry::standard().build_design(recipe);
+    result_.recipe = std::move(recipe);
+    result_.verdict = verify(*result_.design);
+    if (!result_.verdict->valid() ||
+        (options_.shapes.tight && p_.kind == Kind::circular && !result_.verdict->tight())) {
+      throw InternalError(
+          fmt::format("base blocks found for {} fail verification", changeover::name(p_)));
+    }
+    result_.comparison = compare();
+  }
+
+  Comparison compare() const {
+    if (!result_.registry_b) {
+      return Comparison::only;
+    }
+    const std::uint64_t b = result_.verdict->b;
+    if (b != *result_.registry_b) {
+      return b < *result_.registry_b ? Comparison::better : Comparison::worse;
+    }
+    return result_.verdict->tight() && !registry_tight_ ? Comparison::better : Comparison::equal;
+  }
+
+  WhyStopped why() const {
+    if (result_.found()) {
+      return WhyStopped::found;
+    }
+    if (control_.why_stopped() != WhyStopped::running) {
+      return control_.why_stopped();
+    }
+    const bool all_none =
+        std::all_of(result_.attempts.begin(), result_.attempts.end(),
+                    [](const ShapeAttempt& a) { return a.outcome == ShapeOutcome::none; });
+    return all_none ? WhyStopped::exhausted : WhyStopped::step_limit;
+  }
+
+  Parameters p_;
+  Parameters circular_;
+  const BaseBlockOptions& options_;
+  RunControl& control_;
+  Random random_;
+  bool registry_tight_ = false;
+  std::string left_out_;  // why a shape was not tried
+  BaseBlockResult result_;
+};
+
+}  // namespace
+
+std::string_view to_string(BaseBlockMethod method) {
+  return methods.at(static_cast<std::size_t>(method)).second;
+}
+
+std::optional<BaseBlockMethod> base_block_method_from_string(std::string_view name) {
+  for (const auto& [method, its_name] : methods) {
+    if (name == its_name) {
+      return method;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string_view to_string(Comparison comparison) {
+  switch (comparison) {
+    case Comparison::only:
+      return "only";
+    case Comparison::better:
+      return "better";
+    case Comparison::equal:
+      return "equal";
+    case Comparison::worse:
+      break;
+  }
+  return "worse";
+}
+
+BaseBlockResult search_base_blocks(const Parameters& p, const BaseBlockOptions& options,
+                                   RunControl& control) {
+  check(p);
+  if (p.strength != 2) {
+    throw ImpossibleParameters("base blocks are searched for strength 2 only");
+  }
+  if (p.v > most_elements) {
+    throw ImpossibleParameters(
+        fmt::format("base blocks are searched for v up to {}, this is {}", most_elements, p.v));
+  }
+  return Search(p, options, control).run();
+}
+
+Recipe developed_recipe(const Parameters& p, const BaseBlockShape& shape,
+                        std::vector<Block> base_blocks, std::uint64_t shift,
+                        std::string provenance) {
+  if (shape.n == 0 || std::gcd(shift, shape.n) != 1) {
+    throw BadInput(fmt::format("the shift {} is no unit of Z_{}", shift, shape.n));
+  }
+  shift %= shape.n;
+  if (shift != 1) {
+    for (Block& block : base_blocks) {
+      for (Element& x : block) {
+        if (x < shape.n * shape.cycles) {
+          const std::uint64_t residue = x % shape.n;
+          x = static_cast<Element>(x - residue + residue * shift % shape.n);
+        }
+      }
+      std::sort(block.begin(), block.end());
+    }
+  }
+  return {"developed",
+          p,
+          {{"n", static_cast<std::int64_t>(shape.n)},
+           {"f", static_cast<std::int64_t>(shape.fixed)},
+           {"shift", static_cast<std::int64_t>(shift)}},
+          {},
+          std::move(base_blocks),
+          std::move(provenance)};
+}
+
+std::string describe(const BaseBlockResult& result) {
+  if (!result.found()) {
+    const auto none =
+        std::count_if(result.attempts.begin(), result.attempts.end(),
+                      [](const ShapeAttempt& a) { return a.outcome == ShapeOutcome::none; });
+    if (result.attempts.empty()) {
+      return result.why == WhyStopped::exhausted
+                 ? "No shape of base blocks passes the counting conditions."
+                 : fmt::format("Nothing tried: {}.", to_string(result.why));
+    }
+    return fmt::format(
+        "No base blocks found ({}): of {} shapes tried the SAT solver says none exist in {}.",
+        to_string(result.why), result.attempts.size(), none);
+  }
+  const Verdict& verdict = *result.verdict;
+  std::string text = fmt::format("{} with {} blocks{}: {}.", name(verdict.parameters), verdict.b,
+                                 verdict.tight() ? ", tight"
+                                 : verdict.economical()
+                                     ? ", economical"
+                                     : fmt::format(", counting bound {}", verdict.counting_bound),
+                                 to_string(result.shape));
+  if (result.registry_b) {
+    text +=
+        fmt::format(" The best construction, {}, has {} blocks: this is {}.",
+                    result.registry_construction, *result.registry_b, to_string(result.comparison));
+  } else {
+    text += " No construction of the registry serves these parameters.";
+  }
+  return text;
+}
+
+}  // namespace changeover

@@ -1,0 +1,164 @@
+#include "changeover/search/repair.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "changeover/core/error.hpp"
+#include "changeover/search/local_search.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "naive_verdict.hpp"
+#include "run/random.hpp"
+#include "search/local/random_list.hpp"
+
+namespace changeover {
+namespace {
+
+RepairResult mend(const Design& list, const RepairOptions& options = {}) {
+  RunControl control({.seed = 3});
+  return repair(list, options, control);
+}
+
+std::vector<Block> blocks_of(const Design& design) {
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    blocks.emplace_back(design.block(i).begin(), design.block(i).end());
+  }
+  return blocks;
+}
+
+Design known(const Parameters& p) { return best_known_design(p).value(); }
+
+TEST(Repair, LeavesADesignAlone) {
+  const Design design = known({.v = 13, .k = 4, .kind = Kind::circular});
+  const RepairResult result = mend(design);
+  EXPECT_EQ(blocks_of(*result.design), blocks_of(design));
+  EXPECT_EQ(result.kept, design.block_count());
+  EXPECT_EQ(result.moves, 0U);
+  EXPECT_EQ(result.why_stopped, WhyStopped::found);
+}
+
+TEST(Repair, MendsOneWrongElement) {
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    for (const std::uint64_t m : {1U, 2U}) {
+      const Design design = known({.v = 20, .k = 5, .change = m, .kind = kind});
+      Random random(m);
+      for (int run = 0; run < 5; ++run) {
+        std::vector<Block> blocks = blocks_of(design);
+        Block& victim = blocks[random.below(static_cast<std::uint32_t>(blocks.size()))];
+        Element other = random.below(20);
+        while (std::find(victim.begin(), victim.end(), other) != victim.end()) {
+          other = random.below(20);
+        }
+        victim[random.below(5)] = other;
+        const Design list(design.parameters(), blocks);
+        const RepairResult result = mend(list);
+        EXPECT_TRUE(test::naive_verdict(*result.design).valid);
+        EXPECT_EQ(result.given, blocks.size());
+        EXPECT_GE(result.kept + 12, blocks.size());
+      }
+    }
+  }
+}
+
+TEST(Repair, ConnectsWhatIsFarApart) {
+  const Parameters p{.v = 12, .k = 4, .kind = Kind::circular};
+  const Design design = known(p);
+  std::vector<Block> blocks = blocks_of(design);
+  std::rotate(blocks.begin(), blocks.begin() + 3, blocks.begin() + 7);
+  blocks.insert(blocks.begin() + 5, blocks[4]);  // a repeated block
+  const RepairResult result = mend(Design(p, blocks));
+  EXPECT_GT(result.bad_steps, 0U);
+  EXPECT_TRUE(test::naive_verdict(*result.design).valid);
+}
+
+TEST(Repair, MakesADesignOfAnyList) {
+  Random random(9);
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    for (const auto& [v, k, m, t] : std::vector<std::array<std::uint64_t, 4>>{
+             {5, 3, 2, 2}, {6, 4, 1, 2}, {8, 4, 2, 3}, {7, 2, 1, 2}, {9, 6, 3, 2}, {4, 4, 2, 2}}) {
+      const Parameters p{
+          .v = v, .k = k, .change = m, .kind = kind, .strength = static_cast<std::uint32_t>(t)};
+      for (std::size_t b = 1; b < 8; b += 2) {
+        Design list(p);
+        for (std::size_t i = 0; i < b; ++i) {
+          list.append(random_block(p, random));
+        }
+        const RepairResult result = mend(list, {.moves = 50'000});
+        EXPECT_TRUE(test::naive_verdict(*result.design).valid) << name(p) << ' ' << b;
+      }
+    }
+  }
+}
+
+TEST(Repair, KeepsLabels) {
+  const Parameters p{.v = 6, .k = 4, .kind = Kind::circular};
+  Design list(p, std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 2}});
+  list.set_labels({"a", "b", "c", "d", "e", "f"});
+  const RepairResult result = mend(list);
+  EXPECT_EQ(result.design->labels(), list.labels());
+  EXPECT_TRUE(verify(*result.design).valid());
+}
+
+TEST(Repair, RefusesWhatCannotBe) {
+  EXPECT_THROW(mend(Design({.v = 6, .k = 4})), BadInput);
+  const Design list({.v = 4, .k = 2}, std::vector<Block>{{0, 1}});
+  EXPECT_THROW(mend(list), ImpossibleParameters);
+}
+
+TEST(Extend, KeepsTheBeginning) {
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    for (const std::uint64_t m : {1U, 2U}) {
+      const Parameters p{.v = 14, .k = 4, .change = m, .kind = kind};
+      const Design whole = known(p);
+      for (const std::size_t kept : {std::size_t{1}, std::size_t{5}, whole.block_count() - 2}) {
+        Design beginning(p);
+        for (std::size_t i = 0; i < kept; ++i) {
+          beginning.append(whole.block(i));
+        }
+        RunControl control({.seed = 4});
+        const ExtendResult result = extend(beginning, {.moves = 150'000}, control);
+        EXPECT_TRUE(test::naive_verdict(*result.design).valid);
+        EXPECT_GE(result.design->block_count(), result.lower_bound);
+        for (std::size_t i = 0; i < kept; ++i) {
+          const auto was = beginning.block(i);
+          const auto is = result.design->block(i);
+          EXPECT_TRUE(std::equal(was.begin(), was.end(), is.begin(), is.end()));
+        }
+      }
+    }
+  }
+}
+
+TEST(Extend, FindsBackWhatWasTakenAway) {
+  const Parameters p{.v = 12, .k = 4, .change = 2};
+  const Design whole = known(p);
+  Design beginning(p);
+  for (std::size_t i = 0; i + 4 < whole.block_count(); ++i) {
+    beginning.append(whole.block(i));
+  }
+  RunControl control({.seed = 5});
+  const ExtendResult result =
+      extend(beginning, {.blocks = whole.block_count(), .moves = 20'000'000}, control);
+  EXPECT_LE(result.design->block_count(), whole.block_count());
+  EXPECT_EQ(result.why_stopped, WhyStopped::found);
+}
+
+TEST(Extend, RefusesAWrongStep) {
+  const Parameters p{.v = 8, .k = 4, .change = 2};
+  RunControl control({});
+  const Design wrong(p, std::vector<Block>{{0, 1, 2, 3}, {0, 1, 2, 4}});
+  try {
+    static_cast<void>(extend(wrong, {}, control));
+    FAIL();
+  } catch (const BadInput& fault) {
+    EXPECT_STREQ(fault.what(),
+                 "the step from block 1 to block 2 changes 1 elements, not 2; repair the list "
+                 "first");
+  }
+  EXPECT_THROW(static_cast<void>(extend(Design(p), {}, control)), BadInput);
+}
+
+}  // namespace
+}  // namespace changeover
