@@ -89,6 +89,17 @@ const Parameters& Family::required(const Recipe& recipe) const {
   return p;
 }
 
+void Entry::require_input(const Recipe& recipe, const std::optional<Parameters>& smaller,
+                          const std::map<std::string, std::int64_t>& arguments) const {
+  if (smaller && (recipe.inputs.size() != 1 || recipe.inputs.front().parameters != *smaller)) {
+    throw BadInput(fmt::format("{} to {} takes one input, a {}", name(),
+                               changeover::name(recipe.parameters), changeover::name(*smaller)));
+  }
+  require_recipe(recipe, *this,
+                 smaller ? std::optional(recipe_of(recipe.parameters, arguments, recipe.inputs))
+                         : std::nullopt);
+}
+
 std::uint64_t Rule::number(const Recipe& recipe) const {
   const Parameters& p = recipe.parameters;
   try {
@@ -199,6 +210,15 @@ std::string first_elements(std::uint64_t count) {
     text += fmt::format("{}{}", x == 0 ? "" : ",", x);
   }
   return text;
+}
+
+std::vector<UnchangedSubset> known_expansion_set(const Recipe& input, const Registry& registry) {
+  auto set = registry.construction_of(input).expansion_set(input, registry);
+  if (!set) {
+    throw BadInput(fmt::format("no expansion set is known of {} as made by {}",
+                               name(input.parameters), input.construction));
+  }
+  return *std::move(set);
 }
 
 std::vector<std::string> labels_with_new(const Recipe& recipe, const Registry& registry) {

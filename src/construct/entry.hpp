@@ -64,6 +64,11 @@ class Entry : public Construction {
     return {std::string(name()), p, std::move(arguments), std::move(inputs), {}};
   }
 
+  /// @throws BadInput unless the recipe has one input, any recipe of the parameters `smaller`, and is else
+  /// a recipe of this construction with these arguments.
+  void require_input(const Recipe& recipe, const std::optional<Parameters>& smaller,
+                     const std::map<std::string, std::int64_t>& arguments) const;
+
  private:
   Description description_;
 };
@@ -146,6 +151,10 @@ enum class Need : std::uint8_t { blocks, expansion_set };
 
 /// "0,1,2", or "0,…,9" when there are many; for explanations.
 [[nodiscard]] std::string first_elements(std::uint64_t count);
+
+/// The expansion set of an input. @throws BadInput if none is known.
+[[nodiscard]] std::vector<UnchangedSubset> known_expansion_set(const Recipe& input,
+                                                               const Registry& registry);
 
 /// The labels of the recipe's one input, and of the elements that are new; see expanded_labels().
 [[nodiscard]] std::vector<std::string> labels_with_new(const Recipe& recipe,
