@@ -300,23 +300,6 @@ PaperItem check_unique() {
   return std::move(check).finish();
 }
 
-std::optional<Design> rebuilt_table_7(const Paper& paper) {
-  const PrintedTable& small = table_at(paper, "Table 4 (right)");
-  for (const PrintedFactorization& printed : paper.factorizations) {
-    if (printed.place.starts_with("K_4")) {
-      try {
-        Design design = expand(printed_design(small, Kind::circular), marked_expansion_set(small),
-                               parse(printed));
-        design.set_labels({});
-        return design;
-      } catch (const Error&) {
-        return std::nullopt;
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 void add_table(std::vector<PaperItem>& items, const PaperContext& context, std::string_view place,
                std::string_view construction, const std::string& how) {
   const PrintedTable& table = table_at(context.paper, place);
@@ -346,7 +329,8 @@ std::vector<PaperItem> check_doubling(const PaperContext& context) {
   items.push_back(check_expansion_iff_4(context));
   items.push_back(check_unique());
   const PrintedTable& table_7 = table_at(context.paper, "Table 7");
-  if (const auto rebuilt = rebuilt_table_7(context.paper)) {
+  if (const auto rebuilt =
+          expanded_as_printed(context.paper, "Table 4 (right)", Kind::circular, "K_4 of Table 7")) {
     items.push_back(check_blocks(table_7, *rebuilt, "expanded from Table 4 with 1-factors of K_4"));
   } else {
     Check check(table_7.place, table_7.caption, "blocks");

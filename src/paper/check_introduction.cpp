@@ -130,14 +130,6 @@ std::uint64_t most_changes(const std::vector<Block>& blocks) {
   return k * blocks.size() - (components - 1);
 }
 
-std::vector<Block> blocks_of(const Design& design) {
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    blocks.emplace_back(design.block(i).begin(), design.block(i).end());
-  }
-  return blocks;
-}
-
 PaperItem check_costs(const Paper& paper) {
   Check check("Section 1", "costs of testing nine components three at a time, six figures",
               "figures");
@@ -168,11 +160,11 @@ PaperItem check_costs(const Paper& paper) {
       },
       0);
   const PrintedTable& table = table_at(paper, "Table 1");
-  const std::vector<Block> twice = blocks_of(printed_design(table, Kind::linear));
+  const std::vector<Block> twice = printed_design(table, Kind::linear).blocks();
   if (single.designs.empty()) {
     return std::move(check).finish();
   }
-  const std::vector<Block> once = blocks_of(single.designs.front());
+  const std::vector<Block> once = single.designs.front().blocks();
   for (const PrintedCosts& printed : paper.costs) {
     const auto compare = [&](std::uint64_t dollars, const std::vector<Block>& blocks,
                              const std::string& what) {

@@ -97,25 +97,8 @@ PaperItem check_theorem(const PaperContext& context, const std::vector<WithSet>&
   return std::move(check).finish();
 }
 
-std::optional<Design> rebuilt_table_3(const Paper& paper) {
-  const PrintedTable& small = table_at(paper, "Table 2");
-  for (const PrintedFactorization& printed : paper.factorizations) {
-    if (printed.place == "Figure 2") {
-      try {
-        Design design = expand(printed_design(small, Kind::linear), marked_expansion_set(small),
-                               parse(printed));
-        design.set_labels({});
-        return design;
-      } catch (const Error&) {
-        return std::nullopt;
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 PaperItem check_table_3(const Paper& paper, const PrintedTable& table) {
-  if (const auto rebuilt = rebuilt_table_3(paper)) {
+  if (const auto rebuilt = expanded_as_printed(paper, "Table 2", Kind::linear, "Figure 2")) {
     return check_blocks(table, *rebuilt,
                         "expanded from Table 2 with the colours of Figure 2 in their order");
   }
@@ -169,25 +152,29 @@ PaperItem check_colours(const Paper& paper, const PrintedTable& table) {
   return std::move(check).finish();
 }
 
+// Hands on those whose set is one, and what Theorem 2 makes of them.
+template <typename Use>
+void for_each_expanded(const std::vector<WithSet>& designs, const Use& use) {
+  for (const auto& [design, set] : designs) {
+    if (!expansion_set_defect(design, set)) {
+      use(design,
+          expand(design, set, one_factorization(static_cast<std::uint32_t>(set.size()) + 1)));
+    }
+  }
+}
+
 PaperItem check_never_again(const std::vector<WithSet>& designs) {
   Check check("Section 3.1", "the expanded design never has an expansion set", "designs");
-  for (const WithSet& with_set : designs) {
-    const Design& design = with_set.design;
-    const ExpansionSet& set = with_set.set;
-    if (expansion_set_defect(design, set)) {
-      continue;
-    }
-    const Design larger =
-        expand(design, set, one_factorization(static_cast<std::uint32_t>(set.size()) + 1));
+  for_each_expanded(designs, [&](const Design&, const Design& larger) {
     if (larger.v() > 64) {
-      continue;
+      return;
     }
     const ExpansionSearch search = find_expansion_sets(larger, {.how_many = 1, .limits = {}});
     check.expect(search.sets.empty() && search.complete, [&] {
       return PaperFinding{"no expansion set",
                           fmt::format("the {} has one", name(larger.parameters())), "exact cover"};
     });
-  }
+  });
   check.note("by exact cover, v <= 64");
   return std::move(check).finish();
 }
@@ -195,14 +182,7 @@ PaperItem check_never_again(const std::vector<WithSet>& designs) {
 PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& designs) {
   Check check("Section 3.1", "a new element of Theorem 2 is never in an unchanged subset",
               "designs");
-  for (const WithSet& with_set : designs) {
-    const Design& design = with_set.design;
-    const ExpansionSet& set = with_set.set;
-    if (expansion_set_defect(design, set)) {
-      continue;
-    }
-    const Design larger =
-        expand(design, set, one_factorization(static_cast<std::uint32_t>(set.size()) + 1));
+  for_each_expanded(designs, [&](const Design& design, const Design& larger) {
     const std::vector<UnchangedSubset> between = unchanged_subsets(larger);
     check.expect(
         std::none_of(
@@ -212,7 +192,7 @@ PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& des
           return PaperFinding{"a new element is never in an unchanged subset",
                               "one is kept from a block to the next", name(larger.parameters())};
         });
-  }
+  });
   // By Section 2.2 the ends of a linear design have unchanged subsets too: U_0 and U_b.
   const PrintedTable& table = table_at(paper, "Table 3");
   const Design linear = printed_design(table, Kind::linear);

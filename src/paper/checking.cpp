@@ -6,6 +6,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/checked.hpp"
+#include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 
 namespace changeover {
@@ -227,6 +228,24 @@ ExpansionSet marked_expansion_set(const PrintedTable& table) {
     set.push_back(std::move(subset));
   }
   return set;
+}
+
+std::optional<Design> expanded_as_printed(const Paper& paper, std::string_view table, Kind kind,
+                                          std::string_view factorization) {
+  const PrintedTable& small = table_at(paper, table);
+  for (const PrintedFactorization& printed : paper.factorizations) {
+    if (printed.place == factorization) {
+      try {
+        Design design =
+            expand(printed_design(small, kind), marked_expansion_set(small), parse(printed));
+        design.set_labels({});
+        return design;
+      } catch (const Error&) {
+        return std::nullopt;
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 bool expect_design(Check& check, const Design& design, const Claim& claim) {

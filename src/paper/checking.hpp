@@ -102,6 +102,11 @@ struct CyclicWithSet {
 /// printed beneath it. Positions are as in construct/expansion.hpp.
 [[nodiscard]] ExpansionSet marked_expansion_set(const PrintedTable& table);
 
+/// What Theorem 2 makes of a printed design, its marked expansion set and the printed 1-factorization of
+/// that place, elements without names; nullopt if that cannot be done.
+[[nodiscard]] std::optional<Design> expanded_as_printed(const Paper& paper, std::string_view table,
+                                                        Kind kind, std::string_view factorization);
+
 /// What is said of a design besides its parameters.
 struct Claim {
   std::uint64_t b = 0;

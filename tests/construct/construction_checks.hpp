@@ -41,11 +41,6 @@ inline std::vector<Block> blocks_of(BlockSource& source) {
   return blocks;
 }
 
-inline std::vector<Block> blocks_of(const Design& design) {
-  DesignSource source(design);
-  return blocks_of(source);
-}
-
 inline std::string one_line_fault(const Recipe& recipe) {
   try {
     (void)standard().build(recipe);
@@ -62,18 +57,24 @@ inline void expect_refused(const Recipe& recipe, const std::string& how) {
       << recipe.construction << " " << name(recipe.parameters) << ": " << how;
 }
 
-/// Spoils the recipe in one place at a time; `same_argument` names an argument of free choice, and
-/// the kind is changed only if `one_kind`.
-inline void expect_spoilt_recipes_refused(const Recipe& recipe,
-                                          const std::string& same_argument = "",
-                                          bool one_kind = true) {
+/// What may be changed in a recipe so that it is another one that is right.
+struct Freedom {
+  std::string argument{};  ///< one of free choice
+  bool any_v = false;
+  bool any_kind = false;
+};
+
+/// Spoils the recipe in one place at a time.
+inline void expect_spoilt_recipes_refused(const Recipe& recipe, const Freedom& freedom = {}) {
   const auto spoil = [&](const std::string& how, const auto& change) {
     Recipe spoilt = recipe;
     change(spoilt);
     expect_refused(spoilt, how);
   };
-  spoil("v + 1", [](Recipe& r) { ++r.parameters.v; });
-  spoil("v - 1", [](Recipe& r) { --r.parameters.v; });
+  if (!freedom.any_v) {
+    spoil("v + 1", [](Recipe& r) { ++r.parameters.v; });
+    spoil("v - 1", [](Recipe& r) { --r.parameters.v; });
+  }
   spoil("k + 1", [](Recipe& r) { ++r.parameters.k; });
   spoil("k - 1", [](Recipe& r) { --r.parameters.k; });
   spoil("v, k huge", [](Recipe& r) { r.parameters.v = r.parameters.k = ~std::uint64_t{0}; });
@@ -81,7 +82,7 @@ inline void expect_spoilt_recipes_refused(const Recipe& recipe,
   spoil("m + 1", [](Recipe& r) { ++r.parameters.change; });
   spoil("m = 0", [](Recipe& r) { r.parameters.change = 0; });
   spoil("t = 3", [](Recipe& r) { r.parameters.strength = 3; });
-  if (one_kind) {
+  if (!freedom.any_kind) {
     spoil("other kind", [](Recipe& r) {
       r.parameters.kind = r.parameters.kind == Kind::linear ? Kind::circular : Kind::linear;
     });
@@ -94,7 +95,7 @@ inline void expect_spoilt_recipes_refused(const Recipe& recipe,
   for (const auto& [argument, value] : recipe.arguments) {
     spoil("no " + argument, [&key = argument](Recipe& r) { r.arguments.erase(key); });
     spoil(argument + " < 0", [&key = argument](Recipe& r) { r.arguments[key] = -1; });
-    if (argument != same_argument) {
+    if (argument != freedom.argument) {
       spoil(argument + " + 1", [&key = argument](Recipe& r) { ++r.arguments[key]; });
       spoil(argument + " - 1", [&key = argument](Recipe& r) { --r.arguments[key]; });
     }
@@ -131,7 +132,7 @@ inline void expect_as_promised(const Offer& offer) {
   EXPECT_FALSE(source->next(block));
   ASSERT_TRUE(source->rewind());
   const Design design = standard().build_design(recipe);
-  EXPECT_EQ(blocks_of(*source), blocks_of(design));
+  EXPECT_EQ(blocks_of(*source), design.blocks());
   EXPECT_EQ(design.recipe, recipe);
   if (p.v <= 12 && offer.b <= 40) {
     const NaiveVerdict naive = naive_verdict(design);
@@ -146,7 +147,7 @@ inline void expect_as_promised(const Offer& offer) {
   }
   if (const auto base = maker.base_blocks(recipe)) {
     DevelopedSource developed(*base);
-    EXPECT_EQ(blocks_of(developed), blocks_of(design));
+    EXPECT_EQ(blocks_of(developed), design.blocks());
     const DifferenceVerdict differences = verify_differences(*base);
     EXPECT_TRUE(differences.valid());
     EXPECT_TRUE(differences.tight || !offer.tight);

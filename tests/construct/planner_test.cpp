@@ -98,14 +98,6 @@ TEST(Planner, RefusesRangesThatMakeNoSense) {
   EXPECT_THROW((void)plan.at({.v = 10, .k = 3}), BadInput);
 }
 
-Recipe literal(const Design& design) {
-  Recipe recipe{"literal", design.parameters(), {}, {}, {}};
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    recipe.blocks.emplace_back(design.block(i).begin(), design.block(i).end());
-  }
-  return recipe;
-}
-
 TEST(Truncate, TakesAnElementAwayFromEveryDesignThatAllowsIt) {
   std::size_t done = 0;
   for (const Kind kind : {Kind::circular, Kind::linear}) {
@@ -163,7 +155,7 @@ TEST(Drop, LeavesOutWhatIsNotNeededAndNothingElse) {
   for (std::size_t i = 0; i < 2 * once.block_count(); ++i) {
     twice.append(once.block(i % once.block_count()));
   }
-  const Design less = registry().build_design(drop_recipe(literal(twice)));
+  const Design less = registry().build_design(drop_recipe(literal_recipe(twice)));
   EXPECT_TRUE(valid(less));
   EXPECT_EQ(less.block_count(), needed_block_count(twice));
   EXPECT_LE(less.block_count(), once.block_count());

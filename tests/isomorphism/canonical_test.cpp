@@ -13,10 +13,9 @@ namespace {
 using Blocks = std::vector<std::vector<Element>>;
 
 Blocks blocks_of(const Design& design) {
-  Blocks blocks;
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    blocks.emplace_back(design.block(i).begin(), design.block(i).end());
-    std::sort(blocks.back().begin(), blocks.back().end());
+  Blocks blocks = design.blocks();
+  for (Block& block : blocks) {
+    std::sort(block.begin(), block.end());
   }
   return blocks;
 }

@@ -192,10 +192,7 @@ TEST(Verdict, RejectsEveryMutationOfATightDesignAtMarginOne) {
   for (const Design& design : {dccd_6_4(), dccd_11_4(), mcsorley(5)}) {
     const Parameters& p = design.parameters();
     const std::size_t b = design.block_count();
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < b; ++i) {
-      blocks.emplace_back(design.block(i).begin(), design.block(i).end());
-    }
+    const std::vector<Block> blocks = design.blocks();
     for (std::size_t i = 0; i < b; ++i) {
       auto fewer = blocks;
       fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));

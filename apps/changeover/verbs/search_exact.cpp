@@ -85,12 +85,7 @@ std::string to_json(const MinimumResult& result, bool settled) {
     json.key("why_stopped").value(to_string(result.why));
   }
   if (result.best) {
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < result.best->block_count(); ++i) {
-      const auto block = result.best->block(i);
-      blocks.emplace_back(block.begin(), block.end());
-    }
-    json.key("blocks").value(blocks);
+    json.key("blocks").value(result.best->blocks());
   }
   json.key("steps").begin_array();
   for (const Decision& step : result.steps) {

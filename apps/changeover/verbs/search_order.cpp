@@ -17,15 +17,6 @@ struct Ordered {
   std::vector<std::pair<std::string, std::uint64_t>> numbers;  ///< the same for JSON
 };
 
-std::vector<Block> blocks_of(const Design& design) {
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    const auto block = design.block(i);
-    blocks.emplace_back(block.begin(), block.end());
-  }
-  return blocks;
-}
-
 void show_list(const Design& arranged, const Ordered& ordered, const SearchRequest& request) {
   if (request.output.chosen() == "json") {
     JsonWriter json;
@@ -34,7 +25,7 @@ void show_list(const Design& arranged, const Ordered& ordered, const SearchReque
       json.key(name).value(number);
     }
     json.key("blocks").begin_array();
-    for (const Block& block : blocks_of(arranged)) {
+    for (const Block& block : arranged.blocks()) {
       json.begin_array();
       for (const Element x : block) {
         json.value(arranged.label(x));
@@ -49,7 +40,7 @@ void show_list(const Design& arranged, const Ordered& ordered, const SearchReque
   for (const std::string& line : ordered.lines) {
     text += "# " + line + "\n";
   }
-  for (const Block& block : blocks_of(arranged)) {
+  for (const Block& block : arranged.blocks()) {
     for (std::size_t i = 0; i < block.size(); ++i) {
       text += (i == 0 ? "" : " ") + arranged.label(block[i]);
     }
@@ -77,7 +68,7 @@ int search_order(const SearchRequest& request) {
   reading.kind = kind;
   reading.change = request.change;
   const Design given = read_design(request.order_file, reading);
-  const std::vector<Block> blocks = blocks_of(given);
+  const std::vector<Block> blocks = given.blocks();
   Running running(request.run, request.output);
 
   Ordered ordered;

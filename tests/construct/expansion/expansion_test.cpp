@@ -147,7 +147,7 @@ TEST(Expand, AsAStreamMakesTheSameBlocks) {
   for (const Given& g :
        {fifteen(), linear_seven(), given("doubling", {6, 4, 2, Kind::circular, 2})}) {
     for (const FactorizationKind kind : {FactorizationKind::circle, FactorizationKind::doubled}) {
-      const std::vector<Block> expected = blocks_of(expand(g.design, g.set, factors(g.set, kind)));
+      const std::vector<Block> expected = expand(g.design, g.set, factors(g.set, kind)).blocks();
       const auto source = expand(std::make_unique<DesignSource>(g.design), g.set, kind);
       EXPECT_EQ(source->block_count(), expected.size());
       EXPECT_EQ(source->parameters().v, g.design.v() + g.set.size() + 1);

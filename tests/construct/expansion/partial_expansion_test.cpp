@@ -58,7 +58,7 @@ TEST(PartialExpansion, KeepsTheOldBlocksInTheirOrder) {
   for (std::uint64_t w = 1; w <= 9; ++w) {
     const Design larger = expand_by(design, *find_cover(design, for_w(w)), w);
     std::size_t next = 0;
-    for (const Block& block : blocks_of(larger)) {
+    for (const Block& block : larger.blocks()) {
       const auto old = design.block(std::min<std::size_t>(next, 10));
       next += next < 11 && std::equal(block.begin(), block.end(), old.begin()) ? 1U : 0U;
     }
@@ -93,8 +93,8 @@ TEST(PartialExpansion, IsTheirTheoremForAPartitionOfOddSizeAndEconomicalForAnEve
   ASSERT_TRUE(thirds);
   EXPECT_EQ(thirds->subsets.size(), 5U);
   EXPECT_TRUE(thirds->minimum);
-  EXPECT_EQ(blocks_of(expand_by(fifteen, *thirds, 6)),
-            blocks_of(expand(fifteen, thirds->subsets, one_factorization(6))));
+  EXPECT_EQ(expand_by(fifteen, *thirds, 6).blocks(),
+            expand(fifteen, thirds->subsets, one_factorization(6)).blocks());
   EXPECT_TRUE(verify(expand_by(fifteen, *thirds, 6)).tight());
   const Verdict nineteen = verify(expand_by(fifteen, *thirds, 4));
   EXPECT_EQ(nineteen.b, 25U);
@@ -135,7 +135,7 @@ TEST(PartialExpansion, TakesAnyNumberOfChangesUpToThatOfNewElements) {
   // Three copies of every element of a circular SCCD: m = 3.
   const Design single = built("mcsorley-circular", 7, 4, 1);
   Design triple(Parameters{21, 12, 3, Kind::circular, 2});
-  for (const Block& block : blocks_of(single)) {
+  for (const Block& block : single.blocks()) {
     Block copies;
     for (const Element x : block) {
       copies.insert(copies.end(), {3 * x, 3 * x + 1, 3 * x + 2});
@@ -210,14 +210,14 @@ TEST(PartialExpansion, OfAStreamIsTheSameAndCanBeReadAgain) {
       const auto source = expand_by(std::make_unique<DesignSource>(design), *cover, w);
       EXPECT_EQ(source->parameters(), larger.parameters());
       EXPECT_EQ(source->block_count(), larger.block_count());
-      EXPECT_EQ(blocks_of(*source), blocks_of(larger));
+      EXPECT_EQ(blocks_of(*source), larger.blocks());
       ASSERT_TRUE(source->rewind());
       Block block(static_cast<std::size_t>(design.k()));
       for (std::size_t i = 0; i < larger.block_count() / 2; ++i) {
         ASSERT_TRUE(source->next(block));
       }
       ASSERT_TRUE(source->rewind());
-      EXPECT_EQ(blocks_of(*source), blocks_of(larger));
+      EXPECT_EQ(blocks_of(*source), larger.blocks());
       EXPECT_FALSE(source->next(block));
     }
   }

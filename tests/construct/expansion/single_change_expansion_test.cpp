@@ -58,11 +58,11 @@ TEST(SingleChangeExpansion, NeverBeatsTheKnownMinima) {
 TEST(SingleChangeExpansion, InsertsAtAGivenListOfPositions) {
   const Design larger = expand_single_change(linear_four(), {2, 0});
   EXPECT_EQ(larger.parameters(), parameters(5, 3, Kind::linear));
-  EXPECT_EQ(blocks_of(larger),
+  EXPECT_EQ(larger.blocks(),
             (std::vector<Block>{{0, 1, 4}, {0, 1, 2}, {0, 2, 3}, {2, 3, 4}, {1, 2, 3}}));
   EXPECT_TRUE(naive_verdict(larger).valid);
-  EXPECT_EQ(blocks_of(expand_single_change(linear_four(), ExpansionSet{{0, {0, 1}}, {2, {2, 3}}})),
-            blocks_of(larger));
+  EXPECT_EQ(expand_single_change(linear_four(), ExpansionSet{{0, {0, 1}}, {2, {2, 3}}}).blocks(),
+            larger.blocks());
 }
 
 // ⌈v/(k−1)⌉ intervals cover Z_v: economical designs for v + 1 out of tight ones.
@@ -80,9 +80,9 @@ TEST(SingleChangeExpansion, TakesSubsetsThatOverlap) {
     const auto source =
         expand_single_change(standard().build(*design.recipe),
                              {found[0], found[static_cast<std::size_t>(k - 1)], found.back()});
-    EXPECT_EQ(blocks_of(*source), blocks_of(larger));
+    EXPECT_EQ(blocks_of(*source), larger.blocks());
     ASSERT_TRUE(source->rewind());
-    EXPECT_EQ(blocks_of(*source), blocks_of(larger));
+    EXPECT_EQ(blocks_of(*source), larger.blocks());
   }
 }
 
@@ -133,7 +133,7 @@ TEST(SingleChangeExpansion, RefusesWhatDoesNotFit) {
 
 TEST(SingleChangeExpansion, BuildsOnALiteralDesign) {
   const Design design = design_of("quadruples-single-change", parameters(9, 4, Kind::circular));
-  const Recipe literal{"literal", design.parameters(), {}, {}, blocks_of(design)};
+  const Recipe literal{"literal", design.parameters(), {}, {}, design.blocks()};
   const Recipe recipe{entry, parameters(10, 4, Kind::circular), {}, {literal}, {}};
   EXPECT_TRUE(verify(*standard().build(recipe)).tight());
   // Every unchanged subset of this one contains 0.

@@ -60,14 +60,6 @@ std::string complaint(const std::string& text, const ReadOptions& options = {}) 
   return message_of([&] { (void)read(text, options); });
 }
 
-std::vector<Block> blocks_of(const Design& design) {
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    blocks.emplace_back(design.block(i).begin(), design.block(i).end());
-  }
-  return blocks;
-}
-
 using Labels = std::vector<std::string>;
 
 TEST(TextTest, TheExampleIsReadAndWrittenBack) {
@@ -75,7 +67,7 @@ TEST(TextTest, TheExampleIsReadAndWrittenBack) {
       "# changeover design v=6 k=4 change=2 kind=circular\n0 1 2 3\n4 5 2 3\n4 5 0 1\n";
   const Design design = read(text);
   EXPECT_EQ(design.parameters(), (Parameters{.v = 6, .k = 4, .change = 2, .kind = Kind::circular}));
-  EXPECT_EQ(blocks_of(design), (std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}}));
+  EXPECT_EQ(design.blocks(), (std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}}));
   EXPECT_EQ(written(design), text);
 }
 
@@ -98,7 +90,7 @@ TEST(TextTest, TheCallerWinsOverTheHeader) {
 TEST(TextTest, UndeclaredNumbersThatAreNotAnInitialRangeBecomeLabelsInOrder) {
   const Design design = read("10 2 33\n2 33 4\n");
   EXPECT_EQ(design.labels(), (Labels{"2", "4", "10", "33"}));
-  EXPECT_EQ(blocks_of(design), (std::vector<Block>{{2, 0, 3}, {0, 3, 1}}));
+  EXPECT_EQ(design.blocks(), (std::vector<Block>{{2, 0, 3}, {0, 3, 1}}));
 }
 
 TEST(TextTest, UndeclaredWordsBecomeLabelsAsTheyOccur) {
@@ -115,7 +107,7 @@ TEST(TextTest, WordsUnderADeclaredVAreNamedAsTheyOccurAndTheRestByNumbers) {
 TEST(TextTest, ListedLabelsNameTheElements) {
   const Design design = read("# labels: c b a\na b\n");
   EXPECT_EQ(design.labels(), (Labels{"c", "b", "a"}));
-  EXPECT_EQ(blocks_of(design), (std::vector<Block>{{2, 1}}));
+  EXPECT_EQ(design.blocks(), (std::vector<Block>{{2, 1}}));
   EXPECT_TRUE(read("# labels: 0 1 2\n0 1\n").labels().empty());
   EXPECT_EQ(read("# labels: 2 1 0\n0 1\n").labels(), (Labels{"2", "1", "0"}));
 }
@@ -124,7 +116,7 @@ TEST(TextTest, CommentsBlankLinesTabsCarriageReturnsAndAByteOrderMarkAreTolerate
   const Design design =
       read("\xEF\xBB\xBF# changeover design v=5\r\n#\r\n\r\n  0\t1 2 # trailing\r\n\n#x\n0 3 4#y");
   EXPECT_EQ(design.v(), 5U);
-  EXPECT_EQ(blocks_of(design), (std::vector<Block>{{0, 1, 2}, {0, 3, 4}}));
+  EXPECT_EQ(design.blocks(), (std::vector<Block>{{0, 1, 2}, {0, 3, 4}}));
   EXPECT_EQ(read("0 1\n1 2\r").block_count(), 2U);
 }
 
@@ -346,7 +338,7 @@ TEST(TextTest, WordsAreWholeAcrossTheEdgesOfTheBuffer) {
     const std::string text = "# changeover design v=60000\n1 2" +
                              std::string((std::size_t{1} << 18) - 35 + shift, ' ') +
                              "12345 23456\n3 4 5 6\n";
-    EXPECT_EQ(blocks_of(read(text)), (std::vector<Block>{{1, 2, 12345, 23456}, {3, 4, 5, 6}}));
+    EXPECT_EQ(read(text).blocks(), (std::vector<Block>{{1, 2, 12345, 23456}, {3, 4, 5, 6}}));
   }
 }
 
@@ -414,7 +406,7 @@ RC_GTEST_PROP(TextProperty, WritingReadingAndWritingGivesTheSameBytes, (std::uin
   RC_ASSERT(again.parameters() == design.parameters());
   RC_ASSERT(again.labels() == design.labels());
   RC_ASSERT(again.recipe == design.recipe);
-  RC_ASSERT(blocks_of(again) == blocks_of(design));
+  RC_ASSERT(again.blocks() == design.blocks());
   RC_ASSERT(written(again) == text);
 }
 

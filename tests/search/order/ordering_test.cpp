@@ -218,13 +218,9 @@ TEST(OrderForChange, FindsItsWayThroughAShuffledDesign) {
   Random random(5);
   const Design design = Registry::standard().build_design(
       Registry::standard().best({61, 4, 2, Kind::circular, 2})->recipe);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    blocks.emplace_back(design.block(i).begin(), design.block(i).end());
-  }
-  const ChangeOrder order = ordered(shuffled(blocks, random), {61, 2, Kind::linear});
+  const ChangeOrder order = ordered(shuffled(design.blocks(), random), {61, 2, Kind::linear});
   EXPECT_NE(order.answer, OrderAnswer::none);
-  const ChangeOrder three = ordered(shuffled(blocks, random), {61, 3, Kind::circular});
+  const ChangeOrder three = ordered(shuffled(design.blocks(), random), {61, 3, Kind::circular});
   EXPECT_EQ(three.answer, OrderAnswer::found);
 }
 
@@ -352,14 +348,11 @@ TEST(OrderForLeastChange, OrdersADesignNoWorseThanTheDesignDoes) {
   Random random(8);
   const Parameters p{25, 4, 2, Kind::circular, 2};
   const Design design = Registry::standard().build_design(Registry::standard().best(p)->recipe);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    blocks.emplace_back(design.block(i).begin(), design.block(i).end());
-  }
   const LeastChangeOrder order =
-      ordered(shuffled(blocks, random), {p.v, Kind::circular, true}, {.kicks = 20'000});
-  EXPECT_LE(order.cost, 2 * blocks.size() + blocks.size() / 10);
-  EXPECT_LE(order.lower_bound, 2 * blocks.size());
+      ordered(shuffled(design.blocks(), random), {p.v, Kind::circular, true}, {.kicks = 20'000});
+  const std::size_t b = design.block_count();
+  EXPECT_LE(order.cost, 2 * b + b / 10);
+  EXPECT_LE(order.lower_bound, 2 * b);
 }
 
 TEST(OrderForLeastChange, IsDeterministicAndStops) {

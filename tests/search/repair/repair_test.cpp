@@ -20,20 +20,12 @@ RepairResult mend(const Design& list, const RepairOptions& options = {}) {
   return repair(list, options, control);
 }
 
-std::vector<Block> blocks_of(const Design& design) {
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    blocks.emplace_back(design.block(i).begin(), design.block(i).end());
-  }
-  return blocks;
-}
-
 Design known(const Parameters& p) { return best_known_design(p).value(); }
 
 TEST(Repair, LeavesADesignAlone) {
   const Design design = known({.v = 13, .k = 4, .kind = Kind::circular});
   const RepairResult result = mend(design);
-  EXPECT_EQ(blocks_of(*result.design), blocks_of(design));
+  EXPECT_EQ(result.design->blocks(), design.blocks());
   EXPECT_EQ(result.kept, design.block_count());
   EXPECT_EQ(result.moves, 0U);
   EXPECT_EQ(result.why_stopped, WhyStopped::found);
@@ -45,7 +37,7 @@ TEST(Repair, MendsOneWrongElement) {
       const Design design = known({.v = 20, .k = 5, .change = m, .kind = kind});
       Random random(m);
       for (int run = 0; run < 5; ++run) {
-        std::vector<Block> blocks = blocks_of(design);
+        std::vector<Block> blocks = design.blocks();
         Block& victim = blocks[random.below(static_cast<std::uint32_t>(blocks.size()))];
         Element other = random.below(20);
         while (std::find(victim.begin(), victim.end(), other) != victim.end()) {
@@ -65,7 +57,7 @@ TEST(Repair, MendsOneWrongElement) {
 TEST(Repair, ConnectsWhatIsFarApart) {
   const Parameters p{.v = 12, .k = 4, .kind = Kind::circular};
   const Design design = known(p);
-  std::vector<Block> blocks = blocks_of(design);
+  std::vector<Block> blocks = design.blocks();
   std::rotate(blocks.begin(), blocks.begin() + 3, blocks.begin() + 7);
   blocks.insert(blocks.begin() + 5, blocks[4]);  // a repeated block
   const RepairResult result = mend(Design(p, blocks));

@@ -30,19 +30,24 @@ std::optional<Parameters> input_parameters(const Parameters& p) {
   return smaller;
 }
 
-class Expansion final : public Construction {
+using Arguments = std::map<std::string, std::int64_t>;
+
+Arguments arguments(const Parameters& p, const Parameters& smaller) {
+  return {{"w", static_cast<std::int64_t>(p.v - smaller.v)}};
+}
+
+constexpr Description description{
+    .name = "expansion",
+    .summary = "1-factors of a complete graph inserted at the positions of an expansion set",
+    .preconditions = "m = 2, v = l(k-1)+1 with l odd, and a DCCD(l(k-2),k) with an expansion set",
+    .guarantee = "l(l+1)/2 blocks more; tight, economical and circular if the smaller design is",
+    .cited = "ChafeeStevens2025",
+    .place = "Theorem 2",
+};
+
+class Expansion final : public Entry {
  public:
-  std::string_view name() const override { return "expansion"; }
-  std::string_view summary() const override {
-    return "1-factors of a complete graph inserted at the positions of an expansion set";
-  }
-  std::string_view preconditions() const override {
-    return "m = 2, v = l(k-1)+1 with l odd, and a DCCD(l(k-2),k) with an expansion set";
-  }
-  std::string_view guarantee() const override {
-    return "l(l+1)/2 blocks more; tight, economical and circular if the smaller design is";
-  }
-  Citation citation() const override { return {"ChafeeStevens2025", "Theorem 2"}; }
+  Expansion() : Entry(description) {}
 
   bool asks_registry() const override { return true; }
 
@@ -60,25 +65,16 @@ class Expansion final : public Construction {
     if (__builtin_add_overflow(input->b, (w - 1) * (w / 2), &b)) {
       return std::nullopt;
     }
-    Recipe recipe{std::string(name()),
-                  p,
-                  {{"w", static_cast<std::int64_t>(w)}},
-                  {std::move(input->recipe)},
-                  {}};
-    return Offer{std::move(recipe), b, input->tight, input->economical, false};
+    return Offer{recipe_of(p, arguments(p, *smaller), {std::move(input->recipe)}), b, input->tight,
+                 input->economical, false};
   }
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     require_fit(recipe);
     const Recipe& input = recipe.inputs.front();
-    std::optional<ExpansionSet> set =
-        registry.construction_of(input).expansion_set(input, registry);
-    if (!set) {
-      throw BadInput(fmt::format("no expansion set is known of {} as made by {}",
-                                 changeover::name(input.parameters), input.construction));
-    }
-    return expand(registry.build(input), *std::move(set));
+    ExpansionSet set = known_expansion_set(input, registry);
+    return expand(registry.build(input), std::move(set));
   }
 
   std::string explain(const Recipe& recipe) const override {
@@ -94,26 +90,13 @@ class Expansion final : public Construction {
 
   std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
     require_fit(recipe);
-    const Recipe& input = recipe.inputs.front();
-    return expanded_labels(registry.construction_of(input).labels(input, registry),
-                           recipe.parameters.v - input.parameters.v);
+    return labels_with_new(recipe, registry);
   }
 
  private:
-  // The input may be any recipe of the right parameters; everything else is determined.
   void require_fit(const Recipe& recipe) const {
     const std::optional<Parameters> smaller = input_parameters(recipe.parameters);
-    if (!smaller) {
-      require_recipe(recipe, *this, std::nullopt);
-      return;
-    }
-    if (recipe.inputs.size() != 1 || recipe.inputs.front().parameters != *smaller) {
-      throw BadInput(fmt::format("expansion to {} takes one input, a {}",
-                                 changeover::name(recipe.parameters), changeover::name(*smaller)));
-    }
-    const auto w = static_cast<std::int64_t>(recipe.parameters.v - smaller->v);
-    require_recipe(recipe, *this,
-                   Recipe{std::string(name()), recipe.parameters, {{"w", w}}, recipe.inputs, {}});
+    require_input(recipe, smaller, smaller ? arguments(recipe.parameters, *smaller) : Arguments{});
   }
 };
 

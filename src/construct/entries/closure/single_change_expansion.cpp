@@ -39,19 +39,17 @@ std::optional<Offer> best_with_expansion_set(const Parameters& p, const Registry
   return best;
 }
 
-class SingleChangeExpansion final : public Construction {
+constexpr Description description{
+    .name = "single-change-expansion",
+    .summary = "a new element beside every unchanged subset of an expansion set",
+    .preconditions = "m = 1, k-1 divides v-1, and an SCCD(v-1,k) with an expansion set",
+    .guarantee = "(v-1)/(k-1) blocks more; tight and circular if the smaller design is",
+    .cited = "PreeceEtAl1995",
+};
+
+class SingleChangeExpansion final : public Entry {
  public:
-  std::string_view name() const override { return "single-change-expansion"; }
-  std::string_view summary() const override {
-    return "a new element beside every unchanged subset of an expansion set";
-  }
-  std::string_view preconditions() const override {
-    return "m = 1, k-1 divides v-1, and an SCCD(v-1,k) with an expansion set";
-  }
-  std::string_view guarantee() const override {
-    return "(v-1)/(k-1) blocks more; tight and circular if the smaller design is";
-  }
-  Citation citation() const override { return {"PreeceEtAl1995", ""}; }
+  SingleChangeExpansion() : Entry(description) {}
 
   bool asks_registry() const override { return true; }
 
@@ -65,21 +63,16 @@ class SingleChangeExpansion final : public Construction {
     if (!input || __builtin_add_overflow(input->b, smaller->v / (p.k - 1), &b)) {
       return std::nullopt;
     }
-    Recipe recipe{std::string(name()), p, {}, {std::move(input->recipe)}, {}};
-    return Offer{std::move(recipe), b, input->tight, b == counting_bound(p), false};
+    return Offer{recipe_of(p, {}, {std::move(input->recipe)}), b, input->tight,
+                 b == counting_bound(p), false};
   }
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     require_fit(recipe);
     const Recipe& input = recipe.inputs.front();
-    std::optional<ExpansionSet> set =
-        registry.construction_of(input).expansion_set(input, registry);
-    if (!set) {
-      throw BadInput(fmt::format("no expansion set is known of {} as made by {}",
-                                 changeover::name(input.parameters), input.construction));
-    }
-    return expand_single_change(registry.build(input), *std::move(set));
+    ExpansionSet set = known_expansion_set(input, registry);
+    return expand_single_change(registry.build(input), std::move(set));
   }
 
   std::string explain(const Recipe& recipe) const override {
@@ -94,24 +87,12 @@ class SingleChangeExpansion final : public Construction {
 
   std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
     require_fit(recipe);
-    const Recipe& input = recipe.inputs.front();
-    return expanded_labels(registry.construction_of(input).labels(input, registry), 1);
+    return labels_with_new(recipe, registry);
   }
 
  private:
-  // The input may be any recipe of the right parameters.
   void require_fit(const Recipe& recipe) const {
-    const std::optional<Parameters> smaller = input_parameters(recipe.parameters);
-    if (!smaller) {
-      require_recipe(recipe, *this, std::nullopt);
-      return;
-    }
-    if (recipe.inputs.size() != 1 || recipe.inputs.front().parameters != *smaller) {
-      throw BadInput(fmt::format("single-change-expansion to {} takes one input, a {}",
-                                 changeover::name(recipe.parameters), changeover::name(*smaller)));
-    }
-    require_recipe(recipe, *this,
-                   Recipe{std::string(name()), recipe.parameters, {}, recipe.inputs, {}});
+    require_input(recipe, input_parameters(recipe.parameters), {});
   }
 };
 

@@ -35,7 +35,7 @@ TEST(Cut, OffersALinearDesignForEveryCircularOne) {
 
 TEST(Cut, BeginsAfterTheBlockThatIsAsked) {
   Recipe recipe = offer_of("cut", linear(11, 4))->recipe;
-  const std::vector<Block> whole = blocks_of(standard().build_design(recipe));
+  const std::vector<Block> whole = standard().build_design(recipe).blocks();
   for (std::int64_t at = 0; at < 11; ++at) {
     recipe.arguments["at"] = at;
     std::vector<Block> expected = whole;
@@ -52,7 +52,7 @@ TEST(Cut, BeginsAfterTheBlockThatIsAsked) {
 TEST(Cut, CanRewindInTheMiddle) {
   Recipe recipe = offer_of("cut", linear(11, 4))->recipe;
   recipe.arguments["at"] = 4;
-  const std::vector<Block> whole = blocks_of(standard().build_design(recipe));
+  const std::vector<Block> whole = standard().build_design(recipe).blocks();
   for (std::size_t read = 0; read <= 11; ++read) {
     const auto source = standard().build(recipe);
     Block block(4);
@@ -92,8 +92,8 @@ TEST(Cut, ExplainsItself) {
 }
 
 TEST(Cut, RefusesSpoiltRecipes) {
-  expect_spoilt_recipes_refused(offer_of("cut", linear(11, 4))->recipe, "at");
-  expect_spoilt_recipes_refused(offer_of("cut", linear(15, 3))->recipe, "at");
+  expect_spoilt_recipes_refused(offer_of("cut", linear(11, 4))->recipe, {.argument = "at"});
+  expect_spoilt_recipes_refused(offer_of("cut", linear(15, 3))->recipe, {.argument = "at"});
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(Developed, OverZvIsTheDevelopmentOfBaseBlocks) {
   const auto base = construction("developed").base_blocks(recipe);
   ASSERT_TRUE(base);
   DevelopedSource source(*base);
-  EXPECT_EQ(blocks_of(source), blocks_of(design));
+  EXPECT_EQ(blocks_of(source), design.blocks());
   EXPECT_EQ(construction("developed").explain(recipe),
             "Develop the base block {0,1,2,5} over Z_11.");
 }
@@ -42,7 +42,7 @@ TEST(Developed, TakesSeveralCycles) {
   // {0,1},{2,3},{4,5} as one base block over two cycles of length 3.
   const Recipe recipe = developed(six, 3, 0, 1, {{0, 3, 1, 4}});
   const Design design = standard().build_design(recipe);
-  EXPECT_EQ(blocks_of(design), (std::vector<Block>{{0, 3, 1, 4}, {1, 4, 2, 5}, {2, 5, 0, 3}}));
+  EXPECT_EQ(design.blocks(), (std::vector<Block>{{0, 3, 1, 4}, {1, 4, 2, 5}, {2, 5, 0, 3}}));
   EXPECT_TRUE(verify(design).tight());
   EXPECT_EQ(design.labels(), (std::vector<std::string>{"0_0", "1_0", "2_0", "0_1", "1_1", "2_1"}));
 }
@@ -50,7 +50,7 @@ TEST(Developed, TakesSeveralCycles) {
 TEST(Developed, LeavesFixedElementsWhereTheyAre) {
   const Recipe recipe = developed({7, 5, 2, Kind::circular, 2}, 3, 1, 2, {{0, 3, 1, 4, 6}});
   const Design design = standard().build_design(recipe);
-  EXPECT_EQ(blocks_of(design),
+  EXPECT_EQ(design.blocks(),
             (std::vector<Block>{{0, 3, 1, 4, 6}, {2, 5, 0, 3, 6}, {1, 4, 2, 5, 6}}));
   EXPECT_TRUE(verify(design).tight());
   EXPECT_EQ(design.label(6), "∞");

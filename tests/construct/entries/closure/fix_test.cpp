@@ -18,11 +18,11 @@ TEST(Fix, AddsTheNewElementsToEveryBlock) {
   const Recipe input = best({6, 4, 2, Kind::circular, 2});
   const Recipe recipe = fix_recipe(input, 3);
   EXPECT_EQ(recipe.parameters, (Parameters{9, 7, 2, Kind::circular, 2}));
-  std::vector<Block> expected = blocks_of(standard().build_design(input));
+  std::vector<Block> expected = standard().build_design(input).blocks();
   for (Block& block : expected) {
     block.insert(block.end(), {6, 7, 8});
   }
-  EXPECT_EQ(blocks_of(standard().build_design(recipe)), expected);
+  EXPECT_EQ(standard().build_design(recipe).blocks(), expected);
 }
 
 TEST(Fix, ByNothingIsTheInput) {
@@ -107,7 +107,7 @@ RC_GTEST_PROP(Fix, MakesAValidDesignOfAnyValidOne, ()) {
   }
   RC_ASSERT(source->rewind());
   const Design design = standard().build_design(recipe);
-  RC_ASSERT(blocks_of(*source) == blocks_of(design));
+  RC_ASSERT(blocks_of(*source) == design.blocks());
   RC_ASSERT(*design.recipe == recipe);
   if (v + f <= 12 && input.b <= 40) {
     RC_ASSERT(naive_verdict(design).valid);

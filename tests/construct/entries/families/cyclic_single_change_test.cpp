@@ -78,8 +78,8 @@ TEST(CyclicSingleChange, HasTheParametersOfMcSorleyForOneBaseBlock) {
     const auto mcsorley = offer_of("mcsorley-circular", parameters(1, k));
     ASSERT_TRUE(mcsorley);
     EXPECT_EQ(ours.b, mcsorley->b);
-    EXPECT_EQ(blocks_of(standard().build_design(ours.recipe)),
-              blocks_of(standard().build_design(mcsorley->recipe)));
+    EXPECT_EQ(standard().build_design(ours.recipe).blocks(),
+              standard().build_design(mcsorley->recipe).blocks());
   }
 }
 

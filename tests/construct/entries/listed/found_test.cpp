@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/construct/planner.hpp"
+#include "construct/found/found_designs.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover {
@@ -12,36 +12,40 @@ namespace {
 
 using namespace test;
 
-// Everything that the collection offers.
+// Everything that the collection offers, a design for each of its files.
 const std::vector<Offer>& collection() {
   static const std::vector<Offer> all = [] {
     std::vector<Offer> offers;
-    for (std::uint64_t change = 1; change <= 4; ++change) {
-      for (const Kind kind : {Kind::linear, Kind::circular}) {
-        for (std::uint64_t k = 3; k <= 40; ++k) {
-          for (std::uint64_t v = k + change; v <= 150; ++v) {
-            if (auto offer = offer_of("found", {v, k, change, kind, 2})) {
-              offers.push_back(*std::move(offer));
-            }
-          }
-        }
-      }
+    for (const FoundDesign& design : read_found_designs(found_design_files())) {
+      const auto offer = offer_of("found", design.recipe.parameters);
+      EXPECT_TRUE(offer && offer->recipe.inputs == std::vector<Recipe>{design.recipe})
+          << name(design.recipe.parameters) << " is in two files";
+      offers.push_back(offer.value_or(Offer{}));
     }
     return offers;
   }();
   return all;
 }
 
+TEST(Found, EveryFileIsTheDesignOfItsName) {
+  ASSERT_GE(collection().size(), 602U);
+  for (const FoundFile& file : found_design_files()) {
+    const Parameters p = read_found_designs({&file, 1}).front().recipe.parameters;
+    EXPECT_EQ(file.name, std::to_string(p.v) + "_" + std::to_string(p.k) + "_" +
+                             std::to_string(p.change) + "_" + std::string(to_string(p.kind)) +
+                             ".txt");
+  }
+}
+
 TEST(Found, EveryDesignIsWhatItSays) {
-  EXPECT_GE(collection().size(), 49U);
   for (const Offer& offer : collection()) {
-    const auto source = standard().build(offer.recipe);
-    const Verdict verdict = verify(*source);
-    EXPECT_TRUE(verdict.valid()) << name(offer.recipe.parameters);
-    EXPECT_EQ(verdict.b, offer.b) << name(offer.recipe.parameters);
-    EXPECT_EQ(verdict.tight(), offer.tight) << name(offer.recipe.parameters);
-    EXPECT_EQ(verdict.economical(), offer.economical) << name(offer.recipe.parameters);
-    EXPECT_LE(verdict.fixed.size(), 1U) << name(offer.recipe.parameters);
+    SCOPED_TRACE(name(offer.recipe.parameters));
+    const Verdict verdict = verify(*standard().build(offer.recipe));
+    EXPECT_TRUE(verdict.valid());
+    EXPECT_EQ(verdict.b, offer.b);
+    EXPECT_EQ(verdict.tight(), offer.tight);
+    EXPECT_EQ(verdict.economical(), offer.economical);
+    EXPECT_LE(verdict.fixed.size(), 1U);
     EXPECT_GE(offer.b, lower_bound(offer.recipe.parameters).blocks);
     EXPECT_NE(construction("found").explain(offer.recipe).find("changeover"), std::string::npos)
         << "a design must say where it comes from";
@@ -49,12 +53,9 @@ TEST(Found, EveryDesignIsWhatItSays) {
 }
 
 TEST(Found, EveryDesignHasFewerBlocksThanOtherConstructionsGive) {
-  std::vector<const Construction*> others;
-  for (const Construction* each : standard().constructions()) {
-    if (each->name() != "found") {
-      others.push_back(each);
-    }
-  }
+  std::vector<const Construction*> others(standard().constructions().begin(),
+                                          standard().constructions().end());
+  std::erase(others, &construction("found"));
   const Registry without(std::move(others));
   for (const Offer& offer : collection()) {
     const auto best = without.best(offer.recipe.parameters);

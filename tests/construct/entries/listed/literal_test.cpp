@@ -16,7 +16,7 @@ const std::vector<Block> three_blocks{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}};
 
 TEST(Literal, BuildsTheBlocksAsGiven) {
   const Design design = standard().build_design(literal(six, three_blocks));
-  EXPECT_EQ(blocks_of(design), three_blocks);
+  EXPECT_EQ(design.blocks(), three_blocks);
   EXPECT_EQ(construction("literal").explain(literal(six, three_blocks)),
             "The 3 blocks that are listed.");
 }

@@ -47,7 +47,7 @@ TEST(Printed, ExpansionSetsAreThoseThatSearchingFinds) {
 
 TEST(Printed, RefusesSpoiltRecipesAndOtherBlocks) {
   Recipe recipe = offer_of("printed", {9, 3, 2, Kind::linear, 2})->recipe;
-  expect_spoilt_recipes_refused(recipe, "", false);
+  expect_spoilt_recipes_refused(recipe, {.any_kind = true});
   std::swap(recipe.blocks[0], recipe.blocks[1]);
   expect_refused(recipe, "two blocks swapped");
   recipe.blocks.clear();
