@@ -84,7 +84,8 @@ for question in "${questions[@]}"; do
   for limit in $how; do
     attacks=$((attacks + 1))
     more=()
-    [[ ${words[0]} != search && ${words[0]} != plan && ${words[0]} != loadorder ]] || more=(--seed 1)
+    [[ ${words[0]} != search && ${words[0]} != plan && ${words[0]} != loadorder || $question == *--exact* ]] ||
+      more=(--seed 1)
     if [[ $limit == time ]]; then
       more+=(--time 1)
     elif [[ ${words[0]} =~ ^(search|plan|loadorder|classify)$ ]]; then

@@ -83,51 +83,69 @@ std::optional<std::string> format_defect(const Parameters& p, std::uint64_t b,
   return std::nullopt;
 }
 
-void show_design(BlockSource& source, const Exhibit& exhibit, const OutputRequest& output) {
-  std::string format = output.chosen();
-  if (const auto b = source.block_count()) {
-    const auto defect = format_defect(source.parameters(), *b, format);
+const std::vector<std::string>& formats_of_marks() {
+  static const std::vector<std::string> formats{"table", "latex"};
+  return formats;
+}
+
+Answer show_design(std::shared_ptr<BlockSource> source, Exhibit exhibit,
+                   const OutputRequest& output, int code) {
+  std::string format = output.format();
+  if (const auto b = source->block_count()) {
+    const auto defect = format_defect(source->parameters(), *b, format);
     if (defect && !output.precious) {
       throw UsageError{*defect};
     }
     format = defect ? "text" : format;  // What a search found is not lost for its size.
   }
-  bool begun = false;
-  deliver(output, [&](OutputFile& out) {
-    if (begun && !source.rewind()) {
+  const auto write = [source, exhibit = std::move(exhibit), format,
+                      begun = false](OutputFile& out) mutable {
+    if (begun && !source->rewind()) {
       throw InternalError("a design that cannot be read twice");
     }
     begun = true;
-    write_design(source, exhibit, format, out);
-  });
+    write_design(*source, exhibit, format, out);
+  };
+  return {.code = code, .output = output, .write = write};
+}
+
+Answer show_design(const Design& design, Exhibit exhibit, const OutputRequest& output, int code) {
+  struct Owned {
+    Design design;
+    DesignSource source{design};
+  };
+  const auto owned = std::make_shared<Owned>(Owned{design});
+  owned->source = DesignSource(owned->design);
+  return show_design({owned, &owned->source}, std::move(exhibit), output, code);
 }
 
 bool can_be_judged_while_written(const OutputRequest& output) {
-  const std::string format = output.chosen();
+  const std::string& format = output.format();
   const bool to_file = !output.path.empty() && output.path != "-";
   return format == "text" || format == "json" || (format == "csv" && to_file);
 }
 
-void show_design_while_judging(JudgedWhileRead& source, const Exhibit& exhibit,
-                               const OutputRequest& output) {
-  const std::string format = output.chosen();
-  deliver(output, [&](OutputFile& out) {
+Answer show_design_while_judging(std::shared_ptr<BlockSource> source, const Offer& promise,
+                                 const Exhibit& exhibit, const OutputRequest& output) {
+  const auto write = [source, promise, exhibit, format = output.format()](OutputFile& out) {
+    JudgedWhileRead judged(*source, promise);
+    const auto verdict = [&] { return std::optional(judged.judgement().verdict); };
     if (format == "json") {
-      write_json(source, out, exhibit.header,
-                 [&] { return std::optional<DesignVerdict>(source.judgement().verdict); });
+      write_json(judged, out, exhibit.header, verdict);
     } else if (format == "csv") {
-      write_csv(source, out, exhibit.header.labels);
+      write_csv(judged, out, exhibit.header.labels);
     } else {
       if (out.is_standard_output()) {
         out.write("# verified while it is written: the last line says how it ended\n");
       }
-      write_text(source, out, exhibit.header);
+      write_text(judged, out, exhibit.header);
       if (out.is_standard_output()) {
-        const Judgement& judgement = source.judgement();
+        const Judgement& judgement = judged.judgement();
         out.write(fmt::format("# verified: {}; {}\n", judgement.certificate, quality(judgement)));
       }
     }
-  });
+  };
+  return {.code = exit_code::done, .output = output, .write = write};
 }
 
 }  // namespace changeover::cli

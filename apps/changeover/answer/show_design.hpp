@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "changeover/core/block.hpp"
+#include "answer/answer.hpp"
+#include "answer/judgement.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/io/output_file.hpp"
 #include "changeover/io/text.hpp"
-#include "request/request.hpp"
 
 namespace changeover::cli {
 
@@ -31,19 +32,27 @@ struct Exhibit {
 [[nodiscard]] std::optional<std::string> format_defect(const Parameters& p, std::uint64_t b,
                                                        const std::string& format);
 
-/// Writes the design that `source` streams to the output that was asked for, and commits it. One that is
-/// too large for the format is written as text if a search found it (OutputRequest::precious).
-/// @throws UsageError with the defect of the format otherwise.
-void show_design(BlockSource& source, const Exhibit& exhibit, const OutputRequest& output);
+/// The formats in which elements are marked, for --leaving.
+[[nodiscard]] const std::vector<std::string>& formats_of_marks();
 
-/// Whether the chosen output can begin before the verdict is known: see judge() in request.hpp. Text and
+/// The design that `source` streams, in the format that was asked for. One that is too large for the format is
+/// written as text if a search found it (OutputRequest::precious).
+/// @throws UsageError with the defect of the format otherwise.
+[[nodiscard]] Answer show_design(std::shared_ptr<BlockSource> source, Exhibit exhibit,
+                                 const OutputRequest& output, int code = exit_code::done);
+/// The same for one in memory.
+[[nodiscard]] Answer show_design(const Design& design, Exhibit exhibit, const OutputRequest& output,
+                                 int code = exit_code::done);
+
+/// Whether the chosen output can begin before the verdict is known: see judge() in judgement.hpp. Text and
 /// JSON say on standard output what they are; CSV has no place for that, so only its files can.
 [[nodiscard]] bool can_be_judged_while_written(const OutputRequest& output);
 
-/// Writes a design and verifies it on the way; exhibit.judgement is not used. On standard output the
-/// first and the last line of the text say so; JSON has the verdict after the blocks anyway.
+/// A design that is verified while it is written; exhibit.judgement is not used. On standard output the
+/// first and the last line of the text say so; JSON has the verdict after the blocks anyway. The writer
 /// @throws InternalError, and nothing is committed, if the verdict is not what was promised.
-void show_design_while_judging(JudgedWhileRead& source, const Exhibit& exhibit,
-                               const OutputRequest& output);
+[[nodiscard]] Answer show_design_while_judging(std::shared_ptr<BlockSource> source,
+                                               const Offer& promise, const Exhibit& exhibit,
+                                               const OutputRequest& output);
 
 }  // namespace changeover::cli

@@ -1,5 +1,8 @@
 #include "cli/cli.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
@@ -9,7 +12,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "answer/deliver.hpp"
+#include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/printable.hpp"
 #include "changeover/core/version.hpp"
@@ -41,15 +44,38 @@ int complain(int code, const std::string& message) {
   return code;
 }
 
-int answer(const std::string& text) {
+// Runs what makes an answer and delivers it; what goes wrong becomes one line and an exit code.
+int answer(const std::function<Answer()>& make, const std::string& verb) {
+  const auto usage = [&verb](const std::string& message) {
+    return complain(exit_code::usage, message + "; see changeover " + verb + " --help");
+  };
   try {
-    deliver(text, std::string("-"));
-    return exit_code::done;
-  } catch (const ReaderGone& fault) {
-    leave_with_the_reader();
-    return complain(exit_code::missing_resource, fault.what());
+    return deliver(make());
+  } catch (const UsageError& fault) {
+    return usage(fault.message);
+  } catch (const BadReadOption& fault) {  // the command line said so, not the file
+    return usage(fault.what());
+  } catch (const ImpossibleParameters& fault) {
+    return complain(exit_code::usage, fault.what());
+  } catch (const BadInput& fault) {
+    return complain(exit_code::bad_input, fault.what());
   } catch (const MissingResource& fault) {
+    if (dynamic_cast<const ReaderGone*>(&fault) != nullptr) {
+      leave_with_the_reader();
+    }
     return complain(exit_code::missing_resource, fault.what());
+  } catch (const Stopped& stopped) {
+    return complain(exit_code::limit_reached, "stopped (" + std::string(to_string(stopped.why())) +
+                                                  ") before anything was found");
+  } catch (const std::bad_alloc&) {
+    return complain(exit_code::missing_resource, "not enough memory for these parameters");
+  } catch (const std::length_error&) {
+    return complain(exit_code::missing_resource, "not enough memory for these parameters");
+  } catch (const std::system_error& fault) {  // of files, threads, …
+    return complain(exit_code::missing_resource, fault.what());
+  } catch (const std::exception& fault) {
+    return complain(exit_code::bug,
+                    std::string("a bug of ours, please report it: ") + fault.what());
   }
 }
 
@@ -83,6 +109,16 @@ std::string kind_of_value(const std::string& what) {
          : what == "SIZE"                       ? "size"
          : what.find("..") != std::string::npos ? "range"
                                                 : "text";
+}
+
+std::string joined(const std::vector<std::string>& words, const std::string& between) {
+  return fmt::format("{}", fmt::join(words, between));
+}
+
+// "--order, --extend and --repair".
+std::string enumerated(const std::vector<std::string>& names) {
+  const std::string but_last = joined({names.begin(), names.end() - 1}, ", ");
+  return but_last + (but_last.empty() ? "" : " and ") + names.back();
 }
 
 // "--change", "-m", … of an option; nothing for a positional.
@@ -154,12 +190,40 @@ std::string misspelt(const CLI::App& program, int argc, char** argv) {
 }  // namespace
 
 struct Verb::State {
+  struct Kind {
+    std::string name;                     // number, text, file, …
+    std::vector<std::string> words = {};  // of a choice
+  };
+
   CLI::App* app = nullptr;
-  std::function<int()>
-      action;  // runs after parsing, so that its faults are not taken for the parser's
-  std::map<const CLI::Option*, std::vector<std::string>> words;  // of choices
-  std::map<const CLI::Option*, std::string>
-      kinds;  // of values: number, text, file, …; flags have none
+  // Runs after parsing, so that its faults are not taken for the parser's.
+  std::function<Answer()> action;
+  std::vector<std::function<void()>> rules;       // throw UsageError, before that
+  std::map<const CLI::Option*, Kind> kinds = {};  // flags have none
+
+  [[nodiscard]] bool given(const std::string& name) const { return app->count(name) > 0; }
+  [[nodiscard]] bool any_given(const std::vector<std::string>& names) const {
+    return std::any_of(names.begin(), names.end(),
+                       [this](const auto& name) { return given(name); });
+  }
+
+  // Refuses each of `names` that is given where `misplaced` says so.
+  void refuse(const std::vector<std::string>& names, const std::function<bool()>& misplaced,
+              const std::string& reason) {
+    rules.emplace_back([this, names, misplaced, reason] {
+      for (const std::string& name : names) {
+        if (given(name) && misplaced()) {
+          const std::string& what = app->get_option(name)->get_option_text();
+          throw UsageError{name + (what.empty() ? "" : " " + what) + " " + reason};
+        }
+      }
+    });
+  }
+
+  void number(CLI::Option* option, const std::string& what) {
+    option->option_text(what)->check(whole_number_defect, "");
+    kinds[option] = {"number"};
+  }
 };
 
 struct Program::State {
@@ -174,31 +238,21 @@ struct Program::State {
 Verb::Verb(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Verb::~Verb() = default;
 
-void Verb::positional(const std::string& name, std::uint64_t& value, const std::string& help) {
-  CLI::Option* option = state_->app->add_option(name, value, help);
-  option->required()->option_text("NUMBER")->check(whole_number_defect, "");
-  state_->kinds[option] = "number";
+void Verb::positional(const std::string& name, std::optional<std::uint64_t>& value,
+                      const std::string& help, bool required) {
+  state_->number(state_->app->add_option(name, value, help)->required(required), "NUMBER");
 }
 
 void Verb::positional(const std::string& name, std::string& value, const std::string& help,
                       bool required) {
   CLI::Option* option = state_->app->add_option(name, value, help);
   option->required(required)->option_text(" ");
-  state_->kinds[option] = "file";
-}
-
-void Verb::positional(const std::string& name, std::optional<std::uint64_t>& value,
-                      const std::string& help) {
-  CLI::Option* option = state_->app->add_option(name, value, help);
-  option->option_text("NUMBER")->check(whole_number_defect, "");
-  state_->kinds[option] = "number";
+  state_->kinds[option] = {"file"};
 }
 
 void Verb::option(const std::string& flags, std::optional<std::uint64_t>& value,
                   const std::string& what, const std::string& help) {
-  CLI::Option* option = state_->app->add_option(flags, value, help);
-  option->option_text(what)->check(whole_number_defect, "");
-  state_->kinds[option] = "number";
+  state_->number(state_->app->add_option(flags, value, help), what);
 }
 
 void Verb::option(const std::string& flags, std::string& value, const std::string& what,
@@ -212,34 +266,56 @@ void Verb::option(const std::string& flags, std::string& value, const std::strin
                              : std::string();
       },
       "");
-  state_->kinds[option] = kind_of_value(what);
+  state_->kinds[option] = {kind_of_value(what)};
 }
 
 void Verb::choice(const std::string& flags, std::string& value,
                   const std::vector<std::string>& words, const std::string& help) {
-  std::string all;
-  for (const std::string& word : words) {
-    all += (all.empty() ? "" : "|") + word;
-  }
+  const std::string all = joined(words, "|");
   CLI::Option* option = state_->app->add_option(flags, value, help);
   option->option_text(all);
   option->check(
       [words, all](const std::string& given) {
-        for (const std::string& word : words) {
-          if (word == given) {
-            return std::string();
-          }
-        }
-        return "'" + given + "' is not one of " + all;
+        return std::find(words.begin(), words.end(), given) == words.end()
+                   ? "'" + given + "' is not one of " + all
+                   : std::string();
       },
       "");
-  state_->words[option] = words;
-  state_->kinds[option] = "words";
+  state_->kinds[option] = {"words", words};
 }
 
 void Verb::flag(const std::string& flags, bool& value, const std::string& help) {
   state_->app->add_flag(flags, value, help);
 }
+
+void Verb::flag(const std::string& flags, std::function<void()> set, const std::string& help) {
+  state_->app->add_flag_callback(flags, std::move(set), help);
+}
+
+void Verb::exclude(const std::vector<std::string>& names) {
+  state_->rules.emplace_back([state = state_.get(), names] {
+    if (std::count_if(names.begin(), names.end(),
+                      [state](const auto& name) { return state->given(name); }) > 1) {
+      throw UsageError{enumerated(names) + " exclude each other"};
+    }
+  });
+}
+
+void Verb::only_with(const std::vector<std::string>& names,
+                     const std::vector<std::string>& others) {
+  state_->refuse(
+      names, [state = state_.get(), others] { return !state->any_given(others); },
+      "is for " + enumerated(others) + "; give both");
+}
+
+void Verb::never_with(const std::vector<std::string>& names,
+                      const std::vector<std::string>& others) {
+  state_->refuse(
+      names, [state = state_.get(), others] { return state->any_given(others); },
+      "has no meaning with " + enumerated(others) + "; leave it out");
+}
+
+void Verb::require(std::function<void()> rule) { state_->rules.push_back(std::move(rule)); }
 
 void Verb::examples(const std::vector<std::string>& lines) {
   std::string text = "Examples:";
@@ -248,8 +324,6 @@ void Verb::examples(const std::vector<std::string>& lines) {
   }
   state_->app->footer(text);
 }
-
-void Verb::run(std::function<int()> action) { state_->action = std::move(action); }
 
 Program::Program() : state_(std::make_unique<State>()) {
   CLI::App& app = state_->app;
@@ -265,9 +339,11 @@ Program::Program() : state_(std::make_unique<State>()) {
 
 Program::~Program() = default;
 
-Verb& Program::add(const std::string& name, const std::string& summary) {
+Verb& Program::add_verb(const std::string& name, const std::string& summary,
+                        std::function<Answer()> action) {
   auto state = std::make_unique<Verb::State>();
   state->app = state_->app.add_subcommand(name, summary);
+  state->action = std::move(action);
   state_->verbs.push_back(std::unique_ptr<Verb>(new Verb(std::move(state))));
   return *state_->verbs.back();
 }
@@ -292,45 +368,21 @@ int Program::run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help, --version
     const bool help = dynamic_cast<const CLI::CallForHelp*>(&request) != nullptr;
-    return answer((help ? app.help() : std::string(request.what())) + "\n");
+    const std::string text = (help ? app.help() : std::string(request.what())) + "\n";
+    return answer([&text] { return text_answer(text, {}); }, "");
   } catch (const CLI::ParseError& fault) {
     return complain(exit_code::usage, usage_message(fault, chosen()));
   }
-  try {
-    for (const auto& verb : state_->verbs) {
-      if (verb->state_->app == &chosen()) {
-        return verb->state_->action();
-      }
-    }
-    throw InternalError("a verb without an action");
-  } catch (const UsageError& fault) {
-    return complain(exit_code::usage,
-                    fault.message + "; see changeover " + chosen().get_name() + " --help");
-  } catch (const ImpossibleParameters& fault) {
-    return complain(exit_code::usage, fault.what());
-  } catch (const BadReadOption& fault) {  // the command line said so, not the file
-    return complain(exit_code::usage, std::string(fault.what()) + "; see changeover " +
-                                          chosen().get_name() + " --help");
-  } catch (const BadInput& fault) {
-    return complain(exit_code::bad_input, fault.what());
-  } catch (const ReaderGone& fault) {
-    leave_with_the_reader();
-    return complain(exit_code::missing_resource, fault.what());
-  } catch (const MissingResource& fault) {
-    return complain(exit_code::missing_resource, fault.what());
-  } catch (const Stopped& stopped) {
-    return complain(exit_code::limit_reached, "stopped (" + std::string(to_string(stopped.why())) +
-                                                  ") before anything was found");
-  } catch (const std::bad_alloc&) {
-    return complain(exit_code::missing_resource, "not enough memory for these parameters");
-  } catch (const std::length_error&) {
-    return complain(exit_code::missing_resource, "not enough memory for these parameters");
-  } catch (const std::system_error& fault) {  // of files, threads, …
-    return complain(exit_code::missing_resource, fault.what());
-  } catch (const std::exception& fault) {
-    return complain(exit_code::bug,
-                    std::string("a bug of ours, please report it: ") + fault.what());
-  }
+  const auto verb = std::find_if(state_->verbs.begin(), state_->verbs.end(),
+                                 [&](const auto& each) { return each->state_->app == &chosen(); });
+  return answer(
+      [&] {
+        for (const auto& rule : (*verb)->state_->rules) {
+          rule();
+        }
+        return (*verb)->state_->action();
+      },
+      chosen().get_name());
 }
 
 std::vector<OptionDescription> Program::describe() const {
@@ -349,10 +401,11 @@ std::vector<OptionDescription> Program::describe() const {
         each.names = {option->get_name(true)};
       }
       const auto kind = verb.kinds.find(option);
-      each.kind = kind == verb.kinds.end() ? "flag" : kind->second;
-      const auto words = verb.words.find(option);
-      if (words != verb.words.end()) {
-        each.words = words->second;
+      if (kind == verb.kinds.end()) {
+        each.kind = "flag";
+      } else {
+        each.kind = kind->second.name;
+        each.words = kind->second.words;
       }
       each.required = option->get_required();
       each.help = option->get_description();
@@ -371,38 +424,27 @@ std::vector<std::pair<std::string, std::string>> Program::verbs() const {
 }
 
 std::string Program::bash_completion() const {
-  std::string verbs;
+  std::vector<std::string> names;
   std::string cases;
   std::string values;
-  for (const auto& entry : state_->verbs) {
-    const CLI::App* verb = entry->state_->app;
-    verbs += (verbs.empty() ? "" : " ") + verb->get_name();
-    std::string options;
-    for (const CLI::Option* option : verb->get_options()) {
-      std::string names;
-      for (const std::string& name : option->get_lnames()) {
-        options += " --" + name;
-        names += (names.empty() ? "--" : "|--") + name;
+  const std::vector<OptionDescription> all = describe();
+  for (const auto& [verb, summary] : verbs()) {
+    std::vector<std::string> offered{"--help"};
+    for (const OptionDescription& each : all) {
+      if (each.verb != verb) {
+        continue;
       }
-      for (const std::string& name : option->get_snames()) {
-        names += "|-" + name;
+      std::vector<std::string> flags = each.names;
+      std::erase_if(flags, [](const std::string& name) { return !name.starts_with("--"); });
+      if (!flags.empty() && !each.words.empty()) {
+        values += "    " + verb + ":" + flags.front() + ") words=\"" + joined(each.words, " ") +
+                  "\" ;;\n";
       }
-      const auto found = entry->state_->words.find(option);
-      if (found != entry->state_->words.end()) {
-        std::string words;
-        for (const std::string& word : found->second) {
-          words += " " + word;
-        }
-        if (names.empty()) {  // a positional: offered with the options
-          options += words;
-        } else {
-          values += "    " + verb->get_name() + ":" + names.substr(0, names.find('|')) +
-                    ") words=\"" + words.substr(1) + "\" ;;\n";
-        }
-      }
+      const std::vector<std::string>& more = each.positional ? each.words : flags;
+      offered.insert(offered.end(), more.begin(), more.end());
     }
-    cases += "    " + verb->get_name() + ") words=\"" + (options.empty() ? "" : options.substr(1)) +
-             "\" ;;\n";
+    names.push_back(verb);
+    cases += "    " + verb + ") words=\"" + joined(offered, " ") + "\" ;;\n";
   }
   return "# Completion for bash: source this file, or put it into bash_completion.d.\n"
          "_changeover() {\n"
@@ -410,7 +452,7 @@ std::string Program::bash_completion() const {
          "  COMPREPLY=()\n"
          "  if [[ $COMP_CWORD -eq 1 ]]; then\n"
          "    COMPREPLY=($(compgen -W \"" +
-         verbs +
+         joined(names, " ") +
          " --help --version\" -- \"$current\"))\n"
          "    return\n"
          "  fi\n"

@@ -1,11 +1,16 @@
 // The command line: what a verb may ask for, without the parser's header, which takes seconds a file.
 //
+//     Answer run(const BoundsRequest& request) { … }
+//
 //     void add_bounds(Program& program) {
-//       auto& verb = program.add("bounds", "lower bounds, each with its reason");
-//       auto v = std::make_shared<std::uint64_t>();
-//       verb.positional("V", *v, "number of elements");
-//       verb.run([=] { … return exit_code::done; });
+//       auto [verb, request] = program.add("bounds", "lower bounds, each with its reason", run);
+//       verb.positional("V", request.v, "number of elements");
+//       verb.flag("--first", request.first, "the largest only");
+//       verb.exclude({"--first", "--json"});
 //     }
+//
+// What is parsed is a request; what it cannot mean is refused before the verb sees it, in one line and with exit
+// code 2. The verb makes an answer, and Program::run() delivers it (answer/answer.hpp).
 #pragma once
 
 #include <cstdint>
@@ -32,7 +37,9 @@ inline constexpr int proved_none = 20;    ///< it proved that there is none
 inline constexpr int limit_reached = 30;  ///< it stopped before it knew
 }  // namespace exit_code
 
-/// Thrown by a verb for what the parser cannot see: options that contradict each other, say.
+struct Answer;
+
+/// Thrown by a verb for what the parser cannot see: files that contradict each other, say.
 struct UsageError {
   std::string message;
 };
@@ -44,12 +51,10 @@ class Verb {
   Verb(const Verb&) = delete;
   Verb& operator=(const Verb&) = delete;
 
-  void positional(const std::string& name, std::uint64_t& value, const std::string& help);
+  void positional(const std::string& name, std::optional<std::uint64_t>& value,
+                  const std::string& help, bool required = true);
   void positional(const std::string& name, std::string& value, const std::string& help,
                   bool required = true);
-  /// One that may be left out.
-  void positional(const std::string& name, std::optional<std::uint64_t>& value,
-                  const std::string& help);
   /// `flags` as in "-o,--output"; `what` names the value in the help.
   void option(const std::string& flags, std::optional<std::uint64_t>& value,
               const std::string& what, const std::string& help);
@@ -59,9 +64,20 @@ class Verb {
   void choice(const std::string& flags, std::string& value, const std::vector<std::string>& words,
               const std::string& help);
   void flag(const std::string& flags, bool& value, const std::string& help);
+  void flag(const std::string& flags, std::function<void()> set, const std::string& help);
+
+  /// At most one of these is given.
+  void exclude(const std::vector<std::string>& names);
+  /// Each of `names` means something only with one of `others`.
+  void only_with(const std::vector<std::string>& names, const std::vector<std::string>& others);
+  /// None of `names` means anything with one of `others`.
+  void never_with(const std::vector<std::string>& names, const std::vector<std::string>& others);
+
+  /// Another rule, which throws UsageError.
+  void require(std::function<void()> rule);
+
   /// Command lines shown at the end of --help.
   void examples(const std::vector<std::string>& lines);
-  void run(std::function<int()> action);
 
  private:
   friend class Program;
@@ -89,9 +105,15 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  Verb& add(const std::string& name, const std::string& summary);
+  /// A verb that answers requests of its own kind; the request lives as long as the program.
+  template <typename Request>
+  std::pair<Verb&, Request&> add(const std::string& name, const std::string& summary,
+                                 Answer (*act)(const Request&)) {
+    const auto request = std::make_shared<Request>();
+    return {add_verb(name, summary, [request, act] { return act(*request); }), *request};
+  }
 
-  /// Parses, runs the verb and maps faults to exit codes, one line on stderr each.
+  /// Parses, runs the verb, delivers its answer and maps faults to exit codes, one line on stderr each.
   int run(int argc, char** argv);
 
   /// Every option of every verb, in the order of the help.
@@ -104,6 +126,9 @@ class Program {
   [[nodiscard]] std::string bash_completion() const;
 
  private:
+  Verb& add_verb(const std::string& name, const std::string& summary,
+                 std::function<Answer()> action);
+
   struct State;
   std::unique_ptr<State> state_;
 };

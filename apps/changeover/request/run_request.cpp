@@ -9,6 +9,7 @@
 #include <charconv>
 #include <csignal>
 #include <ctime>
+#include <map>
 #include <thread>
 
 #include "answer/progress_line.hpp"
@@ -54,40 +55,37 @@ std::uint64_t half_of_the_memory() {
 }  // namespace
 
 Seconds parse_duration(const std::string& text, const std::string& option) {
+  static const std::map<std::string, double> units{
+      {"", 1}, {"s", 1}, {"ms", 1e-3}, {"m", 60}, {"min", 60}, {"h", 3600}, {"d", 86400}};
   double number = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, failure] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
-  const std::string unit(rest, end);
-  const double scale = unit.empty() || unit == "s"    ? 1.0
-                       : unit == "ms"                 ? 1e-3
-                       : unit == "m" || unit == "min" ? 60.0
-                       : unit == "h"                  ? 3600.0
-                       : unit == "d"                  ? 86400.0
-                                                      : 0.0;
-  if (failure != std::errc() || !(number >= 0) || scale == 0.0) {
+  const auto unit = units.find({rest, end});
+  if (failure != std::errc() || !(number >= 0) || unit == units.end()) {
     throw UsageError{fmt::format(
         "{} '{}' is not a duration; give a number with ms, s, m, h or d, as in 90s", option, text)};
   }
-  return Seconds(number * scale);
+  return Seconds(number * unit->second);
 }
 
 std::uint64_t parse_size(const std::string& text, const std::string& option) {
+  static const std::map<std::string, std::uint64_t> units{{"", 1},
+                                                          {"B", 1},
+                                                          {"K", 1'000},
+                                                          {"M", 1'000'000},
+                                                          {"G", 1'000'000'000},
+                                                          {"T", 1'000'000'000'000}};
   std::uint64_t number = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, failure] = std::from_chars(text.data(), end, number);
-  const std::string unit(rest, end);
-  const std::uint64_t scale = unit.empty() || unit == "B" ? 1
-                              : unit == "K"               ? 1'000
-                              : unit == "M"               ? 1'000'000
-                              : unit == "G"               ? 1'000'000'000
-                              : unit == "T"               ? 1'000'000'000'000
-                                                          : 0;
-  if (failure != std::errc() || scale == 0 || number == 0 || number > UINT64_MAX / scale) {
+  const auto unit = units.find({rest, end});
+  if (failure != std::errc() || unit == units.end() || number == 0 ||
+      number > UINT64_MAX / unit->second) {
     throw UsageError{fmt::format(
         "{} '{}' is not a size; give a whole number of bytes, or with K, M, G or T, as in 4G",
         option, text)};
   }
-  return number * scale;
+  return number * unit->second;
 }
 
 void RunRequest::add_to(Verb& verb, const std::string& limit, OutputRequest& output) {
@@ -95,7 +93,8 @@ void RunRequest::add_to(Verb& verb, const std::string& limit, OutputRequest& out
   verb.option("--seed", seed, "N", "of the random numbers (default 1)");
 }
 
-void RunRequest::add_limits_to(Verb& verb, const std::string& limit, OutputRequest& output) {
+void RunRequest::add_limits_to(Verb& verb, const std::string& limit, OutputRequest& output,
+                               bool uses_threads) {
   default_time = limit;
   output.precious = true;
   verb.option("--time", time, "DURATION",
@@ -104,7 +103,9 @@ void RunRequest::add_limits_to(Verb& verb, const std::string& limit, OutputReque
                                   (limit.empty() ? std::string("no limit") : limit) + ")");
   verb.option("--memory", memory, "SIZE",
               "refuse tables and formulas above it, e.g. 4G (default: half of the machine's)");
-  verb.option("--threads", threads, "N", "threads to use (default: all cores)");
+  if (uses_threads) {
+    verb.option("--threads", threads, "N", "threads to use (default: all cores)");
+  }
   verb.flag("--quiet", quiet, "no progress on stderr");
 }
 
@@ -189,6 +190,14 @@ RunControl& Running::control() { return *state_->control; }
 void Running::finish() {
   state_->scope.reset();
   status_line().clear();
+}
+
+Answer spoken(std::shared_ptr<Running> running, Answer answer) {
+  if (!Team::world().first()) {
+    answer.write = nullptr;
+  }
+  answer.held = std::move(running);
+  return answer;
 }
 
 struct Watched::State {

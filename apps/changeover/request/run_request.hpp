@@ -3,8 +3,10 @@
 //     RunRequest run;
 //     run.add_to(verb, "60s", output);
 //     …
-//     Running running(run, output);               // from here on Ctrl-C asks the search to stop
-//     auto result = improve(p, options, running.control());
+//     const auto running = std::make_shared<Running>(run, output);    // now Ctrl-C asks the search to stop
+//     auto result = improve(p, options, running->control());
+//     running->finish();
+//     return spoken(running, show_design(…));
 #pragma once
 
 #include <chrono>
@@ -13,9 +15,10 @@
 #include <optional>
 #include <string>
 
+#include "answer/answer.hpp"
 #include "changeover/run/control.hpp"
 #include "cli/cli.hpp"
-#include "request/request.hpp"
+#include "request/output.hpp"
 
 namespace changeover::cli {
 
@@ -38,8 +41,9 @@ struct RunRequest {
   /// `default_time` as in "60s", or "" for no limit. What is searched for is precious to `output`.
   void add_to(Verb& verb, const std::string& default_time, OutputRequest& output);
 
-  /// The same without --seed, for what draws no random numbers.
-  void add_limits_to(Verb& verb, const std::string& default_time, OutputRequest& output);
+  /// The same without --seed, for what draws no random numbers, and perhaps without --threads.
+  void add_limits_to(Verb& verb, const std::string& default_time, OutputRequest& output,
+                     bool uses_threads = true);
 
   /// The options as they would be typed, for provenance: "--seed 7 --threads 2 --time 60s".
   [[nodiscard]] std::string command() const;
@@ -71,6 +75,10 @@ class Running {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// The answer of a search: of several processes that share it the first one speaks, and Ctrl-C does not end the
+/// process before it is delivered.
+[[nodiscard]] Answer spoken(std::shared_ptr<Running> running, Answer answer);
 
 /// Work without limits of its own: what lasts longer than a second is told on a terminal, tables that half of
 /// the machine's memory does not hold are refused, and Ctrl-C ends the process. For the whole program; a Running

@@ -1,78 +1,99 @@
-// What changeover search was asked, and how its ways of searching answer. Each way is one file.
+// What changeover search was asked: one request a way of searching, each a file of verbs/, that holds only what
+// this way knows; and how all of them answer.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "answer/answer.hpp"
+#include "answer/judgement.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/design.hpp"
-#include "request/request.hpp"
+#include "changeover/io/design_input.hpp"
+#include "changeover/search/base_block_search.hpp"
 #include "request/run_request.hpp"
 
 namespace changeover::cli {
 
+/// What every way of searching is told.
 struct SearchRequest {
-  std::optional<std::uint64_t> v;
-  std::optional<std::uint64_t> k;
-  std::optional<std::uint64_t> change;
-  std::optional<std::uint64_t> strength;
-  std::optional<std::uint64_t> blocks;  ///< how many the design may have
-  bool circular = false;
-  bool linear = false;
-  bool exact = false;
-  bool base_blocks = false;
-  bool tight = false;
-  std::string proof_directory;
-  std::string order_file;
-  std::string extend_file;
-  std::string repair_file;
-  std::string checkpoint;
-  std::optional<std::uint64_t> cycle_length;  ///< n
-  std::optional<std::uint64_t> fixed_points;  ///< f
   RunRequest run;
   OutputRequest output;
-  bool leaving = false;
+  bool leaving = false;                 ///< mark leaving elements too
+  std::optional<std::uint64_t> blocks;  ///< how many the design may have
+};
 
-  /// What is asked; linear unless it says circular, for a circular design is a linear one as well.
-  /// @throws UsageError, ImpossibleParameters.
-  [[nodiscard]] Parameters parameters(Kind kind_by_default = Kind::linear) const;
+struct LocalSearch : SearchRequest {
+  Parameters parameters;
+  std::string checkpoint;  ///< or empty
+};
 
-  /// The command line in one form, for provenance: "changeover 0.2.0: search 20 5 --linear --seed 1".
-  [[nodiscard]] std::string provenance(const Parameters& p, const std::string& options) const;
+struct ExactSearch : SearchRequest {
+  Parameters parameters;
+  std::string proof_directory;  ///< or empty
+};
+
+struct BaseBlockSearch : SearchRequest {
+  Parameters parameters;
+  BaseBlockOptions options;
+};
+
+/// The blocks of a file in another order, with `reading.change` changes a step or with the fewest in all.
+struct OrderSearch : SearchRequest {
+  std::string file;
+  Kind kind = Kind::linear;
+  std::optional<std::uint64_t> change;
+};
+
+/// A design that begins with the blocks of a file.
+struct ExtendSearch : SearchRequest {
+  std::string file;
+  ReadOptions reading;
+};
+
+/// A design of the blocks of a file.
+struct RepairSearch : SearchRequest {
+  std::string file;
+  ReadOptions reading;
 };
 
 /// A design that a search found, with what there is to say about it.
 struct SearchFind {
   Design design;
-  std::vector<std::string> lines;    ///< how it was found, shown below its title
-  std::optional<Bound> proved = {};  ///< a lower bound that the lines prove
+  std::vector<std::string> lines;  ///< how it was found, shown below its title
+  std::optional<Bound> proved =
+      {};  ///< the lower bound that the lines prove, if that is what they are for
 };
 
-/// Shows a find in the format that was asked for, after verifying it again, block by block.
+/// What is known of a find: verified again, block by block. A bound that is no better than what the lines prove
+/// gives way to that; one that rests on the built-in table of checked proofs says so.
 /// @throws InternalError if it is not valid.
-void show_find(const SearchFind& find, const SearchRequest& request);
+[[nodiscard]] Judgement judge(const SearchFind& find);
+
+/// Shows a find in the format that was asked for, judged.
+[[nodiscard]] Answer show_find(const SearchFind& find, const SearchRequest& request, int code);
+
+/// The command line in one form, for provenance: "changeover 0.2.0: search 20 5 --linear --seed 1". `way` are its
+/// own options.
+[[nodiscard]] std::string provenance(const SearchRequest& request, const Parameters& p,
+                                     const std::string& way);
 
 /// The checkpoint of one of the processes that search together: FILE, FILE.1, FILE.2, …
-[[nodiscard]] std::string checkpoint_of(const SearchRequest& request, std::uint64_t process);
-
-/// Shows that there is no design, or none yet. The JSON document goes where the answer was to go; words go to
-/// standard output, for they do not replace a file of designs.
-void show_none(const SearchRequest& request, const std::string& words, const std::string& json);
-/// With a document that says found: false and the words as the explanation.
-void show_none(const SearchRequest& request, const std::string& words);
+[[nodiscard]] std::string checkpoint_of(const LocalSearch& request, std::uint64_t process);
 
 /// A design as a message to another member of the team: all its elements, in order.
 [[nodiscard]] std::string pack(const Design& design);
 /// @throws InternalError if the message is none.
 [[nodiscard]] Design unpack(const Parameters& p, std::string_view message);
 
-int search_exactly(const SearchRequest& request);
-int search_locally(const SearchRequest& request);
-int search_base_blocks(const SearchRequest& request);
-int search_repair(const SearchRequest& request);
-int search_extend(const SearchRequest& request);
-int search_order(const SearchRequest& request);
+[[nodiscard]] Answer search(const LocalSearch& request);
+[[nodiscard]] Answer search(const ExactSearch& request);
+[[nodiscard]] Answer search(const BaseBlockSearch& request);
+[[nodiscard]] Answer search(const OrderSearch& request);
+[[nodiscard]] Answer search(const ExtendSearch& request);
+[[nodiscard]] Answer search(const RepairSearch& request);
 
 }  // namespace changeover::cli

@@ -1,8 +1,10 @@
 // changeover bounds V K: each lower bound with its reason, the best design known, the gap.
 #include <fmt/format.h>
 
+#include "answer/offers.hpp"
+#include "changeover/bounds/lower_bound.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/request.hpp"
+#include "request/parameters.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -13,7 +15,7 @@ struct BoundsRequest {
   OutputRequest output;
 };
 
-struct Answer {
+struct Known {
   Parameters parameters;
   std::optional<std::string> impossible;
   std::vector<Bound> bounds;
@@ -30,8 +32,8 @@ struct Answer {
   }
 };
 
-Answer answer(const Parameters& p) {
-  Answer answer{.parameters = p, .impossible = impossibility(p), .bounds = {}, .best = {}};
+Known known(const Parameters& p) {
+  Known answer{.parameters = p, .impossible = impossibility(p), .bounds = {}, .best = {}};
   if (!answer.impossible) {
     answer.bounds = lower_bounds(p);
     answer.best = best_known(p);
@@ -39,7 +41,7 @@ Answer answer(const Parameters& p) {
   return answer;
 }
 
-std::string text(const Answer& answer) {
+std::string text(const Known& answer) {
   std::string text = name(answer.parameters) + "\n";
   if (answer.impossible) {
     return text + fmt::format("  impossible: {}\n", *answer.impossible);
@@ -58,9 +60,9 @@ std::string text(const Answer& answer) {
 }
 
 // The kind that a single answer is about: the one with the fewest blocks known, circular among equals.
-const Answer& chosen(const std::vector<Answer>& answers) {
-  const Answer* best = &answers.front();
-  for (const Answer& answer : answers) {
+const Known& chosen(const std::vector<Known>& answers) {
+  const Known* best = &answers.front();
+  for (const Known& answer : answers) {
     if (answer.best && (!best->best || answer.best->b < best->best->b)) {
       best = &answer;
     }
@@ -68,7 +70,7 @@ const Answer& chosen(const std::vector<Answer>& answers) {
   return *best;
 }
 
-std::string json(const Answer& answer) {
+std::string json(const Known& answer) {
   const Parameters& p = answer.parameters;
   JsonWriter json;
   json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
@@ -90,33 +92,27 @@ std::string json(const Answer& answer) {
   return json.take() + "\n";
 }
 
-int run(const BoundsRequest& request) {
-  std::vector<Answer> answers;
-  for (const Parameters& p : request.asked.parameters()) {
-    answers.push_back(answer(p));
+Answer run(const BoundsRequest& request) {
+  std::vector<Known> answers;
+  for (const Parameters& p : request.asked.of_each_kind()) {
+    answers.push_back(known(p));
   }
   std::string all;
-  if (request.output.chosen() == "json") {
-    all = json(chosen(answers));
-  } else {
-    for (const Answer& each : answers) {
-      all += text(each);
-    }
+  for (const Known& each : answers) {
+    all += text(each);
   }
-  deliver(all, request.output);
-  return exit_code::done;
+  return text_answer(request.output.json() ? json(chosen(answers)) : all, request.output);
 }
 
 }  // namespace
 
 void add_bounds(Program& program) {
-  auto request = std::make_shared<BoundsRequest>();
-  Verb& verb = program.add("bounds", "lower bounds with their reasons, and the best design known");
-  request->asked.add_to(verb);
-  request->output.add_to(verb, {"text", "json"});
+  auto [verb, request] =
+      program.add("bounds", "lower bounds with their reasons, and the best design known", run);
+  request.asked.add_to(verb);
+  request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover bounds 20 5", "changeover bounds 8 5 --circular --json",
                  "JSON is about one kind: if none is named, the one with the fewest blocks known"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

@@ -4,11 +4,13 @@
 #include <limits>
 #include <sstream>
 
+#include "answer/answer.hpp"
+#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/search/enumeration.hpp"
 #include "cli/team.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/request.hpp"
+#include "request/parameters.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 
@@ -26,7 +28,7 @@ struct ClassifyRequest {
   OutputRequest output;
 };
 
-struct Answer {
+struct Classified {
   Parameters parameters;
   std::uint64_t b = 0;
   bool reversal = false;
@@ -110,7 +112,7 @@ Classification of_all(const Classification& mine, const Parameters& p) {
   return all;
 }
 
-std::string sameness(const Answer& answer) {
+std::string sameness(const Classified& answer) {
   std::string text = "up to relabelling";
   text += answer.parameters.kind == Kind::circular
               ? (answer.reversal ? ", rotation" : " and rotation")
@@ -128,7 +130,7 @@ std::string qualities(const DesignClass& each) {
   return text + (each.fixed > 0 ? ", " + count_of(each.fixed, "element") + " in every block" : "");
 }
 
-std::string text(const Answer& answer) {
+std::string text(const Classified& answer) {
   const Classification& found = answer.found;
   std::string text = fmt::format("{}, {}: ", name(answer.parameters), count_of(answer.b, "block"));
   if (answer.impossible) {
@@ -161,7 +163,7 @@ std::string text(const Answer& answer) {
   return text;
 }
 
-std::string json(const Answer& answer) {
+std::string json(const Classified& answer) {
   const Parameters& p = answer.parameters;
   const Classification& found = answer.found;
   JsonWriter json;
@@ -193,54 +195,51 @@ std::string json(const Answer& answer) {
   return json.take() + "\n";
 }
 
-int run(const ClassifyRequest& request) {
-  // Without a word about the kind: linear.
-  Answer answer{.parameters = request.asked.parameters().back(),
-                .reversal = request.reversal,
-                .impossible = {},
-                .found = {}};
+Answer run(const ClassifyRequest& request) {
+  Classified answer{.parameters = request.asked.of_one_kind(Kind::linear),
+                    .reversal = request.reversal,
+                    .impossible = {},
+                    .found = {}};
   const Parameters& p = answer.parameters;
   if (request.blocks == 0) {
     throw UsageError{"B is 0: a design has at least one block"};
   }
   answer.b = request.blocks ? *request.blocks : lower_bound(p).blocks;
   answer.impossible = impossibility(p);
-  Running running(request.run, request.output);
+  const auto running = std::make_shared<Running>(request.run, request.output);
   if (answer.impossible) {
     answer.found.why = WhyStopped::exhausted;
   } else {
     const std::uint64_t keep =
         request.designs ? std::numeric_limits<std::uint64_t>::max() : shown_by_default;
     const Classification mine = classify_designs(
-        p, answer.b, {.reversal = request.reversal, .keep = keep}, running.control());
-    running.finish();
+        p, answer.b, {.reversal = request.reversal, .keep = keep}, running->control());
+    running->finish();
     answer.found = of_all(mine, p);
-    answer.seconds = running.control().elapsed().count();
+    answer.seconds = running->control().elapsed().count();
   }
-  if (Team::world().first()) {
-    deliver(request.output.chosen() == "json" ? json(answer) : text(answer), request.output);
-  }
-  return answer.complete() ? exit_code::done : exit_code::limit_reached;
+  return spoken(running,
+                text_answer(request.output.json() ? json(answer) : text(answer), request.output,
+                            answer.complete() ? exit_code::done : exit_code::limit_reached));
 }
 
 }  // namespace
 
 void add_classify(Program& program) {
-  auto request = std::make_shared<ClassifyRequest>();
-  Verb& verb = program.add("classify", "all designs with so many blocks, and how many differ");
-  request->asked.add_to(verb);
-  verb.positional("B", request->blocks, "number of blocks (default: the lower bound)");
-  verb.flag("--reversal", request->reversal, "a design and its reversal are the same");
+  auto [verb, request] =
+      program.add("classify", "all designs with so many blocks, and how many differ", run);
+  request.asked.add_to(verb);
+  verb.positional("B", request.blocks, "number of blocks (default: the lower bound)", false);
+  verb.flag("--reversal", request.reversal, "a design and its reversal are the same");
   verb.flag(
-      "--designs", request->designs,
+      "--designs", request.designs,
       fmt::format("show a design of every class, not only of the first {}", shown_by_default));
-  request->run.add_limits_to(verb, "", request->output);
-  request->output.add_to(verb, {"text", "json"});
+  request.run.add_limits_to(verb, "", request.output);
+  request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover classify 12 4 21 --change 1      2554 standard forms",
                  "changeover classify 9 4 12 --change 1 --circular --json",
                  "changeover classify 7 3 --reversal --designs -o all.txt",
                  "linear unless --circular; exit code 0: these are all, 30: a limit stopped it"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

@@ -1,21 +1,26 @@
 // changeover completion bash
-#include <memory>
-#include <string>
-
-#include "request/request.hpp"
+#include "answer/answer.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
+namespace {
+
+struct CompletionRequest {
+  const Program* program = nullptr;
+  std::string shell;
+};
+
+Answer run(const CompletionRequest& request) {
+  return text_answer(request.program->bash_completion(), {});
+}
+
+}  // namespace
 
 void add_completion(Program& program) {
-  auto shell = std::make_shared<std::string>("bash");
-  Verb& verb = program.add("completion", "print a completion script for a shell");
-  verb.choice("SHELL", *shell, {"bash"}, "the shell (bash)");
+  auto [verb, request] = program.add("completion", "print a completion script for a shell", run);
+  request.program = &program;
+  verb.choice("SHELL", request.shell, {"bash"}, "the shell (bash)");
   verb.examples({"source <(changeover completion bash)"});
-  verb.run([shell, &program] {
-    deliver(program.bash_completion(), "-");
-    return exit_code::done;
-  });
 }
 
 }  // namespace changeover::cli

@@ -1,9 +1,9 @@
 // changeover constructions: the registry as a list.
 #include <fmt/format.h>
 
+#include "answer/answer.hpp"
 #include "changeover/construct/registry.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/request.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -48,21 +48,20 @@ std::string as_json() {
   return json.take() + "\n";
 }
 
+Answer run(const OutputRequest& output) {
+  return text_answer(output.json()                   ? as_json()
+                     : output.format() == "markdown" ? as_markdown()
+                                                     : as_text(),
+                     output);
+}
+
 }  // namespace
 
 void add_constructions(Program& program) {
-  auto output = std::make_shared<OutputRequest>();
-  Verb& verb = program.add("constructions", "what can be constructed, and by whom it was found");
-  output->add_to(verb, {"text", "markdown", "json"});
+  auto [verb, output] =
+      program.add("constructions", "what can be constructed, and by whom it was found", run);
+  output.add_to(verb, {"text", "markdown", "json"});
   verb.examples({"changeover constructions", "changeover constructions --json"});
-  verb.run([output] {
-    const std::string format = output->chosen();
-    deliver(format == "json"       ? as_json()
-            : format == "markdown" ? as_markdown()
-                                   : as_text(),
-            *output);
-    return exit_code::done;
-  });
 }
 
 }  // namespace changeover::cli

@@ -1,27 +1,25 @@
 // changeover describe: every verb and option, for programs.
-#include <memory>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "answer/answer.hpp"
 #include "changeover/core/version.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/request.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
 namespace {
 
-std::string joined(const std::vector<std::string>& words, char between) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : std::string(1, between)) + word;
-  }
-  return text;
-}
+struct DescribeRequest {
+  const Program* program = nullptr;
+  OutputRequest output;
+};
 
 std::string as_text(const Program& program) {
   std::string text;
   for (const OptionDescription& each : program.describe()) {
-    text += each.verb + (each.positional ? "\targument\t" : "\toption\t") +
-            joined(each.names, ',') + "\t" + each.kind + "\t" + joined(each.words, '|') + "\n";
+    text += fmt::format("{}\t{}\t{}\t{}\t{}\n", each.verb, each.positional ? "argument" : "option",
+                        fmt::join(each.names, ","), each.kind, fmt::join(each.words, "|"));
   }
   return text;
 }
@@ -61,19 +59,21 @@ std::string as_json(const Program& program) {
   return json.end_array().end_object().take() + "\n";
 }
 
+Answer run(const DescribeRequest& request) {
+  return text_answer(request.output.json() ? as_json(*request.program) : as_text(*request.program),
+                     request.output);
+}
+
 }  // namespace
 
 void add_describe(Program& program) {
-  auto output = std::make_shared<OutputRequest>();
-  Verb& verb = program.add("describe", "every verb and option of this program, for programs");
-  output->add_to(verb, {"json", "text"});
+  auto [verb, request] =
+      program.add("describe", "every verb and option of this program, for programs", run);
+  request.program = &program;
+  request.output.add_to(verb, {"json", "text"});
   verb.examples(
       {"changeover describe                  as JSON",
        "changeover describe --format text    verb, argument or option, names, kind, words"});
-  verb.run([output, &program] {
-    deliver(output->chosen() == "json" ? as_json(program) : as_text(program), *output);
-    return exit_code::done;
-  });
 }
 
 }  // namespace changeover::cli

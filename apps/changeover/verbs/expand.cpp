@@ -8,7 +8,8 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/read_design.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/input_files.hpp"
+#include "request/inputs.hpp"
+#include "request/parameters.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -16,8 +17,7 @@ namespace {
 
 struct ExpandRequest {
   std::string path;
-  bool circular = false;
-  bool linear = false;
+  std::optional<Kind> kind;
   std::string factorization = "circle";
   std::optional<std::uint64_t> which;
   std::optional<std::uint64_t> list;
@@ -72,7 +72,8 @@ std::string no_more(const ExpansionSearch& search) {
 }
 
 // --list, --count, --partial: what there is, without expanding.
-int report(const ExpandRequest& request, const Design& design) {
+Answer report(const ExpandRequest& request, const Design& design) {
+  request.output.require("a list of expansion sets", {"table", "text", "json"});
   ExpansionSearchOptions options;
   options.how_many = request.list.value_or(request.count ? 0 : 1);
   options.count = request.count;
@@ -83,16 +84,11 @@ int report(const ExpandRequest& request, const Design& design) {
   if (request.partial) {
     largest = largest_partial_expansion_set(design, options.limits);
   }
-  std::string text;
-  if (request.output.chosen() == "json") {
+  if (request.output.json()) {
     JsonWriter json;
     json.begin_object().key("complete").value(search.complete).key("reason").value(search.reason);
-    json.key("count")
-        .value(search.count)
-        .key("partial")
-        .value(request.partial)
-        .key("sets")
-        .begin_array();
+    json.key("count").value(search.count).key("partial").value(request.partial);
+    json.key("sets").begin_array();
     for (const ExpansionSet& set : search.sets) {
       add_set(design, set, json);
     }
@@ -102,28 +98,26 @@ int report(const ExpandRequest& request, const Design& design) {
       add_set(design, largest->set, json);
       json.key("largest_is_optimal").value(largest->optimal);
     }
-    json.end_object();
-    text = json.take() + "\n";
-  } else {
-    if (largest) {
-      text += fmt::format("largest partial expansion set: {} of {} elements{}\n  {}\n",
-                          elements_in(largest->set), design.v(),
-                          largest->optimal ? ", proved" : ", the best so far",
-                          members(design, largest->set));
-    }
-    for (const ExpansionSet& set : search.sets) {
-      text += members(design, set) + "\n";
-    }
-    if (request.count) {
-      text += search.count ? fmt::format("{}{}\n", *search.count,
-                                         *search.count == 1 ? " expansion set" : " expansion sets")
-                           : fmt::format("not counted: {}\n", no_more(search));
-    } else if (search.sets.empty() && !request.partial) {
-      text += fmt::format("no expansion set found: {}\n", no_more(search));
-    }
+    return text_answer(json.end_object().take() + "\n", request.output);
   }
-  deliver(text, request.output);
-  return exit_code::done;
+  std::string text;
+  if (largest) {
+    text += fmt::format("largest partial expansion set: {} of {} elements{}\n  {}\n",
+                        elements_in(largest->set), design.v(),
+                        largest->optimal ? ", proved" : ", the best so far",
+                        members(design, largest->set));
+  }
+  for (const ExpansionSet& set : search.sets) {
+    text += members(design, set) + "\n";
+  }
+  if (request.count) {
+    text += (search.count ? count_of(*search.count, "expansion set")
+                          : "not counted: " + no_more(search)) +
+            "\n";
+  } else if (search.sets.empty() && !request.partial) {
+    text += fmt::format("no expansion set found: {}\n", no_more(search));
+  }
+  return text_answer(text, request.output);
 }
 
 /// A larger design and how it came about.
@@ -187,15 +181,10 @@ Larger by_cover(const ExpandRequest& request, const Design& design, std::uint64_
                       members(design, best->cover.subsets))};
 }
 
-int run(const ExpandRequest& request) {
-  if (request.circular && request.linear) {
-    throw UsageError{"--circular and --linear exclude each other"};
-  }
+Answer run(const ExpandRequest& request) {
   ReadOptions reading;
-  if (request.circular || request.linear) {
-    reading.kind = request.circular ? Kind::circular : Kind::linear;
-  }
-  refuse_to_overwrite_inputs(request.output.path, {{"the design", request.path}});
+  reading.kind = request.kind;
+  check_inputs(request.output, {{"the design", request.path}});
   const Design design = read_design(request.path, reading);
   const Verdict given = verify(design);
   if (!given.valid()) {
@@ -226,36 +215,35 @@ int run(const ExpandRequest& request) {
                               quality(exhibit.judgement), name(design.parameters()),
                               count_of(design.block_count(), "block"), made->how,
                               exhibit.judgement.certificate);
-  DesignSource source(larger);
-  show_design(source, exhibit, request.output);
-  return exit_code::done;
+  return show_design(larger, std::move(exhibit), request.output);
 }
 
 }  // namespace
 
 void add_expand(Program& program) {
-  auto request = std::make_shared<ExpandRequest>();
-  Verb& verb =
-      program.add("expand", "the recursion with expansion sets, applied to your own design");
-  verb.positional("FILE", request->path, "text, JSON or CSV; - is standard input");
-  verb.flag("--circular", request->circular, "take it as circular, whatever the file says");
-  verb.flag("--linear", request->linear, "take it as linear");
-  verb.choice("--factorization", request->factorization, {"circle", "doubled"},
+  auto [verb, request] =
+      program.add("expand", "the recursion with expansion sets, applied to your own design", run);
+  verb.positional("FILE", request.path, "text, JSON or CSV; - is standard input");
+  add_kind_to(verb, request.kind, "take it as circular, whatever the file says",
+              "take it as linear");
+  verb.choice("--factorization", request.factorization, {"circle", "doubled"},
               "the 1-factorization of the new elements (default circle)");
-  verb.option("--set", request->which, "N", "use the N-th expansion set found (default 1)");
-  verb.option("--list", request->list, "N", "list up to N expansion sets instead");
-  verb.flag("--count", request->count, "count all expansion sets instead");
-  verb.flag("--partial", request->partial,
+  verb.option("--set", request.which, "N", "use the N-th expansion set found (default 1)");
+  verb.option("--list", request.list, "N", "list up to N expansion sets instead");
+  verb.flag("--count", request.count, "count all expansion sets instead");
+  verb.flag("--partial", request.partial,
             "list inclusion-maximal partial ones, and the largest, instead");
-  verb.option("-w,--new-elements", request->new_elements, "W",
+  verb.option("-w,--new-elements", request.new_elements, "W",
               "insert W new elements at unchanged subsets that may overlap; 0: the best number\n"
               "(so it is chosen, too, if there is no expansion set with an odd number of members)");
-  verb.option("--nodes", request->nodes, "N", "give up after N nodes of the search");
-  request->output.add_to(verb, design_formats());
+  verb.option("--nodes", request.nodes, "N", "give up after N nodes of the search");
+  verb.never_with({"--set", "--new-elements", "--factorization"},
+                  {"--list", "--count", "--partial"});
+  verb.exclude({"--set", "--new-elements"});
+  request.output.add_to(verb, design_formats());
   verb.examples({"changeover design 7 3 --linear --json | changeover expand -",
                  "changeover design 21 5 --json -o d.json && changeover expand d.json --count",
                  "changeover design 15 5 --json | changeover expand - --new-elements 4"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

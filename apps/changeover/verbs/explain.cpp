@@ -1,9 +1,10 @@
 // changeover explain V K: the tree of constructions with their theorems.
 #include <fmt/format.h>
 
-#include "answer/decline.hpp"
+#include "answer/judgement.hpp"
+#include "answer/offers.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/request.hpp"
+#include "request/parameters.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -84,50 +85,43 @@ void add_json(const Recipe& recipe, JsonWriter& json) {
   json.end_array().end_object();
 }
 
-int run(const ExplainRequest& request) {
-  const std::vector<Parameters> asked = request.asked.parameters();
+Answer run(const ExplainRequest& request) {
+  const std::vector<Parameters> asked = request.asked.of_each_kind();
   const auto offer = best_offer(asked, request.construction);
   if (!offer) {
     return decline(asked, request.construction, request.output);
   }
-  std::string text;
-  if (request.output.chosen() == "json") {
+  if (request.output.json()) {
     JsonWriter json;
     json.begin_object().key("recipe").raw(recipe_to_json(offer->recipe)).key("tree");
     add_json(offer->recipe, json);
-    json.end_object();
-    text = json.take() + "\n";
-  } else {
-    add_text(offer->recipe, "", text);
-    text += "lower bound: " + lower_bound(offer->recipe.parameters).reason + "\n";
-    std::string others;
-    for (const Parameters& p : asked) {
-      for (const Offer& other : Registry::standard().offers(p)) {
-        if (other.recipe != offer->recipe) {
-          others += fmt::format("  {}: {} by {}\n", name(other.recipe.parameters),
-                                count_of(other.b, "block"), other.recipe.construction);
-        }
+    return text_answer(json.end_object().take() + "\n", request.output);
+  }
+  std::string text;
+  add_text(offer->recipe, "", text);
+  text += "lower bound: " + lower_bound(offer->recipe.parameters).reason + "\n";
+  std::string others;
+  for (const Parameters& p : asked) {
+    for (const Offer& other : Registry::standard().offers(p)) {
+      if (other.recipe != offer->recipe) {
+        others += fmt::format("  {}: {} by {}\n", name(other.recipe.parameters),
+                              count_of(other.b, "block"), other.recipe.construction);
       }
     }
-    if (!others.empty()) {
-      text += "other constructions\n" + others;
-    }
   }
-  deliver(text, request.output);
-  return exit_code::done;
+  return text_answer(text + (others.empty() ? "" : "other constructions\n" + others),
+                     request.output);
 }
 
 }  // namespace
 
 void add_explain(Program& program) {
-  auto request = std::make_shared<ExplainRequest>();
-  Verb& verb = program.add("explain", "how a design is built: the tree of constructions");
-  request->asked.add_to(verb);
-  verb.option("--construction", request->construction, "NAME",
-              "explain this construction's design");
-  request->output.add_to(verb, {"text", "json"});
+  auto [verb, request] =
+      program.add("explain", "how a design is built: the tree of constructions", run);
+  request.asked.add_to(verb);
+  verb.option("--construction", request.construction, "NAME", "explain this construction's design");
+  request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover explain 253 13", "changeover explain 8 5 --json"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

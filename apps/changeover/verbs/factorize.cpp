@@ -3,18 +3,18 @@
 
 #include <limits>
 
+#include "answer/answer.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/figures.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/request.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
 namespace {
 
 struct FactorizeRequest {
-  std::uint64_t order = 0;
+  std::optional<std::uint64_t> order;
   std::string kind = "circle";
   bool near = false;
   OutputRequest output;
@@ -70,7 +70,7 @@ std::string as_text(const Factors& factors) {
 
 std::string as_json(const FactorizeRequest& request, const Factors& factors) {
   JsonWriter json;
-  json.begin_object().key("order").value(request.order);
+  json.begin_object().key("order").value(*request.order);
   json.key("kind").value(request.near ? "near" : request.kind);
   json.key("factors").begin_array();
   for (const Edges& edges : factors.edges) {
@@ -88,21 +88,18 @@ std::string as_json(const FactorizeRequest& request, const Factors& factors) {
   return json.take() + "\n";
 }
 
-int run(const FactorizeRequest& request) {
+Answer run(const FactorizeRequest& request) {
   constexpr std::uint64_t most = 20'000;  // n²/2 edges are written
-  if (request.order > most) {
+  if (*request.order > most) {
     throw UsageError{
-        fmt::format("N = {} exceeds {}: K_N has too many edges to list", request.order, most)};
+        fmt::format("N = {} exceeds {}: K_N has too many edges to list", *request.order, most)};
   }
-  const auto order = static_cast<std::uint32_t>(request.order);
+  const auto order = static_cast<std::uint32_t>(*request.order);
   const Factors found = request.near
                             ? near_factors(order)
                             : factors(order, factorization_kind_from_string(request.kind).value());
-  const std::string format = request.output.chosen();
-  std::string text;
-  if (format == "json") {
-    text = as_json(request, found);
-  } else if (format == "svg" || format == "tikz") {
+  const std::string& format = request.output.format();
+  if (format == "svg" || format == "tikz") {
     constexpr std::uint64_t most_drawn = 40;
     if (request.near || order > most_drawn) {
       throw UsageError{fmt::format("only 1-factorizations of K_2 to K_{} are drawn", most_drawn)};
@@ -111,27 +108,25 @@ int run(const FactorizeRequest& request) {
     if (request.kind == "circle" && order > 2) {
       figure.centre = order - 1;  // the vertex that the rotation fixes
     }
-    text = format == "svg" ? to_svg(figure) : to_tikz(figure);
-  } else {
-    text = as_text(found);
+    return text_answer(format == "svg" ? to_svg(figure) : to_tikz(figure), request.output);
   }
-  deliver(text, request.output);
-  return exit_code::done;
+  return text_answer(request.output.json() ? as_json(request, found) : as_text(found),
+                     request.output);
 }
 
 }  // namespace
 
 void add_factorize(Program& program) {
-  auto request = std::make_shared<FactorizeRequest>();
-  Verb& verb = program.add("factorize", "a 1-factorization of the complete graph K_N");
-  verb.positional("N", request->order, "number of vertices, even (odd with --near)");
-  verb.choice("--kind", request->kind, {"circle", "doubled"},
+  auto [verb, request] =
+      program.add("factorize", "a 1-factorization of the complete graph K_N", run);
+  verb.positional("N", request.order, "number of vertices, even (odd with --near)");
+  verb.choice("--kind", request.kind, {"circle", "doubled"},
               "circle (GK) or two halves put together (default circle)");
-  verb.flag("--near", request->near, "a near-1-factorization of K_N, N odd");
-  request->output.add_to(verb, {"text", "json", "svg", "tikz"});
+  verb.flag("--near", request.near, "a near-1-factorization of K_N, N odd");
+  verb.exclude({"--near", "--kind"});
+  request.output.add_to(verb, {"text", "json", "svg", "tikz"});
   verb.examples({"changeover factorize 8", "changeover factorize 8 --kind doubled --json",
                  "changeover factorize 6 --format svg -o k6.svg", "changeover factorize 7 --near"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

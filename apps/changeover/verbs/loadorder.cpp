@@ -13,7 +13,6 @@
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/request.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 
@@ -27,168 +26,102 @@ struct LoadOrderRequest {
   bool prefetch = false;
   RunRequest run;
   OutputRequest output;
-  bool json = false;
-
-  [[nodiscard]] std::string format() const { return json ? "jsonl" : output.chosen(); }
 };
 
-/// Lines for an output, in large pieces.
-class Lines {
+/// Writes an order in a format: a head, then a line for each step.
+class StepWriter {
  public:
-  explicit Lines(OutputFile& out) : out_(out) {}
+  StepWriter(OutputFile& out, const std::string& format)
+      : out_(out), json_(format == "jsonl"), csv_(format == "csv") {}
 
-  [[nodiscard]] std::string& text() { return text_; }
-
-  void end_line() {
-    constexpr std::size_t piece = 1 << 16;
-    text_ += '\n';
-    if (text_.size() >= piece) {
-      flush();
-    }
+  /// The head in JSON or in text; in CSV the names of the columns.
+  void begin(const std::string& json, const std::string& text, const std::string& columns) {
+    out_.write(json_ ? json + "\n" : csv_ ? columns + "\n" : text + "\n");
   }
 
-  void flush() {
+  /// `worker` is nothing if there is only one.
+  void write(const LoadStep& step, std::optional<std::uint64_t> worker = {}) {
+    start(step.number, worker);
+    list("load", step.load);
+    list("evict", step.evict);
+    finish();
+  }
+
+  void write(const PrefetchStep& step) {
+    start(step.number, {});
+    list("load", step.load);
+    if (json_) {  // the name that every order has
+      std::vector<Element> all = step.evict_first;
+      all.insert(all.end(), step.evict_late.begin(), step.evict_late.end());
+      list("evict", all);
+    }
+    list("evict_first", step.evict_first);
+    list("evict_late", step.evict_late);
+    list("before", step.before);
+    list("compute", step.overlap);
+    finish();
+  }
+
+  void end() {
     out_.write(text_);
     text_.clear();
   }
 
  private:
-  OutputFile& out_;
-  std::string text_;
-};
+  void add(std::uint64_t number) { fmt::format_to(std::back_inserter(text_), "{}", number); }
 
-void append_number(std::string& text, std::uint64_t number) {
-  fmt::format_to(std::back_inserter(text), "{}", number);
-}
-
-template <typename List, typename Write>
-void append_list(std::string& text, const List& list, std::string_view between, Write write) {
-  bool first = true;
-  for (const auto& member : list) {
-    text += first ? std::string_view() : between;
-    first = false;
-    write(member);
-  }
-}
-
-/// How a step is written. `worker` is nothing if there is only one.
-class StepWriter {
- public:
-  StepWriter(OutputFile& out, std::string format, bool workers, bool pairs)
-      : lines_(out), format_(std::move(format)), workers_(workers), pairs_(pairs) {}
-
-  void begin(const std::string& head) {
-    lines_.text() += head;
-    if (format_ == "csv") {
-      lines_.text() += workers_ ? "worker," : "";
-      lines_.text() +=
-          pairs_ ? "step,load,evict_first,evict_late,before,compute\n" : "step,load,evict\n";
-    }
+  void add(const ItemPair& pair) {
+    text_ += json_ ? "[" : "";
+    add(pair.first);
+    text_ += json_ ? ',' : '-';
+    add(pair.second);
+    text_ += json_ ? "]" : "";
   }
 
-  void line(const std::string& text) {
-    lines_.text() += text;
-    lines_.end_line();
-  }
-
-  void write(const LoadStep& step, std::uint64_t worker) {
-    start(step.number, worker);
-    items("load", step.load);
-    items("evict", step.evict);
-    finish();
-  }
-
-  void write(const PrefetchStep& step) {
-    start(step.number, 0);
-    items("load", step.load);
-    if (format_ == "jsonl") {  // the name that every order has
-      std::vector<Element> all = step.evict_first;
-      all.insert(all.end(), step.evict_late.begin(), step.evict_late.end());
-      items("evict", all);
-    }
-    items("evict_first", step.evict_first);
-    items("evict_late", step.evict_late);
-    pairs("before", step.before);
-    pairs("compute", step.overlap);
-    finish();
-  }
-
-  void end() { lines_.flush(); }
-
- private:
-  void start(std::uint64_t number, std::uint64_t worker) {
-    std::string& text = lines_.text();
-    if (format_ == "jsonl") {
-      text += workers_ ? "{\"worker\":" : "{\"step\":";
-      if (workers_) {
-        append_number(text, worker);
-        text += ",\"step\":";
-      }
-    } else if (format_ == "csv") {
-      if (workers_) {
-        append_number(text, worker);
-        text += ',';
-      }
+  void start(std::uint64_t number, std::optional<std::uint64_t> worker) {
+    if (worker) {
+      text_ += json_ ? "{\"worker\":" : csv_ ? "" : "worker ";
+      add(*worker);
+      text_ += json_ ? ",\"step\":" : csv_ ? "," : " step ";
     } else {
-      text += workers_ ? fmt::format("worker {} step ", worker) : "step ";
+      text_ += json_ ? "{\"step\":" : csv_ ? "" : "step ";
     }
-    append_number(text, number);
-    text += format_ == "text" ? ":" : "";
+    add(number);
+    text_ += json_ || csv_ ? "" : ":";
   }
 
   // In text an empty list is not mentioned.
-  void open(std::string_view name) {
-    std::string& text = lines_.text();
-    if (format_ == "jsonl") {
-      fmt::format_to(std::back_inserter(text), ",\"{}\":[", name);
-    } else if (format_ == "csv") {
-      text += ',';
+  template <typename Member>
+  void list(std::string name, const std::vector<Member>& members) {
+    if (json_) {
+      text_ += ",\"" + name + "\":[";
+    } else if (csv_) {
+      text_ += ',';
+    } else if (members.empty()) {
+      return;
     } else {
-      text += text.back() == ':' ? " " : "; ";
-      for (const char c : name) {
-        text += c == '_' ? ' ' : c;
-      }
-      text += ' ';
+      std::replace(name.begin(), name.end(), '_', ' ');
+      text_ += (text_.back() == ':' ? " " : "; ") + name + " ";
     }
-  }
-
-  void items(std::string_view name, const std::vector<Element>& list) {
-    if (format_ == "text" && list.empty()) {
-      return;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      text_ += i == 0 ? "" : json_ ? "," : " ";
+      add(members[i]);
     }
-    open(name);
-    std::string& text = lines_.text();
-    append_list(text, list, format_ == "jsonl" ? "," : " ",
-                [&](Element x) { append_number(text, x); });
-    text += format_ == "jsonl" ? "]" : "";
-  }
-
-  void pairs(std::string_view name, const std::vector<ItemPair>& list) {
-    if (format_ == "text" && list.empty()) {
-      return;
-    }
-    open(name);
-    std::string& text = lines_.text();
-    const bool json = format_ == "jsonl";
-    append_list(text, list, json ? "," : " ", [&](const ItemPair& pair) {
-      text += json ? "[" : "";
-      append_number(text, pair.first);
-      text += json ? ',' : '-';
-      append_number(text, pair.second);
-      text += json ? "]" : "";
-    });
-    text += json ? "]" : "";
+    text_ += json_ ? "]" : "";
   }
 
   void finish() {
-    lines_.text() += format_ == "jsonl" ? "}" : "";
-    lines_.end_line();
+    constexpr std::size_t piece = 1 << 16;
+    text_ += json_ ? "}\n" : "\n";
+    if (text_.size() >= piece) {
+      end();
+    }
   }
 
-  Lines lines_;
-  std::string format_;
-  bool workers_;
-  bool pairs_;
+  OutputFile& out_;
+  bool json_;
+  bool csv_;
+  std::string text_;
 };
 
 std::string over(double gap, std::uint64_t bound) {
@@ -270,26 +203,21 @@ std::string hint(const LoadOrderRequest& request, const LoadOrderFacts& facts) {
 
 void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFile& out) {
   const LoadOrderFacts& facts = order.facts();
-  const std::string format = request.format();
   Audit audit(facts, facts.loads, request.run.seed.value_or(1));
-  StepWriter writer(out, format, false, false);
-  if (format == "jsonl") {
-    JsonWriter json = head_of(facts, facts.bound, facts.items, facts.room, facts.loads);
-    json.key("gap").value(facts.gap()).key("verified").value(audit.text()).end_object();
-    writer.begin(json.take() + "\n");
-  } else if (format == "csv") {
-    writer.begin("");
-  } else {
-    writer.begin(fmt::format("{}{} in {}, {}\n{}{}: {}\nbound: {}\nverified: {}\n\n",
-                             sentence(facts.items, facts.room), count_of(facts.loads, "load"),
-                             count_of(facts.steps, "step"), over(facts.gap(), facts.bound.loads),
-                             hint(request, facts), facts.method, facts.explanation,
-                             facts.bound.reason, audit.text()));
-  }
+  JsonWriter json = head_of(facts, facts.bound, facts.items, facts.room, facts.loads);
+  json.key("gap").value(facts.gap()).key("verified").value(audit.text()).end_object();
+  StepWriter writer(out, request.output.format());
+  writer.begin(json.take(),
+               fmt::format("{}{} in {}, {}\n{}{}: {}\nbound: {}\nverified: {}\n",
+                           sentence(facts.items, facts.room), count_of(facts.loads, "load"),
+                           count_of(facts.steps, "step"), over(facts.gap(), facts.bound.loads),
+                           hint(request, facts), facts.method, facts.explanation,
+                           facts.bound.reason, audit.text()),
+               "step,load,evict");
   LoadStep step;
   for (const auto steps = order.stream(); steps->next(step);) {
     audit.read(step);
-    writer.write(step, 0);
+    writer.write(step);
   }
   audit.finish();
   writer.end();
@@ -298,42 +226,33 @@ void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFi
 void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, OutputFile& out) {
   const SplitFacts& facts = split.facts();
   const LoadOrderFacts& whole = split.order().facts();
-  const std::string format = request.format();
   const double gap =
       static_cast<double>(facts.makespan) / static_cast<double>(facts.makespan_bound.loads) - 1;
-  StepWriter writer(out, format, true, false);
   // Groups of items have small orders, which were read.
   Audit audit(whole, facts.loads, request.run.seed.value_or(1));
-  if (format == "jsonl") {
-    JsonWriter json = head_of(whole, load_lower_bound(facts.items, facts.room), facts.items,
-                              facts.room, facts.loads);
-    json.key("workers").value(facts.workers.size()).key("makespan").value(facts.makespan);
-    json.key("makespan_bound").value(facts.makespan_bound.loads);
-    json.key("makespan_bound_reason").value(facts.makespan_bound.reason);
-    json.key("groups").value(facts.groups).key("verified").value(audit.text());
-    json.key("worker_loads").begin_array();
-    for (const WorkerFacts& worker : facts.workers) {
-      json.value(worker.loads);
-    }
-    writer.begin(json.end_array().end_object().take() + "\n");
-  } else if (format == "csv") {
-    writer.begin("");
-  } else {
-    std::string text =
-        fmt::format("{}{} for {}, the busiest has {}, {}\n", sentence(facts.items, facts.room),
-                    count_of(facts.loads, "load"), count_of(facts.workers.size(), "worker"),
-                    facts.makespan, over(gap, facts.makespan_bound.loads));
-    text += facts.groups == facts.items ? std::string()
-                                        : fmt::format("items in {} groups, room for {} groups\n",
-                                                      facts.groups, facts.group_room);
-    text += fmt::format("{}: {}\nbound: {}\nverified: {}\n", whole.method, whole.explanation,
-                        facts.makespan_bound.reason, audit.text());
-    for (std::size_t w = 0; w < facts.workers.size(); ++w) {
-      text += fmt::format("worker {}: {} in {}\n", w, count_of(facts.workers[w].loads, "load"),
-                          count_of(facts.workers[w].steps, "step"));
-    }
-    writer.begin(text + "\n");
+  JsonWriter json = head_of(whole, load_lower_bound(facts.items, facts.room), facts.items,
+                            facts.room, facts.loads);
+  json.key("workers").value(facts.workers.size()).key("makespan").value(facts.makespan);
+  json.key("makespan_bound").value(facts.makespan_bound.loads);
+  json.key("makespan_bound_reason").value(facts.makespan_bound.reason);
+  json.key("groups").value(facts.groups).key("verified").value(audit.text());
+  json.key("worker_loads").begin_array();
+  std::string text =
+      fmt::format("{}{} for {}, the busiest has {}, {}\n", sentence(facts.items, facts.room),
+                  count_of(facts.loads, "load"), count_of(facts.workers.size(), "worker"),
+                  facts.makespan, over(gap, facts.makespan_bound.loads));
+  text += facts.groups == facts.items ? std::string()
+                                      : fmt::format("items in {} groups, room for {} groups\n",
+                                                    facts.groups, facts.group_room);
+  text += fmt::format("{}: {}\nbound: {}\nverified: {}\n", whole.method, whole.explanation,
+                      facts.makespan_bound.reason, audit.text());
+  for (std::size_t w = 0; w < facts.workers.size(); ++w) {
+    json.value(facts.workers[w].loads);
+    text += fmt::format("worker {}: {} in {}\n", w, count_of(facts.workers[w].loads, "load"),
+                        count_of(facts.workers[w].steps, "step"));
   }
+  StepWriter writer(out, request.output.format());
+  writer.begin(json.end_array().end_object().take(), text, "worker,step,load,evict");
   LoadStep step;
   for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
     audit.start_over();
@@ -349,10 +268,10 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
 void write_prefetch(const LoadOrderRequest& request, const PrefetchPlan& plan, std::uint64_t room,
                     OutputFile& out) {
   const LoadOrderFacts& facts = plan.order.facts();
-  const std::string format = request.format();
   const LoadBound bound = load_lower_bound(facts.items, room);
+  JsonWriter json = head_of(facts, bound, facts.items, room, facts.loads);
+  json.key("order_room").value(facts.room);
   std::string certificate = facts.certificate;
-  std::optional<PrefetchVerdict> verdict;
   PrefetchStep step;
   if (facts.every_step_read) {
     PrefetchCheck check(facts.items, room);
@@ -360,35 +279,28 @@ void write_prefetch(const LoadOrderRequest& request, const PrefetchPlan& plan, s
     while (schedule.next(step)) {
       check.read(step);
     }
-    verdict = check.finish();
-    if (!verdict->valid()) {
-      throw InternalError("the prefetch schedule is wrong: " + verdict->fault);
+    const PrefetchVerdict verdict = check.finish();
+    if (!verdict.valid()) {
+      throw InternalError("the prefetch schedule is wrong: " + verdict.fault);
     }
     certificate = fmt::format("simulated, all {} pairs computed once, {} of them while items load",
-                              verdict->computed, verdict->overlapped);
+                              verdict.computed, verdict.overlapped);
+    json.key("pairs").value(verdict.computed).key("overlapped").value(verdict.overlapped);
   } else {
     certificate += "; a pair may be computed more than once";
   }
-  StepWriter writer(out, format, false, true);
-  const std::string spare = plan.spare == 0 ? "no place" : "one of the places";
-  if (format == "jsonl") {
-    JsonWriter json = head_of(facts, bound, facts.items, room, facts.loads);
-    json.key("order_room").value(facts.room);
-    if (verdict) {
-      json.key("pairs").value(verdict->computed).key("overlapped").value(verdict->overlapped);
-    }
-    writer.begin(json.key("verified").value(certificate).end_object().take() + "\n");
-  } else if (format == "csv") {
-    writer.begin("");
-  } else {
-    writer.begin(fmt::format(
-        "{}{} in {}, lower bound {}\n{} is kept for what is loading\n{}: {}\n"
-        "verified: {}\n"
-        "each step: wait for load, compute before; evict first of the next step, start its loads; "
-        "compute the others; evict late\n\n",
-        sentence(facts.items, room), count_of(facts.loads, "load"), count_of(facts.steps, "step"),
-        bound.loads, spare, facts.method, facts.explanation, certificate));
-  }
+  StepWriter writer(out, request.output.format());
+  writer.begin(json.key("verified").value(certificate).end_object().take(),
+               fmt::format("{}{} in {}, lower bound {}\n{} is kept for what is loading\n{}: {}\n"
+                           "verified: {}\n"
+                           "each step: wait for load, compute before; evict first of the next "
+                           "step, start its loads; "
+                           "compute the others; evict late\n",
+                           sentence(facts.items, room), count_of(facts.loads, "load"),
+                           count_of(facts.steps, "step"), bound.loads,
+                           plan.spare == 0 ? "no place" : "one of the places", facts.method,
+                           facts.explanation, certificate),
+               "step,load,evict_first,evict_late,before,compute");
   PrefetchSchedule schedule(plan.order.stream(), facts.items, room);
   while (schedule.next(step)) {
     writer.write(step);
@@ -396,7 +308,7 @@ void write_prefetch(const LoadOrderRequest& request, const PrefetchPlan& plan, s
   writer.end();
 }
 
-int run(const LoadOrderRequest& request) {
+Answer run(const LoadOrderRequest& request) {
   if (!request.items || !request.room) {
     throw UsageError{"--items P and --room C are required"};
   }
@@ -412,12 +324,6 @@ int run(const LoadOrderRequest& request) {
   if (request.workers && *request.workers == 0) {
     throw UsageError{"--workers 0: give at least 1 worker"};
   }
-  if (request.workers && request.prefetch) {
-    throw UsageError{"--workers and --prefetch exclude each other"};
-  }
-  if (request.json && request.output.format != "text" && request.output.format != "jsonl") {
-    throw UsageError{"--json and --format " + request.output.format + " exclude each other"};
-  }
   if (request.workers && *request.workers > most_workers) {
     throw UsageError{fmt::format("--workers {}: give 1 to {}", *request.workers, most_workers)};
   }
@@ -432,39 +338,42 @@ int run(const LoadOrderRequest& request) {
       return improve_by_search(running.control())(start, blocks);
     };
   }
+  // Made now, so that what cannot be is said before anything is written.
+  Answer answer;
   if (request.workers) {
-    const WorkerSplit split = split_load_order(items, room, *request.workers, options);
-    deliver(output, [&](OutputFile& out) { write_workers(request, split, out); });
+    const auto split = std::make_shared<const WorkerSplit>(
+        split_load_order(items, room, *request.workers, options));
+    answer.write = [request, split](OutputFile& out) { write_workers(request, *split, out); };
   } else if (request.prefetch) {
-    const PrefetchPlan plan = plan_prefetch(items, room, options);
-    deliver(output, [&](OutputFile& out) { write_prefetch(request, plan, room, out); });
+    const auto plan = std::make_shared<const PrefetchPlan>(plan_prefetch(items, room, options));
+    answer.write = [=](OutputFile& out) { write_prefetch(request, *plan, room, out); };
   } else {
-    const LoadOrder order = plan_load_order(items, room, options);
-    deliver(output, [&](OutputFile& out) { write_one(request, order, out); });
+    const auto order = std::make_shared<const LoadOrder>(plan_load_order(items, room, options));
+    answer.write = [request, order](OutputFile& out) { write_one(request, *order, out); };
   }
-  return exit_code::done;
+  answer.output = output;
+  return answer;
 }
 
 }  // namespace
 
 void add_loadorder(Program& program) {
-  auto request = std::make_shared<LoadOrderRequest>();
-  Verb& verb =
-      program.add("loadorder", "an order of loads that brings all pairs of items together");
-  verb.option("--items", request->items, "P", "items, e.g. partitions of a file");
-  verb.option("--room", request->room, "C", "how many are in memory at once");
-  verb.option("--workers", request->workers, "W", "split it for W workers with room C each");
-  verb.flag("--prefetch", request->prefetch,
+  auto [verb, request] =
+      program.add("loadorder", "an order of loads that brings all pairs of items together", run);
+  verb.option("--items", request.items, "P", "items, e.g. partitions of a file");
+  verb.option("--room", request.room, "C", "how many are in memory at once");
+  verb.option("--workers", request.workers, "W", "split it for W workers with room C each");
+  verb.flag("--prefetch", request.prefetch,
             "say what is computed when, so that loads overlap computation");
-  request->run.add_to(verb, "0s", request->output);
-  request->output.add_to(verb, {"text", "jsonl", "csv"});
-  verb.flag("--json", request->json, "the same as --format jsonl: one object a line");
+  request.run.add_to(verb, "0s", request.output);
+  request.output.add_to(verb, {"text", "jsonl", "csv"});
+  verb.exclude({"--workers", "--prefetch"});
+  verb.only_with({"--threads", "--memory"}, {"--time"});
   verb.examples({"changeover loadorder --items 64 --room 16",
                  "changeover loadorder --items 20 --room 5 --time 20s      search for fewer loads",
                  "changeover loadorder --items 1000 --room 100 --json -o order.jsonl",
                  "changeover loadorder --items 1000 --room 100 --workers 8",
                  "changeover loadorder --items 64 --room 16 --prefetch"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <limits>
 
-#include "changeover/core/error.hpp"
+#include "answer/answer.hpp"
 #include "changeover/search/minima_table.hpp"
 #include "io/file/file_lock.hpp"
-#include "request/input_files.hpp"
-#include "request/request.hpp"
+#include "request/inputs.hpp"
+#include "request/parameters.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 
@@ -29,14 +29,10 @@ struct MinimaRequest {
   /// What is asked for, filled in where it says nothing.
   [[nodiscard]] MinimaRange range() const {
     constexpr std::uint64_t usual_k = 8;
-    if (strength && (*strength < 2 || *strength > max_strength)) {
-      throw UsageError{
-          fmt::format("--strength {} is out of range; give 2 to {}", *strength, max_strength)};
-    }
     MinimaRange range{.k_from = k_from.value_or(2),
                       .k_to = k_to.value_or(usual_k),
                       .v_to = v_to.value_or(2 * usual_k),
-                      .strength = static_cast<std::uint32_t>(strength.value_or(2))};
+                      .strength = strength_of(strength)};
     if (range.k_from > range.k_to) {
       throw UsageError{fmt::format("no K is from {} to {}; check --k-from and --k-to", range.k_from,
                                    range.k_to)};
@@ -61,26 +57,20 @@ std::vector<MinimaRow> rows_of(const std::string& path) {
   return read_minima(*open_input(path));
 }
 
-int run(const MinimaRequest& request) {
+Answer run(const MinimaRequest& request) {
   const MinimaRange range = request.range();
   const std::string data = request.data.empty() ? "minima.csv" : request.data;
   const bool searches = !request.run.time.empty() &&
                         parse_duration(request.run.time, "--time") > std::chrono::seconds(0);
   const bool saves = searches || !request.data.empty();
-  if (data == "-") {
-    throw UsageError{"--data -: rows are read and written; name a file"};
-  }
-  refuse_to_overwrite_inputs(request.output.path, {{"--data", data}});
+  require_file("--data", data, "rows are read and written");
+  check_inputs(request.output, {{"--data", data}});
   std::optional<FileLock> lock;
   if (saves) {
     lock.emplace(data);
   }
   std::vector<MinimaRow> rows = rows_of(data);
-  const auto save = [&] {
-    OutputFile file(data);
-    write_minima(rows, file);
-    file.commit();
-  };
+  const auto save = [&] { write_file(data, [&](OutputFile& file) { write_minima(rows, file); }); };
   constexpr std::uint64_t usual_conflicts = 100'000;
   constexpr std::uint64_t most_conflicts = std::numeric_limits<std::uint32_t>::max();
   MinimumOptions options;
@@ -91,49 +81,45 @@ int run(const MinimaRequest& request) {
   if (!searches) {
     limits.time = limits.default_time = "";  // What needs no search is found whatever it takes.
   }
-  limits.threads = 1;                       // so that the table is the same everywhere
-  Running running(limits, request.output);  // An answer under way is not cut off.
-  {
-    if (saves) {
-      save();  // not only after the work, if it is in vain
-    }
-    // First what needs no search, however far up.
-    RunControl no_search(running.control(), std::chrono::seconds(0));
-    fill_minima(range, rows, options, no_search, [](const MinimaRow&) {});
-    if (searches) {
-      fill_minima(range, rows, options, running.control(), [&](const MinimaRow&) { save(); });
-    }
-    running.finish();
+  limits.threads = 1;  // so that the table is the same everywhere
+  const auto running = std::make_shared<Running>(limits, request.output);
+  if (saves) {
+    save();  // not only after the work, if it is in vain
   }
+  // First what needs no search, however far up.
+  RunControl no_search(running->control(), std::chrono::seconds(0));
+  fill_minima(range, rows, options, no_search, [](const MinimaRow&) {});
+  if (searches) {
+    fill_minima(range, rows, options, running->control(), [&](const MinimaRow&) { save(); });
+  }
+  running->finish();
   if (saves) {
     save();
   }
   std::erase_if(rows, [&](const MinimaRow& row) { return !request.shows(row); });
-  deliver(request.output.chosen() == "json" ? minima_json(rows) : minima_markdown(rows),
-          request.output);
-  return exit_code::done;
+  return spoken(running,
+                text_answer(request.output.json() ? minima_json(rows) : minima_markdown(rows),
+                            request.output));
 }
 
 }  // namespace
 
 void add_minima(Program& program) {
-  auto request = std::make_shared<MinimaRequest>();
-  Verb& verb = program.add(
-      "minima", "the table of small minima, settled by exact search with checked proofs");
-  verb.option("--data", request->data, "FILE",
+  auto [verb, request] = program.add(
+      "minima", "the table of small minima, settled by exact search with checked proofs", run);
+  verb.option("--data", request.data, "FILE",
               "rows so far, and where new ones go (default minima.csv, written with --time only)");
-  verb.option("--v", request->v_to, "V", "elements, at most (new rows: 16; shown: all)");
-  verb.option("--k-from", request->k_from, "K", "elements in a block, at least (2; all)");
-  verb.option("--k-to", request->k_to, "K", "elements in a block, at most (8; all)");
-  verb.option("--strength", request->strength, "T",
+  verb.option("--v", request.v_to, "V", "elements, at most (new rows: 16; shown: all)");
+  verb.option("--k-from", request.k_from, "K", "elements in a block, at least (2; all)");
+  verb.option("--k-to", request.k_to, "K", "elements in a block, at most (8; all)");
+  verb.option("--strength", request.strength, "T",
               fmt::format("from 2 to {} (new rows: 2; shown: all)", max_strength));
-  verb.option("--conflicts", request->conflicts, "N",
+  verb.option("--conflicts", request.conflicts, "N",
               "work on one number of blocks, in conflicts of the solver (default 100000)");
-  request->run.add_limits_to(verb, "0s", request->output);
-  request->output.add_to(verb, {"markdown", "json"});
+  request.run.add_limits_to(verb, "0s", request.output, false);
+  request.output.add_to(verb, {"markdown", "json"});
   verb.examples({"changeover minima --v 10                   what needs no search, and minima.csv",
                  "changeover minima --time 10m -o minima.md  go on with minima.csv"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

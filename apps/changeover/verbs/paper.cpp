@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
+#include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
 #include "paper/figures.hpp"
 #include "paper/report.hpp"
-#include "request/request.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -24,33 +24,31 @@ void write_figures(const std::string& folder) {
     throw MissingResource(fmt::format("cannot make the folder {}: {}", folder, failure.message()));
   }
   for (const auto& [name, content] : paper_figures()) {
-    deliver(content, std::filesystem::path(folder) / name);
+    write_file(std::filesystem::path(folder) / name,
+               [&text = content](OutputFile& out) { out.write(text); });
   }
 }
 
-int run(const PaperRequest& request) {
+Answer run(const PaperRequest& request) {
   const PaperReport report = run_paper_report(Registry::standard());
-  const std::string format = request.output.chosen();
   if (!request.figures.empty()) {
     write_figures(request.figures);
   }
-  deliver(format == "json"       ? render_json(report)
-          : format == "markdown" ? render_markdown(report)
-                                 : render_text(report),
-          request.output);
-  return exit_code::done;
+  return text_answer(request.output.json()                   ? render_json(report)
+                     : request.output.format() == "markdown" ? render_markdown(report)
+                                                             : render_text(report),
+                     request.output);
 }
 
 }  // namespace
 
 void add_paper(Program& program) {
-  auto request = std::make_shared<PaperRequest>();
-  Verb& verb = program.add("paper", "the source paper, rebuilt and compared cell by cell");
-  verb.option("--figures", request->figures, "DIR", "write its figures there too, as SVG and TikZ");
-  request->output.add_to(verb, {"text", "markdown", "json"});
+  auto [verb, request] =
+      program.add("paper", "the source paper, rebuilt and compared cell by cell", run);
+  verb.option("--figures", request.figures, "DIR", "write its figures there too, as SVG and TikZ");
+  request.output.add_to(verb, {"text", "markdown", "json"});
   verb.examples({"changeover paper", "changeover paper --format markdown -o paper.md",
                  "changeover paper --figures figures"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

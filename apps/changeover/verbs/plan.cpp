@@ -7,8 +7,7 @@
 #include "changeover/plan/sheet_formats.hpp"
 #include "changeover/plan/what_if.hpp"
 #include "cli/terminal.hpp"
-#include "request/input_files.hpp"
-#include "request/request.hpp"
+#include "request/inputs.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 
@@ -104,9 +103,6 @@ Job parts_of(const PlanRequest& request) {
 // The set-ups that were done.
 std::vector<Block> done_before(const PlanRequest& request, const Job& job) {
   if (request.done.empty()) {
-    if (request.done_first) {
-      throw UsageError{"--done-first needs --done FILE"};
-    }
     return {};
   }
   const auto input = open_input(request.done);
@@ -146,102 +142,101 @@ Job job_of(const PlanRequest& request) {
 }
 
 std::string plan_text(const SheetDocument& document, const std::string& format, std::size_t width) {
-  if (format == "csv") {
-    return sheet_as_csv(document);
-  }
-  if (format == "json") {
-    return sheet_as_json(document);
-  }
-  if (format == "markdown") {
-    return sheet_as_markdown(document);
-  }
-  return format == "html" ? sheet_as_html(document) : sheet_as_table(document, width);
+  return format == "csv"        ? sheet_as_csv(document)
+         : format == "json"     ? sheet_as_json(document)
+         : format == "markdown" ? sheet_as_markdown(document)
+         : format == "html"     ? sheet_as_html(document)
+                                : sheet_as_table(document, width);
 }
 
 std::string what_if_text(const Job& job, const WhatIf& answer, const std::string& format) {
-  if (format == "csv") {
-    return what_if_as_csv(job, answer);
-  }
-  if (format == "json") {
-    return what_if_as_json(job, answer);
-  }
-  return format == "markdown" ? what_if_as_markdown(job, answer) : what_if_as_table(job, answer);
+  return format == "csv"        ? what_if_as_csv(job, answer)
+         : format == "json"     ? what_if_as_json(job, answer)
+         : format == "markdown" ? what_if_as_markdown(job, answer)
+                                : what_if_as_table(job, answer);
 }
 
-int run(const PlanRequest& request) {
-  const std::string format = request.output.chosen();
-  if (request.what_if && format == "html") {
-    throw UsageError{"--what-if is written as table, csv, json or markdown"};
+Answer run(const PlanRequest& request) {
+  const OutputRequest& output = request.output;
+  if (request.what_if) {
+    output.require("--what-if", {"table", "csv", "json", "markdown"});
+  }
+  if (!request.title.empty()) {
+    output.require("--title", {"table", "json", "markdown", "html"});
   }
   if (const auto defect = text_defect(request.title)) {
     throw UsageError{"--title: " + *defect};
   }
-  refuse_to_overwrite_inputs(request.output.path, {{"the parts list", request.parts},
-                                                   {"--pairs", request.pairs},
-                                                   {"--never", request.never},
-                                                   {"--done", request.done}});
+  check_inputs(output, {{"the parts list", request.parts},
+                        {"--pairs", request.pairs},
+                        {"--never", request.never},
+                        {"--done", request.done}});
   PlanOptions options;
   options.steps = request.steps.value_or(0);
   options.budget = amount("--budget", request.budget);
   // A time that was asked for is used; otherwise as many moves as suit, so that answers repeat.
   options.until_stopped = !request.run.time.empty() && !request.steps && !request.what_if;
   const Job job = job_of(request);
-  const std::size_t width = terminal_width(OutputFile(request.output.path));
   // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
-  Running running(request.run, request.output);
-  const RunPlan plan = make_run_plan(job, options, running.control());
-  std::string text;
+  const auto running = std::make_shared<Running>(request.run, output);
+  const RunPlan plan = make_run_plan(job, options, running->control());
   std::optional<std::string> shortage = plan.shortage;
+  Answer answer;
   if (request.what_if) {
-    const WhatIf answer = what_if(job, plan, options, running.control());
-    shortage = answer.shortage;
-    text = what_if_text(job, answer, format);
+    const WhatIf ranges = what_if(job, plan, options, running->control());
+    shortage = ranges.shortage;
+    answer = text_answer(what_if_text(job, ranges, output.format()), output);
   } else {
-    SheetDocument document{.job = &job, .plan = &plan, .budget = options.budget};
-    document.title = request.title.empty() ? document.title : request.title;
-    text = plan_text(document, format, width);
+    const auto write = [job, plan, options, title = request.title,
+                        format = output.format()](OutputFile& out) {
+      SheetDocument document{.job = &job, .plan = &plan, .budget = options.budget};
+      document.title = title.empty() ? document.title : title;
+      out.write(plan_text(document, format, terminal_width(out)));
+    };
+    answer = {.output = output, .write = write};
   }
-  running.finish();
-  deliver(text, request.output);
+  running->finish();
   if (shortage) {
-    throw MissingResource("the plan may not be the best that could be found: " + *shortage);
+    answer.fault = std::make_exception_ptr(
+        MissingResource("the plan may not be the best that could be found: " + *shortage));
   }
-  return exit_code::done;
+  return spoken(running, std::move(answer));
 }
 
 }  // namespace
 
 void add_plan(Program& program) {
-  auto request = std::make_shared<PlanRequest>();
-  Verb& verb = program.add("plan", "the cheapest order of tests: a run sheet, from your costs");
-  verb.positional("PARTS", request->parts, "CSV file: a part a line, with its change cost or not",
+  auto [verb, request] =
+      program.add("plan", "the cheapest order of tests: a run sheet, from your costs", run);
+  verb.positional("PARTS", request.parts, "CSV file: a part a line, with its change cost or not",
                   false);
-  verb.option("--items", request->items, "N", "N parts called 1, …, N instead of a list");
-  verb.option("-k,--at-once", request->at_once, "K", "how many parts fit at once");
-  verb.option("--test-cost", request->test_cost, "X", "what one test costs, e.g. 12.50");
-  verb.option("--change-cost", request->change_cost, "Y",
+  verb.option("--items", request.items, "N", "N parts called 1, …, N instead of a list");
+  verb.option("-k,--at-once", request.at_once, "K", "how many parts fit at once");
+  verb.option("--test-cost", request.test_cost, "X", "what one test costs, e.g. 12.50");
+  verb.option("--change-cost", request.change_cost, "Y",
               "what mounting a part costs where the list does not say");
-  verb.option("--pairs", request->pairs, "FILE", "pairs that must meet (default: all)");
-  verb.option("--never", request->never, "FILE", "pairs that must not be in one set-up");
-  verb.option("--mounted", request->mounted, "A,B", "parts that stay mounted in every set-up");
-  verb.option("--start", request->start, "A,B,…", "parts that are mounted before the first test");
-  verb.option("--budget", request->budget, "Z", "test as many pairs as this pays for");
-  verb.option("--done", request->done, "FILE",
+  verb.option("--pairs", request.pairs, "FILE", "pairs that must meet (default: all)");
+  verb.option("--never", request.never, "FILE", "pairs that must not be in one set-up");
+  verb.option("--mounted", request.mounted, "A,B", "parts that stay mounted in every set-up");
+  verb.option("--start", request.start, "A,B,…", "parts that are mounted before the first test");
+  verb.option("--budget", request.budget, "Z", "test as many pairs as this pays for");
+  verb.option("--done", request.done, "FILE",
               "tests already done, a set-up a line or the CSV of a run sheet: plan the rest");
-  verb.option("--done-first", request->done_first, "N", "only the first N of them were done");
-  verb.flag("--what-if", request->what_if,
+  verb.option("--done-first", request.done_first, "N", "only the first N of them were done");
+  verb.flag("--what-if", request.what_if,
             "which plan is cheapest at which ratio of change to test cost");
-  verb.option("--title", request->title, "TEXT", "the heading of the run sheet");
-  verb.option("--steps", request->steps, "N", "moves of each local search (default: as suits)");
-  request->run.add_to(verb, "60s", request->output);
-  request->output.add_to(verb, {"table", "csv", "json", "markdown", "html"});
+  verb.option("--title", request.title, "TEXT", "the heading of the run sheet");
+  verb.option("--steps", request.steps, "N", "moves of each local search (default: as suits)");
+  request.run.add_to(verb, "60s", request.output);
+  request.output.add_to(verb, {"table", "csv", "json", "markdown", "html"});
+  verb.only_with({"--done-first"}, {"--done"});
+  verb.never_with({"--title", "--budget"}, {"--what-if"});
   verb.examples(
       {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --format html -o sheet.html",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --budget 600 --start 1,2,3",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --done sheet.csv --done-first 7",
        "changeover plan --items 20 -k 5 --test-cost 1 --change-cost 1 --what-if"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

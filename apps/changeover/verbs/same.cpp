@@ -1,13 +1,14 @@
 // changeover same A B: are two designs the same up to names, rotation and reversal.
 #include <fmt/format.h>
 
+#include "answer/answer.hpp"
 #include "changeover/io/read_design.hpp"
 #include "changeover/isomorphism/automorphisms.hpp"
 #include "changeover/isomorphism/block_system.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/input_files.hpp"
-#include "request/request.hpp"
+#include "request/inputs.hpp"
+#include "request/parameters.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -16,38 +17,23 @@ namespace {
 struct SameRequest {
   std::string one;
   std::string other;
-  bool circular = false;
-  bool linear = false;
+  std::optional<Kind> kind;
   bool reversal = false;
   OutputRequest output;
 };
-
-ReadOptions read_options(const SameRequest& request) {
-  if (request.circular && request.linear) {
-    throw UsageError{"--circular and --linear exclude each other"};
-  }
-  if (request.one == "-" && request.other == "-") {
-    throw UsageError{"only one of the two designs can come from standard input"};
-  }
-  ReadOptions options;
-  if (request.circular || request.linear) {
-    options.kind = request.circular ? Kind::circular : Kind::linear;
-  }
-  return options;
-}
 
 std::string shape(const Design& design) {
   return fmt::format("{}, {}", name(design.parameters()), count_of(design.block_count(), "block"));
 }
 
-struct Answer {
+struct Comparison {
   std::optional<Isomorphism> map;
   std::string group_order;                // of the first design
   std::optional<bool> same_block_system;  // if the shapes agree and the designs differ
 };
 
-Answer compare(const Design& one, const Design& other, const Sameness& same) {
-  Answer answer;
+Comparison compare(const Design& one, const Design& other, const Sameness& same) {
+  Comparison answer;
   answer.map = find_isomorphism(one, other, same);
   answer.group_order = automorphisms(one, same).order;
   if (!answer.map && one.v() == other.v() && one.k() == other.k() &&
@@ -57,7 +43,7 @@ Answer compare(const Design& one, const Design& other, const Sameness& same) {
   return answer;
 }
 
-std::string text(const Answer& answer, const Design& one, const Design& other) {
+std::string text(const Comparison& answer, const Design& one, const Design& other) {
   if (!answer.map) {
     std::string text = "not the same\n";
     if (!answer.same_block_system || one.parameters().kind != other.parameters().kind) {
@@ -83,7 +69,7 @@ std::string text(const Answer& answer, const Design& one, const Design& other) {
   return text + fmt::format("automorphisms: {}\n", answer.group_order);
 }
 
-std::string json(const Answer& answer, const Design& one, const Design& other) {
+std::string json(const Comparison& answer, const Design& one, const Design& other) {
   JsonWriter json;
   json.begin_object().key("same").value(answer.map.has_value());
   if (answer.map) {
@@ -100,32 +86,31 @@ std::string json(const Answer& answer, const Design& one, const Design& other) {
   return json.take() + "\n";
 }
 
-int run(const SameRequest& request) {
-  const ReadOptions options = read_options(request);
-  refuse_to_overwrite_inputs(request.output.path, {{"A", request.one}, {"B", request.other}});
+Answer run(const SameRequest& request) {
+  check_inputs(request.output, {{"A", request.one}, {"B", request.other}});
+  ReadOptions options;
+  options.kind = request.kind;
   const Design one = read_design(request.one, options);
   const Design other = read_design(request.other, options);
-  const Answer answer = compare(one, other, {.rotation = true, .reversal = request.reversal});
-  deliver(request.output.chosen() == "json" ? json(answer, one, other) : text(answer, one, other),
-          request.output);
-  return answer.map ? exit_code::done : exit_code::refuted;
+  const Comparison answer = compare(one, other, {.rotation = true, .reversal = request.reversal});
+  return text_answer(request.output.json() ? json(answer, one, other) : text(answer, one, other),
+                     request.output, answer.map ? exit_code::done : exit_code::refuted);
 }
 
 }  // namespace
 
 void add_same(Program& program) {
-  auto request = std::make_shared<SameRequest>();
-  Verb& verb = program.add("same", "are two designs the same up to relabelling and rotation");
-  verb.positional("A", request->one, "a design: text, JSON or CSV; - is standard input");
-  verb.positional("B", request->other, "another one");
-  verb.flag("--circular", request->circular, "take both as circular, whatever the files say");
-  verb.flag("--linear", request->linear, "take both as linear");
-  verb.flag("--reversal", request->reversal, "a design and its reversal are the same");
-  request->output.add_to(verb, {"text", "json"});
+  auto [verb, request] =
+      program.add("same", "are two designs the same up to relabelling and rotation", run);
+  verb.positional("A", request.one, "a design: text, JSON or CSV; - is standard input");
+  verb.positional("B", request.other, "another one");
+  add_kind_to(verb, request.kind, "take both as circular, whatever the files say",
+              "take both as linear");
+  verb.flag("--reversal", request.reversal, "a design and its reversal are the same");
+  request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover same mine.txt theirs.json",
                  "changeover same mine.txt theirs.json --reversal --json",
                  "a circular design may be rotated; exit code 0: the same, 1: not the same"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

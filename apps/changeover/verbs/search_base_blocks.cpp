@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "changeover/search/base_block_search.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/search_request.hpp"
 
@@ -22,20 +21,15 @@ std::string line_of(const ShapeAttempt& attempt) {
 
 }  // namespace
 
-int search_base_blocks(const SearchRequest& request) {
-  const Parameters p = request.parameters(Kind::circular);
+Answer search(const BaseBlockSearch& request) {
+  const Parameters& p = request.parameters;
   if (const auto reason = impossibility(p)) {
-    show_none(request, fmt::format("No {} exists: {}.", name(p), *reason));
-    return exit_code::proved_none;
+    return no_design(request.output, exit_code::proved_none,
+                     fmt::format("No {} exists: {}.", name(p), *reason));
   }
-  BaseBlockOptions options;
-  options.shapes.n = request.cycle_length;
-  options.shapes.fixed = request.fixed_points;
-  options.shapes.tight = request.tight;
-  options.shapes.most_blocks = request.blocks;
-  Running running(request.run, request.output);
-  const BaseBlockResult result = search_base_blocks(p, options, running.control());
-  running.finish();
+  const auto running = std::make_shared<Running>(request.run, request.output);
+  const BaseBlockResult result = search_base_blocks(p, request.options, running->control());
+  running->finish();
 
   std::vector<std::string> lines;
   lines.reserve(result.attempts.size() + 2);
@@ -49,18 +43,17 @@ int search_base_blocks(const SearchRequest& request) {
   if (!result.found()) {
     JsonWriter json;
     json.begin_object().key("found").value(false).key("attempts").value(lines).end_object();
-    show_none(request, fmt::format("{}", fmt::join(lines, "\n")), json.take());
-    return exit_code::limit_reached;
+    return spoken(running, no_design(request.output, exit_code::limit_reached,
+                                     fmt::format("{}", fmt::join(lines, "\n")), json.take()));
   }
   SearchFind find{*result.design, lines};
   if (result.recipe) {
     find.design.recipe = result.recipe;
     Recipe& leaf = find.design.recipe->inputs.empty() ? *find.design.recipe
                                                       : find.design.recipe->inputs.front();
-    leaf.provenance = request.provenance(p, "--base-blocks");
+    leaf.provenance = provenance(request, p, "--base-blocks");
   }
-  show_find(find, request);
-  return exit_code::found;
+  return spoken(running, show_find(find, request, exit_code::found));
 }
 
 }  // namespace changeover::cli

@@ -1,10 +1,11 @@
 // changeover search V K --exact: the minimum, or whether there is a design with B blocks, with proofs.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <exception>
 #include <sstream>
 #include <utility>
 
+#include "answer/offers.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/printable.hpp"
 #include "changeover/run/scope.hpp"
@@ -15,6 +16,8 @@
 
 namespace changeover::cli {
 namespace {
+
+using Decided = changeover::Answer;
 
 std::string seconds(std::chrono::duration<double> time) {
   return fmt::format("{:.{}f} s", time.count(), time.count() < 10 ? 2 : 0);
@@ -31,9 +34,9 @@ std::string bytes(std::uint64_t count) {
 // "9 blocks: none; DRAT proof of 12.3 kB in linear-m1-v9-k4-b11.drat, checked; 0.12 s"
 std::string line_of(const Decision& step) {
   std::string line = count_of(step.b, "block") + ": ";
-  if (step.answer == Answer::found) {
+  if (step.answer == Decided::found) {
     line += "found";
-  } else if (step.answer == Answer::none) {
+  } else if (step.answer == Decided::none) {
     std::uint64_t total = 0;
     for (const CheckedPart& part : step.parts) {
       total += part.proof_bytes;
@@ -58,50 +61,11 @@ std::string proof_of(const MinimumResult& result) {
   std::string text =
       fmt::format("at least {}: {}", count_of(result.start.blocks, "block"), result.start.reason);
   for (const Decision& step : result.steps) {
-    if (step.answer == Answer::none) {
+    if (step.answer == Decided::none) {
       text += "; " + line_of(step);
     }
   }
   return text;
-}
-
-std::string to_json(const MinimumResult& result, bool settled) {
-  const Parameters& p = result.parameters;
-  JsonWriter json;
-  json.begin_object();
-  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
-  if (result.impossible) {
-    json.key("impossible").value(*result.impossible);
-  } else if (settled) {
-    json.key("minimum").value(result.lower).key("proof").value(proof_of(result));
-  } else {
-    json.key("lower_bound").value(result.lower).key("upper_bound");
-    if (result.upper()) {
-      json.value(*result.upper());
-    } else {
-      json.null();
-    }
-    json.key("why_stopped").value(to_string(result.why));
-  }
-  if (result.best) {
-    json.key("blocks").value(result.best->blocks());
-  }
-  json.key("steps").begin_array();
-  for (const Decision& step : result.steps) {
-    json.begin_object().key("blocks").value(step.b).key("answer").value(to_string(step.answer));
-    json.key("seconds").value(step.time.count()).key("proofs").begin_array();
-    for (const CheckedPart& part : step.parts) {
-      json.begin_object();
-      json.key("cnf").value(part.cnf_path).key("drat").value(part.proof_path);
-      json.key("variables").value(part.variables).key("clauses").value(part.clauses);
-      json.key("proof_bytes").value(part.proof_bytes).key("proof_steps").value(part.proof_steps);
-      json.end_object();
-    }
-    json.end_array().end_object();
-  }
-  json.end_array().end_object();
-  return json.take() + "\n";
 }
 
 // What constructions give, as a start from above; nothing if there is no time to look. What is too long to be
@@ -166,7 +130,7 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
   } catch (const MissingResource& fault) {
     missing = fault.what();  // said to all, so that all end together
   }
-  if (own.answer == Answer::found) {
+  if (own.answer == Decided::found) {
     team.announce();
   }
   // The answer, the bytes of each proof, and the design if there is one.
@@ -188,11 +152,11 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
     std::getline(lines, proofs);
     std::getline(lines, blocks);
     none =
-        none && (answer == to_string(Answer::none) || answer == to_string(Answer::none_in_share));
+        none && (answer == to_string(Decided::none) || answer == to_string(Decided::none_in_share));
     if (answer.starts_with(missing_answer)) {
       missing = answer.substr(missing_answer.size());
     }
-    if (answer == to_string(Answer::found) && !design) {
+    if (answer == to_string(Decided::found) && !design) {
       design = unpack(p, blocks);
     }
     std::istringstream sizes(proofs);
@@ -207,53 +171,85 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
     own.parameters = p;
     own.b = b;
     own.design = std::move(design);
-    own.answer = Answer::found;
+    own.answer = Decided::found;
     own.why = WhyStopped::found;
   } else if (none) {
-    own.answer = Answer::none;
+    own.answer = Decided::none;
     own.why = WhyStopped::exhausted;
   } else {
-    own.answer = Answer::unknown;
+    own.answer = Decided::unknown;
   }
   return own;
 }
 
 // Found with as few blocks as wanted; none; or not known.
-int exit_code_of(const SearchRequest& request, const MinimumResult& result) {
+int exit_code_of(const ExactSearch& request, const MinimumResult& result) {
   if (result.impossible) {
     return exit_code::proved_none;
   }
   if (request.blocks) {
-    const Answer answer = result.steps.front().answer;
-    return answer == Answer::found  ? exit_code::found
-           : answer == Answer::none ? exit_code::proved_none
-                                    : exit_code::limit_reached;
+    const Decided answer = result.steps.front().answer;
+    return answer == Decided::found  ? exit_code::found
+           : answer == Decided::none ? exit_code::proved_none
+                                     : exit_code::limit_reached;
   }
   return result.settled() ? exit_code::found : exit_code::limit_reached;
 }
 
-// The bound that the steps prove; nothing if they add nothing.
-std::optional<Bound> proved_by(const MinimumResult& result) {
-  if (result.lower <= result.start.blocks) {
-    return std::nullopt;
-  }
-  return Bound{result.lower, "proved by the lines below", proof_of(result)};
+// The bound that the steps prove, or from which they start.
+Bound proved_by(const MinimumResult& result) {
+  return result.lower > result.start.blocks
+             ? Bound{result.lower, "proved by this search", proof_of(result)}
+             : result.start;
 }
 
-void show(const SearchRequest& request, const MinimumResult& result) {
+std::string to_json(const MinimumResult& result, const std::optional<SearchFind>& find,
+                    bool settled) {
   const Parameters& p = result.parameters;
-  const bool settled = !request.blocks && result.settled();
-  if (request.output.chosen() == "json") {
-    deliver(to_json(result, settled), request.output);
-    return;
-  }
-  std::vector<std::string> lines;
+  JsonWriter json;
+  json.begin_object();
+  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
   if (result.impossible) {
-    lines.push_back(fmt::format("No {} exists: {}.", name(p), *result.impossible));
+    json.key("impossible").value(*result.impossible);
+  } else if (settled) {
+    json.key("minimum").value(result.lower).key("proof").value(proof_of(result));
   } else {
-    lines.push_back(fmt::format("at least {}: {}", count_of(result.start.blocks, "block"),
-                                result.start.reason));
+    json.key("lower_bound").value(result.lower).key("upper_bound").value(result.upper());
+    json.key("why_stopped").value(to_string(result.why));
   }
+  if (find) {
+    const Judgement judgement = judge(*find);
+    json.key("verdict").raw(verdict_to_json(judgement.verdict)).key("bound").begin_object();
+    json.key("name").value(judgement.bound.name).key("reason").value(judgement.bound.reason);
+    json.end_object().key("blocks").value(find->design.blocks());
+  }
+  json.key("steps").begin_array();
+  for (const Decision& step : result.steps) {
+    json.begin_object().key("blocks").value(step.b).key("answer").value(to_string(step.answer));
+    json.key("seconds").value(step.time.count()).key("proofs").begin_array();
+    for (const CheckedPart& part : step.parts) {
+      json.begin_object();
+      json.key("cnf").value(part.cnf_path).key("drat").value(part.proof_path);
+      json.key("variables").value(part.variables).key("clauses").value(part.clauses);
+      json.key("proof_bytes").value(part.proof_bytes).key("proof_steps").value(part.proof_steps);
+      json.end_object();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array().end_object();
+  return json.take();
+}
+
+Answer answer_of(const ExactSearch& request, const MinimumResult& result) {
+  const Parameters& p = result.parameters;
+  const int code = exit_code_of(request, result);
+  const bool settled = !request.blocks && result.settled();
+  std::vector<std::string> lines;
+  lines.push_back(result.impossible
+                      ? fmt::format("No {} exists: {}.", name(p), *result.impossible)
+                      : fmt::format("at least {}: {}", count_of(result.start.blocks, "block"),
+                                    result.start.reason));
   for (const Decision& step : result.steps) {
     lines.push_back(line_of(step));
   }
@@ -266,28 +262,28 @@ void show(const SearchRequest& request, const MinimumResult& result) {
         result.upper() ? fmt::format(" and at most {}", *result.upper()) : std::string(),
         to_string(result.why)));
   }
+  std::optional<SearchFind> find;
   if (result.best) {
-    show_find({*result.best, lines, proved_by(result)}, request);
-    return;
+    find = SearchFind{*result.best, lines, proved_by(result)};
   }
-  std::string text;
-  for (const std::string& line : lines) {
-    text += line + "\n";
+  if (find && !request.output.json()) {
+    return show_find(*find, request, code);
   }
-  deliver(text, request.output.words());
+  return no_design(request.output, code, fmt::format("{}", fmt::join(lines, "\n")),
+                   to_json(result, find, settled));
 }
 
 }  // namespace
 
-int search_exactly(const SearchRequest& request) {
-  const Parameters p = request.parameters();
+Answer search(const ExactSearch& request) {
+  const Parameters& p = request.parameters;
   ExactOptions options;
   options.proof_directory = request.proof_directory;
-  Running running(request.run, request.output);
+  const auto running = std::make_shared<Running>(request.run, request.output);
   const auto decider = [&](std::uint64_t b, const ExactOptions& exact) {
-    Decision decision = decide_together(p, b, exact, running.control());
+    Decision decision = decide_together(p, b, exact, running->control());
     if (decision.design) {
-      decision.design->recipe = literal_recipe(*decision.design, request.provenance(p, "--exact"));
+      decision.design->recipe = literal_recipe(*decision.design, provenance(request, p, "--exact"));
     }
     return decision;
   };
@@ -301,18 +297,14 @@ int search_exactly(const SearchRequest& request) {
     result.best = result.steps.back().design;
     result.why = result.steps.back().why;
   } else {
-    const RunScope scope(running.control());
+    const RunScope scope(running->control());
     result =
-        minimum(p, {.exact = options, .tries_above = 0, .decider = decider}, running.control());
+        minimum(p, {.exact = options, .tries_above = 0, .decider = decider}, running->control());
   }
-  running.finish();
-  if (Team::world().first()) {
-    show(request, result);
-  }
-  if (result.fault) {
-    std::rethrow_exception(result.fault);
-  }
-  return exit_code_of(request, result);
+  running->finish();
+  Answer answer = answer_of(request, result);
+  answer.fault = result.fault;
+  return spoken(running, std::move(answer));
 }
 
 }  // namespace changeover::cli

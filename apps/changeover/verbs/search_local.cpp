@@ -49,17 +49,10 @@ void share_best(ImproveResult& result, const Parameters& p) {
   result.moves = moves;
 }
 
-// The first of several processes speaks.
-void say_none(const SearchRequest& request, const std::string& explanation) {
-  if (Team::world().first()) {
-    show_none(request, explanation);
-  }
-}
-
 // Why the design that is known is shown without a search: above a table, else on stderr.
-void say_unsearched(const SearchRequest& request, SearchFind& find, const std::string& reason) {
+void say_unsearched(const LocalSearch& request, SearchFind& find, const std::string& reason) {
   const std::string line = "no search was made: " + reason;
-  if (request.output.chosen() == "table") {
+  if (request.output.format() == "table") {
     find.lines.push_back(line);
   } else {
     status_line().say("changeover: " + printable(line));
@@ -77,26 +70,26 @@ std::optional<Bound> bound_in_time(const Parameters& p, RunControl& control) {
   }
 }
 
-int decline(const SearchRequest& request, const Parameters& p, const std::string& reason) {
-  say_none(request,
-           fmt::format("No {} {}: {}.", name(p),
-                       request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
-                                      : std::string("exists"),
-                       reason));
-  return exit_code::proved_none;
+Answer decline(const LocalSearch& request, const std::string& reason) {
+  return no_design(
+      request.output, exit_code::proved_none,
+      fmt::format("No {} {}: {}.", name(request.parameters),
+                  request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
+                                 : std::string("exists"),
+                  reason));
 }
 
 }  // namespace
 
-int search_locally(const SearchRequest& request) {
-  const Parameters p = request.parameters();
+Answer search(const LocalSearch& request) {
+  const Parameters& p = request.parameters;
+  const auto running = std::make_shared<Running>(request.run, request.output);
   if (const auto reason = impossibility(p)) {
-    return decline(request, p, *reason);
+    return spoken(running, decline(request, *reason));
   }
-  Running running(request.run, request.output);
-  const std::optional<Bound> bound = bound_in_time(p, running.control());
+  const std::optional<Bound> bound = bound_in_time(p, running->control());
   if (bound && request.blocks && *request.blocks < bound->blocks) {
-    return decline(request, p, bound->reason);
+    return spoken(running, decline(request, bound->reason));
   }
   ImproveOptions options;
   options.target = request.blocks;
@@ -105,12 +98,12 @@ int search_locally(const SearchRequest& request) {
   }
   ImproveResult result;
   if (bound) {
-    result = improve(p, options, running.control());
+    result = improve(p, options, running->control());
   } else {
-    result.why_stopped = running.control().why_stopped();
+    result.why_stopped = running->control().why_stopped();
   }
   share_best(result, p);
-  running.finish();
+  running->finish();
 
   const std::optional<std::uint64_t> before = result.started_from;
   const std::uint64_t wanted = request.blocks.value_or(bound ? bound->blocks : 1);
@@ -118,17 +111,15 @@ int search_locally(const SearchRequest& request) {
   const bool reached = result.design && result.design->block_count() <= wanted;
   const int code =
       reached || (!request.blocks && better) ? exit_code::found : exit_code::limit_reached;
-  if (!Team::world().first()) {
-    return code;
-  }
   if (!result.design) {
-    say_none(request,
-             fmt::format("No {} yet: stopped ({}) before there was one{}", name(p),
-                         to_string(result.why_stopped),
-                         bound ? fmt::format("; at least {}: {}", count_of(bound->blocks, "block"),
-                                             bound->reason)
-                               : std::string(".")));
-    return code;
+    return spoken(
+        running,
+        no_design(request.output, code,
+                  fmt::format("No {} yet: stopped ({}) before there was one{}", name(p),
+                              to_string(result.why_stopped),
+                              bound ? fmt::format("; at least {}: {}",
+                                                  count_of(bound->blocks, "block"), bound->reason)
+                                    : std::string("."))));
   }
   const double seconds = result.elapsed.count();
   const std::string effort =
@@ -137,7 +128,7 @@ int search_locally(const SearchRequest& request) {
                   count_of(result.attempts, "attempt"), to_string(result.why_stopped));
   SearchFind find{*std::move(result.design), {}};
   if (better || !find.design.recipe) {
-    find.design.recipe = literal_recipe(find.design, request.provenance(p, ""));
+    find.design.recipe = literal_recipe(find.design, provenance(request, p, ""));
     find.lines.push_back(
         fmt::format("found by local search{}: {}{}", better ? "" : " in an earlier run", result.how,
                     better && before ? fmt::format("; {} were known", count_of(*before, "block"))
@@ -147,17 +138,17 @@ int search_locally(const SearchRequest& request) {
                              ? "the best recipe known; local search found nothing better"
                              : "the best recipe known");
   }
-  if (!result.unsearched.empty()) {
+  if (!result.unsearched.empty() && Team::world().first()) {
     say_unsearched(request, find, result.unsearched);
   }
   find.lines.push_back(effort);
-  show_find(find, request);
+  Answer answer = show_find(find, request, code);
   if (!result.checkpoint_fault.empty()) {
-    throw MissingResource(
+    answer.fault = std::make_exception_ptr(MissingResource(
         fmt::format("the answer is complete, but the checkpoint is not as far as the search: {}",
-                    result.checkpoint_fault));
+                    result.checkpoint_fault)));
   }
-  return code;
+  return spoken(running, std::move(answer));
 }
 
 }  // namespace changeover::cli

@@ -17,8 +17,9 @@ struct Ordered {
   std::vector<std::pair<std::string, std::uint64_t>> numbers;  ///< the same for JSON
 };
 
-void show_list(const Design& arranged, const Ordered& ordered, const SearchRequest& request) {
-  if (request.output.chosen() == "json") {
+Answer show_list(const Design& arranged, const Ordered& ordered, const SearchRequest& request,
+                 int code) {
+  if (request.output.json()) {
     JsonWriter json;
     json.begin_object().key("order").value(ordered.order);
     for (const auto& [name, number] : ordered.numbers) {
@@ -32,9 +33,7 @@ void show_list(const Design& arranged, const Ordered& ordered, const SearchReque
       }
       json.end_array();
     }
-    json.end_array().end_object();
-    deliver(json.take() + "\n", request.output);
-    return;
+    return text_answer(json.end_array().end_object().take() + "\n", request.output, code);
   }
   std::string text;
   for (const std::string& line : ordered.lines) {
@@ -46,57 +45,47 @@ void show_list(const Design& arranged, const Ordered& ordered, const SearchReque
     }
     text += "\n";
   }
-  deliver(text, request.output);
-}
-
-int decline(const SearchRequest& request, const std::string& words, int code) {
-  show_none(request, words);
-  return code;
+  return text_answer(text, request.output, code);
 }
 
 }  // namespace
 
-int search_order(const SearchRequest& request) {
-  if (request.circular && request.linear) {
-    throw UsageError{"--circular and --linear exclude each other"};
-  }
-  if (request.v || request.k) {
-    throw UsageError{"--order takes V and K from the file; leave them out"};
-  }
-  const Kind kind = request.circular ? Kind::circular : Kind::linear;
+Answer search(const OrderSearch& request) {
   ReadOptions reading;
-  reading.kind = kind;
+  reading.kind = request.kind;
   reading.change = request.change;
-  const Design given = read_design(request.order_file, reading);
+  const Design given = read_design(request.file, reading);
   const std::vector<Block> blocks = given.blocks();
-  Running running(request.run, request.output);
+  const auto running = std::make_shared<Running>(request.run, request.output);
 
   Ordered ordered;
   int code = exit_code::found;
   if (request.change) {
-    ChangeOrder found = order_for_change(
-        blocks, {.v = given.v(), .m = *request.change, .kind = kind}, {}, running.control());
-    running.finish();
+    ChangeOrder found =
+        order_for_change(blocks, {.v = given.v(), .m = *request.change, .kind = request.kind}, {},
+                         running->control());
+    running->finish();
+    const std::string change = count_of(*request.change, "element");
     if (found.answer == OrderAnswer::none) {
-      return decline(request,
-                     fmt::format("No {} order of these {} changes {} at every step: {}.",
-                                 to_string(kind), count_of(blocks.size(), "block"),
-                                 count_of(*request.change, "element"), found.reason),
-                     exit_code::proved_none);
+      return spoken(running,
+                    no_design(request.output, exit_code::proved_none,
+                              fmt::format("No {} order of these {} changes {} at every step: {}.",
+                                          to_string(request.kind), count_of(blocks.size(), "block"),
+                                          change, found.reason)));
     }
     if (found.answer == OrderAnswer::unknown) {
-      return decline(request,
-                     fmt::format("No such order was found; stopped: {}.", to_string(found.why)),
-                     exit_code::limit_reached);
+      return spoken(running, no_design(request.output, exit_code::limit_reached,
+                                       fmt::format("No such order was found; stopped: {}.",
+                                                   to_string(found.why))));
     }
     ordered.order = std::move(found.order);
-    ordered.lines = {fmt::format("{}, {} changed at every step", count_of(blocks.size(), "block"),
-                                 count_of(*request.change, "element"))};
+    ordered.lines = {
+        fmt::format("{}, {} changed at every step", count_of(blocks.size(), "block"), change)};
     ordered.numbers = {{"change", *request.change}};
   } else {
-    LeastChangeOrder found =
-        order_for_least_change(blocks, {.v = given.v(), .kind = kind}, {}, running.control());
-    running.finish();
+    LeastChangeOrder found = order_for_least_change(blocks, {.v = given.v(), .kind = request.kind},
+                                                    {}, running->control());
+    running->finish();
     ordered.lines = {fmt::format(
         "{}: {} introduced in all, {} in the order given; no order has less than {}{}",
         count_of(blocks.size(), "block"), count_of(found.cost, "element"), found.first_cost,
@@ -110,16 +99,13 @@ int search_order(const SearchRequest& request) {
   }
 
   Parameters p = given.parameters();
-  p.kind = kind;
+  p.kind = request.kind;
   p.change = request.change.value_or(p.change);
   Design design(p, arranged(blocks, ordered.order));
   design.set_labels(given.labels());
-  if (request.change && verify(design).valid()) {
-    show_find({std::move(design), ordered.lines}, request);
-  } else {
-    show_list(design, ordered, request);
-  }
-  return code;
+  return spoken(running, request.change && verify(design).valid()
+                             ? show_find({std::move(design), ordered.lines}, request, code)
+                             : show_list(design, ordered, request, code));
 }
 
 }  // namespace changeover::cli

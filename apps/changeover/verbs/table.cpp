@@ -4,21 +4,21 @@
 #include <charconv>
 #include <map>
 
+#include "answer/answer.hpp"
 #include "changeover/construct/planner.hpp"
-#include "changeover/core/error.hpp"
+#include "changeover/verify/verdict.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/request.hpp"
+#include "request/parameters.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
 namespace {
 
 struct TableRequest {
-  std::string k;
-  std::string v;
+  std::string k = "3..8";
+  std::string v = "..40";
   std::optional<std::uint64_t> change;
-  bool circular = false;
-  bool linear = false;
+  std::optional<Kind> kind;
   OutputRequest output;
 };
 
@@ -177,10 +177,7 @@ std::string summary(const Cells& cells) {
                            possible, minimum, ratios / static_cast<double>(possible));
 }
 
-int run(const TableRequest& request) {
-  if (request.circular && request.linear) {
-    throw UsageError{"--circular and --linear exclude each other"};
-  }
+Answer run(const TableRequest& request) {
   const Range k = range("--k", request.k, 2);
   const Range v = range("--v", request.v, k.from);
   if (k.from < 2) {
@@ -208,13 +205,10 @@ int run(const TableRequest& request) {
   }
   const Plan plan = plan_range(Registry::standard(), asked,
                                [](const Design& design) { return verify(design).valid(); });
-  const std::string format = request.output.chosen();
+  const std::string& format = request.output.format();
   Cells all;
   std::string text;
-  for (const Kind kind : {Kind::circular, Kind::linear}) {
-    if (kind == Kind::circular ? request.linear : request.circular) {
-      continue;
-    }
+  for (const Kind kind : kinds_of(request.kind)) {
     Cells cells;
     for (std::uint64_t a = k.from; a <= k.to; ++a) {
       for (std::uint64_t b = v.from; b <= v.to; ++b) {
@@ -229,27 +223,22 @@ int run(const TableRequest& request) {
   if (format == "json" || format == "csv") {
     text = format == "json" ? as_json(all) : as_csv(all);
   }
-  deliver(text, request.output);
-  return exit_code::done;
+  return text_answer(text, request.output);
 }
 
 }  // namespace
 
 void add_table(Program& program) {
-  auto request = std::make_shared<TableRequest>();
-  request->k = "3..8";
-  request->v = "..40";
-  Verb& verb = program.add("table", "the best known design for every v and k of a range");
-  verb.option("--k", request->k, "A..B", "block sizes (default 3..8)");
-  verb.option("--v", request->v, "C..D", "numbers of elements (default ..40)");
-  verb.option("-m,--change", request->change, "M",
+  auto [verb, request] =
+      program.add("table", "the best known design for every v and k of a range", run);
+  verb.option("--k", request.k, "A..B", "block sizes (default 3..8)");
+  verb.option("--v", request.v, "C..D", "numbers of elements (default ..40)");
+  verb.option("-m,--change", request.change, "M",
               "elements in which consecutive blocks differ (default 2)");
-  verb.flag("--circular", request->circular, "circular designs only");
-  verb.flag("--linear", request->linear, "linear designs only");
-  request->output.add_to(verb, {"table", "csv", "json", "markdown", "latex"});
+  add_kind_to(verb, request.kind, "circular designs only", "linear designs only");
+  request.output.add_to(verb, {"table", "csv", "json", "markdown", "latex"});
   verb.examples({"changeover table --k 3..6 --v ..30",
                  "changeover table --k 4 --v 5..100 --change 1 --json"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

@@ -5,10 +5,12 @@
 
 #include <limits>
 
+#include "answer/answer.hpp"
+#include "answer/judgement.hpp"
 #include "changeover/io/read_design.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/input_files.hpp"
-#include "request/request.hpp"
+#include "request/inputs.hpp"
+#include "request/parameters.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -16,34 +18,10 @@ namespace {
 
 struct VerifyRequest {
   std::string path;
-  std::optional<std::uint64_t> v;
-  std::optional<std::uint64_t> k;
-  std::optional<std::uint64_t> change;
-  std::optional<std::uint64_t> strength;
-  bool circular = false;
-  bool linear = false;
+  ParameterRequest declared;
   bool elements = false;
   OutputRequest output;
 };
-
-ReadOptions read_options(const VerifyRequest& request) {
-  if (request.circular && request.linear) {
-    throw UsageError{"--circular and --linear exclude each other"};
-  }
-  if (request.strength && (*request.strength < 2 || *request.strength > max_strength)) {
-    throw UsageError{
-        fmt::format("--strength {}: it must be 2, 3 or {}", *request.strength, max_strength)};
-  }
-  ReadOptions options{
-      .v = request.v, .k = request.k, .change = request.change, .kind = {}, .strength = {}};
-  if (request.circular || request.linear) {
-    options.kind = request.circular ? Kind::circular : Kind::linear;
-  }
-  if (request.strength) {
-    options.strength = static_cast<std::uint32_t>(*request.strength);
-  }
-  return options;
-}
 
 using Labels = std::vector<std::string>;
 
@@ -143,14 +121,14 @@ void add_elements(const Verdict& verdict, const Labels& labels, std::string& tex
   }
 }
 
-int run(const VerifyRequest& request) {
-  refuse_to_overwrite_inputs(request.output.path, {{"the design", request.path}});
-  const auto input = open_design(request.path, read_options(request));
+Answer run(const VerifyRequest& request) {
+  check_inputs(request.output, {{"the design", request.path}});
+  const auto input = open_design(request.path, request.declared.reading());
   const Verdict verdict = verify(*input, {.unchanged = true});
   const Judgement judgement = judge(verdict);
   const Labels& labels = input->labels();
   std::string text;
-  if (request.output.chosen() == "json") {
+  if (request.output.json()) {
     JsonWriter json;
     json.begin_object();
     json.key("verdict").raw(verdict_to_json(judgement.verdict));
@@ -171,28 +149,27 @@ int run(const VerifyRequest& request) {
       add_elements(verdict, labels, text);
     }
   }
-  deliver(text, request.output);
-  return verdict.valid() ? exit_code::done : exit_code::refuted;
+  return text_answer(text, request.output, verdict.valid() ? exit_code::done : exit_code::refuted);
 }
 
 }  // namespace
 
 void add_verify(Program& program) {
-  auto request = std::make_shared<VerifyRequest>();
-  Verb& verb = program.add("verify", "is it a change covering design, and how good");
-  verb.positional("FILE", request->path, "text, JSON or CSV; - is standard input");
-  verb.option("-v", request->v, "V", "number of elements, if the file does not say");
-  verb.option("-k", request->k, "K", "elements in a block");
-  verb.option("-m,--change", request->change, "M", "elements in which consecutive blocks differ");
-  verb.option("-t,--strength", request->strength, "T", "every T elements must meet (2, 3 or 4)");
-  verb.flag("--circular", request->circular, "take it as circular, whatever the file says");
-  verb.flag("--linear", request->linear, "take it as linear");
-  verb.flag("--elements", request->elements, "show i_x, r_x and e_x of every element");
-  request->output.add_to(verb, {"text", "json"});
+  auto [verb, request] = program.add("verify", "is it a change covering design, and how good", run);
+  verb.positional("FILE", request.path, "text, JSON or CSV; - is standard input");
+  verb.option("-v", request.declared.v, "V", "number of elements, if the file does not say");
+  verb.option("-k", request.declared.k, "K", "elements in a block");
+  verb.option("-m,--change", request.declared.change, "M",
+              "elements in which consecutive blocks differ");
+  verb.option("-t,--strength", request.declared.strength, "T",
+              "every T elements must meet (2, 3 or 4)");
+  add_kind_to(verb, request.declared.kind, "take it as circular, whatever the file says",
+              "take it as linear");
+  verb.flag("--elements", request.elements, "show i_x, r_x and e_x of every element");
+  request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover verify mine.txt", "changeover verify mine.csv --circular --change 1",
                  "changeover design 105 9 --json | changeover verify -",
                  "exit code 0: valid, 1: refuted, 3: not a list of blocks"});
-  verb.run([request] { return run(*request); });
 }
 
 }  // namespace changeover::cli

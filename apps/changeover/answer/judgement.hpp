@@ -1,76 +1,25 @@
-// What verbs share: the parameters that are asked for, the form of the answer, and the judgement that
-// every design passes before it is shown. Where the answer goes: deliver.hpp.
+// What is known of a design after it was verified; every design passes this before it is shown.
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "answer/deliver.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/io/json.hpp"
-#include "changeover/io/output_file.hpp"
 #include "changeover/verify/verdict.hpp"
-#include "cli/cli.hpp"
 
 namespace changeover::cli {
-
-/// V K [--change M] [--circular|--linear].
-struct ParameterRequest {
-  std::uint64_t v = 0;
-  std::uint64_t k = 0;
-  std::optional<std::uint64_t> change;
-  bool circular = false;
-  bool linear = false;
-
-  void add_to(Verb& verb);
-
-  /// What is asked, once for each kind that may answer: the named one, or circular and linear.
-  /// @throws UsageError, ImpossibleParameters.
-  [[nodiscard]] std::vector<Parameters> parameters() const;
-};
-
-/// [--format WORD] [--json] [-o FILE].
-struct OutputRequest {
-  std::string format;
-  bool json = false;
-  std::string path;
-  bool precious = false;  ///< long work makes it: it is not lost because FILE cannot be written
-
-  /// The first word is the default.
-  void add_to(Verb& verb, const std::vector<std::string>& formats);
-
-  /// The chosen format; --json is --format json. @throws UsageError if they contradict each other.
-  [[nodiscard]] std::string chosen() const;
-
-  /// The same for words that are no design: they go to standard output even where a FILE was named.
-  [[nodiscard]] OutputRequest words() const {
-    OutputRequest words = *this;
-    words.path.clear();
-    return words;
-  }
-
-  /// Tries whether FILE can be written, so that long work is not done in vain. @throws MissingResource.
-  void check_writable() const;
-};
-
-/// The best that is known of some parameters: what the constructions offer, and for v ≤ 120 also what the
-/// closure rules make of it.
-[[nodiscard]] std::optional<Offer> best_known(const Parameters& p);
-
-/// The best offer over some kinds, circular before linear among equals.
-[[nodiscard]] std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
-                                              const std::string& construction);
 
 /// What is known of a design after it was verified.
 struct Judgement {
   DesignVerdict verdict;
   Bound bound;              ///< the lower bound that the design is measured by
   std::string certificate;  ///< how it was verified, in a few words
+  /// The bound is of a built-in table, where a search was to prove one: its name says so and is always shown.
+  bool from_tables = false;
 };
 
 /// Verifies a stream of blocks and rewinds it. If the list is long and is the development of base blocks
@@ -117,13 +66,10 @@ class JudgedWhileRead final : public BlockSource {
 };
 
 /// The same for a design without a promise, e.g. a user's; it need not be valid. `proved` is a bound that was
-/// proved just now and may be larger than those that are known.
+/// proved just now; it is the one that counts unless a larger one is known.
 [[nodiscard]] Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved = {});
 
 /// "tight, minimum: 366 blocks, the lower bound (counting)", and the like.
 [[nodiscard]] std::string quality(const Judgement& judgement);
-
-/// "C(v,2) pairs" etc. for a line about an element-wise summary; plural by count.
-[[nodiscard]] std::string count_of(std::uint64_t n, const std::string& singular);
 
 }  // namespace changeover::cli

@@ -1,11 +1,8 @@
-#include "request/request.hpp"
+#include "answer/judgement.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-
-#include "changeover/construct/planner.hpp"
+#include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/difference.hpp"
@@ -13,76 +10,10 @@
 
 namespace changeover::cli {
 
-void ParameterRequest::add_to(Verb& verb) {
-  verb.positional("V", v, "number of elements");
-  verb.positional("K", k, "elements in a block");
-  verb.option("-m,--change", change, "M",
-              "elements in which consecutive blocks differ (default 2)");
-  verb.flag("--circular", circular, "the last and the first block are consecutive too");
-  verb.flag("--linear", linear, "they need not be");
-}
-
-std::vector<Parameters> ParameterRequest::parameters() const {
-  if (circular && linear) {
-    throw UsageError{"--circular and --linear exclude each other"};
-  }
-  std::vector<Parameters> asked;
-  for (const Kind kind : {Kind::circular, Kind::linear}) {
-    if (kind == Kind::circular ? !linear : !circular) {
-      asked.push_back({.v = v, .k = k, .change = change.value_or(2), .kind = kind});
-      check(asked.back());
-    }
-  }
-  return asked;
-}
-
-void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) {
-  format = formats.front();
-  verb.choice("-f,--format", format, formats, "how the answer is written (default " + format + ")");
-  if (std::find(formats.begin(), formats.end(), "json") != formats.end()) {
-    verb.flag("--json", json, "the same as --format json");
-  }
-  verb.option("-o,--output", path, "FILE", "write to FILE instead of standard output");
-}
-
-std::string OutputRequest::chosen() const { return json ? "json" : format; }
-
-void OutputRequest::check_writable() const {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  const bool as_a_whole = !exists(status) || is_regular_file(status) || is_directory(status);
-  if (!path.empty() && path != "-" && as_a_whole) {
-    const OutputFile trial(path);  // Goes away without a trace.
-  }
-}
-
-std::optional<Offer> best_known(const Parameters& p) {
-  return changeover::best_known(Registry::standard(), p,
-                                [](const Design& design) { return verify(design).valid(); });
-}
-
-std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
-                                const std::string& construction) {
-  std::optional<Offer> best;
-  const auto consider = [&](std::optional<Offer> offer) {
-    if (offer && (!best || offer->b < best->b)) {
-      best = std::move(offer);
-    }
-  };
-  for (const Parameters& p : asked) {
-    if (construction.empty()) {
-      consider(impossibility(p) ? std::nullopt : best_known(p));
-    } else if (const Construction* named = Registry::standard().find(construction)) {
-      consider(named->offer(p, Registry::standard()));
-    }
-  }
-  return best;
-}
-
 Judgement judge(const Verdict& verdict, const std::optional<Bound>& proved) {
   Judgement judgement;
   judgement.bound = lower_bound(verdict.parameters);
-  if (proved && proved->blocks > judgement.bound.blocks) {
+  if (proved && proved->blocks >= judgement.bound.blocks) {
     judgement.bound = *proved;
   }
   judgement.verdict = {.valid = verdict.valid(),
@@ -210,14 +141,11 @@ std::string quality(const Judgement& judgement) {
                               count_of(verdict.b, "block"), verdict.b == 1 ? "is" : "are",
                               judgement.bound.name);
   }
-  return text + fmt::format("{} {} over the lower bound {}",
+  return text + fmt::format("{} {} over the lower bound {}{}",
                             count_of(verdict.b - verdict.lower_bound, "block"),
                             verdict.b - verdict.lower_bound == 1 ? "is" : "are",
-                            verdict.lower_bound);
-}
-
-std::string count_of(std::uint64_t n, const std::string& singular) {
-  return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
+                            verdict.lower_bound,
+                            judgement.from_tables ? " (" + judgement.bound.name + ")" : "");
 }
 
 }  // namespace changeover::cli

@@ -1,0 +1,36 @@
+// In which form an answer is wanted, and where.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/cli.hpp"
+
+namespace changeover::cli {
+
+/// [--format WORD] [--json] [-o FILE].
+struct OutputRequest {
+  std::string path;
+  bool precious = false;  ///< long work makes it: it is not lost because FILE cannot be written
+
+  /// Must live as long as the verb. The first word is the default. --json is for "json", or for "jsonl" if that is a word.
+  void add_to(Verb& verb, const std::vector<std::string>& formats);
+
+  /// The chosen format. A rule of the verb refuses --json and --format that contradict each other.
+  [[nodiscard]] const std::string& format() const;
+  [[nodiscard]] bool json() const { return format() == "json"; }
+
+  /// @throws UsageError if the format is none of `formats`, in which alone `option` means something.
+  void require(const std::string& option, const std::vector<std::string>& formats) const;
+
+  /// Tries whether FILE can be written, so that long work is not done in vain. @throws MissingResource.
+  void check_writable() const;
+
+ private:
+  std::string asked_;  // --format
+  bool json_ = false;
+  std::string usual_;
+  std::string json_word_ = "json";
+};
+
+}  // namespace changeover::cli

@@ -1,0 +1,65 @@
+#include "request/parameters.hpp"
+
+#include <fmt/format.h>
+
+namespace changeover::cli {
+
+void add_kind_to(Verb& verb, std::optional<Kind>& kind, const std::string& circular,
+                 const std::string& linear) {
+  verb.flag(
+      "--circular", [&kind] { kind = Kind::circular; }, circular);
+  verb.flag(
+      "--linear", [&kind] { kind = Kind::linear; }, linear);
+  verb.exclude({"--circular", "--linear"});
+}
+
+std::uint32_t strength_of(std::optional<std::uint64_t> named) {
+  if (named && (*named < 2 || *named > max_strength)) {
+    throw UsageError{
+        fmt::format("--strength {} is out of range; give 2 to {}", *named, max_strength)};
+  }
+  return static_cast<std::uint32_t>(named.value_or(2));
+}
+
+std::vector<Kind> kinds_of(std::optional<Kind> named) {
+  return named ? std::vector{*named} : std::vector{Kind::circular, Kind::linear};
+}
+
+void ParameterRequest::add_to(Verb& verb, bool required, const std::string& linear) {
+  verb.positional("V", v, "number of elements", required);
+  verb.positional("K", k, "elements in a block", required);
+  verb.option("-m,--change", change, "M",
+              "elements in which consecutive blocks differ (default 2)");
+  add_kind_to(verb, kind, "the last and the first block are consecutive too", linear);
+}
+
+Parameters ParameterRequest::of_kind(Kind one) const {
+  if (!v || !k) {
+    throw UsageError{"give V and K, the number of elements and of those in a block"};
+  }
+  const Parameters p{.v = *v,
+                     .k = *k,
+                     .change = change.value_or(2),
+                     .kind = one,
+                     .strength = strength_of(strength)};
+  check(p);
+  return p;
+}
+
+std::vector<Parameters> ParameterRequest::of_each_kind() const {
+  std::vector<Parameters> asked;
+  for (const Kind each : kinds_of(kind)) {
+    asked.push_back(of_kind(each));
+  }
+  return asked;
+}
+
+ReadOptions ParameterRequest::reading() const {
+  ReadOptions options{.v = v, .k = k, .change = change, .kind = kind, .strength = {}};
+  if (strength) {
+    options.strength = strength_of(strength);
+  }
+  return options;
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,47 @@
+// The parameters of designs that verbs ask about or read.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/core/parameters.hpp"
+#include "changeover/io/design_input.hpp"
+#include "cli/cli.hpp"
+
+namespace changeover::cli {
+
+/// [--circular | --linear], with what each means in the help.
+void add_kind_to(Verb& verb, std::optional<Kind>& kind, const std::string& circular,
+                 const std::string& linear);
+
+/// The strength that was named, in range; 2 if none was. @throws UsageError.
+[[nodiscard]] std::uint32_t strength_of(std::optional<std::uint64_t> named);
+
+/// The kinds that may answer: the named one, or circular and linear.
+[[nodiscard]] std::vector<Kind> kinds_of(std::optional<Kind> named);
+
+/// [V K] [--change M] [--strength T] [--circular | --linear]: what a verb does not offer stays empty.
+struct ParameterRequest {
+  std::optional<std::uint64_t> v;
+  std::optional<std::uint64_t> k;
+  std::optional<std::uint64_t> change;
+  std::optional<std::uint64_t> strength;
+  std::optional<Kind> kind;
+
+  /// V K [--change M] [--circular | --linear], V and K required. `linear` as in add_kind_to().
+  void add_to(Verb& verb, bool required = true, const std::string& linear = "they need not be");
+
+  /// What is asked of one kind. @throws UsageError, ImpossibleParameters.
+  [[nodiscard]] Parameters of_kind(Kind one) const;
+  /// The same, of the named kind or else `usual`.
+  [[nodiscard]] Parameters of_one_kind(Kind usual) const { return of_kind(kind.value_or(usual)); }
+  /// What is asked, once for each kind that may answer.
+  [[nodiscard]] std::vector<Parameters> of_each_kind() const;
+
+  /// As they are declared to whoever reads a design. @throws UsageError.
+  [[nodiscard]] ReadOptions reading() const;
+};
+
+}  // namespace changeover::cli
