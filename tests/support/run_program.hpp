@@ -59,12 +59,15 @@ inline bool has_full_device() {
   return std::filesystem::is_character_file("/dev/full", ignored);
 }
 
-/// Runs `command` with bash; $changeover and $checkdesign are the programs. Its folder is `folder`.
+/// Runs `command` with bash; $changeover and $checkdesign are the programs, $all_pairs the
+/// example that is built beside them. Its folder is `folder`.
 inline Outcome run(const std::string& command, const std::filesystem::path& folder) {
   const TemporaryFolder streams;
   const std::string script = "export changeover='" + std::string(CHANGEOVER_PROGRAM) +
-                             "' checkdesign='" + std::string(CHECKDESIGN_PROGRAM) + "'; cd '" +
-                             folder.string() + "'; " + command;
+                             "' checkdesign='" + std::string(CHECKDESIGN_PROGRAM) +
+                             "' all_pairs='" +
+                             std::filesystem::path(CHANGEOVER_PROGRAM).parent_path().string() +
+                             "/examples/all_pairs'; cd '" + folder.string() + "'; " + command;
   spit(streams.file("script"), script);
   const std::string line = "bash '" + streams.file("script") + "' >'" + streams.file("out") +
                            "' 2>'" + streams.file("err") + "' </dev/null";

@@ -1,16 +1,11 @@
 // changeover loadorder from outside: the contract of its lines, its exit codes, its files.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <sstream>
-#include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
-#include "run_program.hpp"
+#include "cases.hpp"
 
 namespace changeover::test {
 namespace {
@@ -127,11 +122,6 @@ TEST(LoadOrderVerb, TellsWorkersAndPrefetchApart) {
 }
 
 TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
-  struct Case {
-    std::string command;
-    int code = 0;
-    std::string says;
-  };
   const TemporaryFolder folder;
   spit(folder.file("old"), "precious\n");
   for (const Case& each : std::vector<Case>{
@@ -148,37 +138,20 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 9 --room 0", 2, "at least 2"},
            {"--items 9 --room 4 --workers 0", 2, "at least 1 worker"},
            {"--items 9 --room 4 --workers 99999999", 2, "65536"},
-           {"--items 9 --room 4 --workers 2 --prefetch", 2, "exclude"},
-           {"--items 9 --room 4 --json --format csv", 2, "exclude"},
-           {"--items 9", 2, "required"},
+           {"--items 9 --room 4 --workers 2 --prefetch", 2, "--workers and --prefetch exclude"},
+           {"--items 9 --room 4 --json --format csv", 2, "--json and --format csv exclude"},
+           {"--items 9 --room 4 --threads 2", 2, "--threads N is for --time"},
+           {"--items 9 --room 4 --memory 1G", 2, "--memory SIZE is for --time"},
+           {"--items 9", 2, "--items P and --room C are required"},
            {"--items x --room 4", 2, "whole number"},
            {"--items 99999999999 --room 4", 2, "at most"},
            {"--items 9 --room 4 --time soon", 2, "duration"},
            {"--items 9 --room 4 -o no/such/folder/x", 4, "no/such/folder/x"},
            {"--items 999999 --room 100000 -o /dev/full", 4, "/dev/full"}}) {
-    if (each.command.find("/dev/full") != std::string::npos && !has_full_device()) {
-      continue;
-    }
-    const Outcome outcome = run("$changeover loadorder " + each.command, folder.path());
-    EXPECT_EQ(outcome.code, each.code) << each.command << "\n" << outcome.err;
-    const std::string& said = each.code == 0 ? outcome.out : outcome.err;
-    EXPECT_NE(said.find(each.says), std::string::npos) << each.command << "\n" << said;
-    if (each.code != 0) {
-      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    }
+    expect({{"$changeover loadorder " + each.command, each.code, each.says}}, folder);
   }
   EXPECT_EQ(run("$changeover loadorder --items 64 --room 16 -o old", folder.path()).code, 0);
   EXPECT_EQ(slurp(folder.file("old")).rfind("64 items, room for 16", 0), 0U);
-}
-
-// Open MPI refuses to run as root, or with more processes than cores, unless told otherwise.
-const std::string mpirun =
-    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
-    "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun ";
-
-// Installed, and able to start processes: it needs a network of its own and more.
-bool have_mpirun(const TemporaryFolder& folder) {
-  return run(mpirun + "-n 4 true", folder.path()).code == 0;
 }
 
 // The lines that are not mpirun's.
@@ -188,51 +161,42 @@ std::vector<std::string> own_lines(const std::string& text) {
   return lines;
 }
 
-// The example that is built beside the program.
-Outcome run_example(const std::string& command, const TemporaryFolder& folder) {
-  return run("all_pairs=\"$(dirname \"$changeover\")/examples/all_pairs\"; " + command,
-             folder.path());
-}
-
 TEST(AllPairsExample, ComputesWhatIsComputedInMemoryAloneAndInShares) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run_example("$all_pairs make v 60 300", folder).code, 0);
-  const Outcome alone = run_example(
-      "$all_pairs run v 300 --chunk 3 --memory 40K --threads 2 --journal job --check", folder);
+  ASSERT_EQ(run("$all_pairs make v 60 300", folder.path()).code, 0);
+  const Outcome alone =
+      run("$all_pairs run v 300 --chunk 3 --memory 40K --threads 2 --journal job --check",
+          folder.path());
   EXPECT_EQ(alone.code, 0) << alone.err;
   EXPECT_NE(alone.out.find("all 3600 entries"), std::string::npos) << alone.out;
   EXPECT_EQ(std::filesystem::file_size(folder.file("v.dist")), 60U * 60U * 8U);
   const std::string gram = slurp(folder.file("v.gram"));
   std::filesystem::remove(folder.file("v.gram"));
-  EXPECT_EQ(run_example("for i in 0 1 2; do $all_pairs run v 300 --chunk 3 --memory 40K "
-                        "--share $i/3 & done; wait",
-                        folder)
+  EXPECT_EQ(run("for i in 0 1 2; do $all_pairs run v 300 --chunk 3 --memory 40K "
+                "--share $i/3 & done; wait",
+                folder.path())
                 .code,
             0);
   EXPECT_EQ(slurp(folder.file("v.gram")), gram);
   for (const char* order : {"beta", "hold", "tiles", "exhaustive"}) {
-    const Outcome other = run_example(
-        std::string("$all_pairs run v 300 --chunk 3 --memory 40K --check --order ") + order,
-        folder);
+    const Outcome other =
+        run(std::string("$all_pairs run v 300 --chunk 3 --memory 40K --check --order ") + order,
+            folder.path());
     EXPECT_EQ(other.code, 0) << other.out << other.err;
   }
 }
 
 TEST(AllPairsExample, SaysInOneLineWhatIsWrong) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run_example("$all_pairs make v 60 300; head -c 7000 v > short", folder).code, 0);
-  for (const auto& [command, code] :
-       std::vector<std::pair<std::string, int>>{{"$all_pairs run short 300", 3},
-                                                {"$all_pairs run absent 300", 4},
-                                                {"$all_pairs run v 300 --memory 1K", 3},
-                                                {"$all_pairs run v 0", 2},
-                                                {"$all_pairs run v 300 --share 3/3", 3},
-                                                {"$all_pairs run v 300 --nonsense", 2},
-                                                {"$all_pairs", 2}}) {
-    const Outcome outcome = run_example(command, folder);
-    EXPECT_EQ(outcome.code, code) << command << outcome.err;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  }
+  ASSERT_EQ(run("$all_pairs make v 60 300; head -c 7000 v > short", folder.path()).code, 0);
+  expect({{"$all_pairs run short 300", 3, "short"},
+          {"$all_pairs run absent 300", 4, "absent"},
+          {"$all_pairs run v 300 --memory 1K", 3, "memory"},
+          {"$all_pairs run v 0", 2, "DIMENSION and --chunk must be at least 1"},
+          {"$all_pairs run v 300 --share 3/3 >/dev/null", 3, "share"},
+          {"$all_pairs run v 300 --nonsense", 2, "'--nonsense' is not understood"},
+          {"$all_pairs", 2, "usage"}},
+         folder);
 }
 
 TEST(AllPairsExample, FourProcessesHaveTheBytesOfOne) {
@@ -241,14 +205,14 @@ TEST(AllPairsExample, FourProcessesHaveTheBytesOfOne) {
     GTEST_SKIP() << "mpirun is not installed, or starts nothing here";
   }
   const std::string job = "$all_pairs run v 300 --chunk 3 --memory 48K ";
-  ASSERT_EQ(run_example("$all_pairs make v 60 300; " + job, folder).code, 0);
+  ASSERT_EQ(run("$all_pairs make v 60 300; " + job, folder.path()).code, 0);
   const std::string gram = slurp(folder.file("v.gram"));
   const std::string distances = slurp(folder.file("v.dist"));
   ASSERT_EQ(gram.size(), 60U * 60U * 8U);
   spit(folder.file("v.gram"), std::string(gram.size() + 100, 'x'));  // nothing of it may stay
   std::filesystem::remove(folder.file("v.dist"));
 
-  const Outcome four = run_example(mpirun + "-n 4 " + job + "--journal job --check", folder);
+  const Outcome four = run(mpirun + "-n 4 " + job + "--journal job --check", folder.path());
   EXPECT_EQ(four.code, 0) << four.err;
   EXPECT_EQ(lines_of(four.out).size(), 4U) << four.out;  // one process speaks
   EXPECT_NE(four.out.find("4 processes"), std::string::npos) << four.out;
@@ -260,7 +224,7 @@ TEST(AllPairsExample, FourProcessesHaveTheBytesOfOne) {
   }
   // A run that lost the end of a journal goes on there, and does not touch the rest.
   EXPECT_EQ(run("sed -i '$d' job.2", folder.path()).code, 0);
-  const Outcome again = run_example(mpirun + "-n 4 " + job + "--journal job", folder);
+  const Outcome again = run(mpirun + "-n 4 " + job + "--journal job", folder.path());
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_EQ(slurp(folder.file("v.gram")), gram);
   const std::size_t steps = again.out.find(" steps, ");
@@ -276,15 +240,15 @@ TEST(AllPairsExample, AProcessThatIsRefusedKeepsAllOthersFromWriting) {
     GTEST_SKIP() << "mpirun is not installed";
   }
   const std::string two = mpirun + "-n 2 $all_pairs ";
-  ASSERT_EQ(run_example("$all_pairs make v 60 300; " + two +
-                            "run v 300 --chunk 3 --memory 48K --journal job; rm job.0",
-                        folder)
+  ASSERT_EQ(run("$all_pairs make v 60 300; " + two +
+                    "run v 300 --chunk 3 --memory 48K --journal job; rm job.0",
+                folder.path())
                 .code,
             0);
   const std::string gram = slurp(folder.file("v.gram"));
   ASSERT_EQ(gram.size(), 60U * 60U * 8U);
   // For process 0 nothing speaks against another job, but the journal of process 1 does.
-  const Outcome other = run_example(two + "run v 600 --chunk 3 --memory 48K --journal job", folder);
+  const Outcome other = run(two + "run v 600 --chunk 3 --memory 48K --journal job", folder.path());
   EXPECT_EQ(other.code, 3) << other.err;
   ASSERT_EQ(own_lines(other.err).size(), 1U) << other.err;
   EXPECT_NE(own_lines(other.err)[0].find("job.1: is the journal of another job"),
@@ -293,7 +257,7 @@ TEST(AllPairsExample, AProcessThatIsRefusedKeepsAllOthersFromWriting) {
   EXPECT_FALSE(std::filesystem::exists(folder.file("job.0")));
   // Results that were lost are computed again by the process that they belong to.
   spit(folder.file("v.gram"), std::string(gram.size(), '\0'));
-  const Outcome again = run_example(two + "run v 300 --chunk 3 --memory 48K --journal job", folder);
+  const Outcome again = run(two + "run v 300 --chunk 3 --memory 48K --journal job", folder.path());
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_NE(again.out.find("recorded but not found again"), std::string::npos) << again.out;
   EXPECT_EQ(slurp(folder.file("v.gram")), gram);
@@ -304,14 +268,14 @@ TEST(AllPairsExample, OneProcessThatFailsEndsAllWithOneLine) {
   if (!have_mpirun(folder)) {
     GTEST_SKIP() << "mpirun is not installed, or starts nothing here";
   }
-  ASSERT_EQ(run_example("$all_pairs make v 60 300; mkdir job.2", folder).code, 0);
+  ASSERT_EQ(run("$all_pairs make v 60 300; mkdir job.2", folder.path()).code, 0);
   for (const auto& [command, code, says] : std::vector<std::tuple<std::string, int, std::string>>{
            {"run v 300 --memory 48K --journal job", 4, "process 2 of 4: job.2: "},
            {"run absent 300 --memory 48K", 4, "absent"},
            {"run v 300 --memory 48K --share 0/2", 2, "mpirun shares by itself"},
            {"run v", 2, "usage"},
            {"make w 6 300", 2, "usage"}}) {
-    const Outcome outcome = run_example(mpirun + "-n 4 $all_pairs " + command, folder);
+    const Outcome outcome = run(mpirun + "-n 4 $all_pairs " + command, folder.path());
     EXPECT_EQ(outcome.code, code) << command << outcome.err;
     const std::vector<std::string> lines = own_lines(outcome.err);
     ASSERT_EQ(lines.size(), 1U) << command << outcome.err;

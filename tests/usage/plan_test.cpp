@@ -1,32 +1,29 @@
 // changeover plan, as it is run.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-
-#include "run_program.hpp"
+#include "cases.hpp"
 
 namespace changeover::test {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 const std::string fast = " --quiet --threads 1 --steps 20000";
 
 TEST(Plan, CostsOfThePaper) {
   const TemporaryFolder folder;
-  const Outcome dear_changes =
-      run("$changeover plan --items 9 -k 3 --test-cost 1 --change-cost 5 --quiet --steps 200000",
-          folder.path());
-  EXPECT_EQ(dear_changes.code, 0) << dear_changes.err;
-  EXPECT_THAT(dear_changes.out, AllOf(HasSubstr("17 tests, 20 changes, cost 117\n"),
-                                      HasSubstr("SCCD(9,3) with 18"), HasSubstr("  118 "),
-                                      HasSubstr("  137 "), HasSubstr("no plan for all pairs is")));
-  const Outcome dear_tests =
-      run("$changeover plan --items 9 -k 3 --test-cost 10 --change-cost 1" + fast, folder.path());
-  EXPECT_THAT(dear_tests.out, AllOf(HasSubstr("cost 145\n"), HasSubstr("  200 ")));
+  const std::string nine = "$changeover plan --items 9 -k 3 --quiet --test-cost ";
+  const std::string dear_changes = nine + "1 --change-cost 5 --steps 200000";
+  const std::string dear_tests = nine + "10 --change-cost 1 --threads 1 --steps 20000";
+  expect({{dear_changes, 0, "17 tests, 20 changes, cost 117\n"},
+          {dear_changes, 0, "SCCD(9,3) with 18"},
+          {dear_changes, 0, "  118 "},
+          {dear_changes, 0, "  137 "},
+          {dear_changes, 0, "no plan for all pairs is"},
+          {dear_tests, 0, "cost 145\n"},
+          {dear_tests, 0, "  200 "}},
+         folder);
 }
 
 TEST(Plan, TheSameAgainForAnyNumberOfThreads) {
@@ -62,18 +59,15 @@ TEST(Plan, WritesEveryFormat) {
   const TemporaryFolder folder;
   const std::string plan =
       "$changeover plan --items 6 -k 3 --test-cost 1 --change-cost 1.25" + fast;
-  EXPECT_THAT(run(plan + " --json", folder.path()).out,
-              StartsWith("{\"format\":\"changeover-plan/1\""));
-  EXPECT_THAT(run(plan + " --format csv", folder.path()).out, StartsWith("step,take_out"));
-  EXPECT_THAT(run(plan + " --format markdown --title Bench", folder.path()).out,
-              StartsWith("# Bench\n"));
-  EXPECT_THAT(run(plan + " --format html -o s.html && cat s.html", folder.path()).out,
-              AllOf(StartsWith("<!DOCTYPE html>"), HasSubstr("class=\"box\"")));
-  EXPECT_THAT(run(plan + " --what-if", folder.path()).out,
-              HasSubstr("Your costs are at the ratio"));
-  EXPECT_THAT(run(plan + " --what-if --json", folder.path()).out,
-              HasSubstr("changeover-what-if/1"));
-  EXPECT_THAT(run(plan + " --budget 9", folder.path()).out, HasSubstr("budget 9.00"));
+  expect({{plan + " --json", 0, "{\"format\":\"changeover-plan/1\""},
+          {plan + " --format csv", 0, "step,take_out"},
+          {plan + " --format markdown --title Bench", 0, "# Bench\n"},
+          {plan + " --format html -o s.html && cat s.html", 0, "<!DOCTYPE html>"},
+          {"cat s.html", 0, "class=\"box\""},
+          {plan + " --what-if", 0, "Your costs are at the ratio"},
+          {plan + " --what-if --json", 0, "changeover-what-if/1"},
+          {plan + " --budget 9", 0, "budget 9.00"}},
+         folder);
 }
 
 TEST(Plan, SaysInOneLineWhatIsWrong) {
@@ -85,29 +79,27 @@ TEST(Plan, SaysInOneLineWhatIsWrong) {
   spit(folder.file("ab.csv"), "A,B\n");
   spit(folder.file("ax.csv"), "A,X\n");
   spit(folder.file("cd.csv"), "C,D\n");
-  struct Case {
-    std::string arguments;
-    int code;
-    std::string says;
-  };
   const std::string costs = " costs.csv -k 3 --test-cost 1 ";
   for (const Case& c : std::vector<Case>{
            {"", 2, "either a parts list or --items"},
            {"costs.csv --items 3", 2, "either a parts list or --items"},
-           {"costs.csv", 2, "--at-once"},
+           {"costs.csv", 2, "give --at-once K"},
            {"costs.csv -k 1 --test-cost 1", 2, "no pair can meet"},
-           {"costs.csv -k 3", 2, "--test-cost"},
+           {"costs.csv -k 3", 2, "give --test-cost X"},
            {"costs.csv -k 3 --test-cost -1", 2, "negative"},
            {"costs.csv -k 3 --test-cost 1e3", 2, "is not a cost"},
            {"parts.csv -k 3 --test-cost 1", 2, "D has no change cost"},
-           {"--items 5 -k 3 --test-cost 1", 2, "--change-cost"},
+           {"--items 5 -k 3 --test-cost 1", 2, "give --change-cost Y"},
            {"--items 5000 -k 3 --test-cost 1 --change-cost 1", 2, "at most 1000"},
            {"--items 1 -k 3 --test-cost 1 --change-cost 1", 2, "two parts"},
            {costs + "--mounted A,X", 2, "there is no part 'X'"},
            {costs + "--start A,A", 2, "twice"},
-           {costs + "--budget much", 2, "--budget"},
-           {costs + "--done-first 3", 2, "--done"},
-           {costs + "--what-if --format html", 2, "--what-if"},
+           {costs + "--budget much", 2, "--budget: "},
+           {costs + "--done-first 3", 2, "--done-first N is for --done"},
+           {costs + "--what-if --format html", 2, "--what-if has no meaning with --format html"},
+           {costs + "--what-if --title T", 2, "--title TEXT has no meaning with --what-if"},
+           {costs + "--what-if --budget 9", 2, "--budget Z has no meaning with --what-if"},
+           {costs + "--title T --format csv", 2, "--title has no meaning with --format csv"},
            {"bad.csv -k 2 --test-cost 1", 3, "bad.csv:2:3: "},
            {"twice.csv -k 2 --test-cost 1", 3, "twice.csv:2:1: "},
            {costs + "--never ax.csv", 3, "ax.csv:1:3: "},
@@ -119,11 +111,7 @@ TEST(Plan, SaysInOneLineWhatIsWrong) {
            {costs + "--pairs missing.csv", 4, "missing.csv"},
            {costs + "-o nowhere/sheet.csv", 4, "nowhere"},
        }) {
-    const Outcome outcome = run("$changeover plan " + c.arguments + fast, folder.path());
-    EXPECT_EQ(outcome.code, c.code) << c.arguments << '\n' << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr(c.says)) << c.arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_EQ(outcome.out, "") << c.arguments;
+    expect({{"timeout 20 $changeover plan " + c.command + fast, c.code, c.says}}, folder);
   }
 }
 
@@ -159,8 +147,8 @@ TEST(Plan, AbsurdNumbersAreRefusedOrAnsweredAtOnce) {
           "--items 9 -k 3 --budget " + number + costs, "--items 9 -k 3 --seed " + number + costs,
           "--items 9 -k 3 --steps " + number + costs}) {
       const Outcome outcome = plan(arguments);
-      const bool refused = outcome.code == 2 && outcome.out.empty() &&
-                           std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1;
+      const bool refused =
+          outcome.code == 2 && outcome.out.empty() && count(outcome.err, "\n") == 1;
       const bool answered = outcome.code == 0 && outcome.err.empty() && !outcome.out.empty();
       EXPECT_TRUE(refused || answered) << arguments << '\n' << outcome.code << outcome.err;
     }
@@ -220,11 +208,6 @@ TEST(Plan, SaysInOneLineWhichFileIsAtFault) {
        "e,1\nB,2\n");
   ASSERT_EQ(run("ln -s loop.csv loop.csv", folder.path()).code, 0);
   const std::string costs = " -k 3 --test-cost 1 ";
-  struct Case {
-    std::string arguments;
-    int code;
-    std::string says;
-  };
   for (const Case& c : std::vector<Case>{
            {"one.csv" + costs, 3, "one.csv: one part is listed"},
            {"empty.csv" + costs, 3, "empty.csv:1:1: no part is listed"},
@@ -242,12 +225,7 @@ TEST(Plan, SaysInOneLineWhichFileIsAtFault) {
            {"parts.csv --never ." + costs, 4, "directory"},
            {"parts.csv --done loop.csv" + costs, 4, "loop.csv"},
        }) {
-    const Outcome outcome = run("timeout 20 $changeover plan " + c.arguments + fast, folder.path());
-    EXPECT_EQ(outcome.code, c.code) << c.arguments << '\n' << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr(c.says)) << c.arguments;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos) << c.arguments;
-    EXPECT_EQ(outcome.out, "") << c.arguments;
+    expect({{"timeout 20 $changeover plan " + c.command + fast, c.code, c.says}}, folder);
   }
 }
 

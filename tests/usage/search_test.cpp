@@ -1,72 +1,57 @@
 // changeover search, run as its users run it: alone, under Ctrl-C, killed, and as four processes.
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-
-#include "run_program.hpp"
+#include "cases.hpp"
 
 namespace changeover::test {
 namespace {
 
-// Open MPI refuses to run as root, or with more processes than cores, unless told otherwise.
-const std::string mpirun =
-    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
-    "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun -n 4 ";
-
-// Installed, and able to start processes: it needs a network of its own and more.
-bool have_mpirun(const TemporaryFolder& folder) {
-  return run(mpirun + "true", folder.path()).code == 0;
-}
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t times = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
-    ++times;
-  }
-  return times;
-}
-
-TEST(Search, SaysMinimumWhereItsOwnProofsShowIt) {
+TEST(Search, WhatItProvesIsPartOfTheVerdict) {
   const TemporaryFolder folder;
-  const Outcome outcome = run("$changeover search 6 4 -t 3 --exact --quiet", folder.path());
-  EXPECT_EQ(outcome.code, 10);
-  EXPECT_NE(outcome.out.find("6 blocks: minimum (its 6 blocks are the lower bound: proved"),
-            std::string::npos)
-      << outcome.out;
+  expect({{"$changeover search 9 4 -m 1 --exact --quiet", 10,
+           "12 blocks: minimum (its 12 blocks are the lower bound: proved by this search)"},
+          {"$changeover search 6 4 -t 3 --exact --quiet", 10,
+           "6 blocks: minimum (its 6 blocks are the lower bound: proved by this search)"},
+          {"$changeover search 9 4 -m 1 --exact --json --quiet", 10,
+           "\"verdict\":{\"valid\":true,\"tight\":false,\"economical\":false,\"b\":12,\"lower_"
+           "bound\":12,"
+           "\"minimum\":\"proved\"},\"bound\":{\"name\":\"proved by this search\""}},
+         folder);
 }
 
-TEST(Search, AFormulaThatIsTooLargeIsRefusedInOneLine) {
+TEST(Search, ATableThatItDidNotProveIsNamed) {
   const TemporaryFolder folder;
-  for (const char* what :
+  expect({{"$changeover search 9 4 -m 1 --exact --blocks 12 --quiet", 10,
+           "minimum (its 12 blocks are the lower bound: tables of checked proofs, not this "
+           "search)"},
+          {"$changeover search 9 4 -m 1 --exact --blocks 13 --quiet", 10,
+           "over the lower bound 12 (tables of checked proofs, not this search)"}},
+         folder);
+}
+
+TEST(Search, AFormulaThatIsTooLargeIsRefused) {
+  const TemporaryFolder folder;
+  for (const std::string what :
        {"65535 4", "65535 4 -b 100", "10 4 -b 65536", "9 4 -b 18446744073709551615"}) {
-    const Outcome outcome =
-        run("$changeover search " + std::string(what) + " --exact --time 60", folder.path());
-    EXPECT_EQ(outcome.code, 4) << what;
-    EXPECT_EQ(outcome.err.rfind("changeover: the formula of ", 0), 0U) << outcome.err;
-    EXPECT_EQ(count(outcome.err, "\n"), 1U) << outcome.err;
-    EXPECT_TRUE(outcome.out.empty());
+    expect(
+        {{"$changeover search " + what + " --exact --time 60", 4, "changeover: the formula of "}},
+        folder);
   }
 }
 
 TEST(Search, FindsTheMinimumAndKeepsTheProofs) {
   const TemporaryFolder folder;
-  const Outcome outcome = run(
-      "$changeover search 9 4 --change 1 --exact --proof proofs --json --threads 1", folder.path());
-  EXPECT_EQ(outcome.code, 10) << outcome.err;
-  EXPECT_NE(outcome.out.find("\"minimum\":12"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("\"proof\":\""), std::string::npos);
+  expect({{"$changeover search 9 4 --change 1 --exact --proof proofs --json --threads 1", 10,
+           "\"minimum\":12,\"proof\":\""}},
+         folder);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "proofs/linear-m1-v9-k4-b11.drat"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "proofs/linear-m1-v9-k4-b11.cnf"));
 }
 
 TEST(Search, WhatItFindsCanBeStoredAndVerified) {
   const TemporaryFolder folder;
-  const Outcome outcome =
-      run("$changeover search 13 5 --time 20s --threads 1 --json -o found.json --quiet; "
-          "grep -q provenance found.json && $changeover verify found.json",
-          folder.path());
-  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  expect({{"$changeover search 13 5 --time 20s --threads 1 --json -o found.json --quiet; "
+           "grep -q provenance found.json && $changeover verify found.json",
+           0, "valid: "}},
+         folder);
 }
 
 TEST(Search, IsDeterministicWithOneThread) {
@@ -117,7 +102,7 @@ TEST(Search, FourProcessesShareAProof) {
     GTEST_SKIP() << "mpirun is not installed, or starts nothing here";
   }
   const Outcome outcome =
-      run(mpirun + "$changeover search 9 4 --change 1 --exact --json --quiet", folder.path());
+      run(mpirun + "-n 4 $changeover search 9 4 --change 1 --exact --json --quiet", folder.path());
   EXPECT_EQ(outcome.code, 10) << outcome.err;
   EXPECT_EQ(count(outcome.out, "\"minimum\":12"), 1U) << outcome.out;
 }
@@ -127,54 +112,36 @@ TEST(Search, FourProcessesStopWhenOneHasFound) {
   if (!have_mpirun(folder)) {
     GTEST_SKIP() << "mpirun is not installed, or starts nothing here";
   }
-  const Outcome outcome =
-      run(mpirun +
-              "$changeover search 16 4 --blocks 24 --time 5m --json --quiet > found.json; code=$?; "
-              "$changeover verify found.json && exit $code",
-          folder.path());
+  const Outcome outcome = run(mpirun +
+                                  "-n 4 $changeover search 16 4 --blocks 24 --time 5m --json "
+                                  "--quiet > found.json; code=$?; "
+                                  "$changeover verify found.json && exit $code",
+                              folder.path());
   EXPECT_EQ(outcome.code, 10) << outcome.out << outcome.err;
 }
 
 TEST(Search, OrdersTheBlocksOfAFile) {
   const TemporaryFolder folder;
   spit(folder.file("fano.txt"), "0 1 3\n1 2 4\n2 3 5\n3 4 6\n4 5 0\n5 6 1\n6 0 2\n");
-  const Outcome outcome =
-      run("$changeover search --order fano.txt --change 2 --circular -f text", folder.path());
-  EXPECT_EQ(outcome.code, 10) << outcome.err;
-  const Outcome none =
-      run("$changeover search --order fano.txt --change 1 --circular", folder.path());
-  EXPECT_EQ(none.code, 20) << none.err;
-  const Outcome least = run("$changeover search --order fano.txt", folder.path());
-  EXPECT_EQ(least.code, 10) << least.err;
-  EXPECT_NE(least.out.find("15 elements introduced"), std::string::npos) << least.out;
+  const std::string order = "$changeover search --order fano.txt --quiet";
+  expect({{order + " --change 2 --circular -f text", 10, "v=7 k=3 change=2 kind=circular"},
+          {order + " --change 1 --circular", 20, "No circular order"},
+          {order, 10, "15 elements introduced"}},
+         folder);
 }
 
-TEST(Search, RepairsAndExtendsAList) {
+TEST(Search, RepairsExtendsAndDevelops) {
   const TemporaryFolder folder;
   spit(folder.file("broken.txt"), "0 1 2\n3 4 2\n3 4 1\n3 5 6\n0 5 4\n");
-  const Outcome repaired =
-      run("$changeover search --repair broken.txt -m 2 --linear --json --quiet -o design.json; "
-          "code=$?; $changeover verify design.json && exit $code",
-          folder.path());
-  EXPECT_EQ(repaired.code, 10) << repaired.out << repaired.err;
   spit(folder.file("begun.txt"), "a b c\na d e\n");
-  const Outcome extended =
-      run("$changeover search 5 3 --extend begun.txt -m 2 --linear --json --quiet --time 5s -o "
-          "design.json; code=$?; $changeover verify design.json && exit $code",
-          folder.path());
-  EXPECT_TRUE(extended.code == 10 || extended.code == 30) << extended.out << extended.err;
-}
-
-TEST(Search, FindsATightDesignFromBaseBlocks) {
-  const TemporaryFolder folder;
-  const Outcome outcome =
-      run("$changeover search 16 4 --base-blocks --tight --json --quiet -o tight.json; code=$?; "
-          "grep -q '\"construction\":\"developed\"' tight.json && "
-          "$changeover verify tight.json && exit $code",
-          folder.path());
-  EXPECT_EQ(outcome.code, 10) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.out.find("24 blocks"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("tight"), std::string::npos);
+  const std::string kept =
+      " --json --quiet -o d.json; code=$?; $changeover verify d.json && exit $code";
+  expect(
+      {{"$changeover search --repair broken.txt -m 2 --linear" + kept, 10, "valid: "},
+       {"$changeover search 5 3 --extend begun.txt -m 2 --linear --time 5s" + kept, 10, "valid: "},
+       {"$changeover search 16 4 --base-blocks --tight" + kept, 10, "24 blocks"},
+       {"grep -o '\"construction\":\"developed\"' d.json", 0, "developed"}},
+      folder);
 }
 
 }  // namespace

@@ -1,0 +1,63 @@
+// Command lines, each with its exit code and the words by which it says so.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "run_program.hpp"
+
+namespace changeover::test {
+
+struct Case {
+  std::string command;
+  int code = 0;
+  std::string
+      says;  ///< distinctive, so that a refusal for another reason is not taken for this one
+};
+
+inline std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t times = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++times;
+  }
+  return times;
+}
+
+/// An answer is on standard output and nothing on stderr; a refusal is one clean line on stderr and nothing else.
+/// That nothing serves some parameters (4) is an answer as well.
+inline void expect(const std::vector<Case>& cases, const TemporaryFolder& folder) {
+  for (const Case& each : cases) {
+    if (each.command.find("/dev/full") != std::string::npos && !has_full_device()) {
+      continue;
+    }
+    const Outcome outcome = run(each.command, folder.path());
+    EXPECT_EQ(outcome.code, each.code) << each.command << "\n"
+                                       << outcome.out.substr(0, 500) << outcome.err;
+    const bool answers =
+        each.code <= 1 || each.code >= 10 || (each.code == 4 && !outcome.out.empty());
+    const std::string& said = answers ? outcome.out : outcome.err;
+    EXPECT_TRUE(!each.says.empty() && said.find(each.says) != std::string::npos)
+        << each.command << " should say '" << each.says << "' but says\n"
+        << said.substr(0, 1000);
+    EXPECT_EQ(answers ? outcome.err : outcome.out, "") << each.command;
+    EXPECT_EQ(said.find('\x1b'), std::string::npos) << each.command;
+    if (!answers && each.command != "$changeover") {  // which shows the help
+      EXPECT_EQ(count(outcome.err, "\n"), 1U) << each.command << "\n" << outcome.err;
+    }
+  }
+}
+
+/// Open MPI refuses to run as root, or with more processes than cores, unless told otherwise.
+inline const std::string mpirun =
+    "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
+    "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun ";
+
+/// Installed, and able to start processes: it needs a network of its own and more.
+inline bool have_mpirun(const TemporaryFolder& folder) {
+  return run(mpirun + "-n 4 true", folder.path()).code == 0;
+}
+
+}  // namespace changeover::test
