@@ -66,6 +66,34 @@ class MappedSource final : public BlockSource {
   Block from_;
 };
 
+class NumberedSource final : public BlockSource {
+ public:
+  using Write = std::function<void(std::uint64_t number, std::span<Element> block)>;
+
+  NumberedSource(const Parameters& parameters, std::uint64_t count, Write write)
+      : parameters_(parameters), count_(count), write_(std::move(write)) {}
+
+  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override { return count_; }
+  bool next(std::span<Element> block) override {
+    if (number_ == count_) {
+      return false;
+    }
+    write_(number_++, block);
+    return true;
+  }
+  bool rewind() override {
+    number_ = 0;
+    return true;
+  }
+
+ private:
+  Parameters parameters_;
+  std::uint64_t count_;
+  Write write_;
+  std::uint64_t number_ = 0;
+};
+
 }  // namespace
 
 std::optional<Offer> Family::offer(const Parameters& p, const Registry&) const {
@@ -231,6 +259,12 @@ std::unique_ptr<BlockSource> mapped(
     const Parameters& parameters, std::unique_ptr<BlockSource> source,
     std::function<void(std::span<const Element> from, std::span<Element> to)> map) {
   return std::make_unique<MappedSource>(parameters, std::move(source), std::move(map));
+}
+
+std::unique_ptr<BlockSource> numbered(
+    const Parameters& parameters, std::uint64_t count,
+    std::function<void(std::uint64_t number, std::span<Element> block)> write) {
+  return std::make_unique<NumberedSource>(parameters, count, std::move(write));
 }
 
 void blow_up(std::span<const Element> from, std::uint64_t copies, std::span<Element> to) {

@@ -73,6 +73,13 @@ class Entry : public Construction {
   Description description_;
 };
 
+/// The one object of that kind: what an entry hands out.
+template <typename T>
+const Construction& only() {
+  static const T construction;
+  return construction;
+}
+
 /// What is promised of a design; see Offer.
 struct Promise {
   std::uint64_t b = 0;
@@ -177,6 +184,11 @@ void blow_up(std::span<const Element> from, std::uint64_t copies, std::span<Elem
 /// Each block of `source` with as many new elements, the last ones, as it lacks.
 [[nodiscard]] std::unique_ptr<BlockSource> with_fixed(const Parameters& parameters,
                                                       std::unique_ptr<BlockSource> source);
+
+/// `count` blocks, each written by its number 0, 1, …, count − 1.
+[[nodiscard]] std::unique_ptr<BlockSource> numbered(
+    const Parameters& parameters, std::uint64_t count,
+    std::function<void(std::uint64_t number, std::span<Element> block)> write);
 
 /// A stream that owns its list of blocks.
 class BlockListSource final : public BlockSource {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
+#include "changeover/verify/interval_difference.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
 
@@ -39,6 +41,42 @@ inline std::vector<Block> blocks_of(BlockSource& source) {
     blocks.push_back(block);
   }
   return blocks;
+}
+
+/// Expects these blocks of a stream that can be read again, however much of it was read.
+inline void expect_blocks_however_often(BlockSource& source, const std::vector<Block>& expected) {
+  Block block(static_cast<std::size_t>(source.parameters().k));
+  for (std::size_t read = 0; read <= expected.size(); ++read) {
+    ASSERT_TRUE(source.rewind());
+    for (std::size_t i = 0; i < read; ++i) {
+      ASSERT_TRUE(source.next(block));
+      ASSERT_EQ(block, expected[i]);
+    }
+  }
+  EXPECT_FALSE(source.next(block));
+  ASSERT_TRUE(source.rewind());
+  EXPECT_EQ(blocks_of(source), expected);
+}
+
+/// Expects that all pairs are covered, but not by a design, if another base block comes last.
+inline void expect_link_block_is_last(const IntervalBaseBlocks& right) {
+  const std::size_t c = static_cast<std::size_t>(right.base_block_count());
+  const auto m = static_cast<std::ptrdiff_t>(right.parameters.change);
+  for (std::size_t i = 0; i + 1 < c; ++i) {
+    IntervalBaseBlocks wrong = right;
+    const auto points = wrong.points.begin() + m * static_cast<std::ptrdiff_t>(i);
+    std::swap_ranges(points, points + m, wrong.points.end() - m);
+    const DifferenceVerdict verdict = verify_differences(wrong);
+    EXPECT_EQ(verdict.uncovered, 0U);
+    EXPECT_EQ(verdict.bad_steps, 1U);
+    EXPECT_EQ(verdict.first_bad_step, c);
+    EXPECT_FALSE(verdict.valid() || verdict.tight);
+    IntervalDevelopedSource source(wrong);
+    const Verdict full = verify(source);
+    EXPECT_EQ(full.uncovered, 0U);
+    EXPECT_EQ(full.bad_steps, wrong.parameters.v);
+    EXPECT_FALSE(full.valid());
+  }
 }
 
 inline std::string one_line_fault(const Recipe& recipe) {

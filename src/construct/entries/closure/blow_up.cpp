@@ -104,9 +104,6 @@ Recipe blow_up_recipe(const Recipe& input, std::uint64_t s) {
   return {"blow-up", p, {{"s", static_cast<std::int64_t>(s)}}, {input}, {}};
 }
 
-const Construction& blow_up_construction() {
-  static const BlowUp construction;
-  return construction;
-}
+const Construction& blow_up_construction() { return only<BlowUp>(); }
 
 }  // namespace changeover

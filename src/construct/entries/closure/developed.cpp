@@ -168,9 +168,6 @@ class Developed final : public Entry {
 
 }  // namespace
 
-const Construction& developed_construction() {
-  static const Developed construction;
-  return construction;
-}
+const Construction& developed_construction() { return only<Developed>(); }
 
 }  // namespace changeover

@@ -81,9 +81,6 @@ class Doubling final : public Entry {
 
 }  // namespace
 
-const Construction& doubling_construction() {
-  static const Doubling construction;
-  return construction;
-}
+const Construction& doubling_construction() { return only<Doubling>(); }
 
 }  // namespace changeover

@@ -102,9 +102,6 @@ class Expansion final : public Entry {
 
 }  // namespace
 
-const Construction& expansion_construction() {
-  static const Expansion construction;
-  return construction;
-}
+const Construction& expansion_construction() { return only<Expansion>(); }
 
 }  // namespace changeover

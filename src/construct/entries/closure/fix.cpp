@@ -70,9 +70,6 @@ Recipe fix_recipe(const Recipe& input, std::uint64_t f) {
   return {"fix", p, {{"f", static_cast<std::int64_t>(f)}}, {input}, {}};
 }
 
-const Construction& fix_construction() {
-  static const Fix construction;
-  return construction;
-}
+const Construction& fix_construction() { return only<Fix>(); }
 
 }  // namespace changeover

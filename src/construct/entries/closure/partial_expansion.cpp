@@ -415,9 +415,6 @@ class PartialExpander final : public Rule {
 
 }  // namespace
 
-const Construction& partial_expansion_construction() {
-  static const PartialExpander construction;
-  return construction;
-}
+const Construction& partial_expansion_construction() { return only<PartialExpander>(); }
 
 }  // namespace changeover

@@ -98,9 +98,6 @@ class SingleChangeExpansion final : public Entry {
 
 }  // namespace
 
-const Construction& single_change_expansion_construction() {
-  static const SingleChangeExpansion construction;
-  return construction;
-}
+const Construction& single_change_expansion_construction() { return only<SingleChangeExpansion>(); }
 
 }  // namespace changeover

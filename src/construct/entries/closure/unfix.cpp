@@ -87,9 +87,6 @@ std::optional<Recipe> unfix_recipe(const Recipe& input, const Design& design) {
   return Recipe{"unfix", smaller, {{"element", fixed - blocks.begin()}}, {input}, {}};
 }
 
-const Construction& unfix_construction() {
-  static const Unfix construction;
-  return construction;
-}
+const Construction& unfix_construction() { return only<Unfix>(); }
 
 }  // namespace changeover

@@ -46,9 +46,6 @@ class Cyclic final : public IntervalFamily {
 
 }  // namespace
 
-const Construction& cyclic_construction() {
-  static const Cyclic construction;
-  return construction;
-}
+const Construction& cyclic_construction() { return only<Cyclic>(); }
 
 }  // namespace changeover

@@ -51,9 +51,6 @@ class Cyclic61x4 final : public Family {
 
 }  // namespace
 
-const Construction& cyclic_61_4_construction() {
-  static const Cyclic61x4 construction;
-  return construction;
-}
+const Construction& cyclic_61_4_construction() { return only<Cyclic61x4>(); }
 
 }  // namespace changeover

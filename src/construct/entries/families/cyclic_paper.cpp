@@ -137,9 +137,6 @@ class CyclicPaper final : public Family {
 
 }  // namespace
 
-const Construction& cyclic_paper_construction() {
-  static const CyclicPaper construction;
-  return construction;
-}
+const Construction& cyclic_paper_construction() { return only<CyclicPaper>(); }
 
 }  // namespace changeover

@@ -45,9 +45,6 @@ class CyclicSingleChange final : public IntervalFamily {
 
 }  // namespace
 
-const Construction& cyclic_single_change_construction() {
-  static const CyclicSingleChange construction;
-  return construction;
-}
+const Construction& cyclic_single_change_construction() { return only<CyclicSingleChange>(); }
 
 }  // namespace changeover

@@ -174,9 +174,6 @@ class CyclicTripleChange final : public IntervalFamily {
 
 }  // namespace
 
-const Construction& cyclic_triple_change_construction() {
-  static const CyclicTripleChange construction;
-  return construction;
-}
+const Construction& cyclic_triple_change_construction() { return only<CyclicTripleChange>(); }
 
 }  // namespace changeover

@@ -183,9 +183,6 @@ class DisjointWalk final : public Family {
 
 }  // namespace
 
-const Construction& disjoint_walk_construction() {
-  static const DisjointWalk construction;
-  return construction;
-}
+const Construction& disjoint_walk_construction() { return only<DisjointWalk>(); }
 
 }  // namespace changeover

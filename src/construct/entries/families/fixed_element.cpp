@@ -64,9 +64,6 @@ class FixedElement final : public Entry {
 
 }  // namespace
 
-const Construction& fixed_element_construction() {
-  static const FixedElement construction;
-  return construction;
-}
+const Construction& fixed_element_construction() { return only<FixedElement>(); }
 
 }  // namespace changeover

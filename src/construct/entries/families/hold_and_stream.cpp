@@ -330,7 +330,7 @@ class HoldAndStream final : public Entry {
       return std::nullopt;
     }
     const HoldAndStreamSource::Count count = HoldAndStreamSource(p, 0, 0, nullptr).count();
-    Offer best{{std::string(name()), p, {}, {}, {}}, count.total, false, false, false};
+    Offer best{recipe_of(p), count.total, false, false, false};
     if (p.kind == Kind::linear) {
       // After each round, any design of what is left may follow.
       Parameters rest = p;
@@ -364,7 +364,7 @@ class HoldAndStream final : public Entry {
       require_recipe(recipe, *this, std::nullopt);
     }
     const HoldAndStreamSource::Count count = HoldAndStreamSource(p, 0, 0, nullptr).count();
-    Recipe expected{std::string(name()), p, {}, {}, {}};
+    Recipe expected = recipe_of(p);
     std::uint64_t b = count.total;
     std::uint64_t rounds = 0;
     std::unique_ptr<BlockSource> tail;
@@ -444,9 +444,6 @@ class HoldAndStream final : public Entry {
 
 }  // namespace
 
-const Construction& hold_and_stream_construction() {
-  static const HoldAndStream construction;
-  return construction;
-}
+const Construction& hold_and_stream_construction() { return only<HoldAndStream>(); }
 
 }  // namespace changeover

@@ -55,9 +55,6 @@ class McSorleyCircular final : public Family {
 
 }  // namespace
 
-const Construction& mcsorley_circular_construction() {
-  static const McSorleyCircular construction;
-  return construction;
-}
+const Construction& mcsorley_circular_construction() { return only<McSorleyCircular>(); }
 
 }  // namespace changeover

@@ -23,51 +23,22 @@ constexpr std::string_view walk_of_5 = "01 23 01 24 03 14 02 13 04 12 34";
 bool needs_one_more(const Parameters& p) { return p.v == 5 && p.kind == Kind::circular; }
 
 // v ≥ 6.
-class FactorsSource final : public BlockSource {
- public:
-  explicit FactorsSource(const Parameters& parameters)
-      : parameters_(parameters), modulus_(parameters.v - (parameters.v % 2 == 0 ? 1 : 0)) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    return modulus_ * (parameters_.v / 2);
-  }
-
-  bool next(std::span<Element> block) override {
-    if (factor_ == modulus_) {
-      return false;
-    }
-    const std::uint64_t n = parameters_.v / 2;
-    const bool even = parameters_.v % 2 == 0;
-    const std::uint64_t j = even ? n - 1 - edge_ : distance_in_near_factor(edge_, n);
-    block[0] = static_cast<Element>((factor_ + modulus_ - j) % modulus_);
-    block[1] = static_cast<Element>(j == 0 ? modulus_ : (factor_ + j) % modulus_);
-    if (++edge_ == n) {
-      edge_ = 0;
-      ++factor_;
-    }
-    return true;
-  }
-
-  bool rewind() override {
-    factor_ = edge_ = 0;
-    return true;
-  }
-
- private:
-  // 1, 2, 4, 5, …, n, 3.
-  static std::uint64_t distance_in_near_factor(std::uint64_t edge, std::uint64_t n) {
-    if (edge + 1 == n) {
-      return 3;
-    }
-    return edge < 2 ? edge + 1 : edge + 2;
-  }
-
-  Parameters parameters_;
-  std::uint64_t modulus_;
-  std::uint64_t factor_ = 0;
-  std::uint64_t edge_ = 0;
-};
+std::unique_ptr<BlockSource> factors(const Parameters& p) {
+  const bool even = p.v % 2 == 0;
+  const std::uint64_t n = p.v / 2;
+  const std::uint64_t modulus = even ? p.v - 1 : p.v;
+  return numbered(p, modulus * n, [=](std::uint64_t number, std::span<Element> block) {
+    const std::uint64_t factor = number / n;
+    const std::uint64_t edge = number % n;
+    // In a near-1-factor 1, 2, 4, 5, …, n, 3.
+    const std::uint64_t j = even            ? n - 1 - edge
+                            : edge + 1 == n ? 3
+                            : edge < 2      ? edge + 1
+                                            : edge + 2;
+    block[0] = static_cast<Element>((factor + modulus - j) % modulus);
+    block[1] = static_cast<Element>(j == 0 ? modulus : (factor + j) % modulus);
+  });
+}
 
 constexpr Description description{
     .name = "pairs-double-change",
@@ -96,7 +67,7 @@ class PairsDoubleChange final : public Family {
       const std::string_view list = p.kind == Kind::circular ? walk_of_5 : path_of_5;
       return std::make_unique<BlockListSource>(p, detail::short_blocks(list));
     }
-    return std::make_unique<FactorsSource>(p);
+    return factors(p);
   }
 
   std::string explanation(const Parameters& p) const override {
@@ -118,9 +89,6 @@ class PairsDoubleChange final : public Family {
 
 }  // namespace
 
-const Construction& pairs_double_change_construction() {
-  static const PairsDoubleChange construction;
-  return construction;
-}
+const Construction& pairs_double_change_construction() { return only<PairsDoubleChange>(); }
 
 }  // namespace changeover

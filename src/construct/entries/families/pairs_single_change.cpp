@@ -121,9 +121,6 @@ class PairsSingleChange final : public Family {
 
 }  // namespace
 
-const Construction& pairs_single_change_construction() {
-  static const PairsSingleChange construction;
-  return construction;
-}
+const Construction& pairs_single_change_construction() { return only<PairsSingleChange>(); }
 
 }  // namespace changeover

@@ -80,8 +80,7 @@ class QuadruplesSingleChange final : public detail::ExtendedMinima {
 }  // namespace
 
 const Construction& quadruples_single_change_construction() {
-  static const QuadruplesSingleChange construction;
-  return construction;
+  return only<QuadruplesSingleChange>();
 }
 
 }  // namespace changeover

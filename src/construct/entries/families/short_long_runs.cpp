@@ -15,51 +15,26 @@ namespace changeover {
 namespace {
 
 // Elements in the order ∞_s, 0_s, …, (k−3)_s, ∞_l, 0_l, …, (k−3)_l.
-class RunsSource final : public BlockSource {
- public:
-  explicit RunsSource(const Parameters& parameters) : parameters_(parameters) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override { return parameters_.k; }
-
-  bool next(std::span<Element> block) override {
-    const std::uint64_t k = parameters_.k;
-    if (index_ == k) {
-      return false;
+void write_block(std::uint64_t k, std::uint64_t index, std::span<Element> block) {
+  const std::uint64_t h = (k + 1) / 2;
+  const bool middle = index == (k - 1) / 2;
+  std::size_t filled = 0;
+  const auto add_if = [&](bool wanted, std::uint64_t element) {
+    if (wanted) {
+      block[filled++] = static_cast<Element>(element);
     }
-    const std::uint64_t h = (k + 1) / 2;
-    const bool middle = index_ == (k - 1) / 2;
-    std::size_t filled = 0;
-    const auto add_if = [&](bool wanted, std::uint64_t element) {
-      if (wanted) {
-        block[filled++] = static_cast<Element>(element);
-      }
-    };
-    add_if(middle || index_ == k - 1, 0);
-    add_if(middle || index_ == 0, k - 1);
-    for (std::uint64_t i = 0; i + 2 < k; ++i) {
-      add_if(runs(i * (h - 1) + k - 1, h), 1 + i);
-      add_if(runs(i * h, h + 1), k + i);
-    }
-    ++index_;
-    return true;
-  }
-
-  bool rewind() override {
-    index_ = 0;
-    return true;
-  }
-
- private:
+  };
   // Whether the block lies in the run of that many blocks from block `start` on, modulo k.
-  [[nodiscard]] bool runs(std::uint64_t start, std::uint64_t length) const {
-    const std::uint64_t k = parameters_.k;
-    return (index_ + k - start % k) % k < length;
+  const auto runs = [&](std::uint64_t start, std::uint64_t length) {
+    return (index + k - start % k) % k < length;
+  };
+  add_if(middle || index == k - 1, 0);
+  add_if(middle || index == 0, k - 1);
+  for (std::uint64_t i = 0; i + 2 < k; ++i) {
+    add_if(runs(i * (h - 1) + k - 1, h), 1 + i);
+    add_if(runs(i * h, h + 1), k + i);
   }
-
-  Parameters parameters_;
-  std::uint64_t index_ = 0;
-};
+}
 
 constexpr Description description{
     .name = "short-long-runs",
@@ -96,7 +71,9 @@ class ShortLongRuns final : public Family {
   }
 
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
-    return std::make_unique<RunsSource>(p);
+    return numbered(p, p.k, [k = p.k](std::uint64_t index, std::span<Element> block) {
+      write_block(k, index, block);
+    });
   }
 
   std::string explanation(const Parameters& p) const override {
@@ -113,9 +90,6 @@ class ShortLongRuns final : public Family {
 
 }  // namespace
 
-const Construction& short_long_runs_construction() {
-  static const ShortLongRuns construction;
-  return construction;
-}
+const Construction& short_long_runs_construction() { return only<ShortLongRuns>(); }
 
 }  // namespace changeover

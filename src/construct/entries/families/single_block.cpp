@@ -42,9 +42,6 @@ class SingleBlock final : public Family {
 
 }  // namespace
 
-const Construction& single_block_construction() {
-  static const SingleBlock construction;
-  return construction;
-}
+const Construction& single_block_construction() { return only<SingleBlock>(); }
 
 }  // namespace changeover

@@ -298,58 +298,27 @@ std::optional<Recipe> recipe_for(const Parameters& p) {
 }
 
 // A core block by block, without memory for its elements.
-class LayeredSource final : public BlockSource {
- public:
-  explicit LayeredSource(const Parameters& parameters)
-      : parameters_(parameters),
-        shape_(shape_of(parameters)),
-        layers_(layers_of(shape_, parameters.kind)) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    return shape_.blocks();
-  }
-
-  bool next(std::span<Element> block) override {
-    if (index_ == shape_.blocks()) {
-      return false;
-    }
+std::unique_ptr<BlockSource> layered(const Parameters& p) {
+  const Shape shape = shape_of(p);
+  const auto write = [shape, layers = layers_of(shape, p.kind)](std::uint64_t index,
+                                                                std::span<Element> block) {
+    const std::uint64_t b = shape.blocks();
+    const auto is_in = [&](const Run& run) { return (index + b - run.first % b) % b < run.length; };
     std::size_t filled = 0;
     std::uint64_t element = 0;
-    for (const auto& [part, copies] : layers_) {
-      const std::uint64_t elements = parameters_of(part, shape_.p).v;
+    for (const auto& [part, copies] : layers) {
+      const std::uint64_t elements = parameters_of(part, shape.p).v;
       for (std::uint64_t i = 0; i < elements; ++i, element += copies) {
-        if (!contains(runs_of(part, shape_.p, i))) {
-          continue;
-        }
-        for (std::uint64_t copy = 0; copy < copies; ++copy) {
-          block[filled++] = static_cast<Element>(element + copy);
+        if (std::ranges::any_of(runs_of(part, shape.p, i), is_in)) {
+          for (std::uint64_t copy = 0; copy < copies; ++copy) {
+            block[filled++] = static_cast<Element>(element + copy);
+          }
         }
       }
     }
-    ++index_;
-    return true;
-  }
-
-  bool rewind() override {
-    index_ = 0;
-    return true;
-  }
-
- private:
-  // Whether one of the runs holds the block that is next.
-  [[nodiscard]] bool contains(const Runs& runs) const {
-    const std::uint64_t b = shape_.blocks();
-    return std::any_of(runs.begin(), runs.end(), [&](const Run& run) {
-      return (index_ + b - run.first % b) % b < run.length;
-    });
-  }
-
-  Parameters parameters_;
-  Shape shape_;
-  std::vector<Layer> layers_;
-  std::uint64_t index_ = 0;
-};
+  };
+  return numbered(p, shape.blocks(), write);
+}
 
 // Whether b blocks are tight, and economical; some number of elements are in every block.
 std::pair<bool, bool> quality(const Parameters& p, std::uint64_t b, std::uint64_t fixed) {
@@ -398,7 +367,7 @@ class SmallV final : public Entry {
                                      const Registry& registry) const override {
     require_recipe(recipe, *this, recipe_for(recipe.parameters));
     if (recipe.inputs.empty()) {
-      return std::make_unique<LayeredSource>(recipe.parameters);
+      return layered(recipe.parameters);
     }
     return registry.build(recipe.inputs.front());
   }
@@ -426,8 +395,8 @@ class SmallV final : public Entry {
     const std::vector<Layer> layers = layers_of(shape, p.kind);
     std::string list;
     if (layers.size() == 1 && layers.front().copies == 1) {
-      LayeredSource source(p);
-      for (Block block(static_cast<std::size_t>(p.k)); source.next(block);) {
+      const std::unique_ptr<BlockSource> source = layered(p);
+      for (Block block(static_cast<std::size_t>(p.k)); source->next(block);) {
         list += fmt::format("{}{{{}}}", list.empty() ? "" : ", ", fmt::join(block, ","));
       }
       return fmt::format("The {} blocks {}.", shape.blocks(), list);
@@ -452,9 +421,6 @@ class SmallV final : public Entry {
 
 }  // namespace
 
-const Construction& small_v_construction() {
-  static const SmallV construction;
-  return construction;
-}
+const Construction& small_v_construction() { return only<SmallV>(); }
 
 }  // namespace changeover

@@ -284,9 +284,6 @@ class TriplesDoubleChange final : public Family {
 
 }  // namespace
 
-const Construction& triples_double_change_construction() {
-  static const TriplesDoubleChange construction;
-  return construction;
-}
+const Construction& triples_double_change_construction() { return only<TriplesDoubleChange>(); }
 
 }  // namespace changeover

@@ -42,9 +42,6 @@ class TriplesSingleChange final : public detail::ExtendedMinima {
 
 }  // namespace
 
-const Construction& triples_single_change_construction() {
-  static const TriplesSingleChange construction;
-  return construction;
-}
+const Construction& triples_single_change_construction() { return only<TriplesSingleChange>(); }
 
 }  // namespace changeover

@@ -100,9 +100,6 @@ class Found final : public Entry {
 
 }  // namespace
 
-const Construction& found_construction() {
-  static const Found construction;
-  return construction;
-}
+const Construction& found_construction() { return only<Found>(); }
 
 }  // namespace changeover

@@ -63,9 +63,6 @@ Recipe literal_recipe(const Design& design, std::string provenance) {
   return {"literal", design.parameters(), {}, {}, design.blocks(), std::move(provenance)};
 }
 
-const Construction& literal_construction() {
-  static const Literal construction;
-  return construction;
-}
+const Construction& literal_construction() { return only<Literal>(); }
 
 }  // namespace changeover

@@ -108,9 +108,6 @@ class PrintedTables final : public Family {
 
 }  // namespace
 
-const Construction& printed_construction() {
-  static const PrintedTables construction;
-  return construction;
-}
+const Construction& printed_construction() { return only<PrintedTables>(); }
 
 }  // namespace changeover
