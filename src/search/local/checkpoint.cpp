@@ -106,8 +106,7 @@ SearchArm read_arm(Lines& lines, const Parameters& p) {
   arm.missed = lines.number<std::uint64_t>(0, SearchArm::most_missed);
   lines.end();
   const bool imposed = arm.method == SearchArm::Method::imposed;
-  const ImposedAutomorphism pi{arm.order, arm.fixed};
-  if (imposed ? arm.order < 2 || arm.order > p.v + arm.extra || !pi.fits(p.v + arm.extra)
+  if (imposed ? arm.order < 2 || arm.order > p.v + arm.extra || !arm.automorphism(p.v)
               : arm.order != 0 || arm.fixed != 0 || arm.extra != 0) {
     lines.damaged();
   }

@@ -28,6 +28,7 @@
 #include <string>
 #include <vector>
 
+#include "changeover/core/automorphism.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "io/file/file_lock.hpp"
@@ -45,6 +46,11 @@ struct SearchArm {
   std::uint64_t spent = 0;   ///< moves so far
   std::uint64_t step = 1;    ///< how far below the best design it aims
   std::uint64_t missed = 0;  ///< what the last attempt at the nearest aim lacked
+
+  /// The imposed automorphism of designs on v elements; nullopt if there is none.
+  [[nodiscard]] std::optional<Automorphism> automorphism(std::uint64_t v) const {
+    return Automorphism::on(v + extra, order, fixed);
+  }
 
   static constexpr std::uint32_t most_fixed = 2;
   static constexpr std::uint64_t most_extra = 3;

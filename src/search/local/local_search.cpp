@@ -276,10 +276,9 @@ class Improver {
 
   Attempted impose(const Attempt& attempt, const SearchArm& arm, Random& random) {
     Attempted attempted;
-    const ImposedAutomorphism pi{arm.order, arm.fixed};
     ImposedOutcome found = search_imposed(
-        arms_.parameters_of(arm), pi, static_cast<std::size_t>(attempt.aim),
-        {.moves = attempt.moves}, random, control_,
+        arms_.parameters_of(arm), *arm.automorphism(parameters_.v),
+        static_cast<std::size_t>(attempt.aim), {.moves = attempt.moves}, random, control_,
         watch(
             attempt, attempted,
             fmt::format("annealing {} base blocks under an automorphism of order {} on {} elements",

@@ -4,10 +4,10 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/run/scope.hpp"
+#include "search/pair_orbits.hpp"
 #include "search/sat/base_block_solver.hpp"
 #include "search/sat/cardinality.hpp"
 #include "search/symmetric/base_block_degrees.hpp"
-#include "search/symmetric/base_block_orbits.hpp"
 
 namespace changeover {
 namespace {
@@ -19,7 +19,7 @@ class Model {
         p_(p),
         shape_(shape),
         orbits_(shape),
-        v_(orbits_.v()),
+        v_(static_cast<std::size_t>(shape.v())),
         c_(static_cast<std::size_t>(shape.base_blocks)) {
     in_block_ = variables(c_ * v_);
     require_changes();
@@ -58,7 +58,7 @@ class Model {
 
   // x in the block before block i: block 0 follows π⁻¹(B_{c−1}), which holds x if B_{c−1} holds π(x).
   Literal before(std::size_t i, Element x) const {
-    return i > 0 ? in(i - 1, x) : in(c_ - 1, orbits_.moved(x, 1));
+    return i > 0 ? in(i - 1, x) : in(c_ - 1, shape_.image(x, 1));
   }
 
   // A new variable for: a and not b.
@@ -143,7 +143,7 @@ class Model {
       std::vector<Literal> occur;
       for (std::size_t i = 0; i < c_; ++i) {
         for (Element x = 0; x < v_; ++x) {
-          if (orbits_.cycle(x) == cycle) {
+          if (shape_.cycle(x) == cycle) {
             enter.push_back(introduced(i, x));
             occur.push_back(in(i, x));
           }

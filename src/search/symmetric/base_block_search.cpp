@@ -249,10 +249,7 @@ Recipe developed_recipe(const Parameters& p, const BaseBlockShape& shape,
   if (shift != 1) {
     for (Block& block : base_blocks) {
       for (Element& x : block) {
-        if (x < shape.n * shape.cycles) {
-          const std::uint64_t residue = x % shape.n;
-          x = static_cast<Element>(x - residue + residue * shift % shape.n);
-        }
+        x = shape.renamed(x, shift);
       }
       std::sort(block.begin(), block.end());
     }
