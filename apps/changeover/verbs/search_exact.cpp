@@ -31,9 +31,9 @@ std::string bytes(std::uint64_t count) {
 // "9 blocks: none; DRAT proof of 12.3 kB in linear-m1-v9-k4-b11.drat, checked; 0.12 s"
 std::string line_of(const Decision& step) {
   std::string line = count_of(step.b, "block") + ": ";
-  if (step.answer == Answer::found) {
+  if (step.outcome == Outcome::found) {
     line += "found";
-  } else if (step.answer == Answer::none) {
+  } else if (step.excluded()) {
     std::uint64_t total = 0;
     for (const CheckedPart& part : step.parts) {
       total += part.proof_bytes;
@@ -48,7 +48,7 @@ std::string line_of(const Decision& step) {
       line += ": " + printable(step.cubes_path);
     }
   } else {
-    line += fmt::format("not decided ({})", to_string(step.why));
+    line += fmt::format("not decided ({})", to_string(step.why_stopped));
   }
   return line + "; " + seconds(step.time);
 }
@@ -58,7 +58,7 @@ std::string proof_of(const MinimumResult& result) {
   std::string text =
       fmt::format("at least {}: {}", count_of(result.start.blocks, "block"), result.start.reason);
   for (const Decision& step : result.steps) {
-    if (step.answer == Answer::none) {
+    if (step.excluded()) {
       text += "; " + line_of(step);
     }
   }
@@ -82,7 +82,7 @@ std::string to_json(const MinimumResult& result, bool settled) {
     } else {
       json.null();
     }
-    json.key("why_stopped").value(to_string(result.why));
+    json.key("why_stopped").value(to_string(result.why_stopped));
   }
   if (result.best) {
     std::vector<Block> blocks;
@@ -94,7 +94,7 @@ std::string to_json(const MinimumResult& result, bool settled) {
   }
   json.key("steps").begin_array();
   for (const Decision& step : result.steps) {
-    json.begin_object().key("blocks").value(step.b).key("answer").value(to_string(step.answer));
+    json.begin_object().key("blocks").value(step.b).key("answer").value(to_string(step.outcome));
     json.key("seconds").value(step.time.count()).key("proofs").begin_array();
     for (const CheckedPart& part : step.parts) {
       json.begin_object();
@@ -171,12 +171,12 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
   } catch (const MissingResource& fault) {
     missing = fault.what();  // said to all, so that all end together
   }
-  if (own.answer == Answer::found) {
+  if (own.outcome == Outcome::found) {
     team.announce();
   }
   // The answer, the bytes of each proof, and the design if there is one.
   std::string message =
-      (missing.empty() ? std::string(to_string(own.answer)) : missing_answer + missing) + "\n";
+      (missing.empty() ? std::string(to_string(own.outcome)) : missing_answer + missing) + "\n";
   for (const CheckedPart& part : own.parts) {
     message += fmt::format("{} ", part.proof_bytes);
   }
@@ -192,12 +192,11 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
     std::getline(lines, answer);
     std::getline(lines, proofs);
     std::getline(lines, blocks);
-    none =
-        none && (answer == to_string(Answer::none) || answer == to_string(Answer::none_in_share));
+    none = none && answer == to_string(Outcome::none);
     if (answer.starts_with(missing_answer)) {
       missing = answer.substr(missing_answer.size());
     }
-    if (answer == to_string(Answer::found) && !design) {
+    if (answer == to_string(Outcome::found) && !design) {
       design = unpack(p, blocks);
     }
     std::istringstream sizes(proofs);
@@ -212,13 +211,15 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
     own.parameters = p;
     own.b = b;
     own.design = std::move(design);
-    own.answer = Answer::found;
-    own.why = WhyStopped::found;
+    own.outcome = Outcome::found;
+    own.why_stopped = WhyStopped::found;
   } else if (none) {
-    own.answer = Answer::none;
-    own.why = WhyStopped::exhausted;
+    own.outcome = Outcome::none;
+    own.proved = true;
+    own.in_share = false;
+    own.why_stopped = WhyStopped::exhausted;
   } else {
-    own.answer = Answer::unknown;
+    own.outcome = Outcome::unknown;
   }
   return own;
 }
@@ -229,10 +230,10 @@ int exit_code_of(const SearchRequest& request, const MinimumResult& result) {
     return exit_code::proved_none;
   }
   if (request.blocks) {
-    const Answer answer = result.steps.front().answer;
-    return answer == Answer::found  ? exit_code::found
-           : answer == Answer::none ? exit_code::proved_none
-                                    : exit_code::limit_reached;
+    const Decision& step = result.steps.front();
+    return step.outcome == Outcome::found ? exit_code::found
+           : step.excluded()              ? exit_code::proved_none
+                                          : exit_code::limit_reached;
   }
   return result.settled() ? exit_code::found : exit_code::limit_reached;
 }
@@ -269,7 +270,7 @@ void show(const SearchRequest& request, const MinimumResult& result) {
     lines.push_back(fmt::format(
         "The minimum is at least {}{}; stopped: {}.", result.lower,
         result.upper() ? fmt::format(" and at most {}", *result.upper()) : std::string(),
-        to_string(result.why)));
+        to_string(result.why_stopped)));
   }
   if (result.best) {
     show_find({*result.best, lines, proved_by(result)}, request);
@@ -304,7 +305,7 @@ int search_exactly(const SearchRequest& request) {
     result.lower = result.start.blocks;
     result.steps.push_back(decider(*request.blocks, options));
     result.best = result.steps.back().design;
-    result.why = result.steps.back().why;
+    result.why_stopped = result.steps.back().why_stopped;
   } else {
     const RunScope scope(running.control());
     result =

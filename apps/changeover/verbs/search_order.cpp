@@ -86,17 +86,18 @@ int search_order(const SearchRequest& request) {
     ChangeOrder found = order_for_change(
         blocks, {.v = given.v(), .m = *request.change, .kind = kind}, {}, running.control());
     running.finish();
-    if (found.answer == OrderAnswer::none) {
+    if (found.outcome == Outcome::none) {
       return decline(request,
                      fmt::format("No {} order of these {} changes {} at every step: {}.",
                                  to_string(kind), count_of(blocks.size(), "block"),
                                  count_of(*request.change, "element"), found.reason),
                      exit_code::proved_none);
     }
-    if (found.answer == OrderAnswer::unknown) {
-      return decline(request,
-                     fmt::format("No such order was found; stopped: {}.", to_string(found.why)),
-                     exit_code::limit_reached);
+    if (found.outcome == Outcome::unknown) {
+      return decline(
+          request,
+          fmt::format("No such order was found; stopped: {}.", to_string(found.why_stopped)),
+          exit_code::limit_reached);
     }
     ordered.order = std::move(found.order);
     ordered.lines = {fmt::format("{}, {} changed at every step", count_of(blocks.size(), "block"),
@@ -114,8 +115,8 @@ int search_order(const SearchRequest& request) {
                        {"lower_bound", found.lower_bound},
                        {"cost_as_given", found.first_cost}};
     ordered.order = std::move(found.order);
-    code = found.least() || found.why == WhyStopped::exhausted ? exit_code::found
-                                                               : exit_code::limit_reached;
+    code = found.least() || found.why_stopped == WhyStopped::exhausted ? exit_code::found
+                                                                       : exit_code::limit_reached;
   }
 
   Parameters p = given.parameters();

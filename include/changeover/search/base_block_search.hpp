@@ -37,6 +37,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/core/recipe.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/run/outcome.hpp"
 #include "changeover/search/base_block_shape.hpp"
 #include "changeover/verify/verdict.hpp"
 
@@ -60,15 +61,9 @@ struct BaseBlockOptions {
 };
 
 /// What became of one shape.
-enum class ShapeOutcome : std::uint8_t {
-  found,
-  none,  ///< the SAT solver says that there are no base blocks of this shape
-  open,  ///< not found within the limits
-};
-
 struct ShapeAttempt {
   BaseBlockShape shape;
-  ShapeOutcome outcome = ShapeOutcome::open;
+  Outcome outcome = Outcome::unknown;  ///< none: so says the SAT solver
   std::uint64_t moves = 0;
   std::uint64_t conflicts = 0;
   std::optional<std::uint64_t> missing = {};  ///< fewest uncovered orbits that annealing saw
@@ -99,7 +94,7 @@ struct BaseBlockResult {
   std::vector<ShapeAttempt> attempts;  ///< in the order in which they were made
   std::uint64_t moves = 0;
   std::uint64_t conflicts = 0;
-  WhyStopped why = WhyStopped::running;  ///< exhausted: every shape was said to have none
+  WhyStopped why_stopped = WhyStopped::running;  ///< exhausted: every shape was said to have none
 
   [[nodiscard]] bool found() const { return verdict.has_value(); }
 };

@@ -39,7 +39,8 @@ struct MinimumResult {
   std::uint64_t lower = 0;                     ///< no design has fewer blocks
   std::optional<Design> best = {};             ///< the given design, or a better one
   std::vector<Decision> steps = {};            ///< in the order of the walk
-  WhyStopped why = WhyStopped::running;  ///< exhausted if settled or impossible; the limit if not
+  WhyStopped why_stopped =
+      WhyStopped::running;  ///< exhausted if settled or impossible; the limit if not
   /// A MissingResource that ended the walk before its time, if something is known all the same: `best`, or steps.
   /// Show what is known, then throw it on.
   std::exception_ptr fault = {};

@@ -74,7 +74,7 @@ MinimaRow settle(const Parameters& p, const Constructions& constructions,
   for (const Decision& step : result.steps) {
     row.seconds += step.time.count();
     for (const CheckedPart& part : step.parts) {
-      if (step.answer == Answer::none) {
+      if (step.excluded()) {
         row.solve_seconds += part.solve_time.count();
         row.check_seconds += part.check_time.count();
         row.proof_bytes += part.proof_bytes;

@@ -5,8 +5,8 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/run/scope.hpp"
 #include "search/pair_orbits.hpp"
-#include "search/sat/base_block_solver.hpp"
 #include "search/sat/cardinality.hpp"
+#include "search/sat/incremental_solver.hpp"
 #include "search/symmetric/base_block_degrees.hpp"
 
 namespace changeover {
@@ -15,7 +15,7 @@ namespace {
 class Model {
  public:
   Model(const Parameters& p, const BaseBlockShape& shape, bool tight, std::uint64_t seed)
-      : formula(seed),
+      : solver(seed),
         p_(p),
         shape_(shape),
         orbits_(shape),
@@ -36,7 +36,7 @@ class Model {
     std::vector<Block> blocks(c_);
     for (std::size_t i = 0; i < c_; ++i) {
       for (Element x = 0; x < v_; ++x) {
-        if (formula.holds(in(i, x))) {
+        if (solver.holds(in(i, x))) {
           blocks[i].push_back(x);
         }
       }
@@ -44,12 +44,12 @@ class Model {
     return blocks;
   }
 
-  Formula formula;
+  IncrementalSolver solver;
 
  private:
   std::vector<Literal> variables(std::size_t how_many) {
     std::vector<Literal> list(how_many);
-    std::generate(list.begin(), list.end(), [&] { return formula.cnf.new_variable(); });
+    std::generate(list.begin(), list.end(), [&] { return solver.cnf.new_variable(); });
     return list;
   }
 
@@ -63,7 +63,7 @@ class Model {
 
   // A new variable for: a and not b.
   Literal and_not(Literal a, Literal b) {
-    Cnf& cnf = formula.cnf;
+    Cnf& cnf = solver.cnf;
     const Literal result = cnf.new_variable();
     cnf.add({-result, a});
     cnf.add({-result, -b});
@@ -87,9 +87,9 @@ class Model {
       const std::vector<Literal> block(in_block_.begin() + row, in_block_.begin() + row + width);
       const std::vector<Literal> enter(introduced_.begin() + row,
                                        introduced_.begin() + row + width);
-      require_exactly(formula.cnf, block, k);
-      require_exactly(formula.cnf, enter, m);
-      require_exactly(formula.cnf, leaving, m);
+      require_exactly(solver.cnf, block, k);
+      require_exactly(solver.cnf, enter, m);
+      require_exactly(solver.cnf, leaving, m);
     }
   }
 
@@ -99,20 +99,20 @@ class Model {
       for (Element y = 1; y < v_; ++y) {
         stop_if_asked();
         for (Element x = 0; x < y; ++x) {
-          const Literal both = formula.cnf.new_variable();
-          formula.cnf.add({-both, in(i, x)});
-          formula.cnf.add({-both, in(i, y)});
+          const Literal both = solver.cnf.new_variable();
+          solver.cnf.add({-both, in(i, x)});
+          solver.cnf.add({-both, in(i, y)});
           covers[orbits_.of(x, y)].push_back(both);
         }
       }
     }
     for (const std::vector<Literal>& clause : covers) {
-      formula.cnf.add(clause);
+      solver.cnf.add(clause);
     }
   }
 
   void cover_exactly_once() {
-    Cnf& cnf = formula.cnf;
+    Cnf& cnf = solver.cnf;
     std::vector<std::vector<Literal>> covers(orbits_.count());
     for (std::size_t i = 0; i < c_; ++i) {
       for (Element y = 1; y < v_; ++y) {
@@ -157,7 +157,7 @@ class Model {
 
   void require_degree(const std::vector<Literal>& enter, const std::vector<Literal>& occur,
                       const std::vector<Degree>& degrees) {
-    Cnf& cnf = formula.cnf;
+    Cnf& cnf = solver.cnf;
     std::uint64_t most_enter = 0;
     std::uint64_t most_occur = 0;
     for (const Degree& degree : degrees) {
@@ -191,7 +191,7 @@ class Model {
   // Sound together: each cycle can be rotated by itself; which blocks it meets does not change by that,
   // so cycles can be ordered by it; and fixed points can be ordered by the blocks that hold them.
   void break_symmetry() {
-    Cnf& cnf = formula.cnf;
+    Cnf& cnf = solver.cnf;
     std::vector<std::vector<Literal>> meets;
     for (std::uint64_t cycle = 0; cycle < shape_.cycles; ++cycle) {
       const auto first = static_cast<Element>(cycle * shape_.n);
@@ -258,18 +258,17 @@ std::uint64_t sat_bytes(const Parameters& p, const BaseBlockShape& shape, bool t
                           checked_add(checked_add(of_pairs, of_counters), of_symmetry));
 }
 
-SatOutcome base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape, bool tight,
-                              std::optional<std::uint64_t> conflicts, RunControl& control) {
+BaseBlocksBySat base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape, bool tight,
+                                   std::optional<std::uint64_t> conflicts, RunControl& control) {
   control.require_memory(sat_bytes(p, shape, tight), "the formula for " + to_string(shape));
   Model model(p, shape, tight, control.seed());
-  const Formula::Answer answer = model.formula.solve(control, conflicts);
-  SatOutcome outcome;
-  outcome.conflicts = model.formula.conflicts();
-  outcome.none = answer == Formula::Answer::unsatisfiable;
-  if (answer == Formula::Answer::satisfiable) {
-    outcome.blocks = model.blocks();
+  BaseBlocksBySat result;
+  result.outcome = model.solver.solve(control, conflicts);
+  result.conflicts = model.solver.conflicts();
+  if (result.outcome == Outcome::found) {
+    result.blocks = model.blocks();
   }
-  return outcome;
+  return result;
 }
 
 }  // namespace changeover

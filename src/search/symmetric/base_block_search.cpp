@@ -42,7 +42,7 @@ class Search {
     if (!result_.found() && !left_out_.empty() && result_.moves + result_.conflicts == 0) {
       throw MissingResource(left_out_);  // nothing could be tried
     }
-    result_.why = why();
+    result_.why_stopped = why();
     return std::move(result_);
   }
 
@@ -89,11 +89,11 @@ class Search {
     const bool tight = options_.shapes.tight;
     const bool small = sat_size(shape) <= options_.sat_size;
     const auto solve = [&] {
-      SatOutcome outcome =
+      BaseBlocksBySat by_sat =
           base_blocks_by_sat(circular_, shape, tight, options_.conflicts, control_);
-      attempt.conflicts += outcome.conflicts;
-      attempt.outcome = outcome.none ? ShapeOutcome::none : ShapeOutcome::open;
-      blocks = std::move(outcome.blocks);
+      attempt.conflicts += by_sat.conflicts;
+      attempt.outcome = by_sat.outcome;
+      blocks = std::move(by_sat.blocks);
     };
     const auto anneal = [&](std::uint64_t moves) {
       BaseBlockAnnealing outcome =
@@ -103,7 +103,7 @@ class Search {
       blocks = std::move(outcome.blocks);
     };
     const auto undecided = [&] {
-      return blocks.empty() && attempt.outcome != ShapeOutcome::none && !control_.stop_wanted();
+      return blocks.empty() && attempt.outcome != Outcome::none && !control_.stop_wanted();
     };
     switch (options_.method) {
       case BaseBlockMethod::sat:
@@ -131,7 +131,7 @@ class Search {
     if (blocks.empty()) {
       return false;
     }
-    attempt.outcome = ShapeOutcome::found;
+    attempt.outcome = Outcome::found;
     take(shape, std::move(blocks), attempt);
     return true;
   }
@@ -183,7 +183,7 @@ class Search {
     }
     const bool all_none =
         std::all_of(result_.attempts.begin(), result_.attempts.end(),
-                    [](const ShapeAttempt& a) { return a.outcome == ShapeOutcome::none; });
+                    [](const ShapeAttempt& a) { return a.outcome == Outcome::none; });
     return all_none ? WhyStopped::exhausted : WhyStopped::step_limit;
   }
 
@@ -268,15 +268,15 @@ std::string describe(const BaseBlockResult& result) {
   if (!result.found()) {
     const auto none =
         std::count_if(result.attempts.begin(), result.attempts.end(),
-                      [](const ShapeAttempt& a) { return a.outcome == ShapeOutcome::none; });
+                      [](const ShapeAttempt& a) { return a.outcome == Outcome::none; });
     if (result.attempts.empty()) {
-      return result.why == WhyStopped::exhausted
+      return result.why_stopped == WhyStopped::exhausted
                  ? "No shape of base blocks passes the counting conditions."
-                 : fmt::format("Nothing tried: {}.", to_string(result.why));
+                 : fmt::format("Nothing tried: {}.", to_string(result.why_stopped));
     }
     return fmt::format(
         "No base blocks found ({}): of {} shapes tried the SAT solver says none exist in {}.",
-        to_string(result.why), result.attempts.size(), none);
+        to_string(result.why_stopped), result.attempts.size(), none);
   }
   const Verdict& verdict = *result.verdict;
   std::string text = fmt::format("{} with {} blocks{}: {}.", name(verdict.parameters), verdict.b,

@@ -139,11 +139,11 @@ TEST(Listening, OrdersOfManyBlocksStop) {
   EXPECT_LT(first.elapsed(), soon);
   EXPECT_LE(least.cost, least.first_cost);
   EXPECT_EQ(change_cost(blocks, least.order, {.v = p.v}), least.cost);
-  EXPECT_EQ(least.why, WhyStopped::time_limit);
+  EXPECT_EQ(least.why_stopped, WhyStopped::time_limit);
   RunControl second({.time = Seconds(0.1)});
   const ChangeOrder change = order_for_change(blocks, {.v = p.v, .m = 2}, {}, second);
   EXPECT_LT(second.elapsed(), soon);
-  EXPECT_EQ(change.answer, OrderAnswer::unknown);
+  EXPECT_EQ(change.outcome, Outcome::unknown);
 }
 
 TEST(Listening, BaseBlockSearchStops) {
@@ -151,7 +151,7 @@ TEST(Listening, BaseBlockSearchStops) {
   const BaseBlockResult result =
       search_base_blocks({.v = 1999, .k = 5, .kind = Kind::circular}, {}, control);
   EXPECT_LT(control.elapsed(), soon);
-  EXPECT_TRUE(result.found() || result.why == WhyStopped::time_limit);
+  EXPECT_TRUE(result.found() || result.why_stopped == WhyStopped::time_limit);
 }
 
 TEST(Listening, FormulasForBaseBlocksAreCountedBeforeTheyAreBuilt) {

@@ -145,16 +145,16 @@ TEST(OrderForChange, AgreesWithTryingAllPermutations) {
     const ChangeWanted wanted{v, 1 + random.below(2),
                               random.one_in_two() ? Kind::linear : Kind::circular};
     const ChangeOrder order = ordered(blocks, wanted, {.rotations = 100});
-    ASSERT_NE(order.answer, OrderAnswer::unknown);
-    ASSERT_EQ(order.answer == OrderAnswer::found, some_permutation_changes(blocks, wanted));
-    if (order.answer == OrderAnswer::found) {
+    ASSERT_NE(order.outcome, Outcome::unknown);
+    ASSERT_EQ(order.outcome == Outcome::found, some_permutation_changes(blocks, wanted));
+    if (order.outcome == Outcome::found) {
       ++found;
       EXPECT_TRUE(changes_as_wanted(arranged(blocks, order.order), wanted));
-      EXPECT_EQ(order.why, WhyStopped::found);
+      EXPECT_EQ(order.why_stopped, WhyStopped::found);
     } else {
       ++none;
       EXPECT_FALSE(order.reason.empty());
-      EXPECT_EQ(order.why, WhyStopped::exhausted);
+      EXPECT_EQ(order.why_stopped, WhyStopped::exhausted);
       by_solver += order.reason.find("SAT solver") != std::string::npos ? 1U : 0U;
     }
   }
@@ -166,19 +166,19 @@ TEST(OrderForChange, AgreesWithTryingAllPermutations) {
 TEST(OrderForChange, AnyOrderOfTheFanoPlaneIsDoubleChange) {
   for (const Kind kind : {Kind::linear, Kind::circular}) {
     const ChangeOrder order = ordered(fano, {7, 2, kind});
-    ASSERT_EQ(order.answer, OrderAnswer::found);
+    ASSERT_EQ(order.outcome, Outcome::found);
     EXPECT_EQ(order.rotations, 0U);
     const Design design({7, 3, 2, kind, 2}, arranged(fano, order.order));
     EXPECT_TRUE(verify(design).valid());
   }
-  EXPECT_EQ(ordered(fano, {7, 1, Kind::linear}).answer, OrderAnswer::none);
+  EXPECT_EQ(ordered(fano, {7, 1, Kind::linear}).outcome, Outcome::none);
 }
 
 TEST(OrderForChange, OrdersSteinerTripleSystemsForDoubleChange) {
   for (const auto& [blocks, v] : {std::pair(sts9(), 9U), std::pair(sts13, 13U)}) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       const ChangeOrder order = ordered(blocks, {v, 2, kind});
-      ASSERT_EQ(order.answer, OrderAnswer::found);
+      ASSERT_EQ(order.outcome, Outcome::found);
       EXPECT_TRUE(verify(Design({v, 3, 2, kind, 2}, arranged(blocks, order.order))).tight() ||
                   kind == Kind::linear);
       EXPECT_TRUE(verify(Design({v, 3, 2, kind, 2}, arranged(blocks, order.order))).valid());
@@ -187,10 +187,10 @@ TEST(OrderForChange, OrdersSteinerTripleSystemsForDoubleChange) {
 }
 
 TEST(OrderForChange, OrdersDisjointTriplesOfSts13ButNotOfSts9) {
-  EXPECT_EQ(ordered(sts13, {13, 3, Kind::circular}).answer, OrderAnswer::found);
+  EXPECT_EQ(ordered(sts13, {13, 3, Kind::circular}).outcome, Outcome::found);
   // Each line of the plane of order 3 misses only its two parallels: four triangles.
   const ChangeOrder order = ordered(sts9(), {9, 3, Kind::linear});
-  EXPECT_EQ(order.answer, OrderAnswer::none);
+  EXPECT_EQ(order.outcome, Outcome::none);
   EXPECT_NE(order.reason.find("is not reached"), std::string::npos);
 }
 
@@ -202,16 +202,16 @@ TEST(OrderForChange, NoneIsSaidBySatAndByAllPermutationsAlike) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       const ChangeWanted wanted{10, 1, kind};
       const bool exists = some_permutation_changes(blocks, wanted);
-      EXPECT_EQ(ordered(blocks, wanted, {.rotations = 1000}).answer,
-                exists ? OrderAnswer::found : OrderAnswer::none);
+      EXPECT_EQ(ordered(blocks, wanted, {.rotations = 1000}).outcome,
+                exists ? Outcome::found : Outcome::none);
     }
   }
   // A bipartite graph with sides of 3 and 5, all degrees at least 3: no cheap argument, none all the same.
   const std::vector<Block> pairs{{0, 3}, {1, 3}, {2, 3}, {0, 4}, {1, 4}, {2, 4}, {0, 5}};
   const ChangeWanted wanted{6, 2, Kind::circular};
   const ChangeOrder order = ordered(pairs, wanted, {.rotations = 1000});
-  EXPECT_EQ(order.answer,
-            some_permutation_changes(pairs, wanted) ? OrderAnswer::found : OrderAnswer::none);
+  EXPECT_EQ(order.outcome,
+            some_permutation_changes(pairs, wanted) ? Outcome::found : Outcome::none);
 }
 
 TEST(OrderForChange, FindsItsWayThroughAShuffledDesign) {
@@ -223,9 +223,9 @@ TEST(OrderForChange, FindsItsWayThroughAShuffledDesign) {
     blocks.emplace_back(design.block(i).begin(), design.block(i).end());
   }
   const ChangeOrder order = ordered(shuffled(blocks, random), {61, 2, Kind::linear});
-  EXPECT_NE(order.answer, OrderAnswer::none);
+  EXPECT_NE(order.outcome, Outcome::none);
   const ChangeOrder three = ordered(shuffled(blocks, random), {61, 3, Kind::circular});
-  EXPECT_EQ(three.answer, OrderAnswer::found);
+  EXPECT_EQ(three.outcome, Outcome::found);
 }
 
 TEST(OrderForChange, IsDeterministicAndStops) {
@@ -233,15 +233,14 @@ TEST(OrderForChange, IsDeterministicAndStops) {
             ordered(sts13, {13, 3, Kind::circular}).order);
   RunControl control({.time = std::chrono::seconds(0)});
   const ChangeOrder order = order_for_change(sts13, {13, 3, Kind::circular}, {}, control);
-  EXPECT_EQ(order.answer, OrderAnswer::unknown);
-  EXPECT_EQ(order.why, WhyStopped::time_limit);
+  EXPECT_EQ(order.outcome, Outcome::unknown);
+  EXPECT_EQ(order.why_stopped, WhyStopped::time_limit);
 }
 
 TEST(OrderForChange, TakesOneAndTwoBlocks) {
   EXPECT_EQ(ordered({{0, 1}}, ChangeWanted{2, 1, Kind::circular}).order, Order{0});
-  EXPECT_EQ(ordered({{0, 1}, {0, 2}}, ChangeWanted{3, 1, Kind::circular}).answer,
-            OrderAnswer::found);
-  EXPECT_EQ(ordered({{0, 1}, {0, 1}}, ChangeWanted{3, 1, Kind::linear}).answer, OrderAnswer::none);
+  EXPECT_EQ(ordered({{0, 1}, {0, 2}}, ChangeWanted{3, 1, Kind::circular}).outcome, Outcome::found);
+  EXPECT_EQ(ordered({{0, 1}, {0, 1}}, ChangeWanted{3, 1, Kind::linear}).outcome, Outcome::none);
 }
 
 TEST(OrderForChange, RefusesMalformedBlocks) {
@@ -327,7 +326,7 @@ TEST(OrderForLeastChange, PutsAShuffledSlidingWindowBack) {
   const LeastChangeOrder order = ordered(shuffled(windows, random), LeastChangeWanted{404});
   EXPECT_EQ(order.cost, 404U);
   EXPECT_EQ(order.lower_bound, 404U);
-  EXPECT_EQ(order.why, WhyStopped::exhausted);
+  EXPECT_EQ(order.why_stopped, WhyStopped::exhausted);
   EXPECT_GT(order.first_cost, 1900U);
 }
 
@@ -376,7 +375,7 @@ TEST(OrderForLeastChange, IsDeterministicAndStops) {
   RunControl control({.time = std::chrono::seconds(0)});
   const LeastChangeOrder stopped =
       order_for_least_change(blocks, LeastChangeWanted{40}, {}, control);
-  EXPECT_EQ(stopped.why, WhyStopped::time_limit);
+  EXPECT_EQ(stopped.why_stopped, WhyStopped::time_limit);
   EXPECT_LE(stopped.lower_bound, once.cost);
 }
 

@@ -239,17 +239,19 @@ TEST(BaseBlocksBySat, AgreeWithTryingEverything) {
                          {circular(8, 4, 3), {{7, 1, 1}, 1}}, {circular(8, 5), {{4, 2, 0}, 1}}}) {
     for (const bool want_tight : {false, true}) {
       RunControl control({});
-      const SatOutcome outcome =
+      const BaseBlocksBySat result =
           base_blocks_by_sat(each.p, each.shape, want_tight, std::nullopt, control);
-      EXPECT_NE(outcome.blocks.empty(), !outcome.none);
-      EXPECT_EQ(!outcome.none, exists(each.p, each.shape, want_tight))
+      const bool found = result.outcome == Outcome::found;
+      EXPECT_NE(result.outcome, Outcome::unknown);
+      EXPECT_NE(result.blocks.empty(), found);
+      EXPECT_EQ(found, exists(each.p, each.shape, want_tight))
           << name(each.p) << " " << to_string(each.shape) << (want_tight ? " tight" : "");
-      if (!outcome.none) {
-        const auto verdict = test::naive_verdict(developed(each.p, each.shape, outcome.blocks));
+      if (found) {
+        const auto verdict = test::naive_verdict(developed(each.p, each.shape, result.blocks));
         EXPECT_TRUE(verdict.valid);
         EXPECT_TRUE(!want_tight || verdict.excess == 0);
       }
-      (outcome.none ? none : some) += 1;
+      (found ? some : none) += 1;
     }
   }
   EXPECT_GE(some, 10U);
@@ -258,11 +260,11 @@ TEST(BaseBlocksBySat, AgreeWithTryingEverything) {
 
 TEST(BaseBlocksBySat, GiveUpAtTheLimitOfConflicts) {
   RunControl control({});
-  const SatOutcome outcome =
+  const BaseBlocksBySat result =
       base_blocks_by_sat(circular(27, 6), {{3, 9, 0}, 13}, true, 200, control);
-  EXPECT_TRUE(outcome.blocks.empty());
-  EXPECT_FALSE(outcome.none);
-  EXPECT_GE(outcome.conflicts, 100U);
+  EXPECT_TRUE(result.blocks.empty());
+  EXPECT_EQ(result.outcome, Outcome::unknown);
+  EXPECT_GE(result.conflicts, 100U);
 }
 
 RC_GTEST_PROP(RandomBaseBlocks, HaveTheChangeProperty, ()) {
@@ -290,7 +292,7 @@ TEST(SearchBaseBlocks, FindsTheCyclicDesignsOfThePaper) {
     ASSERT_TRUE(result.found()) << v;
     EXPECT_TRUE(result.verdict->tight());
     EXPECT_EQ(result.comparison, Comparison::equal);
-    EXPECT_EQ(result.why, WhyStopped::found);
+    EXPECT_EQ(result.why_stopped, WhyStopped::found);
   }
 }
 
@@ -406,10 +408,10 @@ TEST(SearchBaseBlocks, GivesTheSameDesignForEveryShift) {
 TEST(SearchBaseBlocks, SaysThatAllShapesAreExcluded) {
   const BaseBlockResult result = search(circular(18, 6), tight());
   EXPECT_FALSE(result.found());
-  EXPECT_EQ(result.why, WhyStopped::exhausted);
+  EXPECT_EQ(result.why_stopped, WhyStopped::exhausted);
   EXPECT_EQ(describe(result), "No shape of base blocks passes the counting conditions.");
   const BaseBlockResult none = search(circular(21, 9), tight());
-  EXPECT_EQ(none.why, WhyStopped::exhausted);
+  EXPECT_EQ(none.why_stopped, WhyStopped::exhausted);
   EXPECT_NE(describe(none).find("the SAT solver says"), std::string::npos);
 }
 
@@ -417,11 +419,11 @@ TEST(SearchBaseBlocks, StopsWhenToldTo) {
   RunControl control({.time = std::chrono::seconds(0)});
   const BaseBlockResult result = search_base_blocks(circular(27, 6), tight(), control);
   EXPECT_FALSE(result.found());
-  EXPECT_EQ(result.why, WhyStopped::time_limit);
+  EXPECT_EQ(result.why_stopped, WhyStopped::time_limit);
   BaseBlockOptions options = tight();
   options.conflicts = 50;
   options.moves = 1000;
-  EXPECT_EQ(search(circular(27, 6), options).why, WhyStopped::step_limit);
+  EXPECT_EQ(search(circular(27, 6), options).why_stopped, WhyStopped::step_limit);
 }
 
 TEST(SearchBaseBlocks, RefusesWhatItIsNotFor) {
