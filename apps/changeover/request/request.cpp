@@ -57,8 +57,7 @@ void OutputRequest::check_writable() const {
 }
 
 std::optional<Offer> best_known(const Parameters& p) {
-  return changeover::best_known(Registry::standard(), p,
-                                [](const Design& design) { return verify(design).valid(); });
+  return changeover::best_known(Registry::standard(), p);
 }
 
 std::optional<Offer> best_offer(const std::vector<Parameters>& asked,

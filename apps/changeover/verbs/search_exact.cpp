@@ -210,7 +210,7 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
   if (design) {
     own.parameters = p;
     own.b = b;
-    own.design = std::move(design);
+    own.design = surely_verified(*std::move(design), "what another process found");
     own.outcome = Outcome::found;
     own.why_stopped = WhyStopped::found;
   } else if (none) {
@@ -293,7 +293,8 @@ int search_exactly(const SearchRequest& request) {
   const auto decider = [&](std::uint64_t b, const ExactOptions& exact) {
     Decision decision = decide_together(p, b, exact, running.control());
     if (decision.design) {
-      decision.design->recipe = literal_recipe(*decision.design, request.provenance(p, "--exact"));
+      decision.design->set_recipe(
+          literal_recipe(*decision.design, request.provenance(p, "--exact")));
     }
     return decision;
   };

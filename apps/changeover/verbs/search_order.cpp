@@ -94,10 +94,9 @@ int search_order(const SearchRequest& request) {
                      exit_code::proved_none);
     }
     if (found.outcome == Outcome::unknown) {
-      return decline(
-          request,
-          fmt::format("No such order was found; stopped: {}.", to_string(found.why_stopped)),
-          exit_code::limit_reached);
+      return decline(request,
+                     fmt::format("No such order was found; stopped: {}.", to_string(found.why_stopped)),
+                     exit_code::limit_reached);
     }
     ordered.order = std::move(found.order);
     ordered.lines = {fmt::format("{}, {} changed at every step", count_of(blocks.size(), "block"),
@@ -116,7 +115,7 @@ int search_order(const SearchRequest& request) {
                        {"cost_as_given", found.first_cost}};
     ordered.order = std::move(found.order);
     code = found.least() || found.why_stopped == WhyStopped::exhausted ? exit_code::found
-                                                                       : exit_code::limit_reached;
+                                                               : exit_code::limit_reached;
   }
 
   Parameters p = given.parameters();

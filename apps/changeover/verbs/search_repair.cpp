@@ -44,7 +44,7 @@ int search_repair(const SearchRequest& request) {
   if (!result.design) {
     return decline(request, result.why_stopped);
   }
-  SearchFind find{*std::move(result.design), {}};
+  SearchFind find{(*std::move(result.design)).take(), {}};
   find.lines.push_back(
       fmt::format("repaired: the list had {}, {} and {}; {} of its blocks are kept",
                   count_of(result.given, "block"), count_of(result.bad_steps, "wrong step"),
@@ -67,7 +67,7 @@ int search_extend(const SearchRequest& request) {
   if (!result.design) {
     return decline(request, result.why_stopped);
   }
-  SearchFind find{*std::move(result.design), {}};
+  SearchFind find{(*std::move(result.design)).take(), {}};
   find.lines.push_back(
       fmt::format("begins with the {} given; no design that does has fewer than {}; stopped: {}",
                   count_of(beginning.block_count(), "block"), count_of(result.lower_bound, "block"),

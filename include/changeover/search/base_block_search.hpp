@@ -5,7 +5,7 @@
 //                                                       {.tight = true}, control);
 //     if (result.found()) {
 //       result.shape;                       // 5 base blocks, 2 cycles of length 13
-//       result.verdict->tight();            // verified on all 65 blocks
+//       result.verdict().tight();            // verified on all 65 blocks
 //       result.recipe;                      // "developed", stores the 5 base blocks
 //       result.comparison;                  // Comparison::better than what the registry has
 //     }
@@ -39,7 +39,7 @@
 #include "changeover/run/control.hpp"
 #include "changeover/run/outcome.hpp"
 #include "changeover/search/base_block_shape.hpp"
-#include "changeover/verify/verdict.hpp"
+#include "changeover/verify/verified_design.hpp"
 
 namespace changeover {
 
@@ -81,11 +81,10 @@ enum class Comparison : std::uint8_t {
 [[nodiscard]] std::string_view to_string(Comparison comparison);
 
 struct BaseBlockResult {
-  BaseBlockShape shape;            ///< of what was found
-  std::vector<Block> base_blocks;  ///< with shift 1; empty if nothing was found
-  std::optional<Recipe> recipe;    ///< "developed", or a "cut" of it if p is linear
-  std::optional<Design> design;    ///< all blocks, with recipe
-  std::optional<Verdict> verdict;
+  BaseBlockShape shape;                  ///< of what was found
+  std::vector<Block> base_blocks;        ///< with shift 1; empty if nothing was found
+  std::optional<Recipe> recipe;          ///< "developed", or a "cut" of it if p is linear
+  std::optional<VerifiedDesign> design;  ///< all blocks, with recipe
 
   Comparison comparison = Comparison::only;
   std::optional<std::uint64_t> registry_b;  ///< blocks of the registry's best
@@ -96,7 +95,9 @@ struct BaseBlockResult {
   std::uint64_t conflicts = 0;
   WhyStopped why_stopped = WhyStopped::running;  ///< exhausted: every shape was said to have none
 
-  [[nodiscard]] bool found() const { return verdict.has_value(); }
+  [[nodiscard]] bool found() const { return design.has_value(); }
+  /// Of what was found.
+  [[nodiscard]] const Verdict& verdict() const { return design.value().verdict(); }
 };
 
 /// Searches, see above. Without most_blocks or base_blocks a search that is not for tight designs tries

@@ -29,6 +29,7 @@
 #include "changeover/run/control.hpp"
 #include "changeover/run/outcome.hpp"
 #include "changeover/search/exact_encoding.hpp"
+#include "changeover/verify/verified_design.hpp"
 
 namespace changeover {
 
@@ -65,9 +66,9 @@ struct Decision {
   Outcome outcome = Outcome::unknown;
   bool proved = false;    ///< if none: with a checked proof; otherwise it is the solver's word
   bool in_share = false;  ///< if none: in the part of this process, of several
-  std::optional<Design> design = {};    ///< if found, verified
-  std::vector<CheckedPart> parts = {};  ///< what was excluded, each with a checked proof
-  std::uint64_t cubes = 1;              ///< into how many parts the question was split
+  std::optional<VerifiedDesign> design = {};  ///< if found
+  std::vector<CheckedPart> parts = {};        ///< what was excluded, each with a checked proof
+  std::uint64_t cubes = 1;                    ///< into how many parts the question was split
   std::string cubes_path = {};  ///< the list of the cubes, if there are several and files are kept
   WhyStopped why_stopped = WhyStopped::running;  ///< found, exhausted, or the limit
   std::chrono::duration<double> time{};

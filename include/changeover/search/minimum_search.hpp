@@ -37,7 +37,7 @@ struct MinimumResult {
   std::optional<std::string> impossible = {};  ///< why no design exists with any number of blocks
   Bound start;                                 ///< the bound on paper from which the walk started
   std::uint64_t lower = 0;                     ///< no design has fewer blocks
-  std::optional<Design> best = {};             ///< the given design, or a better one
+  std::optional<VerifiedDesign> best = {};     ///< the given design, or a better one
   std::vector<Decision> steps = {};            ///< in the order of the walk
   WhyStopped why_stopped =
       WhyStopped::running;  ///< exhausted if settled or impossible; the limit if not

@@ -19,7 +19,6 @@
 #include "changeover/io/output_file.hpp"
 #include "changeover/proof/drat.hpp"
 #include "changeover/run/scope.hpp"
-#include "changeover/verify/verdict.hpp"
 #include "run/threads.hpp"
 #include "search/sat/sat_solver.hpp"
 
@@ -270,13 +269,11 @@ class Question {
     RunControl unhurried({});
     const RunScope scope(unhurried);
     Design design = formula_->decode([&](Literal x) { return result.is_true(x); });
-    if (!verify(design).valid()) {
-      throw InternalError(fmt::format("a solution of {} is no design", stem_));
-    }
     design.recipe = literal_recipe(design, "search by SAT");
+    VerifiedDesign solution = surely_verified(std::move(design), "a solution of " + stem_);
     const std::scoped_lock lock(mutex_);
     if (!decision_.design) {
-      decision_.design = std::move(design);
+      decision_.design = std::move(solution);
     }
     control_.stop(WhyStopped::found);
   }

@@ -6,7 +6,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
-#include "changeover/verify/verdict.hpp"
 
 namespace changeover {
 
@@ -92,17 +91,17 @@ void look_above(MinimumResult& result, const MinimumOptions& options, RunControl
   }
 }
 
-// Whether a design from elsewhere may be used.
-bool is_known(const Parameters& p, const std::optional<Design>& known) {
+// A design from elsewhere, if there is time to verify it.
+std::optional<VerifiedDesign> checked(const Parameters& p, const std::optional<Design>& known) {
   if (!known) {
-    return false;
+    return std::nullopt;
   }
   try {
-    if (known->parameters() == p && verify(*known).valid()) {
-      return true;
+    if (auto design = verified(*known); design && design->parameters() == p) {
+      return design;
     }
   } catch (const Stopped&) {
-    return false;
+    return std::nullopt;
   }
   throw BadInput(fmt::format("the design that was given is no {}", name(p)));
 }
@@ -115,16 +114,14 @@ MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options, R
   MinimumResult result;
   result.parameters = p;
   result.impossible = impossibility(p);
-  const bool use_known = is_known(p, known);
+  auto given = checked(p, known);
   if (result.impossible) {
     result.why_stopped = WhyStopped::exhausted;
     return result;
   }
   result.start = lower_bound_on_paper(p);
   result.lower = result.start.blocks;
-  if (use_known) {
-    result.best = known;
-  }
+  result.best = std::move(given);
   walk(result, options, control);
   if (result.settled()) {
     result.why_stopped = WhyStopped::exhausted;

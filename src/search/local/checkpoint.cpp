@@ -19,7 +19,6 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/output_file.hpp"
 #include "changeover/io/text.hpp"
-#include "changeover/verify/verdict.hpp"
 #include "search/local/segment_orbits.hpp"
 
 namespace changeover {
@@ -225,10 +224,10 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
     }
   }
   if (best.block_count() > 0) {
-    if (!verify(best).valid()) {
+    checkpoint.best = verified(std::move(best));
+    if (!checkpoint.best) {
       lines.damaged();
     }
-    checkpoint.best = std::move(best);
   }
   return checkpoint;
 }

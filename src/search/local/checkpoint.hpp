@@ -31,6 +31,7 @@
 #include "changeover/core/automorphism.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/verify/verified_design.hpp"
 #include "io/file/file_lock.hpp"
 
 namespace changeover {
@@ -67,8 +68,8 @@ struct Checkpoint {
   std::uint64_t attempts = 0;
   std::uint64_t moves = 0;
   std::vector<SearchArm> arms;
-  std::string how;             ///< one line
-  std::optional<Design> best;  ///< without labels and recipe
+  std::string how;                     ///< one line
+  std::optional<VerifiedDesign> best;  ///< without labels and recipe
 };
 
 /// Writes it, replacing the file. @throws MissingResource if it cannot be written; the old file is

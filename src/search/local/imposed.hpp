@@ -45,14 +45,13 @@ namespace changeover {
                                                                    Random& random);
 
 struct ImposedOutcome {
-  std::optional<Design> design;  ///< cn blocks, circular, verified
+  std::optional<Design> design;  ///< cn blocks, circular; not verified
   AnnealOutcome anneal;          ///< in orbits
   bool started = false;          ///< base blocks to start from were found
 };
 
 /// One anneal from random base blocks. The kind of p is taken for circular; its strength must be 2.
-/// @throws BadInput unless pi.v() = v, base_blocks ≥ 1, strength 2 and v ≤ 4096; InternalError if
-/// what was found fails verification. O(moves · segment · k).
+/// @throws BadInput unless pi.v() = v, base_blocks ≥ 1, strength 2 and v ≤ 4096. O(moves · segment · k).
 [[nodiscard]] ImposedOutcome search_imposed(const Parameters& p, const Automorphism& pi,
                                             std::size_t base_blocks, const AnnealSchedule& schedule,
                                             Random& random, RunControl& control,

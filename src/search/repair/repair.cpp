@@ -12,7 +12,6 @@
 #include "changeover/core/transitions.hpp"
 #include "construct/tools/path.hpp"
 #include "run/grace.hpp"
-#include "search/listening.hpp"
 #include "search/local/local_search_states.hpp"
 #include "search/local/random_list.hpp"
 #include "search/repair/repair_cover.hpp"
@@ -136,12 +135,6 @@ void require_possible(const Design& list) {
   }
 }
 
-void require_valid(const Design& design) {
-  if (!verify(design).valid()) {
-    throw InternalError(fmt::format("a repaired {} is not valid", name(design.parameters())));
-  }
-}
-
 }  // namespace
 
 namespace {
@@ -164,7 +157,7 @@ class Repair {
 
  private:
   void work() {
-    const Verdict before = verify_listening(list_);
+    const Verdict before = verify(list_);
     result_.given = list_.block_count();
     result_.bad_steps = before.bad_steps;
     result_.uncovered = before.uncovered;
@@ -177,7 +170,7 @@ class Repair {
       return;
     }
     const Design mended = Steps(list_, random_).mended();
-    if (verify_listening(mended).valid()) {
+    if (verify(mended).valid()) {
       keep(mended);
       return;
     }
@@ -226,10 +219,9 @@ class Repair {
     if (result_.design && kept <= result_.kept) {
       return;
     }
-    require_valid(design);
     design.set_labels(list_.labels());
+    result_.design = surely_verified(std::move(design), "a repaired " + name(list_.parameters()));
     result_.kept = kept;
-    result_.design = std::move(design);
     result_.why_stopped = WhyStopped::found;
   }
 

@@ -8,7 +8,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/search/repair.hpp"
 #include "run/grace.hpp"
-#include "search/listening.hpp"
 #include "search/local/local_search_states.hpp"
 #include "search/local/random_list.hpp"
 #include "search/repair/repair_cover.hpp"
@@ -62,7 +61,7 @@ void require_steps(const Design& beginning) {
   linear.kind = Kind::linear;
   Design list = beginning;
   list.set_kind(Kind::linear);
-  const Verdict verdict = verify_listening(list);
+  const Verdict verdict = verify(list);
   if (verdict.bad_steps > 0) {
     const BadStep& step = verdict.bad_step_examples.front();
     throw BadInput(fmt::format(
@@ -97,9 +96,9 @@ class Extension {
  private:
   void work() {
     require_steps(beginning_);
-    const Verdict verdict = verify_listening(beginning_);
+    const Verdict verdict = verify(beginning_);
     if (verdict.valid()) {
-      result_.design = beginning_;
+      keep(beginning_);
       result_.lower_bound = beginning_.block_count();
       result_.why_stopped = WhyStopped::found;
       return;
@@ -179,11 +178,8 @@ class Extension {
   // Stopped or not.
   void keep(Design design) {
     const RunGrace to_the_end(control_);
-    if (!verify(design).valid()) {
-      throw InternalError(fmt::format("an extended {} is not valid", name(p_)));
-    }
     design.set_labels(beginning_.labels());
-    result_.design = std::move(design);
+    result_.design = surely_verified(std::move(design), "an extended " + name(p_));
   }
 
   const Design& beginning_;

@@ -5,8 +5,8 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/run/scope.hpp"
 #include "search/pair_orbits.hpp"
-#include "search/sat/cardinality.hpp"
 #include "search/sat/incremental_solver.hpp"
+#include "search/sat/cardinality.hpp"
 #include "search/symmetric/base_block_degrees.hpp"
 
 namespace changeover {
@@ -259,7 +259,7 @@ std::uint64_t sat_bytes(const Parameters& p, const BaseBlockShape& shape, bool t
 }
 
 BaseBlocksBySat base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape, bool tight,
-                                   std::optional<std::uint64_t> conflicts, RunControl& control) {
+                              std::optional<std::uint64_t> conflicts, RunControl& control) {
   control.require_memory(sat_bytes(p, shape, tight), "the formula for " + to_string(shape));
   Model model(p, shape, tight, control.seed());
   BaseBlocksBySat result;

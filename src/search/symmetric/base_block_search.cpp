@@ -152,13 +152,11 @@ class Search {
     if (p_.kind == Kind::linear) {
       recipe = cut_recipe(std::move(recipe));
     }
-    result_.design = Registry::standard().build_design(recipe);
+    const std::string what = fmt::format("a {} from base blocks", changeover::name(p_));
+    result_.design = surely_verified(Registry::standard().build_design(recipe), what);
     result_.recipe = std::move(recipe);
-    result_.verdict = verify(*result_.design);
-    if (!result_.verdict->valid() ||
-        (options_.shapes.tight && p_.kind == Kind::circular && !result_.verdict->tight())) {
-      throw InternalError(
-          fmt::format("base blocks found for {} fail verification", changeover::name(p_)));
+    if (options_.shapes.tight && p_.kind == Kind::circular && !result_.verdict().tight()) {
+      throw InternalError(what + " is not tight");
     }
     result_.comparison = compare();
   }
@@ -167,11 +165,11 @@ class Search {
     if (!result_.registry_b) {
       return Comparison::only;
     }
-    const std::uint64_t b = result_.verdict->b;
+    const std::uint64_t b = result_.verdict().b;
     if (b != *result_.registry_b) {
       return b < *result_.registry_b ? Comparison::better : Comparison::worse;
     }
-    return result_.verdict->tight() && !registry_tight_ ? Comparison::better : Comparison::equal;
+    return result_.verdict().tight() && !registry_tight_ ? Comparison::better : Comparison::equal;
   }
 
   WhyStopped why() const {
@@ -278,7 +276,7 @@ std::string describe(const BaseBlockResult& result) {
         "No base blocks found ({}): of {} shapes tried the SAT solver says none exist in {}.",
         to_string(result.why_stopped), result.attempts.size(), none);
   }
-  const Verdict& verdict = *result.verdict;
+  const Verdict& verdict = result.verdict();
   std::string text = fmt::format("{} with {} blocks{}: {}.", name(verdict.parameters), verdict.b,
                                  verdict.tight() ? ", tight"
                                  : verdict.economical()

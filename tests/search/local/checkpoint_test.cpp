@@ -86,7 +86,8 @@ Checkpoint example() {
                       .step = 4,
                       .missed = 9}};
   checkpoint.how = "blocks without symmetry";
-  checkpoint.best = Design(asked, std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}});
+  checkpoint.best =
+      verified(Design(asked, std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}}));
   return checkpoint;
 }
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
@@ -85,8 +87,8 @@ TEST(Improve, IsDeterministicWithOneThreadAndALimitOfMoves) {
   EXPECT_EQ(first.moves, second.moves);
   EXPECT_EQ(first.attempts, second.attempts);
   EXPECT_EQ(first.how, second.how);
-  const auto one = first.design->elements();
-  const auto two = second.design->elements();
+  const auto one = first.design->design().elements();
+  const auto two = second.design->design().elements();
   EXPECT_TRUE(std::equal(one.begin(), one.end(), two.begin(), two.end()));
   EXPECT_LE(first.moves, 1'500'000U);
 }

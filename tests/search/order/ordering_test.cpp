@@ -239,7 +239,8 @@ TEST(OrderForChange, IsDeterministicAndStops) {
 
 TEST(OrderForChange, TakesOneAndTwoBlocks) {
   EXPECT_EQ(ordered({{0, 1}}, ChangeWanted{2, 1, Kind::circular}).order, Order{0});
-  EXPECT_EQ(ordered({{0, 1}, {0, 2}}, ChangeWanted{3, 1, Kind::circular}).outcome, Outcome::found);
+  EXPECT_EQ(ordered({{0, 1}, {0, 2}}, ChangeWanted{3, 1, Kind::circular}).outcome,
+            Outcome::found);
   EXPECT_EQ(ordered({{0, 1}, {0, 1}}, ChangeWanted{3, 1, Kind::linear}).outcome, Outcome::none);
 }
 

@@ -95,7 +95,7 @@ TEST(BaseBlockShapes, OfKnownTightDesignsAreThere) {
 
 TEST(BaseBlockShapes, MayHaveAFixedElementInEveryBlock) {
   EXPECT_FALSE(shape_obstruction(circular(7, 5), {{3, 2, 1}, 1}, true));
-  EXPECT_TRUE(search(circular(7, 5), tight()).verdict->tight());
+  EXPECT_TRUE(search(circular(7, 5), tight()).verdict().tight());
 }
 
 TEST(BaseBlockShapes, AreExcludedForThreeOpenTightDesigns) {
@@ -290,7 +290,7 @@ TEST(SearchBaseBlocks, FindsTheCyclicDesignsOfThePaper) {
     const Parameters p = circular(static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(k));
     const BaseBlockResult result = search(p, tight(p.v));
     ASSERT_TRUE(result.found()) << v;
-    EXPECT_TRUE(result.verdict->tight());
+    EXPECT_TRUE(result.verdict().tight());
     EXPECT_EQ(result.comparison, Comparison::equal);
     EXPECT_EQ(result.why_stopped, WhyStopped::found);
   }
@@ -302,10 +302,10 @@ TEST(SearchBaseBlocks, FindsTightCircularDesignsWithSeveralCycles) {
     const Parameters p = circular(static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(k));
     const BaseBlockResult result = search(p, tight(static_cast<std::uint64_t>(n)));
     ASSERT_TRUE(result.found()) << v;
-    EXPECT_TRUE(result.verdict->tight());
-    EXPECT_TRUE(result.verdict->economical());
+    EXPECT_TRUE(result.verdict().tight());
+    EXPECT_TRUE(result.verdict().economical());
     EXPECT_EQ(result.shape.n, static_cast<std::uint64_t>(n));
-    EXPECT_EQ(result.design->recipe, result.recipe);
+    EXPECT_EQ(result.design->recipe(), result.recipe);
     EXPECT_EQ(result.recipe->blocks.size(), result.shape.base_blocks);
     EXPECT_FALSE(result.recipe->provenance.empty());
     EXPECT_NE(describe(result).find("tight"), std::string::npos);
@@ -315,8 +315,8 @@ TEST(SearchBaseBlocks, FindsTightCircularDesignsWithSeveralCycles) {
 TEST(SearchBaseBlocks, SlowFindsTheTightDccd25x4) {
   const BaseBlockResult result = search(circular(25, 4), tight(5));
   ASSERT_TRUE(result.found());
-  EXPECT_TRUE(result.verdict->tight());
-  EXPECT_EQ(result.verdict->b, 60U);
+  EXPECT_TRUE(result.verdict().tight());
+  EXPECT_EQ(result.verdict().b, 60U);
 }
 
 TEST(SearchBaseBlocks, FindsTightDesignsForOtherChangeNumbers) {
@@ -325,15 +325,15 @@ TEST(SearchBaseBlocks, FindsTightDesignsForOtherChangeNumbers) {
         circular(19, 5, 3), circular(25, 6, 3), circular(28, 4, 4)}) {
     const BaseBlockResult result = search(p, tight());
     ASSERT_TRUE(result.found()) << name(p);
-    EXPECT_TRUE(result.verdict->tight()) << name(p);
+    EXPECT_TRUE(result.verdict().tight()) << name(p);
   }
 }
 
 TEST(SearchBaseBlocks, FindsTheTightCircularSccd9x4) {
   const BaseBlockResult result = search(circular(9, 4, 1), tight());
   ASSERT_TRUE(result.found());
-  EXPECT_TRUE(result.verdict->tight());
-  EXPECT_EQ(result.verdict->b, 12U);
+  EXPECT_TRUE(result.verdict().tight());
+  EXPECT_EQ(result.verdict().b, 12U);
   EXPECT_EQ(result.comparison, Comparison::equal);
 }
 
@@ -345,8 +345,8 @@ TEST(SearchBaseBlocks, AnnealsWhereThereIsSlack) {
   options.shapes.base_blocks = 3;
   const BaseBlockResult result = search(circular(30, 5), options);
   ASSERT_TRUE(result.found());
-  EXPECT_TRUE(result.verdict->valid());
-  EXPECT_LE(result.verdict->b, 87U);
+  EXPECT_TRUE(result.verdict().valid());
+  EXPECT_LE(result.verdict().b, 87U);
   EXPECT_EQ(result.conflicts, 0U);
   EXPECT_GT(result.moves, 0U);
 }
@@ -387,8 +387,8 @@ TEST(SearchBaseBlocks, CutsALinearDesignOpen) {
   const BaseBlockResult result = search(p, tight(3));
   ASSERT_TRUE(result.found());
   EXPECT_EQ(result.recipe->construction, "cut");
-  EXPECT_EQ(result.verdict->parameters, p);
-  EXPECT_TRUE(result.verdict->valid());
+  EXPECT_EQ(result.verdict().parameters, p);
+  EXPECT_TRUE(result.verdict().valid());
 }
 
 TEST(SearchBaseBlocks, GivesTheSameDesignForEveryShift) {
@@ -397,7 +397,7 @@ TEST(SearchBaseBlocks, GivesTheSameDesignForEveryShift) {
     options.shift = shift;
     const BaseBlockResult result = search(circular(26, 4), options);
     ASSERT_TRUE(result.found());
-    EXPECT_TRUE(result.verdict->tight());
+    EXPECT_TRUE(result.verdict().tight());
     EXPECT_EQ(result.recipe->arguments.at("shift"), static_cast<std::int64_t>(shift));
   }
   BaseBlockOptions options = tight(13);
