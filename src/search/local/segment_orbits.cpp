@@ -42,7 +42,7 @@ SegmentOrbits::SegmentOrbits(const Parameters& p, const Automorphism& pi,
       images_[std::size_t{s} * v_ + x] = static_cast<std::uint16_t>(pi.image(x, s));
     }
   }
-  counts_.assign(orbits_.count(), 0);
+  std::vector<std::uint32_t> counts(orbits_.count(), 0);
   for (std::uint32_t i = 0; i < c_; ++i) {
     stop_if_asked();
     const Block& block = base_blocks[i];
@@ -50,17 +50,11 @@ SegmentOrbits::SegmentOrbits(const Parameters& p, const Automorphism& pi,
       members_[std::size_t{i} * v_ + block[a]] = 1;
       elements_.push_back(static_cast<std::uint16_t>(block[a]));
       for (std::size_t d = 0; d < a; ++d) {
-        ++counts_[orbits_.of(block[a], block[d])];
+        ++counts[orbits_.of(block[a], block[d])];
       }
     }
   }
-  place_.assign(orbits_.count(), PairOrbits::none);
-  for (std::uint32_t orbit = 0; orbit < orbits_.count(); ++orbit) {
-    if (counts_[orbit] == 0) {
-      place_[orbit] = static_cast<std::uint32_t>(uncovered_.size());
-      uncovered_.push_back(orbit);
-    }
-  }
+  coverage_ = Coverage(std::move(counts));
 }
 
 Design SegmentOrbits::design() const {
@@ -123,8 +117,8 @@ SegmentSwap SegmentOrbits::propose(Random& random) const {
 }
 
 SegmentSwap SegmentOrbits::propose_aimed(Random& random) const {
-  const auto which = random.below(static_cast<std::uint32_t>(uncovered_.size()));
-  auto [p, q] = orbits_.representative(uncovered_[which]);
+  const auto which = random.below(coverage_.missing());
+  auto [p, q] = orbits_.representative(coverage_.uncovered(which));
   if (random.one_in_two()) {
     std::swap(p, q);
   }
@@ -148,29 +142,13 @@ SegmentSwap SegmentOrbits::propose_aimed(Random& random) const {
   return propose(random);
 }
 
-void SegmentOrbits::add(std::uint32_t orbit) {
-  if (counts_[orbit]++ == 0) {
-    const std::uint32_t last = uncovered_.back();
-    uncovered_[place_[orbit]] = last;
-    place_[last] = place_[orbit];
-    uncovered_.pop_back();
-  }
-}
-
-void SegmentOrbits::remove(std::uint32_t orbit) {
-  if (--counts_[orbit] == 0) {
-    place_[orbit] = static_cast<std::uint32_t>(uncovered_.size());
-    uncovered_.push_back(orbit);
-  }
-}
-
 // The counters are changed, block by block, and changed back; nothing else is touched. A base block
 // that a segment reaches twice would have to change in between: such moves are made and taken back.
 std::int32_t SegmentOrbits::look(const SegmentSwap& move) {
   if (move.length > c_) {
-    const auto before = static_cast<std::int32_t>(uncovered_.size());
+    const auto before = static_cast<std::int32_t>(coverage_.missing());
     exchange(move);
-    const auto after = static_cast<std::int32_t>(uncovered_.size());
+    const auto after = static_cast<std::int32_t>(coverage_.missing());
     exchange(move);
     return after - before;
   }
@@ -203,7 +181,7 @@ void SegmentOrbits::visit_counters(const SegmentSwap& move, Visit&& visit) {
     for (std::uint32_t at = 0; at < k_; ++at) {
       const std::uint16_t z = elements[at];
       if (z != out) {
-        visit(counts_[from[z]], counts_[to[z]]);
+        visit(coverage_.times(from[z]), coverage_.times(to[z]));
       }
     }
     if (++i == c_) {
@@ -234,8 +212,8 @@ void SegmentOrbits::exchange(const SegmentSwap& move) {
       if (elements[z] == out) {
         place = z;
       } else {
-        remove(from[elements[z]]);
-        add(to[elements[z]]);
+        coverage_.remove(from[elements[z]]);
+        coverage_.add(to[elements[z]]);
       }
     }
     elements[place] = static_cast<std::uint16_t>(in);

@@ -25,6 +25,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "run/random.hpp"
+#include "search/local/coverage.hpp"
 #include "search/local/segment_swap.hpp"
 #include "search/pair_orbits.hpp"
 
@@ -42,11 +43,11 @@ class SegmentOrbits {
   SegmentOrbits(const Parameters& p, const Automorphism& pi, std::span<const Block> base_blocks);
 
   [[nodiscard]] std::uint32_t base_block_count() const { return c_; }
-  [[nodiscard]] std::uint64_t missing() const { return uncovered_.size(); }
+  [[nodiscard]] std::uint64_t missing() const { return coverage_.missing(); }
   [[nodiscard]] std::size_t orbit_count() const { return orbits_.count(); }
   /// How many pairs of base blocks lie in the orbit of {x,y}; x ≠ y.
   [[nodiscard]] std::uint32_t count(Element x, Element y) const {
-    return counts_[orbits_.of(x, y)];
+    return coverage_.times(orbits_.of(x, y));
   }
   /// The k elements of a base block, in no order.
   [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
@@ -89,19 +90,15 @@ class SegmentOrbits {
   template <typename Visit>
   void visit_counters(const SegmentSwap& move, Visit&& visit);
   void exchange(const SegmentSwap& move);
-  void add(std::uint32_t orbit);
-  void remove(std::uint32_t orbit);
 
   Parameters parameters_;
   Automorphism pi_;
   std::uint32_t n_, v_, k_, c_, usual_;
   std::vector<std::uint16_t> images_;  // n rows of v
   PairOrbits orbits_;
-  std::vector<std::uint32_t> counts_;     // by orbit
-  std::vector<std::uint8_t> members_;     // c rows of v
-  std::vector<std::uint16_t> elements_;   // k of each base block
-  std::vector<std::uint32_t> uncovered_;  // orbits, without order
-  std::vector<std::uint32_t> place_;      // of an orbit in uncovered_
+  std::vector<std::uint8_t> members_;    // c rows of v
+  std::vector<std::uint16_t> elements_;  // k of each base block
+  Coverage coverage_;                    // of the orbits
 };
 
 }  // namespace changeover

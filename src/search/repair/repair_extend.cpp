@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 #include "changeover/core/checked.hpp"
@@ -10,6 +9,7 @@
 #include "run/grace.hpp"
 #include "search/local/local_search_states.hpp"
 #include "search/local/random_list.hpp"
+#include "search/repair/repair_anneal.hpp"
 #include "search/repair/repair_cover.hpp"
 
 namespace changeover {
@@ -17,11 +17,6 @@ namespace {
 
 constexpr std::uint64_t first_budget = std::uint64_t{1} << 18;
 constexpr std::chrono::seconds patience{1};
-
-Block block_of(const Design& design, std::size_t i) {
-  const auto elements = design.block(i);
-  return Block(elements.begin(), elements.end());
-}
 
 // The beginning with random blocks after it, `blocks` altogether; nullopt if it cannot be closed
 // so.
@@ -106,13 +101,7 @@ class Extension {
     result_.lower_bound =
         std::max<std::uint64_t>(fewest_blocks(beginning_, verdict), beginning_.block_count() + 1);
     keep(cover_the_rest(beginning_, random_));
-    try {
-      shorten();
-    } catch (const MissingResource& fault) {
-      result_.unsearched = fault.what();
-    } catch (const std::bad_alloc&) {
-      result_.unsearched = "not enough memory to anneal the list";
-    }
+    result_.unsearched = annealing_fault([this] { shorten(); });
     if (!result_.unsearched.empty() && result_.why_stopped == WhyStopped::running) {
       result_.why_stopped = WhyStopped::exhausted;
     }
@@ -150,22 +139,15 @@ class Extension {
   // Whether a design of `aim` blocks was found.
   bool attempt(std::uint64_t aim, std::uint64_t moves) {
     control_.require_memory(annealing_bytes(p_, aim), "local search for the " + name(p_));
-    const std::uint64_t best = result_.design->block_count();
     Annealed annealed;
     if (const auto start = continued(beginning_, static_cast<std::size_t>(aim), random_)) {
       annealed = anneal_blocks(
           *start, beginning_.block_count(), {.moves = moves}, random_, control_,
-          [&](std::uint64_t done, std::uint64_t missing) {
-            if (control_.progress_due()) {
-              control_.tell({.phase = fmt::format("annealing {} blocks after the given ones",
+          telling(control_, {.phase = fmt::format("annealing {} blocks after the given ones",
                                                   aim - beginning_.block_count()),
-                             .steps = result_.moves + done,
-                             .best = best,
-                             .lower_bound = result_.lower_bound,
-                             .missing = missing});
-            }
-            return true;
-          });
+                             .steps = result_.moves,
+                             .best = result_.design->block_count(),
+                             .lower_bound = result_.lower_bound}));
     }
     // A list that cannot be closed costs something too, or an attempt at it would never end.
     result_.moves += std::max<std::uint64_t>(1, annealed.outcome.moves);

@@ -140,16 +140,10 @@ BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p, const BaseBlock
     control.require_memory(SegmentOrbits::bytes(p, shape, begin.size()),
                            "annealing " + to_string(shape));
     SegmentOrbits state(p, shape, begin);
-    const AnnealOutcome outcome =
-        anneal(state, {.moves = std::min(length, moves - result.moves)}, random, control,
-               [&](std::uint64_t done, std::uint64_t missing) {
-                 if (control.progress_due()) {
-                   control.tell({.phase = fmt::format("annealing {}", to_string(shape)),
-                                 .steps = result.moves + done,
-                                 .missing = missing});
-                 }
-                 return true;
-               });
+    const AnnealOutcome outcome = anneal(
+        state, {.moves = std::min(length, moves - result.moves)}, random, control,
+        telling(control,
+                {.phase = fmt::format("annealing {}", to_string(shape)), .steps = result.moves}));
     result.moves += outcome.moves;
     result.missing = std::min(result.missing, outcome.least);
     if (outcome.missing == 0) {

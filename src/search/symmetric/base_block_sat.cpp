@@ -5,8 +5,8 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/run/scope.hpp"
 #include "search/pair_orbits.hpp"
-#include "search/sat/incremental_solver.hpp"
 #include "search/sat/cardinality.hpp"
+#include "search/sat/incremental_solver.hpp"
 #include "search/symmetric/base_block_degrees.hpp"
 
 namespace changeover {
@@ -23,11 +23,9 @@ class Model {
         c_(static_cast<std::size_t>(shape.base_blocks)) {
     in_block_ = variables(c_ * v_);
     require_changes();
+    cover(tight);
     if (tight) {
-      cover_exactly_once();
       require_degrees();
-    } else {
-      cover();
     }
     break_symmetry();
   }
@@ -93,45 +91,32 @@ class Model {
     }
   }
 
-  void cover() {
-    std::vector<std::vector<Literal>> covers(orbits_.count());
-    for (std::size_t i = 0; i < c_; ++i) {
-      for (Element y = 1; y < v_; ++y) {
-        stop_if_asked();
-        for (Element x = 0; x < y; ++x) {
-          const Literal both = solver.cnf.new_variable();
-          solver.cnf.add({-both, in(i, x)});
-          solver.cnf.add({-both, in(i, y)});
-          covers[orbits_.of(x, y)].push_back(both);
-        }
-      }
-    }
-    for (const std::vector<Literal>& clause : covers) {
-      solver.cnf.add(clause);
-    }
-  }
-
-  void cover_exactly_once() {
+  // Each orbit of pairs is in some block, or newly covered exactly once.
+  void cover(bool exactly_once) {
     Cnf& cnf = solver.cnf;
     std::vector<std::vector<Literal>> covers(orbits_.count());
     for (std::size_t i = 0; i < c_; ++i) {
       for (Element y = 1; y < v_; ++y) {
         stop_if_asked();
         for (Element x = 0; x < y; ++x) {
-          const Literal newly = cnf.new_variable();
-          cnf.add({-newly, in(i, x)});
-          cnf.add({-newly, in(i, y)});
-          cnf.add({-newly, introduced(i, x), introduced(i, y)});
-          cnf.add({newly, -introduced(i, x), -in(i, y)});
-          cnf.add({newly, -introduced(i, y), -in(i, x)});
-          covers[orbits_.of(x, y)].push_back(newly);
+          const Literal covered = cnf.new_variable();
+          cnf.add({-covered, in(i, x)});
+          cnf.add({-covered, in(i, y)});
+          if (exactly_once) {
+            cnf.add({-covered, introduced(i, x), introduced(i, y)});
+            cnf.add({covered, -introduced(i, x), -in(i, y)});
+            cnf.add({covered, -introduced(i, y), -in(i, x)});
+          }
+          covers[orbits_.of(x, y)].push_back(covered);
         }
       }
     }
     for (const std::vector<Literal>& orbit : covers) {
       stop_if_asked();
       cnf.add(orbit);
-      at_most_one(cnf, orbit);
+      if (exactly_once) {
+        at_most_one(cnf, orbit);
+      }
     }
   }
 
@@ -259,7 +244,7 @@ std::uint64_t sat_bytes(const Parameters& p, const BaseBlockShape& shape, bool t
 }
 
 BaseBlocksBySat base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape, bool tight,
-                              std::optional<std::uint64_t> conflicts, RunControl& control) {
+                                   std::optional<std::uint64_t> conflicts, RunControl& control) {
   control.require_memory(sat_bytes(p, shape, tight), "the formula for " + to_string(shape));
   Model model(p, shape, tight, control.seed());
   BaseBlocksBySat result;

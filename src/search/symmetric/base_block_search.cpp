@@ -211,17 +211,8 @@ std::optional<BaseBlockMethod> base_block_method_from_string(std::string_view na
 }
 
 std::string_view to_string(Comparison comparison) {
-  switch (comparison) {
-    case Comparison::only:
-      return "only";
-    case Comparison::better:
-      return "better";
-    case Comparison::equal:
-      return "equal";
-    case Comparison::worse:
-      break;
-  }
-  return "worse";
+  constexpr std::array<std::string_view, 4> names{"only", "better", "equal", "worse"};
+  return names.at(static_cast<std::size_t>(comparison));
 }
 
 BaseBlockResult search_base_blocks(const Parameters& p, const BaseBlockOptions& options,

@@ -61,6 +61,17 @@ Block random_subset(std::uint32_t v, std::size_t k, Random& random) {
   return {chosen.begin(), chosen.end()};
 }
 
+// So many, each of `least` elements or up to `spread` − 1 more.
+std::vector<Block> random_subsets(std::size_t count, std::uint32_t v, std::size_t least,
+                                  std::uint32_t spread, Random& random) {
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t size = least + (spread == 0 ? 0 : random.below(spread));
+    blocks.push_back(random_subset(v, size, random));
+  }
+  return blocks;
+}
+
 std::size_t common(const Block& a, const Block& b) {
   return static_cast<std::size_t>(std::count_if(
       a.begin(), a.end(), [&](Element x) { return std::find(b.begin(), b.end(), x) != b.end(); }));
@@ -138,10 +149,8 @@ TEST(OrderForChange, AgreesWithTryingAllPermutations) {
     const std::uint32_t v = 5 + random.below(4);
     const std::size_t k = 2 + random.below(3);
     const std::size_t b = 1 + random.below(7);
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < b; ++i) {
-      blocks.push_back(random_subset(v, std::min<std::size_t>(k, v - 1), random));
-    }
+    const std::vector<Block> blocks =
+        random_subsets(b, v, std::min<std::size_t>(k, v - 1), 0, random);
     const ChangeWanted wanted{v, 1 + random.below(2),
                               random.one_in_two() ? Kind::linear : Kind::circular};
     const ChangeOrder order = ordered(blocks, wanted, {.rotations = 100});
@@ -239,8 +248,7 @@ TEST(OrderForChange, IsDeterministicAndStops) {
 
 TEST(OrderForChange, TakesOneAndTwoBlocks) {
   EXPECT_EQ(ordered({{0, 1}}, ChangeWanted{2, 1, Kind::circular}).order, Order{0});
-  EXPECT_EQ(ordered({{0, 1}, {0, 2}}, ChangeWanted{3, 1, Kind::circular}).outcome,
-            Outcome::found);
+  EXPECT_EQ(ordered({{0, 1}, {0, 2}}, ChangeWanted{3, 1, Kind::circular}).outcome, Outcome::found);
   EXPECT_EQ(ordered({{0, 1}, {0, 1}}, ChangeWanted{3, 1, Kind::linear}).outcome, Outcome::none);
 }
 
@@ -260,10 +268,7 @@ TEST(OrderForLeastChange, AgreesWithTryingAllPermutations) {
   for (int trial = 0; trial < 60; ++trial) {
     const std::uint32_t v = 6 + random.below(6);
     const std::size_t b = 1 + random.below(7);
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < b; ++i) {
-      blocks.push_back(random_subset(v, random.below(5), random));
-    }
+    const std::vector<Block> blocks = random_subsets(b, v, 0, 5, random);
     for (const LeastChangeWanted& wanted : all_kinds(v)) {
       const LeastChangeOrder order = ordered(blocks, wanted);
       EXPECT_EQ(order.cost, least_cost(blocks, wanted));
@@ -280,10 +285,7 @@ TEST(OrderForLeastChange, LocalSearchIsNeverBelowTheLeastAndMostlyThere) {
   std::uint64_t trials = 0;
   for (int trial = 0; trial < 25; ++trial) {
     const std::size_t b = 9 + random.below(5);
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < b; ++i) {
-      blocks.push_back(random_subset(16, 2 + random.below(6), random));
-    }
+    const std::vector<Block> blocks = random_subsets(b, 16, 2, 6, random);
     for (const LeastChangeWanted& wanted : all_kinds(16)) {
       const LeastChangeOrder exact = ordered(blocks, wanted);
       const LeastChangeOrder searched = ordered(blocks, wanted, {.exact_blocks = 0});
@@ -302,10 +304,7 @@ TEST(OrderForLeastChange, LocalSearchIsNeverBelowTheLeastAndMostlyThere) {
 TEST(OrderForLeastChange, BoundsStayBelowTheLeastForTinyCases) {
   Random random(4);
   for (int trial = 0; trial < 40; ++trial) {
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < 9; ++i) {
-      blocks.push_back(random_subset(12, random.below(7), random));
-    }
+    const std::vector<Block> blocks = random_subsets(9, 12, 0, 7, random);
     for (const LeastChangeWanted& wanted : all_kinds(12)) {
       const LeastChangeOrder exact = ordered(blocks, wanted);
       for (const std::uint64_t effort : {0U, 50U, 1000U, 100'000U}) {
@@ -364,10 +363,7 @@ TEST(OrderForLeastChange, OrdersADesignNoWorseThanTheDesignDoes) {
 
 TEST(OrderForLeastChange, IsDeterministicAndStops) {
   Random random(9);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < 200; ++i) {
-    blocks.push_back(random_subset(40, 6, random));
-  }
+  const std::vector<Block> blocks = random_subsets(200, 40, 6, 0, random);
   const LeastChangeOrder once = ordered(blocks, LeastChangeWanted{40});
   const LeastChangeOrder again = ordered(blocks, LeastChangeWanted{40});
   EXPECT_EQ(once.order, again.order);
@@ -384,10 +380,7 @@ RC_GTEST_PROP(OrderForLeastChange, CostsWhatARecountSays, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const auto b = *rc::gen::inRange<std::size_t>(1, 80);
   const auto v = *rc::gen::inRange<std::uint32_t>(8, 100);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < b; ++i) {
-    blocks.push_back(random_subset(v, random.below(8), random));
-  }
+  const std::vector<Block> blocks = random_subsets(b, v, 0, 8, random);
   for (const LeastChangeWanted& wanted : all_kinds(v)) {
     const LeastChangeOrder order = ordered(blocks, wanted, {.kicks = 300});
     RC_ASSERT(order.cost == naive_cost(arranged(blocks, order.order), wanted));
@@ -413,10 +406,7 @@ TEST(OrderForLeastChange, RefusesMalformedInput) {
 
 TEST(OrderForLeastChange, SlowOrdersTwentyThousandBlocks) {
   Random random(10);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < 20'000; ++i) {
-    blocks.push_back(random_subset(300, 10, random));
-  }
+  const std::vector<Block> blocks = random_subsets(20'000, 300, 10, 0, random);
   const LeastChangeOrder order = ordered(blocks, LeastChangeWanted{300}, {.kicks = 200'000});
   EXPECT_LT(order.cost, order.first_cost * 3 / 4);
   EXPECT_GT(order.lower_bound, order.cost / 2);
