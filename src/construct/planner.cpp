@@ -8,8 +8,10 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/closure.hpp"
+#include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "changeover/verify/verdict.hpp"
 
 namespace changeover {
 namespace {
@@ -84,8 +86,7 @@ namespace {
 /// Relaxes cells in the order of their number of blocks.
 class Relaxation {
  public:
-  Relaxation(const Registry& registry, Plan& plan, const std::function<bool(const Design&)>& accept)
-      : registry_(registry), plan_(plan), accept_(accept) {}
+  Relaxation(const Registry& registry, Plan& plan) : registry_(registry), plan_(plan) {}
 
   void run() {
     std::uint64_t asked = 0;
@@ -145,7 +146,7 @@ class Relaxation {
 
   Design checked(const Offer& offer) {
     Design design = registry_.build_design(offer.recipe);
-    if (design.block_count() != offer.b || !accept_(design)) {
+    if (design.block_count() != offer.b || !verify(design).valid()) {
       throw InternalError(fmt::format("the construction {} does not keep its promise for {}",
                                       offer.recipe.construction, name(offer.recipe.parameters)));
     }
@@ -211,14 +212,12 @@ class Relaxation {
 
   const Registry& registry_;
   Plan& plan_;
-  const std::function<bool(const Design&)>& accept_;
   std::priority_queue<Entry> queue_;
 };
 
 }  // namespace
 
-Plan plan_range(const Registry& registry, const PlanRange& range,
-                const std::function<bool(const Design&)>& accept) {
+Plan plan_range(const Registry& registry, const PlanRange& range) {
   if (range.v_from > range.v_to || range.k_from > range.k_to || range.k_from < 2) {
     throw ImpossibleParameters(fmt::format("the range v = {}..{}, k = {}..{} is empty or has k < 2",
                                            range.v_from, range.v_to, range.k_from, range.k_to));
@@ -235,12 +234,11 @@ Plan plan_range(const Registry& registry, const PlanRange& range,
         fmt::format("the range has more than {} cells", most_cells_of_a_plan));
   }
   Plan plan(range);
-  Relaxation(registry, plan, accept).run();
+  Relaxation(registry, plan).run();
   return plan;
 }
 
-std::optional<Offer> best_known(const Registry& registry, const Parameters& p,
-                                const std::function<bool(const Design&)>& accept) {
+std::optional<Offer> best_known(const Registry& registry, const Parameters& p) {
   std::optional<Offer> best = registry.best(p);
   if (p.strength != 2 || p.k < 2 || p.v > largest_planned_v || impossibility(p) ||
       (best && best->b == lower_bound(p).blocks)) {
@@ -248,15 +246,34 @@ std::optional<Offer> best_known(const Registry& registry, const Parameters& p,
   }
   // Rules come from nearby: fix from (v−1, k−1), truncate from more elements, unfix from (v+1, k+1).
   constexpr std::uint64_t above = 8;
-  const Plan plan = plan_range(registry,
-                               {.v_from = p.v - std::min<std::uint64_t>(p.v - p.k, 2),
-                                .v_to = p.v + above,
-                                .k_from = std::max<std::uint64_t>(2, p.k - 1),
-                                .k_to = p.k + 1,
-                                .change = p.change},
-                               accept);
+  const Plan plan = plan_range(registry, {.v_from = p.v - std::min<std::uint64_t>(p.v - p.k, 2),
+                                          .v_to = p.v + above,
+                                          .k_from = std::max<std::uint64_t>(2, p.k - 1),
+                                          .k_to = p.k + 1,
+                                          .change = p.change});
   const std::optional<Offer>& planned = plan.at(p).best;
   return planned && (!best || planned->b < best->b) ? planned : best;
+}
+
+std::optional<VerifiedDesign> best_known_design(const Parameters& p) {
+  const Registry& registry = Registry::standard();
+  const auto best = best_known(registry, p);
+  if (!best) {
+    return std::nullopt;
+  }
+  require_memory(checked_multiply(checked_multiply(best->b, p.k), sizeof(Element)),
+                 "the best design that is known, the " + name(p) + ",");
+  const std::unique_ptr<BlockSource> blocks = registry.build(best->recipe);
+  Design design(p);
+  design.reserve(static_cast<std::size_t>(best->b));
+  Block block(static_cast<std::size_t>(p.k));
+  while (blocks->next(block)) {
+    stop_if_asked();
+    design.append(block);
+  }
+  design.set_labels(registry.construction_of(best->recipe).labels(best->recipe, registry));
+  design.recipe = best->recipe;
+  return surely_verified(std::move(design), "the best recipe for the " + name(p));
 }
 
 }  // namespace changeover

@@ -14,7 +14,14 @@ std::uint64_t BaseBlocks::block_count() const {
   return checked_multiply(blocks.size(), parameters.v);
 }
 
-DevelopedSource::DevelopedSource(BaseBlocks base) : base_(std::move(base)) {
+DevelopedSource::DevelopedSource(BaseBlocks base)
+    : DevelopedSource(base, {.n = base.parameters.v, .cycles = 1}) {}
+
+DevelopedSource::DevelopedSource(BaseBlocks base, const Automorphism& pi, std::uint64_t shift)
+    : base_(std::move(base)),
+      pi_(pi),
+      shift_(shift),
+      block_count_(checked_multiply(base_.blocks.size(), pi.n)) {
   const Parameters& p = base_.parameters;
   check(p);
   if (base_.blocks.empty()) {
@@ -31,17 +38,15 @@ DevelopedSource::DevelopedSource(BaseBlocks base) : base_(std::move(base)) {
 }
 
 bool DevelopedSource::next(std::span<Element> block) {
-  if (shift_ == base_.parameters.v) {
+  if (times_ == pi_.n) {
     return false;
   }
-  const Block& base = base_.blocks[which_];
-  for (std::size_t i = 0; i < base.size(); ++i) {
-    const std::uint64_t sum = base[i] + shift_;
-    block[i] = static_cast<Element>(sum >= base_.parameters.v ? sum - base_.parameters.v : sum);
-  }
+  pi_.image(base_.blocks[which_], power_, block);
   if (++which_ == base_.blocks.size()) {
     which_ = 0;
-    ++shift_;
+    ++times_;
+    power_ += shift_;
+    power_ -= power_ >= pi_.n ? pi_.n : 0;
   }
   return true;
 }

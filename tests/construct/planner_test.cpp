@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "construct/entry.hpp"
 #include "naive_verdict.hpp"
 #include "oracle_minima.hpp"
 
@@ -22,8 +23,8 @@ const Registry& registry() { return Registry::standard(); }
 TEST(Planner, FillsEveryCellWithAValidDesignThatIsNoWorseThanHoldAndStream) {
   const Construction& fallback = *registry().find("hold-and-stream");
   for (std::uint64_t m = 1; m <= 2; ++m) {
-    const Plan plan = plan_range(
-        registry(), {.v_from = 3, .v_to = 45, .k_from = 3, .k_to = 8, .change = m}, valid);
+    const Plan plan =
+        plan_range(registry(), {.v_from = 3, .v_to = 45, .k_from = 3, .k_to = 8, .change = m});
     for (const PlannedCell& cell : plan.cells()) {
       const Parameters& p = cell.parameters;
       if (cell.impossible) {
@@ -55,7 +56,7 @@ TEST(Planner, NeverBeatsAKnownMinimumAndSaysMinimumOnlyWhereItIs) {
   for (const auto& [p, b] : test::oracle_minima()) {
     const Plan plan = plan_range(
         registry(),
-        {.v_from = p.v, .v_to = p.v + 4, .k_from = p.k, .k_to = p.k, .change = p.change}, valid);
+        {.v_from = p.v, .v_to = p.v + 4, .k_from = p.k, .k_to = p.k, .change = p.change});
     const PlannedCell& cell = plan.at(p);
     ASSERT_TRUE(cell.best) << name(p);
     EXPECT_GE(cell.best->b, b) << name(p);
@@ -67,32 +68,49 @@ TEST(Planner, NeverBeatsAKnownMinimumAndSaysMinimumOnlyWhereItIs) {
   EXPECT_GT(met, 60U);
 }
 
-TEST(Planner, RefusesADesignThatItsVerifierRefuses) {
-  EXPECT_THROW(
-      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2},
-                       [](const Design& design) { return design.v() != 8; }),
-      InternalError);
+// Promises a design on 8 elements in three blocks, and does not keep it.
+class Liar final : public Construction {
+ public:
+  std::string_view name() const override { return "liar"; }
+  std::string_view summary() const override { return ""; }
+  std::string_view preconditions() const override { return ""; }
+  std::string_view guarantee() const override { return ""; }
+  Citation citation() const override { return {}; }
+  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
+    return p.v == 8 && p.k == 4 ? std::optional(Offer{{"liar", p, {}, {}, blocks()}, 3})
+                                : std::nullopt;
+  }
+  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
+    return std::make_unique<BlockListSource>(recipe.parameters, recipe.blocks);
+  }
+  std::string explain(const Recipe&) const override { return ""; }
+
+ private:
+  static std::vector<Block> blocks() { return {{0, 1, 2, 3}, {2, 3, 4, 5}, {4, 5, 6, 7}}; }
+};
+
+TEST(Planner, RefusesADesignThatItsConstructionDoesNotKeep) {
+  const Liar liar;
+  EXPECT_THROW((void)plan_range(Registry({&liar}),
+                                {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2}),
+               InternalError);
 }
 
 TEST(Planner, RefusesRangesThatMakeNoSense) {
   EXPECT_THROW(
-      (void)plan_range(registry(), {.v_from = 9, .v_to = 5, .k_from = 3, .k_to = 4, .change = 2},
-                       valid),
+      (void)plan_range(registry(), {.v_from = 9, .v_to = 5, .k_from = 3, .k_to = 4, .change = 2}),
       ImpossibleParameters);
+  EXPECT_THROW((void)plan_range(registry(),
+                                {.v_from = 5, .v_to = 5000, .k_from = 3, .k_to = 4, .change = 2}),
+               ImpossibleParameters);
   EXPECT_THROW(
-      (void)plan_range(registry(), {.v_from = 5, .v_to = 5000, .k_from = 3, .k_to = 4, .change = 2},
-                       valid),
-      ImpossibleParameters);
-  EXPECT_THROW(
-      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 1, .k_to = 4, .change = 2},
-                       valid),
+      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 1, .k_to = 4, .change = 2}),
       ImpossibleParameters);
   // The number of cells would be 0 modulo 2⁶⁴.
   EXPECT_THROW(
       (void)plan_range(
           registry(),
-          {.v_from = 5, .v_to = 8, .k_from = 3, .k_to = (std::uint64_t{1} << 61) + 2, .change = 2},
-          valid),
+          {.v_from = 5, .v_to = 8, .k_from = 3, .k_to = (std::uint64_t{1} << 61) + 2, .change = 2}),
       ImpossibleParameters);
   const Plan plan(PlanRange{.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2});
   EXPECT_THROW((void)plan.at({.v = 10, .k = 3}), BadInput);
@@ -128,8 +146,7 @@ TEST(Planner, StopsWhenTheControlAboveItWantsTo) {
   RunControl control({.interrupted = &interrupted});
   const RunScope scope(control);
   EXPECT_THROW(
-      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2},
-                       valid),
+      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2}),
       Stopped);
 }
 

@@ -4,14 +4,12 @@
 
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/verify/verdict.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {
 
 std::optional<Offer> best_known(const Parameters& p) {
-  return changeover::best_known(Registry::standard(), p,
-                                [](const Design& design) { return verify(design).valid(); });
+  return changeover::best_known(Registry::standard(), p);
 }
 
 std::optional<Offer> best_offer(const std::vector<Parameters>& asked,

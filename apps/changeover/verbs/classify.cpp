@@ -36,12 +36,12 @@ struct Classified {
   Classification found;
   double seconds = 0;
 
-  [[nodiscard]] bool complete() const { return found.why == WhyStopped::exhausted; }
+  [[nodiscard]] bool complete() const { return found.why_stopped == WhyStopped::exhausted; }
 };
 
 // A member of a team tells the others what it found as words: counts, group orders, then classes.
 std::string pack(const Classification& found) {
-  std::string text = fmt::format("{} {} {} {} {} {} {}", static_cast<unsigned>(found.why),
+  std::string text = fmt::format("{} {} {} {} {} {} {}", static_cast<unsigned>(found.why_stopped),
                                  found.standard_forms, found.classes, found.tight, found.nodes,
                                  found.group_orders.size(), found.kept.size());
   for (const auto& [order, classes] : found.group_orders) {
@@ -70,7 +70,7 @@ void unpack_into(Classification& all, const std::string& message, const Paramete
       kept;
   // Who was stopped speaks for all.
   const auto reason = static_cast<WhyStopped>(why);
-  all.why = all.why == WhyStopped::running || all.why == WhyStopped::exhausted ? reason : all.why;
+  all.why_stopped = all.why_stopped == WhyStopped::running || all.why_stopped == WhyStopped::exhausted ? reason : all.why_stopped;
   all.standard_forms += other.standard_forms;
   all.classes += other.classes;
   all.tight += other.tight;
@@ -140,7 +140,7 @@ std::string text(const Classified& answer) {
                       plural(found.classes, "class", "classes"), sameness(answer));
   text += found.tight > 0 ? fmt::format(", {} tight\n", found.tight) : "\n";
   text += answer.complete() ? "these are all"
-                            : fmt::format("NOT ALL: stopped ({})", to_string(found.why));
+                            : fmt::format("NOT ALL: stopped ({})", to_string(found.why_stopped));
   text += fmt::format("; {} in {:.2f} s; each design verified\n", count_of(found.nodes, "node"),
                       answer.seconds);
   for (const auto& [order, classes] : found.group_orders) {
@@ -170,7 +170,7 @@ std::string json(const Classified& answer) {
   json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
   json.key("kind").value(to_string(p.kind)).key("b").value(answer.b);
   json.key("reversal").value(answer.reversal);
-  json.key("complete").value(answer.complete()).key("stopped").value(to_string(found.why));
+  json.key("complete").value(answer.complete()).key("stopped").value(to_string(found.why_stopped));
   json.key("reason").value(answer.impossible);
   json.key("standard_forms").value(found.standard_forms).key("classes").value(found.classes);
   json.key("tight").value(found.tight).key("nodes").value(found.nodes);
@@ -208,7 +208,7 @@ Answer run(const ClassifyRequest& request) {
   answer.impossible = impossibility(p);
   const auto running = std::make_shared<Running>(request.run, request.output);
   if (answer.impossible) {
-    answer.found.why = WhyStopped::exhausted;
+    answer.found.why_stopped = WhyStopped::exhausted;
   } else {
     const std::uint64_t keep =
         request.designs ? std::numeric_limits<std::uint64_t>::max() : shown_by_default;

@@ -10,10 +10,10 @@ namespace {
 
 std::string line_of(const ShapeAttempt& attempt) {
   std::string line = to_string(attempt.shape) + ": ";
-  line += attempt.outcome == ShapeOutcome::found  ? "found"
-          : attempt.outcome == ShapeOutcome::none ? "none, says the SAT solver"
+  line += attempt.outcome == Outcome::found  ? "found"
+          : attempt.outcome == Outcome::none ? "none, says the SAT solver"
                                                   : "not found";
-  if (attempt.outcome == ShapeOutcome::open && attempt.missing) {
+  if (attempt.outcome == Outcome::unknown && attempt.missing) {
     line += fmt::format(" (at best {} of pairs missing)", count_of(*attempt.missing, "orbit"));
   }
   return line;
@@ -36,7 +36,7 @@ Answer search(const BaseBlockSearch& request) {
   for (const ShapeAttempt& attempt : result.attempts) {
     lines.push_back(line_of(attempt));
   }
-  if (result.attempts.empty() && result.why == WhyStopped::exhausted) {
+  if (result.attempts.empty() && result.why_stopped == WhyStopped::exhausted) {
     lines.push_back("no automorphism of this kind is possible for these parameters");
   }
   lines.push_back(describe(result));

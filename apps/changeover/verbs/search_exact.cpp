@@ -17,8 +17,6 @@
 namespace changeover::cli {
 namespace {
 
-using Decided = changeover::Answer;
-
 std::string seconds(std::chrono::duration<double> time) {
   return fmt::format("{:.{}f} s", time.count(), time.count() < 10 ? 2 : 0);
 }
@@ -34,9 +32,9 @@ std::string bytes(std::uint64_t count) {
 // "9 blocks: none; DRAT proof of 12.3 kB in linear-m1-v9-k4-b11.drat, checked; 0.12 s"
 std::string line_of(const Decision& step) {
   std::string line = count_of(step.b, "block") + ": ";
-  if (step.answer == Decided::found) {
+  if (step.outcome == Outcome::found) {
     line += "found";
-  } else if (step.answer == Decided::none) {
+  } else if (step.excluded()) {
     std::uint64_t total = 0;
     for (const CheckedPart& part : step.parts) {
       total += part.proof_bytes;
@@ -51,7 +49,7 @@ std::string line_of(const Decision& step) {
       line += ": " + printable(step.cubes_path);
     }
   } else {
-    line += fmt::format("not decided ({})", to_string(step.why));
+    line += fmt::format("not decided ({})", to_string(step.why_stopped));
   }
   return line + "; " + seconds(step.time);
 }
@@ -61,7 +59,7 @@ std::string proof_of(const MinimumResult& result) {
   std::string text =
       fmt::format("at least {}: {}", count_of(result.start.blocks, "block"), result.start.reason);
   for (const Decision& step : result.steps) {
-    if (step.answer == Decided::none) {
+    if (step.excluded()) {
       text += "; " + line_of(step);
     }
   }
@@ -130,12 +128,12 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
   } catch (const MissingResource& fault) {
     missing = fault.what();  // said to all, so that all end together
   }
-  if (own.answer == Decided::found) {
+  if (own.outcome == Outcome::found) {
     team.announce();
   }
   // The answer, the bytes of each proof, and the design if there is one.
   std::string message =
-      (missing.empty() ? std::string(to_string(own.answer)) : missing_answer + missing) + "\n";
+      (missing.empty() ? std::string(to_string(own.outcome)) : missing_answer + missing) + "\n";
   for (const CheckedPart& part : own.parts) {
     message += fmt::format("{} ", part.proof_bytes);
   }
@@ -151,12 +149,11 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
     std::getline(lines, answer);
     std::getline(lines, proofs);
     std::getline(lines, blocks);
-    none =
-        none && (answer == to_string(Decided::none) || answer == to_string(Decided::none_in_share));
+    none = none && answer == to_string(Outcome::none);
     if (answer.starts_with(missing_answer)) {
       missing = answer.substr(missing_answer.size());
     }
-    if (answer == to_string(Decided::found) && !design) {
+    if (answer == to_string(Outcome::found) && !design) {
       design = unpack(p, blocks);
     }
     std::istringstream sizes(proofs);
@@ -170,14 +167,16 @@ Decision decide_together(const Parameters& p, std::uint64_t b, const ExactOption
   if (design) {
     own.parameters = p;
     own.b = b;
-    own.design = std::move(design);
-    own.answer = Decided::found;
-    own.why = WhyStopped::found;
+    own.design = surely_verified(*std::move(design), "what another process found");
+    own.outcome = Outcome::found;
+    own.why_stopped = WhyStopped::found;
   } else if (none) {
-    own.answer = Decided::none;
-    own.why = WhyStopped::exhausted;
+    own.outcome = Outcome::none;
+    own.proved = true;
+    own.in_share = false;
+    own.why_stopped = WhyStopped::exhausted;
   } else {
-    own.answer = Decided::unknown;
+    own.outcome = Outcome::unknown;
   }
   return own;
 }
@@ -188,10 +187,10 @@ int exit_code_of(const ExactSearch& request, const MinimumResult& result) {
     return exit_code::proved_none;
   }
   if (request.blocks) {
-    const Decided answer = result.steps.front().answer;
-    return answer == Decided::found  ? exit_code::found
-           : answer == Decided::none ? exit_code::proved_none
-                                     : exit_code::limit_reached;
+    const Decision& step = result.steps.front();
+    return step.outcome == Outcome::found ? exit_code::found
+           : step.excluded()              ? exit_code::proved_none
+                                          : exit_code::limit_reached;
   }
   return result.settled() ? exit_code::found : exit_code::limit_reached;
 }
@@ -216,7 +215,7 @@ std::string to_json(const MinimumResult& result, const std::optional<SearchFind>
     json.key("minimum").value(result.lower).key("proof").value(proof_of(result));
   } else {
     json.key("lower_bound").value(result.lower).key("upper_bound").value(result.upper());
-    json.key("why_stopped").value(to_string(result.why));
+    json.key("why_stopped").value(to_string(result.why_stopped));
   }
   if (find) {
     const Judgement judgement = judge(*find);
@@ -226,7 +225,7 @@ std::string to_json(const MinimumResult& result, const std::optional<SearchFind>
   }
   json.key("steps").begin_array();
   for (const Decision& step : result.steps) {
-    json.begin_object().key("blocks").value(step.b).key("answer").value(to_string(step.answer));
+    json.begin_object().key("blocks").value(step.b).key("answer").value(to_string(step.outcome));
     json.key("seconds").value(step.time.count()).key("proofs").begin_array();
     for (const CheckedPart& part : step.parts) {
       json.begin_object();
@@ -260,7 +259,7 @@ Answer answer_of(const ExactSearch& request, const MinimumResult& result) {
     lines.push_back(fmt::format(
         "The minimum is at least {}{}; stopped: {}.", result.lower,
         result.upper() ? fmt::format(" and at most {}", *result.upper()) : std::string(),
-        to_string(result.why)));
+        to_string(result.why_stopped)));
   }
   std::optional<SearchFind> find;
   if (result.best) {
@@ -283,7 +282,8 @@ Answer search(const ExactSearch& request) {
   const auto decider = [&](std::uint64_t b, const ExactOptions& exact) {
     Decision decision = decide_together(p, b, exact, running->control());
     if (decision.design) {
-      decision.design->recipe = literal_recipe(*decision.design, provenance(request, p, "--exact"));
+      decision.design->set_recipe(
+          literal_recipe(*decision.design, provenance(request, p, "--exact")));
     }
     return decision;
   };
@@ -295,7 +295,7 @@ Answer search(const ExactSearch& request) {
     result.lower = result.start.blocks;
     result.steps.push_back(decider(*request.blocks, options));
     result.best = result.steps.back().design;
-    result.why = result.steps.back().why;
+    result.why_stopped = result.steps.back().why_stopped;
   } else {
     const RunScope scope(running->control());
     result =

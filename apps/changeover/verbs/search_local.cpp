@@ -42,7 +42,7 @@ void share_best(ImproveResult& result, const Parameters& p) {
     Design design = unpack(p, rest);
     if (design.block_count() > 0 &&
         (!result.design || design.block_count() < result.design->block_count())) {
-      result.design = std::move(design);
+      result.design = surely_verified(std::move(design), "what another process found");
       result.how = how;
     }
   }
@@ -126,7 +126,7 @@ Answer search(const LocalSearch& request) {
       fmt::format("{} moves in {:.1f} s ({:.1f} million/s), {}; stopped: {}", result.moves, seconds,
                   seconds > 0 ? static_cast<double>(result.moves) / seconds / 1e6 : 0.0,
                   count_of(result.attempts, "attempt"), to_string(result.why_stopped));
-  SearchFind find{*std::move(result.design), {}};
+  SearchFind find{(*std::move(result.design)).take(), {}};
   if (better || !find.design.recipe) {
     find.design.recipe = literal_recipe(find.design, provenance(request, p, ""));
     find.lines.push_back(

@@ -66,17 +66,17 @@ Answer search(const OrderSearch& request) {
                          running->control());
     running->finish();
     const std::string change = count_of(*request.change, "element");
-    if (found.answer == OrderAnswer::none) {
+    if (found.outcome == Outcome::none) {
       return spoken(running,
                     no_design(request.output, exit_code::proved_none,
                               fmt::format("No {} order of these {} changes {} at every step: {}.",
                                           to_string(request.kind), count_of(blocks.size(), "block"),
                                           change, found.reason)));
     }
-    if (found.answer == OrderAnswer::unknown) {
+    if (found.outcome == Outcome::unknown) {
       return spoken(running, no_design(request.output, exit_code::limit_reached,
                                        fmt::format("No such order was found; stopped: {}.",
-                                                   to_string(found.why))));
+                                                   to_string(found.why_stopped))));
     }
     ordered.order = std::move(found.order);
     ordered.lines = {
@@ -94,7 +94,7 @@ Answer search(const OrderSearch& request) {
                        {"lower_bound", found.lower_bound},
                        {"cost_as_given", found.first_cost}};
     ordered.order = std::move(found.order);
-    code = found.least() || found.why == WhyStopped::exhausted ? exit_code::found
+    code = found.least() || found.why_stopped == WhyStopped::exhausted ? exit_code::found
                                                                : exit_code::limit_reached;
   }
 

@@ -17,7 +17,7 @@ Answer answer(Result result, const std::string& line, const std::string& way,
                      fmt::format("No design yet: stopped ({}) before everything was covered.",
                                  to_string(result.why_stopped)));
   }
-  SearchFind find{*std::move(result.design), {line}};
+  SearchFind find{(*std::move(result.design)).take(), {line}};
   if (!result.unsearched.empty()) {
     find.lines.push_back("blocks were added one by one: " + result.unsearched);
   }

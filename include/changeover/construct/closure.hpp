@@ -68,4 +68,21 @@ struct BestCut {
 /// that needs no more than `enough`. O(bk²) for all of them, and O(k²) for each block that is dropped.
 [[nodiscard]] BestCut best_cut(const Design& design, std::size_t most_cuts, std::uint64_t enough);
 
+// ---- The same on designs in memory, for strength 2.
+
+/// *Drop*. Designs of other strengths stay as they are. O(bk²).
+[[nodiscard]] Design without_needless_blocks(const Design& design);
+
+/// *Truncate*, so many times; nullopt if no element can go.
+[[nodiscard]] std::optional<Design> truncated(const Design& design, std::uint64_t elements);
+
+/// The linear design with fewest blocks that is cut from consecutive blocks of this one (circular,
+/// or linear itself) without blocks that are not needed. O(bk² + v²). Designs of other strengths are
+/// only cut open. The design must be valid.
+[[nodiscard]] Design shortest_cut(const Design& design);
+
+/// The consecutive `blocks` of this design that leave fewest pairs uncovered, as a linear list: at least
+/// one block, at most all. For other strengths the first ones. O(bk² + v²).
+[[nodiscard]] Design best_part(const Design& design, std::size_t blocks);
+
 }  // namespace changeover

@@ -19,7 +19,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +26,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/verify/verified_design.hpp"
 
 namespace changeover {
 
@@ -73,11 +73,10 @@ class Plan {
   std::vector<PlannedCell> cells_;
 };
 
-/// Plans a range. `accept` is asked about every design before it is taken: pass a verifier.
+/// Plans a range.
 /// @throws ImpossibleParameters if the range is empty, has k < 2 or v > 1000, or more than 10⁶ cells;
 /// InternalError if a construction does not keep its promise.
-[[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range,
-                              const std::function<bool(const Design&)>& accept);
+[[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range);
 
 /// The largest v for which best_known() applies the closure rules.
 inline constexpr std::uint64_t largest_planned_v = 120;
@@ -85,7 +84,11 @@ inline constexpr std::uint64_t largest_planned_v = 120;
 /// The best recipe that is known for p: the registry's best offer; if that is not the lower bound, k ≥ 2, v ≤
 /// largest_planned_v and the strength is 2, also what the closure rules make of the parameters around.
 /// nullopt if nothing serves p. @throws as plan_range() and check().
-[[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p,
-                                              const std::function<bool(const Design&)>& accept);
+[[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p);
+
+/// The best design that is known without search, built; nullopt if there is no recipe. Listens to the scope of
+/// this thread (run/scope.hpp). @throws as check(); MissingResource if it is too large; InternalError if it
+/// does not verify.
+[[nodiscard]] std::optional<VerifiedDesign> best_known_design(const Parameters& p);
 
 }  // namespace changeover

@@ -5,7 +5,7 @@
 //                                                       {.tight = true}, control);
 //     if (result.found()) {
 //       result.shape;                       // 5 base blocks, 2 cycles of length 13
-//       result.verdict->tight();            // verified on all 65 blocks
+//       result.verdict().tight();            // verified on all 65 blocks
 //       result.recipe;                      // "developed", stores the 5 base blocks
 //       result.comparison;                  // Comparison::better than what the registry has
 //     }
@@ -37,8 +37,9 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/core/recipe.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/run/outcome.hpp"
 #include "changeover/search/base_block_shape.hpp"
-#include "changeover/verify/verdict.hpp"
+#include "changeover/verify/verified_design.hpp"
 
 namespace changeover {
 
@@ -60,15 +61,9 @@ struct BaseBlockOptions {
 };
 
 /// What became of one shape.
-enum class ShapeOutcome : std::uint8_t {
-  found,
-  none,  ///< the SAT solver says that there are no base blocks of this shape
-  open,  ///< not found within the limits
-};
-
 struct ShapeAttempt {
   BaseBlockShape shape;
-  ShapeOutcome outcome = ShapeOutcome::open;
+  Outcome outcome = Outcome::unknown;  ///< none: so says the SAT solver
   std::uint64_t moves = 0;
   std::uint64_t conflicts = 0;
   std::optional<std::uint64_t> missing = {};  ///< fewest uncovered orbits that annealing saw
@@ -86,11 +81,10 @@ enum class Comparison : std::uint8_t {
 [[nodiscard]] std::string_view to_string(Comparison comparison);
 
 struct BaseBlockResult {
-  BaseBlockShape shape;            ///< of what was found
-  std::vector<Block> base_blocks;  ///< with shift 1; empty if nothing was found
-  std::optional<Recipe> recipe;    ///< "developed", or a "cut" of it if p is linear
-  std::optional<Design> design;    ///< all blocks, with recipe
-  std::optional<Verdict> verdict;
+  BaseBlockShape shape;                  ///< of what was found
+  std::vector<Block> base_blocks;        ///< with shift 1; empty if nothing was found
+  std::optional<Recipe> recipe;          ///< "developed", or a "cut" of it if p is linear
+  std::optional<VerifiedDesign> design;  ///< all blocks, with recipe
 
   Comparison comparison = Comparison::only;
   std::optional<std::uint64_t> registry_b;  ///< blocks of the registry's best
@@ -99,9 +93,11 @@ struct BaseBlockResult {
   std::vector<ShapeAttempt> attempts;  ///< in the order in which they were made
   std::uint64_t moves = 0;
   std::uint64_t conflicts = 0;
-  WhyStopped why = WhyStopped::running;  ///< exhausted: every shape was said to have none
+  WhyStopped why_stopped = WhyStopped::running;  ///< exhausted: every shape was said to have none
 
-  [[nodiscard]] bool found() const { return verdict.has_value(); }
+  [[nodiscard]] bool found() const { return design.has_value(); }
+  /// Of what was found.
+  [[nodiscard]] const Verdict& verdict() const { return design.value().verdict(); }
 };
 
 /// Searches, see above. Without most_blocks or base_blocks a search that is not for tight designs tries

@@ -1,7 +1,7 @@
 // The shapes that a circular design with an automorphism can have, and why some cannot be.
 //
-// π has s cycles of one length n and f fixed points, v = sn + f, and B_{i+c} = π(B_i): the design is
-// developed from c base blocks and has b = cn blocks. With s = 1, f = 0 these are base blocks over Z_v.
+// π has s cycles of one length n and f fixed points (core/automorphism.hpp), and B_{i+c} = π(B_i): the design
+// is developed from c base blocks and has b = cn blocks. With s = 1, f = 0 these are base blocks over Z_v.
 //
 //     for (const BaseBlockShape& shape : base_block_shapes(p, {.tight = true})) { … }
 //     shape_obstruction({.v = 26, .k = 8, .kind = Kind::circular}, {5, 5, 1, 5}, true);
@@ -28,18 +28,15 @@
 #include <string>
 #include <vector>
 
+#include "changeover/core/automorphism.hpp"
 #include "changeover/core/parameters.hpp"
 
 namespace changeover {
 
-/// How base blocks are developed: c of them, under s cycles of length n and f fixed points.
-struct BaseBlockShape {
-  std::uint64_t n = 0;            ///< length of the cycles, at least 2
-  std::uint64_t cycles = 0;       ///< s, at least 1
-  std::uint64_t fixed = 0;        ///< f
+/// How base blocks are developed: under which π, with cycles of length n ≥ 2, and how many of them.
+struct BaseBlockShape : Automorphism {
   std::uint64_t base_blocks = 0;  ///< c, at least 1
 
-  [[nodiscard]] std::uint64_t v() const { return n * cycles + fixed; }
   [[nodiscard]] std::uint64_t b() const { return n * base_blocks; }
 
   auto operator<=>(const BaseBlockShape&) const = default;

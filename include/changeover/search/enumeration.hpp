@@ -3,7 +3,7 @@
 //     RunControl control({.threads = 2});
 //     auto result = enumerate_designs({.v = 12, .k = 4, .change = 1}, 21, control,
 //                                     [](const Design& design) { … });
-//     result.forms;                     // 2554, if result.why is WhyStopped::exhausted
+//     result.forms;                     // 2554, if result.why_stopped is WhyStopped::exhausted
 //
 //     auto classes = classify_designs({.v = 9, .k = 4, .change = 1, .kind = Kind::circular}, 12, {}, control);
 //     classes.standard_forms;           // 16 sequences
@@ -53,7 +53,7 @@ inline constexpr std::uint64_t max_enumeration_blocks = 4096;
 
 struct EnumerationRun {
   /// exhausted: these are all; otherwise what stopped the search, and these are some.
-  WhyStopped why = WhyStopped::running;
+  WhyStopped why_stopped = WhyStopped::running;
   std::uint64_t forms = 0;     ///< standard forms handed out
   std::uint64_t nodes = 0;     ///< partial designs that were not given up at once
   std::uint64_t prefixes = 0;  ///< into which the work was split, over all shares
@@ -85,7 +85,7 @@ struct ClassifyOptions {
 };
 
 struct Classification {
-  WhyStopped why = WhyStopped::running;
+  WhyStopped why_stopped = WhyStopped::running;
   std::uint64_t standard_forms = 0;  ///< over all classes found
   std::uint64_t classes = 0;
   std::uint64_t tight = 0;  ///< classes of tight designs

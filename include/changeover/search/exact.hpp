@@ -2,7 +2,7 @@
 //
 //     RunControl control({.time = std::chrono::seconds(60)});
 //     Decision decision = decide({.v = 9, .k = 4, .change = 1}, 11, {.proof_directory = "proofs"}, control);
-//     decision.answer;                         // Answer::none
+//     decision.excluded();                     // true: there is none, and the proof was checked
 //     decision.parts.front().proof_path;       // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
 //
 // The question becomes a formula (search/exact_encoding.hpp) for a SAT solver. A design is verified before it
@@ -13,7 +13,7 @@
 // With one thread and no share the formula is solved whole. With more, or if several processes share the
 // search (RunControl::Settings::share), it is split into cubes; each has a formula and a proof of its own,
 // and it is checked that the cubes leave nothing out. Every process makes the same cubes and takes every
-// share.of-th of them: there is none if all of them excluded their part (Answer::none_in_share).
+// share.of-th of them: there is none if all of them excluded their part (Decision::in_share).
 #pragma once
 
 #include <chrono>
@@ -27,7 +27,9 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/proof/cubes.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/run/outcome.hpp"
 #include "changeover/search/exact_encoding.hpp"
+#include "changeover/verify/verified_design.hpp"
 
 namespace changeover {
 
@@ -35,7 +37,7 @@ struct ExactOptions {
   /// Where formulas and proofs are kept, named by their parameters; made if it is missing. Files appear
   /// whole or not at all, and only if there is no design. Empty: temporary files that are removed.
   std::string proof_directory = {};
-  /// Without a proof "none" cannot be said, only Answer::none_unproved; designs are found a little faster.
+  /// Without a proof "none" cannot be said, only that the solver says so; designs are found a little faster.
   bool prove = true;
   /// The most time for one number of blocks, besides the limit of the control.
   std::optional<std::chrono::duration<double>> time_per_step = {};
@@ -44,17 +46,6 @@ struct ExactOptions {
   std::optional<std::uint32_t> conflicts_per_step = {};
   EncodingOptions encoding = {};
 };
-
-enum class Answer : std::uint8_t {
-  found,          ///< a design, verified
-  none,           ///< no design: proved, and the proof checked
-  none_in_share,  ///< the same for the part of this process
-  none_unproved,  ///< the solver says that there is none, and no proof was asked for
-  unknown,        ///< stopped before
-};
-
-/// "found", "none", …
-[[nodiscard]] std::string_view to_string(Answer answer);
 
 /// One formula without solution, and its proof.
 struct CheckedPart {
@@ -72,13 +63,18 @@ struct CheckedPart {
 struct Decision {
   Parameters parameters;
   std::uint64_t b = 0;
-  Answer answer = Answer::unknown;
-  std::optional<Design> design = {};    ///< if found
-  std::vector<CheckedPart> parts = {};  ///< what was excluded, each with a checked proof
-  std::uint64_t cubes = 1;              ///< into how many parts the question was split
+  Outcome outcome = Outcome::unknown;
+  bool proved = false;    ///< if none: with a checked proof; otherwise it is the solver's word
+  bool in_share = false;  ///< if none: in the part of this process, of several
+  std::optional<VerifiedDesign> design = {};  ///< if found
+  std::vector<CheckedPart> parts = {};        ///< what was excluded, each with a checked proof
+  std::uint64_t cubes = 1;                    ///< into how many parts the question was split
   std::string cubes_path = {};  ///< the list of the cubes, if there are several and files are kept
-  WhyStopped why = WhyStopped::running;  ///< found, exhausted, or the limit
+  WhyStopped why_stopped = WhyStopped::running;  ///< found, exhausted, or the limit
   std::chrono::duration<double> time{};
+
+  /// Whether there is no such design, proved.
+  [[nodiscard]] bool excluded() const { return outcome == Outcome::none && proved && !in_share; }
 };
 
 /// Checks, before long work, that decide() would have what it needs: memory that the control allows, where the

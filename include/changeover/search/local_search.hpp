@@ -36,6 +36,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/verify/verified_design.hpp"
 
 namespace changeover {
 
@@ -49,7 +50,7 @@ struct ImproveOptions {
 };
 
 struct ImproveResult {
-  std::optional<Design> design;  ///< verified; nothing if it was stopped before there was one
+  std::optional<VerifiedDesign> design;  ///< nothing if it was stopped before there was one
   std::uint64_t lower_bound = 0;
   std::optional<std::uint64_t> started_from;  ///< blocks of the best design known beforehand
   std::string unsearched;  ///< why no attempt was made at all, in one line; else empty
@@ -72,19 +73,5 @@ struct ImproveResult {
 /// beginning (later the search goes on: checkpoint_fault); InternalError if a result fails verification.
 [[nodiscard]] ImproveResult improve(const Parameters& p, const ImproveOptions& options,
                                     RunControl& control);
-
-/// The linear design with fewest blocks that is cut from consecutive blocks of this one (circular,
-/// or linear itself) without blocks that are not needed. O(bk² + v²). For strength 2; other designs are
-/// only cut open. The design must be valid.
-[[nodiscard]] Design shortest_cut(const Design& design);
-
-/// The consecutive `blocks` of this design that leave fewest pairs uncovered, as a linear list: at least
-/// one block, at most all. For strength 2; otherwise the first ones. O(bk² + v²).
-[[nodiscard]] Design best_part(const Design& design, std::size_t blocks);
-
-/// The best design that is known without search, built and verified; nullopt if there is no recipe.
-/// Listens to the scope of this thread (run/scope.hpp). @throws as check(); MissingResource if it is too large;
-/// InternalError if it does not verify.
-[[nodiscard]] std::optional<Design> best_known_design(const Parameters& p);
 
 }  // namespace changeover

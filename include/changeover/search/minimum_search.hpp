@@ -37,9 +37,10 @@ struct MinimumResult {
   std::optional<std::string> impossible = {};  ///< why no design exists with any number of blocks
   Bound start;                                 ///< the bound on paper from which the walk started
   std::uint64_t lower = 0;                     ///< no design has fewer blocks
-  std::optional<Design> best = {};             ///< the given design, or a better one
+  std::optional<VerifiedDesign> best = {};     ///< the given design, or a better one
   std::vector<Decision> steps = {};            ///< in the order of the walk
-  WhyStopped why = WhyStopped::running;  ///< exhausted if settled or impossible; the limit if not
+  WhyStopped why_stopped =
+      WhyStopped::running;  ///< exhausted if settled or impossible; the limit if not
   /// A MissingResource that ended the walk before its time, if something is known all the same: `best`, or steps.
   /// Show what is known, then throw it on.
   std::exception_ptr fault = {};

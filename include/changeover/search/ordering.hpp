@@ -4,7 +4,7 @@
 //     // The 12 blocks of a Steiner triple system on 9 points, consecutive ones sharing one point:
 //     const ChangeOrder order = order_for_change(triples, {.v = 9, .m = 2, .kind = Kind::circular},
 //                                                {}, control);
-//     if (order.answer == OrderAnswer::found) { arranged(triples, order.order); }
+//     if (order.outcome == Outcome::found) { arranged(triples, order.order); }
 //
 //     // Batches of any sizes, as few loads in total as possible:
 //     const LeastChangeOrder least = order_for_least_change(batches, {.v = 5000}, {}, control);
@@ -38,18 +38,13 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/run/outcome.hpp"
 
 namespace changeover {
 
 /// The blocks in the given order. @throws BadInput if a place is not below the number of blocks.
 [[nodiscard]] std::vector<Block> arranged(std::span<const Block> blocks,
                                           std::span<const std::size_t> order);
-
-enum class OrderAnswer : std::uint8_t {
-  found,
-  none,     ///< no order is as wanted; ChangeOrder::reason says why
-  unknown,  ///< a limit was reached
-};
 
 /// What is asked of neighbours.
 struct ChangeWanted {
@@ -65,12 +60,12 @@ struct ChangeOrderOptions {
 };
 
 struct ChangeOrder {
-  OrderAnswer answer = OrderAnswer::unknown;
+  Outcome outcome = Outcome::unknown;
   std::vector<std::size_t> order;  ///< places in the input, if found
   std::string reason;              ///< why none, in one line
   std::uint64_t rotations = 0;
   std::uint64_t conflicts = 0;
-  WhyStopped why = WhyStopped::running;
+  WhyStopped why_stopped = WhyStopped::running;
 };
 
 /// An order in which consecutive blocks differ in exactly m elements. A single block is in order.
@@ -101,7 +96,7 @@ struct LeastChangeOrder {
   std::uint64_t lower_bound = 0;   ///< of the cost of any order
   std::uint64_t first_cost = 0;    ///< of the blocks in the order in which they were given
   std::uint64_t kicks = 0;
-  WhyStopped why = WhyStopped::running;  ///< exhausted: the order is a least one
+  WhyStopped why_stopped = WhyStopped::running;  ///< exhausted: the order is a least one
 
   [[nodiscard]] bool least() const { return cost == lower_bound; }
 };

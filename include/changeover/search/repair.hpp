@@ -27,6 +27,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/verify/verified_design.hpp"
 
 namespace changeover {
 
@@ -35,10 +36,10 @@ struct RepairOptions {
 };
 
 struct RepairResult {
-  std::optional<Design>
-      design;               ///< valid, with the labels of the list; nothing if stopped too early
-  std::uint64_t given = 0;  ///< blocks of the list
-  std::uint64_t kept = 0;   ///< of them, those that are blocks of the design
+  /// With the labels of the list; nothing if stopped too early.
+  std::optional<VerifiedDesign> design;
+  std::uint64_t given = 0;      ///< blocks of the list
+  std::uint64_t kept = 0;       ///< of them, those that are blocks of the design
   std::uint64_t bad_steps = 0;  ///< of the list
   std::uint64_t uncovered = 0;  ///< t-subsets that the list did not cover
   std::uint64_t moves = 0;
@@ -61,8 +62,8 @@ struct ExtendOptions {
 };
 
 struct ExtendResult {
-  std::optional<Design>
-      design;  ///< valid; begins with the given blocks; nothing if stopped too early
+  /// Begins with the given blocks; nothing if stopped too early.
+  std::optional<VerifiedDesign> design;
   std::uint64_t lower_bound = 0;  ///< of any design that begins so, by counting
   std::uint64_t moves = 0;
   std::string unsearched;  ///< as in RepairResult

@@ -77,8 +77,7 @@ void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t 
       consider(best, Registry::standard().best(p));
       // No more than the fewest loads that blocks of this m could do with.
       if (plans && kind == Kind::linear && room + m * (lower_bound(p).blocks - 1) <= best.loads) {
-        consider(best, best_known(Registry::standard(), p,
-                                  [](const Design& design) { return verify(design).valid(); }));
+        consider(best, best_known(Registry::standard(), p));
       }
     }
   }

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/search/local_search.hpp"

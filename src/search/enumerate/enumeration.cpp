@@ -42,7 +42,7 @@ EnumerationRun explore(const EnumerationTask& task, std::uint64_t b, RunControl&
   if (!single || control.settings().share.index != 0) {
     return explore_together(task, control);
   }
-  EnumerationRun result{.why = WhyStopped::exhausted, .forms = 1, .nodes = 1, .prefixes = 0};
+  EnumerationRun result{.why_stopped = WhyStopped::exhausted, .forms = 1, .nodes = 1, .prefixes = 0};
   if (auto judged = task.judge(*single)) {
     task.hand_out(*judged);
   }
@@ -111,7 +111,7 @@ Classification classify_designs(const Parameters& p, std::uint64_t b,
     }
   };
   const EnumerationRun run = explore(task, b, control);
-  result.why = run.why;
+  result.why_stopped = run.why_stopped;
   result.nodes = run.nodes;
   return result;
 }

@@ -82,7 +82,7 @@ class Team {
       hand_out(slot.found);
     }
     const WhyStopped why = control_.why_stopped();
-    result_.why = why == WhyStopped::running ? WhyStopped::exhausted : why;
+    result_.why_stopped = why == WhyStopped::running ? WhyStopped::exhausted : why;
     result_.nodes = nodes_;
     result_.prefixes = prefixes_.size();
     return result_;

@@ -19,7 +19,6 @@
 #include "changeover/io/output_file.hpp"
 #include "changeover/proof/drat.hpp"
 #include "changeover/run/scope.hpp"
-#include "changeover/verify/verdict.hpp"
 #include "run/threads.hpp"
 #include "search/sat/sat_solver.hpp"
 
@@ -176,9 +175,9 @@ class Question {
     SatOptions sat{.progress = progress("deciding"), .conflicts = options_.conflicts_per_step};
     if (!options_.prove) {
       const SatResult result = solve_sat(formula_->cnf(), cube, sat, control_);
-      if (result.answer == SatAnswer::satisfiable) {
+      if (result.outcome == Outcome::found) {
         found(result);
-      } else if (result.answer == SatAnswer::unsatisfiable) {
+      } else if (result.outcome == Outcome::none) {
         const std::scoped_lock lock(mutex_);
         ++unproved_;
       } else {
@@ -193,11 +192,11 @@ class Question {
     sat.proof_path = proof.path_until_commit();
     const Stopwatch solving;
     const SatResult result = solve_sat(formula_->cnf(), cube, sat, control_);
-    if (result.answer == SatAnswer::satisfiable) {
+    if (result.outcome == Outcome::found) {
       found(result);
       return;
     }
-    if (result.answer != SatAnswer::unsatisfiable) {
+    if (result.outcome != Outcome::none) {
       control_.stop(WhyStopped::step_limit);  // unless the control stopped it
       return;
     }
@@ -270,13 +269,11 @@ class Question {
     RunControl unhurried({});
     const RunScope scope(unhurried);
     Design design = formula_->decode([&](Literal x) { return result.is_true(x); });
-    if (!verify(design).valid()) {
-      throw InternalError(fmt::format("a solution of {} is no design", stem_));
-    }
     design.recipe = literal_recipe(design, "search by SAT");
+    VerifiedDesign solution = surely_verified(std::move(design), "a solution of " + stem_);
     const std::scoped_lock lock(mutex_);
     if (!decision_.design) {
-      decision_.design = std::move(design);
+      decision_.design = std::move(solution);
     }
     control_.stop(WhyStopped::found);
   }
@@ -284,19 +281,19 @@ class Question {
   void conclude(const WorkShare& share) {
     if (decision_.design) {
       discard_proofs();
-      decision_.answer = Answer::found;
-      decision_.why = WhyStopped::found;
+      decision_.outcome = Outcome::found;
+      decision_.why_stopped = WhyStopped::found;
       return;
     }
     if (formula_ == std::nullopt || cubes_.empty() || decision_.parts.size() + unproved_ < mine_) {
-      decision_.answer = Answer::unknown;
-      decision_.why = control_.why_stopped();
+      decision_.outcome = Outcome::unknown;
+      decision_.why_stopped = control_.why_stopped();
       return;
     }
-    decision_.why = WhyStopped::exhausted;
-    decision_.answer = unproved_ > 0 || (!options_.prove && mine_ == 0) ? Answer::none_unproved
-                       : share.of > 1                                   ? Answer::none_in_share
-                                                                        : Answer::none;
+    decision_.why_stopped = WhyStopped::exhausted;
+    decision_.outcome = Outcome::none;
+    decision_.proved = options_.prove;
+    decision_.in_share = share.of > 1;
     std::sort(decision_.parts.begin(), decision_.parts.end(),
               [](const CheckedPart& a, const CheckedPart& b) { return a.cnf_path < b.cnf_path; });
     if (cubes_.size() > 1 && options_.prove && !options_.proof_directory.empty()) {
@@ -340,22 +337,6 @@ class Question {
 };
 
 }  // namespace
-
-std::string_view to_string(Answer answer) {
-  switch (answer) {
-    case Answer::found:
-      return "found";
-    case Answer::none:
-      return "none";
-    case Answer::none_in_share:
-      return "none in this share";
-    case Answer::none_unproved:
-      return "none, unproved";
-    case Answer::unknown:
-      return "unknown";
-  }
-  return "";
-}
 
 unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& options,
                       const RunControl& control) {

@@ -6,7 +6,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
-#include "changeover/verify/verdict.hpp"
 
 namespace changeover {
 
@@ -38,7 +37,7 @@ Decision decide_by(const MinimumOptions& options, const ExactOptions& exact, con
 void walk(MinimumResult& result, const MinimumOptions& options, RunControl& control) {
   while (!result.settled()) {
     if (control.stop_wanted()) {
-      result.why = control.why_stopped();
+      result.why_stopped = control.why_stopped();
       return;
     }
     if (result.best && *result.upper() < result.lower) {
@@ -53,18 +52,19 @@ void walk(MinimumResult& result, const MinimumOptions& options, RunControl& cont
         throw;
       }
       result.fault = std::current_exception();
-      result.why = WhyStopped::fault;
+      result.why_stopped = WhyStopped::fault;
       return;
     }
-    const Answer answer = decision.answer;
-    result.why = decision.why;
-    if (answer == Answer::found) {
+    result.why_stopped = decision.why_stopped;
+    const bool excluded = decision.excluded();
+    const bool found = decision.outcome == Outcome::found;
+    if (found) {
       result.best = decision.design;
     }
     result.steps.push_back(std::move(decision));
-    if (answer == Answer::none) {
+    if (excluded) {
       ++result.lower;
-    } else if (answer != Answer::found) {
+    } else if (!found) {
       return;
     }
   }
@@ -84,24 +84,24 @@ void look_above(MinimumResult& result, const MinimumOptions& options, RunControl
     } catch (const MissingResource&) {
       return;  // nobody asked for this number
     }
-    if (result.steps.back().answer == Answer::found) {
+    if (result.steps.back().outcome == Outcome::found) {
       result.best = result.steps.back().design;
       return;
     }
   }
 }
 
-// Whether a design from elsewhere may be used.
-bool is_known(const Parameters& p, const std::optional<Design>& known) {
+// A design from elsewhere, if there is time to verify it.
+std::optional<VerifiedDesign> checked(const Parameters& p, const std::optional<Design>& known) {
   if (!known) {
-    return false;
+    return std::nullopt;
   }
   try {
-    if (known->parameters() == p && verify(*known).valid()) {
-      return true;
+    if (auto design = verified(*known); design && design->parameters() == p) {
+      return design;
     }
   } catch (const Stopped&) {
-    return false;
+    return std::nullopt;
   }
   throw BadInput(fmt::format("the design that was given is no {}", name(p)));
 }
@@ -114,19 +114,17 @@ MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options, R
   MinimumResult result;
   result.parameters = p;
   result.impossible = impossibility(p);
-  const bool use_known = is_known(p, known);
+  auto given = checked(p, known);
   if (result.impossible) {
-    result.why = WhyStopped::exhausted;
+    result.why_stopped = WhyStopped::exhausted;
     return result;
   }
   result.start = lower_bound_on_paper(p);
   result.lower = result.start.blocks;
-  if (use_known) {
-    result.best = known;
-  }
+  result.best = std::move(given);
   walk(result, options, control);
   if (result.settled()) {
-    result.why = WhyStopped::exhausted;
+    result.why_stopped = WhyStopped::exhausted;
   } else if (!result.fault) {
     look_above(result, options, control);
   }

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "changeover/run/control.hpp"
 #include "run/random.hpp"
@@ -98,6 +99,19 @@ class QuestionPace {
 
 /// Asked now and then with the moves so far and what is uncovered; false stops.
 using AnnealWatch = std::function<bool(std::uint64_t moves, std::uint64_t missing)>;
+
+/// Tells the control what `progress` says, with the moves besides those in it and what is missing now.
+[[nodiscard]] inline AnnealWatch telling(RunControl& control, Progress progress) {
+  return [&control, progress = std::move(progress)](std::uint64_t moves, std::uint64_t missing) {
+    if (control.progress_due()) {
+      Progress now = progress;
+      now.steps += moves;
+      now.missing = missing;
+      control.tell(std::move(now));
+    }
+    return true;
+  };
+}
 
 /// Anneals until nothing is missing, the schedule is through, or control or watch say stop; both
 /// are asked every anneal_moves_between_questions moves, or more often. O(moves · cost of a move).

@@ -19,7 +19,6 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/output_file.hpp"
 #include "changeover/io/text.hpp"
-#include "changeover/verify/verdict.hpp"
 #include "search/local/segment_orbits.hpp"
 
 namespace changeover {
@@ -106,8 +105,7 @@ SearchArm read_arm(Lines& lines, const Parameters& p) {
   arm.missed = lines.number<std::uint64_t>(0, SearchArm::most_missed);
   lines.end();
   const bool imposed = arm.method == SearchArm::Method::imposed;
-  const ImposedAutomorphism pi{arm.order, arm.fixed};
-  if (imposed ? arm.order < 2 || arm.order > p.v + arm.extra || !pi.fits(p.v + arm.extra)
+  if (imposed ? arm.order < 2 || arm.order > p.v + arm.extra || !arm.automorphism(p.v)
               : arm.order != 0 || arm.fixed != 0 || arm.extra != 0) {
     lines.damaged();
   }
@@ -226,10 +224,10 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
     }
   }
   if (best.block_count() > 0) {
-    if (!verify(best).valid()) {
+    checkpoint.best = verified(std::move(best));
+    if (!checkpoint.best) {
       lines.damaged();
     }
-    checkpoint.best = std::move(best);
   }
   return checkpoint;
 }

@@ -28,8 +28,10 @@
 #include <string>
 #include <vector>
 
+#include "changeover/core/automorphism.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/verify/verified_design.hpp"
 #include "io/file/file_lock.hpp"
 
 namespace changeover {
@@ -46,6 +48,11 @@ struct SearchArm {
   std::uint64_t step = 1;    ///< how far below the best design it aims
   std::uint64_t missed = 0;  ///< what the last attempt at the nearest aim lacked
 
+  /// The imposed automorphism of designs on v elements; nullopt if there is none.
+  [[nodiscard]] std::optional<Automorphism> automorphism(std::uint64_t v) const {
+    return Automorphism::on(v + extra, order, fixed);
+  }
+
   static constexpr std::uint32_t most_fixed = 2;
   static constexpr std::uint64_t most_extra = 3;
   static constexpr std::uint64_t most_moves = std::uint64_t{1} << 60;  ///< of budget, and of spent
@@ -61,8 +68,8 @@ struct Checkpoint {
   std::uint64_t attempts = 0;
   std::uint64_t moves = 0;
   std::vector<SearchArm> arms;
-  std::string how;             ///< one line
-  std::optional<Design> best;  ///< without labels and recipe
+  std::string how;                     ///< one line
+  std::optional<VerifiedDesign> best;  ///< without labels and recipe
 };
 
 /// Writes it, replacing the file. @throws MissingResource if it cannot be written; the old file is

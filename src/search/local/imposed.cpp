@@ -6,9 +6,8 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/verify/verdict.hpp"
-#include "run/grace.hpp"
 #include "search/local/random_list.hpp"
+#include "search/local/segment_orbits.hpp"
 
 namespace changeover {
 namespace {
@@ -17,7 +16,7 @@ constexpr int most_starts = 400;
 constexpr std::uint64_t largest_v = 4096;
 
 // A block of about `pieces` pieces of cycles, so that π moves at most so many of its elements out.
-Block block_of_pieces(const Parameters& p, const ImposedAutomorphism& pi, std::uint32_t pieces,
+Block block_of_pieces(const Parameters& p, const Automorphism& pi, std::uint32_t pieces,
                       Random& random) {
   const auto v = static_cast<std::uint32_t>(p.v);
   std::vector<bool> taken(v, false);
@@ -34,51 +33,37 @@ Block block_of_pieces(const Parameters& p, const ImposedAutomorphism& pi, std::u
   }
   for (std::uint32_t tries = 0; block.size() < p.k; ++tries) {
     const Element x = block[random.below(static_cast<std::uint32_t>(block.size()))];
-    take(tries < 50 * v ? pi.image(x, 1, p.v) : random.below(v));
+    take(tries < 50 * v ? pi.image(x, 1) : random.below(v));
   }
   return block;
 }
 
 }  // namespace
 
-std::vector<ImposedAutomorphism> imposed_automorphisms(std::uint64_t v) {
-  std::vector<ImposedAutomorphism> all;
+std::vector<Automorphism> imposed_automorphisms(std::uint64_t v) {
+  std::vector<Automorphism> all;
   for (std::uint64_t n = v; n >= 2; --n) {
-    for (std::uint32_t f = 0; f <= 2 && f < v; ++f) {
-      const ImposedAutomorphism pi{static_cast<std::uint32_t>(n), f};
-      if (v - f >= n && pi.fits(v)) {
-        all.push_back(pi);
+    for (std::uint64_t f = 0; f <= 2 && f < v; ++f) {
+      if (const auto pi = Automorphism::on(v, n, f); pi && pi->cycles > 0) {
+        all.push_back(*pi);
       }
     }
   }
   return all;
 }
 
-std::uint64_t pair_orbits(std::uint64_t v, const ImposedAutomorphism& pi) {
-  const std::uint64_t n = pi.order;
-  const std::uint64_t cycles = (v - pi.fixed) / n;
-  const std::uint64_t within = checked_multiply(cycles, n / 2);
-  const std::uint64_t between = checked_multiply(binomial(cycles, 2), n);
-  return checked_add(checked_add(within, between), cycles * pi.fixed + binomial(pi.fixed, 2));
+std::uint64_t fewest_base_blocks(const Parameters& p, const Automorphism& pi) {
+  return std::max<std::uint64_t>(1, ceil_div(pi.pair_orbits(), newly_covered_at_most(p)));
 }
 
-std::uint64_t fewest_base_blocks(const Parameters& p, const ImposedAutomorphism& pi) {
-  return std::max<std::uint64_t>(1, ceil_div(pair_orbits(p.v, pi), newly_covered_at_most(p)));
-}
-
-std::optional<std::vector<Block>> random_base_blocks(const Parameters& p,
-                                                     const ImposedAutomorphism& pi,
+std::optional<std::vector<Block>> random_base_blocks(const Parameters& p, const Automorphism& pi,
                                                      std::size_t base_blocks, Random& random) {
   for (int start = 0; start < most_starts; ++start) {
     stop_if_asked();
     const auto k = static_cast<std::uint32_t>(p.k);
     const Block first = start % 2 == 0 ? random_block(p, random)
                                        : block_of_pieces(p, pi, 1 + random.below(k), random);
-    Block last;
-    for (const Element x : first) {
-      last.push_back(pi.image(x, 1, p.v));
-    }
-    if (auto between = random_walk(first, last, base_blocks, p, random)) {
+    if (auto between = random_walk(first, pi.image(first, 1), base_blocks, p, random)) {
       between->insert(between->begin(), first);
       return between;
     }
@@ -86,15 +71,15 @@ std::optional<std::vector<Block>> random_base_blocks(const Parameters& p,
   return std::nullopt;
 }
 
-ImposedOutcome search_imposed(const Parameters& p, const ImposedAutomorphism& pi,
-                              std::size_t base_blocks, const AnnealSchedule& schedule,
-                              Random& random, RunControl& control, const AnnealWatch& watch) {
+ImposedOutcome search_imposed(const Parameters& p, const Automorphism& pi, std::size_t base_blocks,
+                              const AnnealSchedule& schedule, Random& random, RunControl& control,
+                              const AnnealWatch& watch) {
   check(p);
-  if (!pi.fits(p.v) || base_blocks == 0 || p.strength != 2 || p.v > largest_v) {
+  if (pi.v() != p.v || base_blocks == 0 || p.strength != 2 || p.v > largest_v) {
     throw BadInput(fmt::format(
         "an automorphism of order {} with {} fixed elements cannot be imposed on a {} with {} base "
         "blocks; the order must divide v less the fixed elements, v ≤ {}, strength 2",
-        pi.order, pi.fixed, name(p), base_blocks, largest_v));
+        pi.n, pi.fixed, name(p), base_blocks, largest_v));
   }
   ImposedOutcome outcome;
   Parameters circular = p;
@@ -111,14 +96,8 @@ ImposedOutcome search_imposed(const Parameters& p, const ImposedAutomorphism& pi
                          "local search for the " + name(circular));
   SegmentOrbits state(circular, pi, *base);
   outcome.anneal = anneal(state, schedule, random, control, watch);
-  if (outcome.anneal.missing == 0 && base_blocks * pi.order >= 3) {
-    const RunGrace to_the_end(control);
-    Design design = state.design();
-    if (!verify(design).valid()) {
-      throw InternalError(fmt::format("a {} found with an automorphism of order {} is not valid",
-                                      name(circular), pi.order));
-    }
-    outcome.design = std::move(design);
+  if (outcome.anneal.missing == 0 && base_blocks * pi.n >= 3) {
+    outcome.design = state.design();
   }
   return outcome;
 }

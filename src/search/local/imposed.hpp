@@ -1,7 +1,7 @@
 // Circular designs with a prescribed automorphism, by annealing base blocks.
 //
 //     const Parameters p{.v = 28, .k = 6, .kind = Kind::circular};
-//     const ImposedAutomorphism pi{.order = 7};                       // segment_orbits.hpp
+//     const Automorphism pi{.n = 7, .cycles = 4};
 //     Random random(1);
 //     auto found = search_imposed(p, pi, 6, {.moves = 1'000'000}, random, control);
 //     found.design;                                            // the tight circular DCCD(28,6,42)
@@ -18,45 +18,41 @@
 #include <optional>
 #include <vector>
 
+#include "changeover/core/automorphism.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "run/random.hpp"
 #include "search/local/anneal.hpp"
-#include "search/local/segment_orbits.hpp"
 
 namespace changeover {
 
 /// Every automorphism of order n ≥ 2 with cycles of length n and at most two fixed elements on v
 /// elements: n divides v, v − 1 or v − 2. Largest order first. O(v).
-[[nodiscard]] std::vector<ImposedAutomorphism> imposed_automorphisms(std::uint64_t v);
-
-/// The number of orbits of pairs. pi.fits(v). @throws ImpossibleParameters if it exceeds 64 bits.
-[[nodiscard]] std::uint64_t pair_orbits(std::uint64_t v, const ImposedAutomorphism& pi);
+[[nodiscard]] std::vector<Automorphism> imposed_automorphisms(std::uint64_t v);
 
 /// The base blocks without which there cannot be newly covered pairs enough: ⌈orbits / p(k,m)⌉.
-/// @throws as pair_orbits(). O(1).
-[[nodiscard]] std::uint64_t fewest_base_blocks(const Parameters& p, const ImposedAutomorphism& pi);
+/// @throws as Automorphism::pair_orbits(). O(1).
+[[nodiscard]] std::uint64_t fewest_base_blocks(const Parameters& p, const Automorphism& pi);
 
 /// c random base blocks whose steps, the one to π(first) included, change m elements; nullopt if
 /// none were found. With few base blocks for large k these have long intervals of cycles. Needs
-/// pi.fits(v) and v ≥ k + m.
+/// v = pi.v() ≥ k + m.
 [[nodiscard]] std::optional<std::vector<Block>> random_base_blocks(const Parameters& p,
-                                                                   const ImposedAutomorphism& pi,
+                                                                   const Automorphism& pi,
                                                                    std::size_t base_blocks,
                                                                    Random& random);
 
 struct ImposedOutcome {
-  std::optional<Design> design;  ///< cn blocks, circular, verified
+  std::optional<Design> design;  ///< cn blocks, circular; not verified
   AnnealOutcome anneal;          ///< in orbits
   bool started = false;          ///< base blocks to start from were found
 };
 
 /// One anneal from random base blocks. The kind of p is taken for circular; its strength must be 2.
-/// @throws BadInput unless pi.fits(v), base_blocks ≥ 1, strength 2 and v ≤ 4096; InternalError if
-/// what was found fails verification. O(moves · segment · k).
-[[nodiscard]] ImposedOutcome search_imposed(const Parameters& p, const ImposedAutomorphism& pi,
+/// @throws BadInput unless pi.v() = v, base_blocks ≥ 1, strength 2 and v ≤ 4096. O(moves · segment · k).
+[[nodiscard]] ImposedOutcome search_imposed(const Parameters& p, const Automorphism& pi,
                                             std::size_t base_blocks, const AnnealSchedule& schedule,
                                             Random& random, RunControl& control,
                                             const AnnealWatch& watch = {});

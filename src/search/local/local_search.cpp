@@ -12,9 +12,10 @@
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
-#include "changeover/verify/verdict.hpp"
 #include "construct/tools/path.hpp"
 #include "run/grace.hpp"
 #include "run/threads.hpp"
@@ -22,7 +23,6 @@
 #include "search/local/checkpoint.hpp"
 #include "search/local/imposed.hpp"
 #include "search/local/local_search_arms.hpp"
-#include "search/local/local_search_known.hpp"
 #include "search/local/local_search_states.hpp"
 #include "search/local/random_list.hpp"
 #include "search/repair/repair_cover.hpp"
@@ -73,18 +73,19 @@ class Improver {
     started_from_ = blocks_of_best();
     take_known();
     if (options_.start) {
-      if (options_.start->parameters() != parameters_ || !verify(*options_.start).valid()) {
+      auto start = verified(*options_.start);
+      if (options_.start->parameters() != parameters_ || !start) {
         throw BadInput(fmt::format("the design to start from is not a {}; repair it first",
                                    name(parameters_)));
       }
-      take(*options_.start, "the design to start from");
+      take(*std::move(start), "the design to start from");
     }
     started_from_ = blocks_of_best();
     if (!best_) {
       Random random(seed_);
       Design list(parameters_);
       list.append(random_block(parameters_, random));
-      take(cover_the_rest(list, random), "blocks added one by one");
+      take_found(cover_the_rest(list, random), "blocks added one by one");
     }
     stop_if_done();
   }
@@ -119,7 +120,7 @@ class Improver {
   void take_known() {
     try {
       if (auto known = best_known_design(parameters_)) {
-        take_verified(*std::move(known), "best recipe");
+        take(*std::move(known), "best recipe");
       }
     } catch (const MissingResource&) {
       if (!best_) {
@@ -137,26 +138,23 @@ class Improver {
     return best_ ? std::optional<std::uint64_t>(best_->block_count()) : std::nullopt;
   }
 
-  // Keeps a design if it is better, stopped or not. Under the lock, or before there are threads.
-  bool take(Design design, const std::string& how) {
-    const RunGrace to_the_end(control_);
-    if (!is_better(design)) {
+  // Keeps what an attempt found if it is better, stopped or not.
+  bool take_found(Design design, const std::string& how) {
+    if (best_ && design.block_count() >= best_->block_count()) {
       return false;
     }
-    if (design.parameters() != parameters_ || !verify(design).valid()) {
-      throw InternalError(
-          fmt::format("local search found a {} that is none: {}", name(parameters_), how));
+    const RunGrace to_the_end(control_);
+    return take(
+        surely_verified(std::move(design), fmt::format("a {} by {}", name(parameters_), how)), how);
+  }
+
+  // Keeps a design if it is better. Under the lock, or before there are threads.
+  bool take(VerifiedDesign design, const std::string& how) {
+    if (design.parameters() != parameters_) {
+      throw InternalError(fmt::format("a {} is not what was searched: {}",
+                                      name(design.parameters()), name(parameters_)));
     }
-    return take_verified(std::move(design), how);
-  }
-
-  [[nodiscard]] bool is_better(const Design& design) const {
-    return !best_ || design.block_count() < best_->block_count();
-  }
-
-  // The same for one that was verified as it was made; that takes seconds if it is long.
-  bool take_verified(Design design, const std::string& how) {
-    if (!is_better(design)) {
+    if (best_ && design.block_count() >= best_->block_count()) {
       return false;
     }
     best_ = std::move(design);
@@ -241,7 +239,9 @@ class Improver {
     {
       const std::scoped_lock lock(mutex_);
       arm = arms_.arms()[attempt.arm];
-      best = best_;
+      if (best_) {
+        best = best_->design();
+      }
     }
     const WorkShare share = control_.settings().share;
     Random random(seed_, 1 + attempt.number * share.of + share.index % share.of);
@@ -276,10 +276,9 @@ class Improver {
 
   Attempted impose(const Attempt& attempt, const SearchArm& arm, Random& random) {
     Attempted attempted;
-    const ImposedAutomorphism pi{arm.order, arm.fixed};
     ImposedOutcome found = search_imposed(
-        arms_.parameters_of(arm), pi, static_cast<std::size_t>(attempt.aim),
-        {.moves = attempt.moves}, random, control_,
+        arms_.parameters_of(arm), *arm.automorphism(parameters_.v),
+        static_cast<std::size_t>(attempt.aim), {.moves = attempt.moves}, random, control_,
         watch(
             attempt, attempted,
             fmt::format("annealing {} base blocks under an automorphism of order {} on {} elements",
@@ -413,7 +412,7 @@ class Improver {
     }
     bool improved = false;
     if (attempted.design) {
-      improved = take(*std::move(attempted.design), attempted.how);
+      improved = take_found(*std::move(attempted.design), attempted.how);
       stop_if_done();
     }
     if (!attempted.stopped) {
@@ -511,7 +510,7 @@ class Improver {
   int fruitless_ = 0;
   std::atomic<std::uint64_t> moves_ = 0;
   std::atomic<std::uint64_t> best_blocks_ = std::numeric_limits<std::uint32_t>::max();
-  std::optional<Design> best_;
+  std::optional<VerifiedDesign> best_;
   std::optional<std::uint64_t> started_from_;
   std::string how_;
   RunControl::Clock::time_point next_save_ = RunControl::Clock::now();

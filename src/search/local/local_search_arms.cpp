@@ -9,6 +9,7 @@
 #include "changeover/run/scope.hpp"
 #include "search/local/imposed.hpp"
 #include "search/local/local_search_states.hpp"
+#include "search/local/segment_orbits.hpp"
 
 namespace changeover {
 namespace {
@@ -40,11 +41,11 @@ SearchArms::SearchArms(const Parameters& p, std::uint64_t goal, bool imposed,
   if (imposed && p.strength == 2) {
     for (std::uint64_t extra = 0; extra <= SearchArm::most_extra; ++extra) {
       stop_if_asked();
-      for (const ImposedAutomorphism& pi : imposed_automorphisms(p.v + extra)) {
+      for (const Automorphism& pi : imposed_automorphisms(p.v + extra)) {
         if (extra == 0 || pi.fixed == 0) {
           arms_.push_back({.method = Method::imposed,
-                           .order = pi.order,
-                           .fixed = pi.fixed,
+                           .order = static_cast<std::uint32_t>(pi.n),
+                           .fixed = static_cast<std::uint32_t>(pi.fixed),
                            .extra = extra,
                            .budget = first_budget_imposed});
         }
@@ -65,8 +66,8 @@ SearchArms::SearchArms(const Parameters& p, std::uint64_t goal, bool imposed,
     if (arm.method == Method::imposed) {
       const Parameters circle = parameters_of(arm);
       const std::uint64_t bound = std::max(lower_bound(circle).blocks, fewest_blocks_of_a_circle);
-      fewest =
-          std::max(fewest_base_blocks(circle, {arm.order, arm.fixed}), ceil_div(bound, arm.order));
+      fewest = std::max(fewest_base_blocks(circle, *arm.automorphism(parameters_.v)),
+                        ceil_div(bound, arm.order));
     }
     fewest_.push_back(fewest);
   }
@@ -90,7 +91,7 @@ std::uint64_t SearchArms::bytes(const SearchArm& arm, std::uint64_t aim) const {
     return annealing_bytes(parameters_, aim);
   }
   try {
-    return SegmentOrbits::bytes(parameters_of(arm), {arm.order, arm.fixed}, aim);
+    return SegmentOrbits::bytes(parameters_of(arm), *arm.automorphism(parameters_.v), aim);
   } catch (const ImpossibleParameters&) {
     return std::numeric_limits<std::uint64_t>::max();
   }

@@ -14,7 +14,6 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "search/local/checkpoint.hpp"
-#include "search/local/segment_orbits.hpp"
 
 namespace changeover {
 

@@ -1,6 +1,7 @@
 #include "search/local/segment_orbits.hpp"
 
-#include <limits>
+#include <algorithm>
+#include <utility>
 
 #include "changeover/core/checked.hpp"
 #include "changeover/run/scope.hpp"
@@ -8,57 +9,40 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint32_t most_tries = 200;
 
 }  // namespace
 
-std::uint64_t SegmentOrbits::bytes(const Parameters& p, const ImposedAutomorphism& pi,
-                                   std::uint64_t c) {
+std::uint64_t SegmentOrbits::bytes(const Parameters& p, const Automorphism& pi, std::uint64_t c) {
   const std::uint64_t pairs = checked_multiply(p.v, p.v);
-  const std::uint64_t images = checked_multiply(2 * p.v, pi.order);
+  const std::uint64_t images = checked_multiply(2 * p.v, pi.n);
   // At worst every pair is an orbit; lists double when they grow.
-  const std::uint64_t orbits = pi.order == 0 ? pairs : pairs / 2 / pi.order + 2 * p.v;
+  const std::uint64_t orbits = pairs / 2 / pi.n + 2 * p.v;
   const std::uint64_t blocks = checked_multiply(c, checked_add(p.v, checked_multiply(2, p.k)));
   return checked_add(checked_add(checked_multiply(4, pairs), images),
                      checked_add(checked_multiply(24, orbits), blocks));
 }
 
-SegmentOrbits::SegmentOrbits(const Parameters& p, const ImposedAutomorphism& pi,
+SegmentOrbits::SegmentOrbits(const Parameters& p, const Automorphism& pi,
                              std::span<const Block> base_blocks)
     : parameters_(p),
       pi_(pi),
+      n_(static_cast<std::uint32_t>(pi.n)),
       v_(static_cast<std::uint32_t>(p.v)),
       k_(static_cast<std::uint32_t>(p.k)),
       c_(static_cast<std::uint32_t>(base_blocks.size())),
       usual_(usual_segment(p.k, p.change)),
-      images_(std::size_t{pi.order} * v_),
-      orbit_of_(std::size_t{v_} * v_, none),
+      images_(std::size_t{n_} * v_),
+      orbits_(pi),
       members_(std::size_t{c_} * v_, 0) {
   parameters_.kind = Kind::circular;
-  for (std::uint32_t s = 0; s < pi.order; ++s) {
+  for (std::uint32_t s = 0; s < n_; ++s) {
     stop_if_asked();
     for (Element x = 0; x < v_; ++x) {
-      images_[std::size_t{s} * v_ + x] = static_cast<std::uint16_t>(pi.image(x, s, v_));
+      images_[std::size_t{s} * v_ + x] = static_cast<std::uint16_t>(pi.image(x, s));
     }
   }
-  for (Element y = 1; y < v_; ++y) {
-    stop_if_asked();
-    for (Element x = 0; x < y; ++x) {
-      if (orbit_of_[std::size_t{x} * v_ + y] != none) {
-        continue;
-      }
-      const auto orbit = static_cast<std::uint32_t>(orbits_.size());
-      orbits_.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
-      for (std::uint32_t s = 0; s < pi.order; ++s) {
-        const Element a = image(x, s);
-        const Element d = image(y, s);
-        orbit_of_[std::size_t{a} * v_ + d] = orbit;
-        orbit_of_[std::size_t{d} * v_ + a] = orbit;
-      }
-    }
-  }
-  counts_.assign(orbits_.size(), 0);
+  std::vector<std::uint32_t> counts(orbits_.count(), 0);
   for (std::uint32_t i = 0; i < c_; ++i) {
     stop_if_asked();
     const Block& block = base_blocks[i];
@@ -66,23 +50,17 @@ SegmentOrbits::SegmentOrbits(const Parameters& p, const ImposedAutomorphism& pi,
       members_[std::size_t{i} * v_ + block[a]] = 1;
       elements_.push_back(static_cast<std::uint16_t>(block[a]));
       for (std::size_t d = 0; d < a; ++d) {
-        ++counts_[orbit_of_[std::size_t{block[a]} * v_ + block[d]]];
+        ++counts[orbits_.of(block[a], block[d])];
       }
     }
   }
-  place_.assign(orbits_.size(), none);
-  for (std::uint32_t orbit = 0; orbit < orbits_.size(); ++orbit) {
-    if (counts_[orbit] == 0) {
-      place_[orbit] = static_cast<std::uint32_t>(uncovered_.size());
-      uncovered_.push_back(orbit);
-    }
-  }
+  coverage_ = Coverage(std::move(counts));
 }
 
 Design SegmentOrbits::design() const {
   Design design(parameters_);
   Block block(k_);
-  for (std::uint32_t s = 0; s < pi_.order; ++s) {
+  for (std::uint32_t s = 0; s < n_; ++s) {
     for (std::uint32_t i = 0; i < c_; ++i) {
       for (std::uint32_t at = 0; at < k_; ++at) {
         block[at] = image(elements_[std::size_t{i} * k_ + at], s);
@@ -93,23 +71,9 @@ Design SegmentOrbits::design() const {
   return design;
 }
 
-std::uint32_t SegmentOrbits::meets_itself(Element x, Element y) const {
-  const Element moved = v_ - pi_.fixed;
-  if (x >= moved || y >= moved) {
-    return 1;
-  }
-  const std::uint32_t n = pi_.order;
-  if (x / n != y / n) {
-    return n;
-  }
-  const std::uint32_t apart = x > y ? x - y : y - x;
-  return std::min(apart, n - apart);
-}
-
 SegmentSwap SegmentOrbits::segment(std::uint32_t i, Element x, Element y) const {
-  const std::uint32_t longest = std::min(meets_itself(x, y) * c_ - 1, usual_);
-  const std::uint32_t n = pi_.order;
-  SegmentSwap move{n * c_ + i, 1, x, y};
+  const std::uint64_t longest = std::min<std::uint64_t>(pi_.meets_itself(x, y) * c_ - 1, usual_);
+  SegmentSwap move{n_ * c_ + i, 1, x, y};
   // Block q·c + i holds x if base block i holds π⁻ᵠ(x); `turn` is −q modulo n.
   const auto differ = [&](std::uint32_t block, std::uint32_t turn) {
     return contains(block, image(x, turn)) != contains(block, image(y, turn));
@@ -117,7 +81,7 @@ SegmentSwap SegmentOrbits::segment(std::uint32_t i, Element x, Element y) const 
   for (std::uint32_t at = i, turn = 0; move.length <= longest;) {
     if (at == 0) {
       at = c_;
-      turn = turn + 1 == n ? 0 : turn + 1;
+      turn = turn + 1 == n_ ? 0 : turn + 1;
     }
     --at;
     if (!differ(at, turn)) {
@@ -129,7 +93,7 @@ SegmentSwap SegmentOrbits::segment(std::uint32_t i, Element x, Element y) const 
   for (std::uint32_t at = i, turn = 0; move.length <= longest;) {
     if (++at == c_) {
       at = 0;
-      turn = turn == 0 ? n - 1 : turn - 1;
+      turn = turn == 0 ? n_ - 1 : turn - 1;
     }
     if (!differ(at, turn)) {
       break;
@@ -153,22 +117,19 @@ SegmentSwap SegmentOrbits::propose(Random& random) const {
 }
 
 SegmentSwap SegmentOrbits::propose_aimed(Random& random) const {
-  const auto which = random.below(static_cast<std::uint32_t>(uncovered_.size()));
-  Element p = orbits_[uncovered_[which]].x;
-  Element q = orbits_[uncovered_[which]].y;
+  const auto which = random.below(coverage_.missing());
+  auto [p, q] = orbits_.representative(coverage_.uncovered(which));
   if (random.one_in_two()) {
     std::swap(p, q);
   }
-  const Element moved = v_ - pi_.fixed;
-  const std::uint32_t n = pi_.order;
   for (std::uint32_t tries = 0; tries < most_tries; ++tries) {
-    const std::uint32_t turn = random.below(n);
+    const std::uint32_t turn = random.below(n_);
     const std::uint32_t i = random.below(c_);
     const Element there = image(p, turn);
     if (!contains(i, there)) {
       continue;
     }
-    const Element y = image(q, p >= moved ? random.below(n) : turn);
+    const Element y = image(q, pi_.moves(p) ? turn : random.below(n_));
     if (contains(i, y)) {
       continue;
     }
@@ -181,29 +142,13 @@ SegmentSwap SegmentOrbits::propose_aimed(Random& random) const {
   return propose(random);
 }
 
-void SegmentOrbits::add(std::uint32_t orbit) {
-  if (counts_[orbit]++ == 0) {
-    const std::uint32_t last = uncovered_.back();
-    uncovered_[place_[orbit]] = last;
-    place_[last] = place_[orbit];
-    uncovered_.pop_back();
-  }
-}
-
-void SegmentOrbits::remove(std::uint32_t orbit) {
-  if (--counts_[orbit] == 0) {
-    place_[orbit] = static_cast<std::uint32_t>(uncovered_.size());
-    uncovered_.push_back(orbit);
-  }
-}
-
 // The counters are changed, block by block, and changed back; nothing else is touched. A base block
 // that a segment reaches twice would have to change in between: such moves are made and taken back.
 std::int32_t SegmentOrbits::look(const SegmentSwap& move) {
   if (move.length > c_) {
-    const auto before = static_cast<std::int32_t>(uncovered_.size());
+    const auto before = static_cast<std::int32_t>(coverage_.missing());
     exchange(move);
-    const auto after = static_cast<std::int32_t>(uncovered_.size());
+    const auto after = static_cast<std::int32_t>(coverage_.missing());
     exchange(move);
     return after - before;
   }
@@ -223,35 +168,34 @@ std::int32_t SegmentOrbits::look(const SegmentSwap& move) {
 template <typename Visit>
 void SegmentOrbits::visit_counters(const SegmentSwap& move, Visit&& visit) {
   std::uint32_t i = move.first % c_;
-  std::uint32_t turn = (2 * pi_.order - move.first / c_) % pi_.order;
+  std::uint32_t turn = (2 * n_ - move.first / c_) % n_;
   for (std::uint32_t step = 0; step < move.length; ++step) {
     Element out = image(move.x, turn);
     Element in = image(move.y, turn);
     if (!contains(i, out)) {
       std::swap(out, in);
     }
-    const std::uint32_t* from = orbit_of_.data() + std::size_t{out} * v_;
-    const std::uint32_t* to = orbit_of_.data() + std::size_t{in} * v_;
+    const std::uint32_t* from = orbits_.row(out);
+    const std::uint32_t* to = orbits_.row(in);
     const std::uint16_t* elements = elements_.data() + std::size_t{i} * k_;
     for (std::uint32_t at = 0; at < k_; ++at) {
       const std::uint16_t z = elements[at];
       if (z != out) {
-        visit(counts_[from[z]], counts_[to[z]]);
+        visit(coverage_.times(from[z]), coverage_.times(to[z]));
       }
     }
     if (++i == c_) {
       i = 0;
-      turn = turn == 0 ? pi_.order - 1 : turn - 1;
+      turn = turn == 0 ? n_ - 1 : turn - 1;
     }
   }
 }
 
 void SegmentOrbits::exchange(const SegmentSwap& move) {
-  const std::uint32_t n = pi_.order;
   for (std::uint32_t step = 0; step < move.length; ++step) {
     const std::uint32_t at = move.first + step;
     const std::uint32_t i = at % c_;
-    const std::uint32_t turn = (2 * n - at / c_) % n;
+    const std::uint32_t turn = (2 * n_ - at / c_) % n_;
     Element out = image(move.x, turn);
     Element in = image(move.y, turn);
     if (!contains(i, out)) {
@@ -260,16 +204,16 @@ void SegmentOrbits::exchange(const SegmentSwap& move) {
     std::uint8_t* row = members_.data() + std::size_t{i} * v_;
     row[out] = 0;
     row[in] = 1;
-    const std::uint32_t* from = orbit_of_.data() + std::size_t{out} * v_;
-    const std::uint32_t* to = orbit_of_.data() + std::size_t{in} * v_;
+    const std::uint32_t* from = orbits_.row(out);
+    const std::uint32_t* to = orbits_.row(in);
     std::uint16_t* elements = elements_.data() + std::size_t{i} * k_;
     std::uint32_t place = 0;
     for (std::uint32_t z = 0; z < k_; ++z) {
       if (elements[z] == out) {
         place = z;
       } else {
-        remove(from[elements[z]]);
-        add(to[elements[z]]);
+        coverage_.remove(from[elements[z]]);
+        coverage_.add(to[elements[z]]);
       }
     }
     elements[place] = static_cast<std::uint16_t>(in);

@@ -34,28 +34,15 @@ SegmentSubsets::SegmentSubsets(const Design& design, std::size_t frozen)
       b_(static_cast<std::uint32_t>(design.block_count())),
       frozen_(static_cast<std::uint32_t>(frozen)),
       usual_(usual_segment(design.k(), design.parameters().change)),
-      circular_(design.parameters().kind == Kind::circular) {
+      circular_(design.parameters().kind == Kind::circular),
+      ranks_(v_, t_) {
   const std::uint64_t subsets = binomial(v_, t_);
   if (subsets > most_subsets) {
     throw MissingResource(fmt::format(
         "local search would need counters for {} subsets of {} elements; at most {} are supported",
         subsets, t_, most_subsets));
   }
-  for (std::uint32_t r = 0; r <= t_; ++r) {
-    for (std::uint32_t n = 0; n <= v_; ++n) {
-      choose_.push_back(binomial(n, r));
-    }
-  }
-  counts_.assign(static_cast<std::size_t>(subsets), 0);
-  place_.assign(static_cast<std::size_t>(subsets), 0);
-  constexpr std::uint32_t between_questions = 1 << 16;
-  for (std::uint32_t rank = 0; rank < subsets; ++rank) {
-    if (rank % between_questions == 0) {
-      stop_if_asked();
-    }
-    place_[rank] = rank;
-    uncovered_.push_back(rank);
-  }
+  coverage_ = Coverage(std::vector<std::uint32_t>(static_cast<std::size_t>(subsets), 0));
   members_.assign(std::size_t{b_} * v_, 0);
   for (std::uint32_t i = 0; i < b_; ++i) {
     const auto block = design.block(i);
@@ -80,38 +67,16 @@ template <bool Adding>
 void SegmentSubsets::count_with(Element x, std::uint32_t from, std::uint32_t chosen,
                                 std::uint32_t below, std::uint64_t rank) {
   if (chosen + 1 == t_) {
-    const std::uint64_t whole = rank + choose(x, below + 1);
-    Adding ? add(whole) : remove(whole);
+    const auto whole = static_cast<std::size_t>(rank + ranks_.choose(x, below + 1));
+    Adding ? coverage_.add(whole) : coverage_.remove(whole);
     return;
   }
   for (auto at = from; at < others_.size(); ++at) {
     const Element z = others_[at];
     const std::uint32_t larger = z > x ? 1 : 0;
     count_with<Adding>(x, at + 1, chosen + 1, below + 1 - larger,
-                       rank + choose(z, chosen + larger + 1));
+                       rank + ranks_.choose(z, chosen + larger + 1));
   }
-}
-
-std::uint32_t SegmentSubsets::count(std::span<const Element> subset) const {
-  std::uint64_t rank = 0;
-  for (std::uint32_t i = 0; i < subset.size(); ++i) {
-    rank += choose(subset[i], i + 1);
-  }
-  return counts_[static_cast<std::size_t>(rank)];
-}
-
-Block SegmentSubsets::subset_of(std::uint64_t rank) const {
-  Block subset;
-  Element x = v_;
-  for (std::uint32_t r = t_; r > 0; --r) {
-    --x;
-    while (choose(x, r) > rank) {
-      --x;
-    }
-    subset.push_back(x);
-    rank -= choose(x, r);
-  }
-  return subset;
 }
 
 Design SegmentSubsets::design() const {
@@ -145,8 +110,8 @@ SegmentSwap SegmentSubsets::propose(Random& random) const {
 }
 
 SegmentSwap SegmentSubsets::propose_aimed(Random& random) const {
-  const auto which = random.below(static_cast<std::uint32_t>(uncovered_.size()));
-  const Block wanted = subset_of(uncovered_[which]);
+  const auto which = random.below(coverage_.missing());
+  const Block wanted = ranks_.subset(coverage_.uncovered(which));
   // Of a few random blocks, the one that has most of what is wanted.
   std::uint32_t best = frozen_;
   std::uint32_t most = 0;
@@ -174,24 +139,6 @@ SegmentSwap SegmentSubsets::propose_aimed(Random& random) const {
     x = block(best)[random.below(k_)];
   }
   return segment(best, x, y, (random.next() >> 60) == 0 ? b_ : usual_);
-}
-
-void SegmentSubsets::add(std::uint64_t rank) {
-  const auto at = static_cast<std::size_t>(rank);
-  if (counts_[at]++ == 0) {
-    const std::uint32_t last = uncovered_.back();
-    uncovered_[place_[at]] = last;
-    place_[last] = place_[at];
-    uncovered_.pop_back();
-  }
-}
-
-void SegmentSubsets::remove(std::uint64_t rank) {
-  const auto at = static_cast<std::size_t>(rank);
-  if (--counts_[at] == 0) {
-    place_[at] = static_cast<std::uint32_t>(uncovered_.size());
-    uncovered_.push_back(static_cast<std::uint32_t>(rank));
-  }
 }
 
 void SegmentSubsets::exchange(const SegmentSwap& move) {

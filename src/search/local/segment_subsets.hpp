@@ -18,7 +18,9 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "run/random.hpp"
+#include "search/local/coverage.hpp"
 #include "search/local/segment_swap.hpp"
+#include "search/subset_ranks.hpp"
 
 namespace changeover {
 
@@ -34,7 +36,7 @@ class SegmentSubsets {
 
   [[nodiscard]] std::uint32_t block_count() const { return b_; }
   /// How many t-subsets are in no block. O(1).
-  [[nodiscard]] std::uint64_t missing() const { return uncovered_.size(); }
+  [[nodiscard]] std::uint64_t missing() const { return coverage_.missing(); }
   /// The k elements of a block, in no order.
   [[nodiscard]] std::span<const std::uint16_t> block(std::uint32_t index) const {
     return std::span(elements_).subspan(std::size_t{index} * k_, k_);
@@ -43,7 +45,9 @@ class SegmentSubsets {
     return members_[std::size_t{i} * v_ + x] != 0;
   }
   /// In how many blocks all of these t increasing elements are.
-  [[nodiscard]] std::uint32_t count(std::span<const Element> subset) const;
+  [[nodiscard]] std::uint32_t count(std::span<const Element> subset) const {
+    return coverage_.times(static_cast<std::size_t>(ranks_.rank(subset)));
+  }
 
   /// The blocks as they are now.
   [[nodiscard]] Design design() const;
@@ -64,9 +68,9 @@ class SegmentSubsets {
   /// As SegmentPairs::attempt(), in subsets.
   template <typename Accept>
   bool attempt(const SegmentSwap& move, Accept&& accept) {
-    const auto before = static_cast<std::int32_t>(uncovered_.size());
+    const auto before = static_cast<std::int32_t>(coverage_.missing());
     exchange(move);
-    if (accept(static_cast<std::int32_t>(uncovered_.size()) - before)) {
+    if (accept(static_cast<std::int32_t>(coverage_.missing()) - before)) {
       return true;
     }
     exchange(move);  // its own inverse
@@ -77,28 +81,19 @@ class SegmentSubsets {
   void apply(const SegmentSwap& move) { exchange(move); }
 
  private:
-  // C(n,r); a subset {x₁ < x₂ < …} has rank ΣC(xᵢ,i).
-  [[nodiscard]] std::uint64_t choose(std::uint32_t n, std::uint32_t r) const {
-    return choose_[std::size_t{r} * (v_ + 1) + n];
-  }
   void exchange(const SegmentSwap& move);
   template <bool Adding>
   void count_with(Element x, std::uint32_t from, std::uint32_t chosen, std::uint32_t below,
                   std::uint64_t rank);
-  [[nodiscard]] Block subset_of(std::uint64_t rank) const;
-  void add(std::uint64_t rank);
-  void remove(std::uint64_t rank);
 
   Parameters parameters_;
   std::uint32_t v_, k_, t_, b_, frozen_, usual_;
   bool circular_;
-  std::vector<std::uint64_t> choose_;     // t+1 rows of v+1
-  std::vector<std::uint32_t> counts_;     // by subset
-  std::vector<std::uint8_t> members_;     // b rows of v
-  std::vector<std::uint16_t> elements_;   // k of each block
-  std::vector<std::uint32_t> uncovered_;  // subsets, without order
-  std::vector<std::uint32_t> place_;      // of a subset in uncovered_
-  std::vector<Element> others_;           // scratch: a block without x, increasing
+  SubsetRanks ranks_;
+  std::vector<std::uint8_t> members_;    // b rows of v
+  std::vector<std::uint16_t> elements_;  // k of each block
+  Coverage coverage_;                    // of the subsets
+  std::vector<Element> others_;          // scratch: a block without x, increasing
 };
 
 }  // namespace changeover

@@ -12,7 +12,7 @@
 #include "changeover/search/ordering.hpp"
 #include "run/random.hpp"
 #include "search/order/ordering_overlap.hpp"
-#include "search/sat/base_block_solver.hpp"
+#include "search/sat/incremental_solver.hpp"
 #include "search/sat/cardinality.hpp"
 
 namespace changeover {
@@ -228,7 +228,7 @@ class Rotation {
 class HamiltonByCuts {
  public:
   HamiltonByCuts(const ChangeGraph& graph, bool circular, std::uint64_t seed)
-      : formula_(seed), blocks_(graph.count()), edges_(graph.count() + (circular ? 0 : 1)) {
+      : solver_(seed), blocks_(graph.count()), edges_(graph.count() + (circular ? 0 : 1)) {
     for (std::uint32_t i = 0; i < blocks_; ++i) {
       for (const std::uint32_t j : graph.neighbours(i)) {
         if (j < i) {
@@ -245,25 +245,22 @@ class HamiltonByCuts {
       for (const Edge& edge : edges) {
         literals.push_back(edge.literal);
       }
-      require_exactly(formula_.cnf, literals, 2);
+      require_exactly(solver_.cnf, literals, 2);
     }
   }
 
-  OrderAnswer run(std::uint64_t most, RunControl& control) {
+  Outcome run(std::uint64_t most, RunControl& control) {
     while (conflicts() < most) {
-      const Formula::Answer answer = formula_.solve(control, most - conflicts());
-      if (answer != Formula::Answer::satisfiable) {
-        return answer == Formula::Answer::unsatisfiable ? OrderAnswer::none : OrderAnswer::unknown;
-      }
-      if (cut()) {
-        return OrderAnswer::found;
+      const Outcome outcome = solver_.solve(control, most - conflicts());
+      if (outcome != Outcome::found || cut()) {
+        return outcome;
       }
     }
-    return OrderAnswer::unknown;
+    return Outcome::unknown;
   }
 
   [[nodiscard]] std::vector<std::size_t> order() const { return order_; }
-  [[nodiscard]] std::uint64_t conflicts() const { return formula_.conflicts(); }
+  [[nodiscard]] std::uint64_t conflicts() const { return solver_.conflicts(); }
 
  private:
   struct Edge {
@@ -272,7 +269,7 @@ class HamiltonByCuts {
   };
 
   void join(std::uint32_t i, std::uint32_t j) {
-    const Literal literal = formula_.cnf.new_variable();
+    const Literal literal = solver_.cnf.new_variable();
     edges_[i].push_back({j, literal});
     edges_[j].push_back({i, literal});
   }
@@ -295,7 +292,7 @@ class HamiltonByCuts {
         }
         std::uint32_t next = nowhere;
         for (const Edge& edge : edges_[at]) {
-          if (cycle_of[edge.to] == nowhere && formula_.holds(edge.literal)) {
+          if (cycle_of[edge.to] == nowhere && solver_.holds(edge.literal)) {
             next = edge.to;
             break;
           }
@@ -316,12 +313,12 @@ class HamiltonByCuts {
       }
     }
     for (const std::vector<Literal>& clause : leaving) {
-      formula_.cnf.add(clause);
+      solver_.cnf.add(clause);
     }
     return false;
   }
 
-  Formula formula_;
+  IncrementalSolver solver_;
   std::size_t blocks_;
   std::vector<std::vector<Edge>> edges_;
   std::vector<std::size_t> order_;
@@ -359,31 +356,31 @@ ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& 
   const RunScope scope(control);
   const Overlaps overlaps(blocks, wanted.v);
   ChangeOrder result;
-  const auto finish = [&](OrderAnswer answer, std::vector<std::size_t> order) {
-    result.answer = answer;
+  const auto finish = [&](Outcome outcome, std::vector<std::size_t> order) {
+    result.outcome = outcome;
     result.order = std::move(order);
-    if (answer == OrderAnswer::found) {
+    if (outcome == Outcome::found) {
       recount(blocks, wanted, result.order);
     }
-    result.why = answer == OrderAnswer::found                   ? WhyStopped::found
-                 : answer == OrderAnswer::none                  ? WhyStopped::exhausted
+    result.why_stopped = outcome == Outcome::found                   ? WhyStopped::found
+                 : outcome == Outcome::none                  ? WhyStopped::exhausted
                  : control.why_stopped() != WhyStopped::running ? control.why_stopped()
                                                                 : WhyStopped::step_limit;
     return result;
   };
   if (blocks.size() == 1) {
-    return finish(OrderAnswer::found, {0});
+    return finish(Outcome::found, {0});
   }
   std::optional<ChangeGraph> neighbours;
   try {
     neighbours.emplace(overlaps, wanted.m);
   } catch (const Stopped&) {
-    return finish(OrderAnswer::unknown, {});
+    return finish(Outcome::unknown, {});
   }
   const ChangeGraph& graph = *neighbours;
   result.reason = obstruction(graph, wanted);
   if (!result.reason.empty()) {
-    return finish(OrderAnswer::none, {});
+    return finish(Outcome::none, {});
   }
   const bool circular = wanted.kind == Kind::circular;
   Random random(control.seed());
@@ -393,19 +390,19 @@ ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& 
   const std::uint64_t most =
       few ? std::min<std::uint64_t>(options.rotations, 200'000) : options.rotations;
   if (rotation.run(most, result.rotations, control)) {
-    return finish(OrderAnswer::found, rotation.order());
+    return finish(Outcome::found, rotation.order());
   }
   if (!few || !graph.complete() || control.stop_wanted()) {
-    return finish(OrderAnswer::unknown, {});
+    return finish(Outcome::unknown, {});
   }
   HamiltonByCuts exact(graph, circular, control.seed());
-  const OrderAnswer answer = exact.run(options.conflicts, control);
+  const Outcome outcome = exact.run(options.conflicts, control);
   result.conflicts = exact.conflicts();
-  if (answer == OrderAnswer::none) {
+  if (outcome == Outcome::none) {
     result.reason =
         fmt::format("the SAT solver says that there is none, after {} conflicts", result.conflicts);
   }
-  return finish(answer, answer == OrderAnswer::found ? exact.order() : std::vector<std::size_t>{});
+  return finish(outcome, outcome == Outcome::found ? exact.order() : std::vector<std::size_t>{});
 }
 
 }  // namespace changeover

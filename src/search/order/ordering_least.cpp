@@ -340,13 +340,13 @@ LeastChangeOrder order_for_least_change(std::span<const Block> blocks,
   if (exact) {
     offer(least_order(overlaps, wanted));
     result.lower_bound = result.cost;
-    result.why = WhyStopped::exhausted;
+    result.why_stopped = WhyStopped::exhausted;
     return result;
   }
   offer(searched_order(blocks, overlaps, wanted, options, control, result.kicks));
   result.lower_bound =
       order_lower_bound(blocks, overlaps, wanted, result.cost, options.bound_effort, control);
-  result.why = result.least()                                 ? WhyStopped::exhausted
+  result.why_stopped = result.least()                                 ? WhyStopped::exhausted
                : control.why_stopped() != WhyStopped::running ? control.why_stopped()
                                                               : WhyStopped::step_limit;
   return result;

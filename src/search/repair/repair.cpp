@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
 #include <set>
 #include <utility>
 #include <vector>
@@ -12,9 +11,9 @@
 #include "changeover/core/transitions.hpp"
 #include "construct/tools/path.hpp"
 #include "run/grace.hpp"
-#include "search/listening.hpp"
 #include "search/local/local_search_states.hpp"
 #include "search/local/random_list.hpp"
+#include "search/repair/repair_anneal.hpp"
 #include "search/repair/repair_cover.hpp"
 
 namespace changeover {
@@ -24,11 +23,6 @@ constexpr std::uint64_t first_moves = 4096;
 constexpr int anneals_of_a_length = 3;
 constexpr int samples_of_replacements = 200;
 constexpr std::chrono::seconds patience{1};
-
-Block block_of(const Design& design, std::size_t i) {
-  const auto elements = design.block(i);
-  return Block(elements.begin(), elements.end());
-}
 
 std::size_t changes(const Block& from, const Block& to) { return difference(from, to).size(); }
 
@@ -136,16 +130,6 @@ void require_possible(const Design& list) {
   }
 }
 
-void require_valid(const Design& design) {
-  if (!verify(design).valid()) {
-    throw InternalError(fmt::format("a repaired {} is not valid", name(design.parameters())));
-  }
-}
-
-}  // namespace
-
-namespace {
-
 /// One repair, from the list to the design.
 class Repair {
  public:
@@ -164,7 +148,7 @@ class Repair {
 
  private:
   void work() {
-    const Verdict before = verify_listening(list_);
+    const Verdict before = verify(list_);
     result_.given = list_.block_count();
     result_.bad_steps = before.bad_steps;
     result_.uncovered = before.uncovered;
@@ -177,17 +161,11 @@ class Repair {
       return;
     }
     const Design mended = Steps(list_, random_).mended();
-    if (verify_listening(mended).valid()) {
+    if (verify(mended).valid()) {
       keep(mended);
       return;
     }
-    try {
-      anneal(mended);
-    } catch (const MissingResource& fault) {
-      result_.unsearched = fault.what();
-    } catch (const std::bad_alloc&) {
-      result_.unsearched = "not enough memory to anneal the list";
-    }
+    result_.unsearched = annealing_fault([&] { anneal(mended); });
     if (!result_.design) {
       keep(cover_the_rest(mended, random_));
       result_.why_stopped =
@@ -201,16 +179,9 @@ class Repair {
          !control_.stop_wanted();
          moves *= 2) {
       for (int run = 0; run < anneals_of_a_length && !control_.stop_wanted(); ++run) {
-        Annealed annealed =
-            anneal_blocks(mended, 0, {.moves = moves, .hot = 0.3, .cold = 0.15}, random_, control_,
-                          [&](std::uint64_t done, std::uint64_t missing) {
-                            if (control_.progress_due()) {
-                              control_.tell({.phase = "annealing the list",
-                                             .steps = result_.moves + done,
-                                             .missing = missing});
-                            }
-                            return true;
-                          });
+        Annealed annealed = anneal_blocks(
+            mended, 0, {.moves = moves, .hot = 0.3, .cold = 0.15}, random_, control_,
+            telling(control_, {.phase = "annealing the list", .steps = result_.moves}));
         result_.moves += annealed.outcome.moves;
         if (annealed.design) {
           keep(*std::move(annealed.design));
@@ -226,10 +197,9 @@ class Repair {
     if (result_.design && kept <= result_.kept) {
       return;
     }
-    require_valid(design);
     design.set_labels(list_.labels());
+    result_.design = surely_verified(std::move(design), "a repaired " + name(list_.parameters()));
     result_.kept = kept;
-    result_.design = std::move(design);
     result_.why_stopped = WhyStopped::found;
   }
 

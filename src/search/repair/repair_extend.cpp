@@ -1,16 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/search/repair.hpp"
 #include "run/grace.hpp"
-#include "search/listening.hpp"
 #include "search/local/local_search_states.hpp"
 #include "search/local/random_list.hpp"
+#include "search/repair/repair_anneal.hpp"
 #include "search/repair/repair_cover.hpp"
 
 namespace changeover {
@@ -18,11 +17,6 @@ namespace {
 
 constexpr std::uint64_t first_budget = std::uint64_t{1} << 18;
 constexpr std::chrono::seconds patience{1};
-
-Block block_of(const Design& design, std::size_t i) {
-  const auto elements = design.block(i);
-  return Block(elements.begin(), elements.end());
-}
 
 // The beginning with random blocks after it, `blocks` altogether; nullopt if it cannot be closed
 // so.
@@ -62,7 +56,7 @@ void require_steps(const Design& beginning) {
   linear.kind = Kind::linear;
   Design list = beginning;
   list.set_kind(Kind::linear);
-  const Verdict verdict = verify_listening(list);
+  const Verdict verdict = verify(list);
   if (verdict.bad_steps > 0) {
     const BadStep& step = verdict.bad_step_examples.front();
     throw BadInput(fmt::format(
@@ -97,9 +91,9 @@ class Extension {
  private:
   void work() {
     require_steps(beginning_);
-    const Verdict verdict = verify_listening(beginning_);
+    const Verdict verdict = verify(beginning_);
     if (verdict.valid()) {
-      result_.design = beginning_;
+      keep(beginning_);
       result_.lower_bound = beginning_.block_count();
       result_.why_stopped = WhyStopped::found;
       return;
@@ -107,13 +101,7 @@ class Extension {
     result_.lower_bound =
         std::max<std::uint64_t>(fewest_blocks(beginning_, verdict), beginning_.block_count() + 1);
     keep(cover_the_rest(beginning_, random_));
-    try {
-      shorten();
-    } catch (const MissingResource& fault) {
-      result_.unsearched = fault.what();
-    } catch (const std::bad_alloc&) {
-      result_.unsearched = "not enough memory to anneal the list";
-    }
+    result_.unsearched = annealing_fault([this] { shorten(); });
     if (!result_.unsearched.empty() && result_.why_stopped == WhyStopped::running) {
       result_.why_stopped = WhyStopped::exhausted;
     }
@@ -151,22 +139,15 @@ class Extension {
   // Whether a design of `aim` blocks was found.
   bool attempt(std::uint64_t aim, std::uint64_t moves) {
     control_.require_memory(annealing_bytes(p_, aim), "local search for the " + name(p_));
-    const std::uint64_t best = result_.design->block_count();
     Annealed annealed;
     if (const auto start = continued(beginning_, static_cast<std::size_t>(aim), random_)) {
       annealed = anneal_blocks(
           *start, beginning_.block_count(), {.moves = moves}, random_, control_,
-          [&](std::uint64_t done, std::uint64_t missing) {
-            if (control_.progress_due()) {
-              control_.tell({.phase = fmt::format("annealing {} blocks after the given ones",
+          telling(control_, {.phase = fmt::format("annealing {} blocks after the given ones",
                                                   aim - beginning_.block_count()),
-                             .steps = result_.moves + done,
-                             .best = best,
-                             .lower_bound = result_.lower_bound,
-                             .missing = missing});
-            }
-            return true;
-          });
+                             .steps = result_.moves,
+                             .best = result_.design->block_count(),
+                             .lower_bound = result_.lower_bound}));
     }
     // A list that cannot be closed costs something too, or an attempt at it would never end.
     result_.moves += std::max<std::uint64_t>(1, annealed.outcome.moves);
@@ -179,11 +160,8 @@ class Extension {
   // Stopped or not.
   void keep(Design design) {
     const RunGrace to_the_end(control_);
-    if (!verify(design).valid()) {
-      throw InternalError(fmt::format("an extended {} is not valid", name(p_)));
-    }
     design.set_labels(beginning_.labels());
-    result_.design = std::move(design);
+    result_.design = surely_verified(std::move(design), "an extended " + name(p_));
   }
 
   const Design& beginning_;

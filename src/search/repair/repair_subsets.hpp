@@ -20,19 +20,17 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/scope.hpp"
+#include "search/subset_ranks.hpp"
 
 namespace changeover {
 
 class CoveredSubsets {
  public:
   explicit CoveredSubsets(const Parameters& p)
-      : v_(p.v), t_(p.strength), covered_(counted(p), false), missing_(covered_.size()) {
-    for (std::uint32_t r = 0; r <= t_; ++r) {
-      for (std::uint64_t n = 0; n <= v_; ++n) {
-        choose_.push_back(binomial(n, r));
-      }
-    }
-  }
+      : t_(p.strength),
+        covered_(counted(p), false),
+        missing_(covered_.size()),
+        ranks_(p.v, p.strength) {}
 
   [[nodiscard]] std::uint64_t missing() const { return missing_; }
 
@@ -62,17 +60,7 @@ class CoveredSubsets {
     if (first_ == covered_.size()) {
       return std::nullopt;
     }
-    Block subset;
-    std::uint64_t rank = first_;
-    std::uint64_t x = v_;
-    for (std::uint32_t r = t_; r > 0; --r) {
-      do {
-        --x;
-      } while (choose(x, r) > rank);
-      subset.push_back(static_cast<Element>(x));
-      rank -= choose(x, r);
-    }
-    return subset;
+    return ranks_.subset(first_);
   }
 
  private:
@@ -93,10 +81,6 @@ class CoveredSubsets {
     }
   }
 
-  [[nodiscard]] std::uint64_t choose(std::uint64_t n, std::uint32_t r) const {
-    return choose_[static_cast<std::size_t>(r * (v_ + 1) + n)];
-  }
-
   template <typename Visit>
   void for_each_subset(std::span<const Element> block, Visit&& visit) {
     sorted_.assign(block.begin(), block.end());
@@ -114,15 +98,14 @@ class CoveredSubsets {
       worked(sorted_.size() - from);
     }
     for (std::size_t at = from; at < sorted_.size(); ++at) {
-      descend(at + 1, chosen + 1, rank + choose(sorted_[at], chosen + 1), visit);
+      descend(at + 1, chosen + 1, rank + ranks_.choose(sorted_[at], chosen + 1), visit);
     }
   }
 
-  std::uint64_t v_;
   std::uint32_t t_;
   std::vector<bool> covered_;
   std::uint64_t missing_;
-  std::vector<std::uint64_t> choose_;
+  SubsetRanks ranks_;
   std::size_t first_ = 0;
   Block sorted_;
   std::size_t worked_ = 0;

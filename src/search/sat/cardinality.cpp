@@ -154,6 +154,47 @@ void require_at_most(Cnf& cnf, std::span<const Literal> literals, std::size_t nu
   }
 }
 
+void at_most_one(Cnf& cnf, std::span<const Literal> literals) {
+  if (literals.size() <= 6) {
+    for (std::size_t i = 0; i < literals.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        cnf.add({-literals[i], -literals[j]});
+      }
+    }
+    return;
+  }
+  Literal before = literals[0];  // one of the literals so far
+  for (std::size_t i = 1; i < literals.size(); ++i) {
+    cnf.add({-before, -literals[i]});
+    if (i + 1 < literals.size()) {
+      const Literal next = cnf.new_variable();
+      cnf.add({-before, next});
+      cnf.add({-literals[i], next});
+      before = next;
+    }
+  }
+}
+
+void require_not_less(Cnf& cnf, std::span<const Literal> a, std::span<const Literal> b) {
+  std::vector<Literal> same;  // the negation of: no difference so far
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::vector<Literal> clause = same;
+    clause.insert(clause.end(), {a[i], -b[i]});
+    cnf.add(clause);
+    if (i + 1 == a.size()) {
+      break;
+    }
+    // As a ≥ b at this digit if all before are the same, it is the same unless a has 1 and b has 0.
+    const Literal still = cnf.new_variable();
+    for (const Literal reason : {-a[i], b[i]}) {
+      clause = same;
+      clause.insert(clause.end(), {still, -reason});
+      cnf.add(clause);
+    }
+    same = {-still};
+  }
+}
+
 CnfSize unary_count_size(std::uint64_t literals, std::uint64_t limit) {
   return counted_size(literals, limit, {});
 }

@@ -1,4 +1,4 @@
-// How many of some literals hold, as a formula.
+// How many of some literals hold, and which of two lists of them is greater, as a formula.
 //
 //     const auto at_least = unary_count(cnf, literals, 3);   // at_least[j] ⟺ j + 1 or more hold, j < 3
 //     require_exactly(cnf, literals, 2);
@@ -28,7 +28,13 @@ void require_exactly(Cnf& cnf, std::span<const Literal> literals, std::size_t nu
 /// At most `number` of the literals hold.
 void require_at_most(Cnf& cnf, std::span<const Literal> literals, std::size_t number);
 
-/// What these three add to a formula, for so many literals. @throws ImpossibleParameters if it is beyond 64 bits.
+/// At most one of the literals. Pairwise if they are few, else by a chain of new variables.
+void at_most_one(Cnf& cnf, std::span<const Literal> literals);
+
+/// a ≥ b as numbers in base 2, the first literal being the highest digit; of the same length.
+void require_not_less(Cnf& cnf, std::span<const Literal> a, std::span<const Literal> b);
+
+/// What the first three add to a formula, for so many literals. @throws ImpossibleParameters if it is beyond 64 bits.
 /// O(log² literals).
 [[nodiscard]] CnfSize unary_count_size(std::uint64_t literals, std::uint64_t limit);
 [[nodiscard]] CnfSize exactly_size(std::uint64_t literals, std::uint64_t number);

@@ -1,57 +1,25 @@
 #include "search/sat/sat_solver.hpp"
 
 #include <fmt/format.h>
-#include <cadical.hpp>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
-#include <limits>
-#include <memory>
-#include <new>
 #include <system_error>
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "search/sat/sat_engine.hpp"
 
 namespace changeover {
 namespace {
 
 namespace fs = std::filesystem;
 
-void set(CaDiCaL::Solver& solver, const char* option, int value) {
-  if (!solver.set(option, value)) {
-    throw InternalError(fmt::format("the SAT solver does not know its option '{}'", option));
-  }
-}
-
 // From so many literals on a pass over the formula takes long enough to be noticed, so that the solver asks
 // whether to stop wherever it can, and not only every tenth time. What it finds does not depend on that.
 constexpr std::size_t large = 1'000'000;
-
-// False if the control stopped it.
-bool hand_over(CaDiCaL::Solver& solver, const Cnf& cnf, std::span<const Literal> assumptions,
-               RunControl& control) {
-  constexpr std::size_t at_once = std::size_t{1} << 14;
-  solver.reserve(static_cast<int>(cnf.variables()));
-  const std::span<const Literal> all = cnf.literals();
-  for (std::size_t begin = 0; begin < all.size(); begin += at_once) {
-    if (control.stop_wanted()) {
-      return false;
-    }
-    for (const Literal literal : all.subspan(begin, std::min(at_once, all.size() - begin))) {
-      solver.add(literal);
-    }
-  }
-  for (const Literal literal : assumptions) {
-    solver.add(literal);
-    solver.add(0);
-  }
-  return true;
-}
 
 /// The proof on its way to the disk. The solver writes it and does not look whether that succeeds.
 class ProofFile {
@@ -115,98 +83,48 @@ class ProofFile {
   std::FILE* file_ = nullptr;
 };
 
-/// Asked by the solver every few conflicts. What a callback throws waits until the solver has returned.
-class Terminator final : public CaDiCaL::Terminator {
- public:
-  Terminator(RunControl& control, const Progress& progress, const ProofFile& proof)
-      : control_(control), progress_(progress), proof_(proof) {}
-
-  bool terminate() override {
-    if (fault_) {
-      return true;
-    }
-    try {
-      if (control_.progress_due()) {
-        progress_.steps = proof_.kilobytes();
-        progress_.unit = "kB of proof";
-        control_.tell(progress_);
-      }
-      return control_.stop_wanted() || proof_.failed();
-    } catch (...) {
-      fault_ = std::current_exception();
-      return true;
-    }
-  }
-
-  void rethrow() const {
-    if (fault_) {
-      std::rethrow_exception(fault_);
-    }
-  }
-
- private:
-  RunControl& control_;
-  Progress progress_;
-  const ProofFile& proof_;
-  std::exception_ptr fault_;
-};
-
 }  // namespace
 
 SatResult solve_sat(const Cnf& cnf, std::span<const Literal> assumptions, const SatOptions& options,
-                    RunControl& control) try {
+                    RunControl& control) {
   SatResult result;
   if (control.stop_wanted()) {
     return result;
   }
   ProofFile proof(options.proof_path);
-  Terminator terminator(control, options.progress, proof);
   {
-    CaDiCaL::Solver solver;
-    set(solver, "quiet", 1);
+    SatEngine engine;
     if (cnf.literals().size() > large) {
-      set(solver, "terminateint", 0);  // the solver takes options before anything else only
+      engine.set("terminateint", 0);
     }
     if (proof.file() != nullptr) {
-      set(solver, "binary", 0);
-      if (!solver.trace_proof(proof.file(), options.proof_path.c_str())) {
-        throw InternalError("the SAT solver refuses to write a proof");
-      }
+      engine.trace_proof(proof.file(), options.proof_path);
     }
-    if (!hand_over(solver, cnf, assumptions, control)) {
+    if (!engine.add(cnf, control)) {
       return result;
     }
-    if (options.conflicts) {
-      constexpr std::uint32_t most = std::numeric_limits<int>::max();
-      if (!solver.limit("conflicts", static_cast<int>(std::min(*options.conflicts, most)))) {
-        throw InternalError("the SAT solver knows no limit of conflicts");
-      }
-    }
-    solver.connect_terminator(&terminator);
-    const int answer = solver.solve();
-    solver.disconnect_terminator();
-    constexpr int satisfiable = 10;
-    constexpr int unsatisfiable = 20;
-    if (answer == satisfiable) {
-      result.answer = SatAnswer::satisfiable;
+    engine.add_units(assumptions);
+    const auto progress = [&] {
+      Progress now = options.progress;
+      now.steps = proof.kilobytes();
+      now.unit = "kB of proof";
+      return now;
+    };
+    result.outcome =
+        engine.solve(control, options.conflicts,
+                     {.progress = progress, .give_up = [&] { return proof.failed(); }});
+    if (result.outcome == Outcome::found) {
       result.model.assign(cnf.variables() + 1, false);
       for (std::size_t x = 1; x <= cnf.variables(); ++x) {
-        result.model[x] = solver.val(static_cast<int>(x)) > 0;
+        result.model[x] = engine.holds(static_cast<Literal>(x));
       }
-    } else if (answer == unsatisfiable) {
-      result.answer = SatAnswer::unsatisfiable;
     }
     if (proof.file() != nullptr) {
-      solver.close_proof_trace();
+      engine.close_proof();
     }
   }
-  terminator.rethrow();
   proof.close();
   return result;
-} catch (const std::bad_alloc&) {
-  throw MissingResource(
-      fmt::format("not enough memory to solve a formula of {} clauses; ask for something smaller",
-                  cnf.clauses()));
 }
 
 }  // namespace changeover

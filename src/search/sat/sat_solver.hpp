@@ -1,8 +1,8 @@
-// A SAT solver, CaDiCaL [BiereEtAl2020], that stops when a search is to stop and writes proofs.
+// Deciding one formula, with a proof.
 //
 //     const SatResult result = solve_sat(cnf, {}, {.proof_path = "a.drat"}, control);
-//     if (result.answer == SatAnswer::satisfiable) { result.is_true(x); }
-//     if (result.answer == SatAnswer::unsatisfiable) { check_proof_files("a.cnf", "a.drat"); }
+//     if (result.outcome == Outcome::found) { result.is_true(x); }
+//     if (result.outcome == Outcome::none) { check_proof_files("a.cnf", "a.drat"); }
 //
 // Every call makes a solver of its own and hands it the formula with the assumptions as clauses of one
 // literal: proofs of a solver that is asked twice do not check. The proof is DRAT in text.
@@ -16,12 +16,10 @@
 
 #include "changeover/proof/cubes.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/run/outcome.hpp"
 #include "changeover/search/cnf.hpp"
 
 namespace changeover {
-
-/// What the solver says of a formula.
-enum class SatAnswer : std::uint8_t { satisfiable, unsatisfiable, unknown };
 
 struct SatOptions {
   std::string proof_path = {};  ///< an existing file that the proof replaces; empty: no proof
@@ -31,8 +29,8 @@ struct SatOptions {
 };
 
 struct SatResult {
-  SatAnswer answer = SatAnswer::unknown;  ///< unknown: the control or the limit stopped the solver
-  std::vector<bool> model;                ///< by variable, if satisfiable; place 0 means nothing
+  Outcome outcome = Outcome::unknown;  ///< of looking for a model
+  std::vector<bool> model;             ///< by variable, if found; place 0 means nothing
 
   /// Whether the literal holds in the model; there must be one.
   [[nodiscard]] bool is_true(Literal x) const {

@@ -26,7 +26,7 @@ class Descent {
         k_(static_cast<std::uint32_t>(p.k)),
         c_(static_cast<std::uint32_t>(shape.base_blocks)),
         m_(p.change),
-        pi_{static_cast<std::uint32_t>(shape.n), static_cast<std::uint32_t>(shape.fixed)},
+        pi_(shape),
         random_(random),
         blocks_(c_),
         member_(std::size_t{c_} * v_, 0) {
@@ -87,7 +87,8 @@ class Descent {
   std::uint64_t defect(std::uint32_t i) {
     std::uint64_t leaving = 0;
     for (const Element x : blocks_[i]) {
-      const bool stays = i + 1 < c_ ? member(i + 1, x) != 0 : member(0, pi_.image(x, -1, v_)) != 0;
+      const bool stays =
+          i + 1 < c_ ? member(i + 1, x) != 0 : member(0, pi_.image(x, pi_.n - 1)) != 0;
       leaving += stays ? 0 : 1;
     }
     return leaving > m_ ? leaving - m_ : m_ - leaving;
@@ -101,7 +102,7 @@ class Descent {
 
   std::uint32_t v_, k_, c_;
   std::uint64_t m_;
-  ImposedAutomorphism pi_;
+  Automorphism pi_;
   Random& random_;
   std::vector<Block> blocks_;
   std::vector<std::uint8_t> member_;  // by block and element
@@ -131,26 +132,18 @@ BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p, const BaseBlock
                                             RunControl& control) {
   BaseBlockAnnealing result;
   result.missing = std::numeric_limits<std::uint64_t>::max();
-  const ImposedAutomorphism pi{static_cast<std::uint32_t>(shape.n),
-                               static_cast<std::uint32_t>(shape.fixed)};
   for (std::uint64_t length = first_anneal; result.moves < moves; length *= 4) {
     const std::vector<Block> begin = random_base_blocks(p, shape, random);
     if (begin.empty() || control.stop_wanted()) {
       break;
     }
-    control.require_memory(SegmentOrbits::bytes(p, pi, begin.size()),
+    control.require_memory(SegmentOrbits::bytes(p, shape, begin.size()),
                            "annealing " + to_string(shape));
-    SegmentOrbits state(p, pi, begin);
-    const AnnealOutcome outcome =
-        anneal(state, {.moves = std::min(length, moves - result.moves)}, random, control,
-               [&](std::uint64_t done, std::uint64_t missing) {
-                 if (control.progress_due()) {
-                   control.tell({.phase = fmt::format("annealing {}", to_string(shape)),
-                                 .steps = result.moves + done,
-                                 .missing = missing});
-                 }
-                 return true;
-               });
+    SegmentOrbits state(p, shape, begin);
+    const AnnealOutcome outcome = anneal(
+        state, {.moves = std::min(length, moves - result.moves)}, random, control,
+        telling(control,
+                {.phase = fmt::format("annealing {}", to_string(shape)), .steps = result.moves}));
     result.moves += outcome.moves;
     result.missing = std::min(result.missing, outcome.least);
     if (outcome.missing == 0) {

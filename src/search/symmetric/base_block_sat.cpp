@@ -4,10 +4,10 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/run/scope.hpp"
-#include "search/sat/base_block_solver.hpp"
+#include "search/pair_orbits.hpp"
 #include "search/sat/cardinality.hpp"
+#include "search/sat/incremental_solver.hpp"
 #include "search/symmetric/base_block_degrees.hpp"
-#include "search/symmetric/base_block_orbits.hpp"
 
 namespace changeover {
 namespace {
@@ -15,19 +15,17 @@ namespace {
 class Model {
  public:
   Model(const Parameters& p, const BaseBlockShape& shape, bool tight, std::uint64_t seed)
-      : formula(seed),
+      : solver(seed),
         p_(p),
         shape_(shape),
         orbits_(shape),
-        v_(orbits_.v()),
+        v_(static_cast<std::size_t>(shape.v())),
         c_(static_cast<std::size_t>(shape.base_blocks)) {
     in_block_ = variables(c_ * v_);
     require_changes();
+    cover(tight);
     if (tight) {
-      cover_exactly_once();
       require_degrees();
-    } else {
-      cover();
     }
     break_symmetry();
   }
@@ -36,7 +34,7 @@ class Model {
     std::vector<Block> blocks(c_);
     for (std::size_t i = 0; i < c_; ++i) {
       for (Element x = 0; x < v_; ++x) {
-        if (formula.holds(in(i, x))) {
+        if (solver.holds(in(i, x))) {
           blocks[i].push_back(x);
         }
       }
@@ -44,12 +42,12 @@ class Model {
     return blocks;
   }
 
-  Formula formula;
+  IncrementalSolver solver;
 
  private:
   std::vector<Literal> variables(std::size_t how_many) {
     std::vector<Literal> list(how_many);
-    std::generate(list.begin(), list.end(), [&] { return formula.cnf.new_variable(); });
+    std::generate(list.begin(), list.end(), [&] { return solver.cnf.new_variable(); });
     return list;
   }
 
@@ -58,12 +56,12 @@ class Model {
 
   // x in the block before block i: block 0 follows π⁻¹(B_{c−1}), which holds x if B_{c−1} holds π(x).
   Literal before(std::size_t i, Element x) const {
-    return i > 0 ? in(i - 1, x) : in(c_ - 1, orbits_.moved(x, 1));
+    return i > 0 ? in(i - 1, x) : in(c_ - 1, shape_.image(x, 1));
   }
 
   // A new variable for: a and not b.
   Literal and_not(Literal a, Literal b) {
-    Cnf& cnf = formula.cnf;
+    Cnf& cnf = solver.cnf;
     const Literal result = cnf.new_variable();
     cnf.add({-result, a});
     cnf.add({-result, -b});
@@ -87,51 +85,38 @@ class Model {
       const std::vector<Literal> block(in_block_.begin() + row, in_block_.begin() + row + width);
       const std::vector<Literal> enter(introduced_.begin() + row,
                                        introduced_.begin() + row + width);
-      require_exactly(formula.cnf, block, k);
-      require_exactly(formula.cnf, enter, m);
-      require_exactly(formula.cnf, leaving, m);
+      require_exactly(solver.cnf, block, k);
+      require_exactly(solver.cnf, enter, m);
+      require_exactly(solver.cnf, leaving, m);
     }
   }
 
-  void cover() {
+  // Each orbit of pairs is in some block, or newly covered exactly once.
+  void cover(bool exactly_once) {
+    Cnf& cnf = solver.cnf;
     std::vector<std::vector<Literal>> covers(orbits_.count());
     for (std::size_t i = 0; i < c_; ++i) {
       for (Element y = 1; y < v_; ++y) {
         stop_if_asked();
         for (Element x = 0; x < y; ++x) {
-          const Literal both = formula.cnf.new_variable();
-          formula.cnf.add({-both, in(i, x)});
-          formula.cnf.add({-both, in(i, y)});
-          covers[orbits_.of(x, y)].push_back(both);
-        }
-      }
-    }
-    for (const std::vector<Literal>& clause : covers) {
-      formula.cnf.add(clause);
-    }
-  }
-
-  void cover_exactly_once() {
-    Cnf& cnf = formula.cnf;
-    std::vector<std::vector<Literal>> covers(orbits_.count());
-    for (std::size_t i = 0; i < c_; ++i) {
-      for (Element y = 1; y < v_; ++y) {
-        stop_if_asked();
-        for (Element x = 0; x < y; ++x) {
-          const Literal newly = cnf.new_variable();
-          cnf.add({-newly, in(i, x)});
-          cnf.add({-newly, in(i, y)});
-          cnf.add({-newly, introduced(i, x), introduced(i, y)});
-          cnf.add({newly, -introduced(i, x), -in(i, y)});
-          cnf.add({newly, -introduced(i, y), -in(i, x)});
-          covers[orbits_.of(x, y)].push_back(newly);
+          const Literal covered = cnf.new_variable();
+          cnf.add({-covered, in(i, x)});
+          cnf.add({-covered, in(i, y)});
+          if (exactly_once) {
+            cnf.add({-covered, introduced(i, x), introduced(i, y)});
+            cnf.add({covered, -introduced(i, x), -in(i, y)});
+            cnf.add({covered, -introduced(i, y), -in(i, x)});
+          }
+          covers[orbits_.of(x, y)].push_back(covered);
         }
       }
     }
     for (const std::vector<Literal>& orbit : covers) {
       stop_if_asked();
       cnf.add(orbit);
-      at_most_one(cnf, orbit);
+      if (exactly_once) {
+        at_most_one(cnf, orbit);
+      }
     }
   }
 
@@ -143,7 +128,7 @@ class Model {
       std::vector<Literal> occur;
       for (std::size_t i = 0; i < c_; ++i) {
         for (Element x = 0; x < v_; ++x) {
-          if (orbits_.cycle(x) == cycle) {
+          if (shape_.cycle(x) == cycle) {
             enter.push_back(introduced(i, x));
             occur.push_back(in(i, x));
           }
@@ -157,7 +142,7 @@ class Model {
 
   void require_degree(const std::vector<Literal>& enter, const std::vector<Literal>& occur,
                       const std::vector<Degree>& degrees) {
-    Cnf& cnf = formula.cnf;
+    Cnf& cnf = solver.cnf;
     std::uint64_t most_enter = 0;
     std::uint64_t most_occur = 0;
     for (const Degree& degree : degrees) {
@@ -191,7 +176,7 @@ class Model {
   // Sound together: each cycle can be rotated by itself; which blocks it meets does not change by that,
   // so cycles can be ordered by it; and fixed points can be ordered by the blocks that hold them.
   void break_symmetry() {
-    Cnf& cnf = formula.cnf;
+    Cnf& cnf = solver.cnf;
     std::vector<std::vector<Literal>> meets;
     for (std::uint64_t cycle = 0; cycle < shape_.cycles; ++cycle) {
       const auto first = static_cast<Element>(cycle * shape_.n);
@@ -258,18 +243,17 @@ std::uint64_t sat_bytes(const Parameters& p, const BaseBlockShape& shape, bool t
                           checked_add(checked_add(of_pairs, of_counters), of_symmetry));
 }
 
-SatOutcome base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape, bool tight,
-                              std::optional<std::uint64_t> conflicts, RunControl& control) {
+BaseBlocksBySat base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape, bool tight,
+                                   std::optional<std::uint64_t> conflicts, RunControl& control) {
   control.require_memory(sat_bytes(p, shape, tight), "the formula for " + to_string(shape));
   Model model(p, shape, tight, control.seed());
-  const Formula::Answer answer = model.formula.solve(control, conflicts);
-  SatOutcome outcome;
-  outcome.conflicts = model.formula.conflicts();
-  outcome.none = answer == Formula::Answer::unsatisfiable;
-  if (answer == Formula::Answer::satisfiable) {
-    outcome.blocks = model.blocks();
+  BaseBlocksBySat result;
+  result.outcome = model.solver.solve(control, conflicts);
+  result.conflicts = model.solver.conflicts();
+  if (result.outcome == Outcome::found) {
+    result.blocks = model.blocks();
   }
-  return outcome;
+  return result;
 }
 
 }  // namespace changeover

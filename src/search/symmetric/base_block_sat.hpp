@@ -1,6 +1,6 @@
 // Base blocks by SAT: all of them at once, or the solver's word that there are none.
 //
-//     const SatOutcome outcome = base_blocks_by_sat({.v = 15, .k = 4, .kind = Kind::circular},
+//     const BaseBlocksBySat result = base_blocks_by_sat({.v = 15, .k = 4, .kind = Kind::circular},
 //                                                   {3, 5, 0, 7}, true, std::nullopt, control);
 //
 // A variable for each base block and element; introduced and leaving elements are m a step, the one from
@@ -18,13 +18,14 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/run/outcome.hpp"
 #include "changeover/search/base_block_shape.hpp"
 
 namespace changeover {
 
-struct SatOutcome {
-  std::vector<Block> blocks;  ///< empty unless found
-  bool none = false;          ///< the solver says that there are none
+struct BaseBlocksBySat {
+  Outcome outcome = Outcome::unknown;  ///< none: so says the solver
+  std::vector<Block> blocks;           ///< empty unless found
   std::uint64_t conflicts = 0;
 };
 
@@ -39,7 +40,7 @@ struct SatOutcome {
 /// when the control wants to stop; while the formula is built the scope of this thread is listened to
 /// (run/scope.hpp). @throws MissingResource if the formula would take more memory than `control` allows;
 /// ImpossibleParameters if it would be too large for any, see Cnf. Bound by: the solver.
-[[nodiscard]] SatOutcome base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape,
+[[nodiscard]] BaseBlocksBySat base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape,
                                             bool tight, std::optional<std::uint64_t> conflicts,
                                             RunControl& control);
 

@@ -42,7 +42,7 @@ class Search {
     if (!result_.found() && !left_out_.empty() && result_.moves + result_.conflicts == 0) {
       throw MissingResource(left_out_);  // nothing could be tried
     }
-    result_.why = why();
+    result_.why_stopped = why();
     return std::move(result_);
   }
 
@@ -89,11 +89,11 @@ class Search {
     const bool tight = options_.shapes.tight;
     const bool small = sat_size(shape) <= options_.sat_size;
     const auto solve = [&] {
-      SatOutcome outcome =
+      BaseBlocksBySat by_sat =
           base_blocks_by_sat(circular_, shape, tight, options_.conflicts, control_);
-      attempt.conflicts += outcome.conflicts;
-      attempt.outcome = outcome.none ? ShapeOutcome::none : ShapeOutcome::open;
-      blocks = std::move(outcome.blocks);
+      attempt.conflicts += by_sat.conflicts;
+      attempt.outcome = by_sat.outcome;
+      blocks = std::move(by_sat.blocks);
     };
     const auto anneal = [&](std::uint64_t moves) {
       BaseBlockAnnealing outcome =
@@ -103,7 +103,7 @@ class Search {
       blocks = std::move(outcome.blocks);
     };
     const auto undecided = [&] {
-      return blocks.empty() && attempt.outcome != ShapeOutcome::none && !control_.stop_wanted();
+      return blocks.empty() && attempt.outcome != Outcome::none && !control_.stop_wanted();
     };
     switch (options_.method) {
       case BaseBlockMethod::sat:
@@ -131,7 +131,7 @@ class Search {
     if (blocks.empty()) {
       return false;
     }
-    attempt.outcome = ShapeOutcome::found;
+    attempt.outcome = Outcome::found;
     take(shape, std::move(blocks), attempt);
     return true;
   }
@@ -152,13 +152,11 @@ class Search {
     if (p_.kind == Kind::linear) {
       recipe = cut_recipe(std::move(recipe));
     }
-    result_.design = Registry::standard().build_design(recipe);
+    const std::string what = fmt::format("a {} from base blocks", changeover::name(p_));
+    result_.design = surely_verified(Registry::standard().build_design(recipe), what);
     result_.recipe = std::move(recipe);
-    result_.verdict = verify(*result_.design);
-    if (!result_.verdict->valid() ||
-        (options_.shapes.tight && p_.kind == Kind::circular && !result_.verdict->tight())) {
-      throw InternalError(
-          fmt::format("base blocks found for {} fail verification", changeover::name(p_)));
+    if (options_.shapes.tight && p_.kind == Kind::circular && !result_.verdict().tight()) {
+      throw InternalError(what + " is not tight");
     }
     result_.comparison = compare();
   }
@@ -167,11 +165,11 @@ class Search {
     if (!result_.registry_b) {
       return Comparison::only;
     }
-    const std::uint64_t b = result_.verdict->b;
+    const std::uint64_t b = result_.verdict().b;
     if (b != *result_.registry_b) {
       return b < *result_.registry_b ? Comparison::better : Comparison::worse;
     }
-    return result_.verdict->tight() && !registry_tight_ ? Comparison::better : Comparison::equal;
+    return result_.verdict().tight() && !registry_tight_ ? Comparison::better : Comparison::equal;
   }
 
   WhyStopped why() const {
@@ -183,7 +181,7 @@ class Search {
     }
     const bool all_none =
         std::all_of(result_.attempts.begin(), result_.attempts.end(),
-                    [](const ShapeAttempt& a) { return a.outcome == ShapeOutcome::none; });
+                    [](const ShapeAttempt& a) { return a.outcome == Outcome::none; });
     return all_none ? WhyStopped::exhausted : WhyStopped::step_limit;
   }
 
@@ -213,17 +211,8 @@ std::optional<BaseBlockMethod> base_block_method_from_string(std::string_view na
 }
 
 std::string_view to_string(Comparison comparison) {
-  switch (comparison) {
-    case Comparison::only:
-      return "only";
-    case Comparison::better:
-      return "better";
-    case Comparison::equal:
-      return "equal";
-    case Comparison::worse:
-      break;
-  }
-  return "worse";
+  constexpr std::array<std::string_view, 4> names{"only", "better", "equal", "worse"};
+  return names.at(static_cast<std::size_t>(comparison));
 }
 
 BaseBlockResult search_base_blocks(const Parameters& p, const BaseBlockOptions& options,
@@ -249,10 +238,7 @@ Recipe developed_recipe(const Parameters& p, const BaseBlockShape& shape,
   if (shift != 1) {
     for (Block& block : base_blocks) {
       for (Element& x : block) {
-        if (x < shape.n * shape.cycles) {
-          const std::uint64_t residue = x % shape.n;
-          x = static_cast<Element>(x - residue + residue * shift % shape.n);
-        }
+        x = shape.renamed(x, shift);
       }
       std::sort(block.begin(), block.end());
     }
@@ -271,17 +257,17 @@ std::string describe(const BaseBlockResult& result) {
   if (!result.found()) {
     const auto none =
         std::count_if(result.attempts.begin(), result.attempts.end(),
-                      [](const ShapeAttempt& a) { return a.outcome == ShapeOutcome::none; });
+                      [](const ShapeAttempt& a) { return a.outcome == Outcome::none; });
     if (result.attempts.empty()) {
-      return result.why == WhyStopped::exhausted
+      return result.why_stopped == WhyStopped::exhausted
                  ? "No shape of base blocks passes the counting conditions."
-                 : fmt::format("Nothing tried: {}.", to_string(result.why));
+                 : fmt::format("Nothing tried: {}.", to_string(result.why_stopped));
     }
     return fmt::format(
         "No base blocks found ({}): of {} shapes tried the SAT solver says none exist in {}.",
-        to_string(result.why), result.attempts.size(), none);
+        to_string(result.why_stopped), result.attempts.size(), none);
   }
-  const Verdict& verdict = *result.verdict;
+  const Verdict& verdict = result.verdict();
   std::string text = fmt::format("{} with {} blocks{}: {}.", name(verdict.parameters), verdict.b,
                                  verdict.tight() ? ", tight"
                                  : verdict.economical()

@@ -176,7 +176,7 @@ std::vector<BaseBlockShape> base_block_shapes(const Parameters& p, const ShapeOp
       to = std::min(to, most_counted / n);  // so that the number of blocks can be counted
       for (std::uint64_t c = from; c <= to && shapes.size() < most_shapes; ++c) {
         stop_if_asked();
-        const BaseBlockShape shape{n, cycles, fixed, c};
+        const BaseBlockShape shape{{n, cycles, fixed}, c};
         if ((!options.most_blocks || shape.b() <= *options.most_blocks) &&
             (!options.tight || !tight_obstruction(circular, shape))) {
           shapes.push_back(shape);

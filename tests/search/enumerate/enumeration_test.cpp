@@ -24,7 +24,7 @@ std::vector<Design> all_designs(const Parameters& p, std::uint64_t b, unsigned t
   std::vector<Design> designs;
   const EnumerationRun run =
       enumerate_designs(p, b, control, [&](const Design& design) { designs.push_back(design); });
-  EXPECT_EQ(run.why, WhyStopped::exhausted);
+  EXPECT_EQ(run.why_stopped, WhyStopped::exhausted);
   EXPECT_EQ(run.forms, designs.size());
   return designs;
 }
@@ -225,9 +225,9 @@ TEST(Enumeration, StopsWhenItIsToldToAndSaysSo) {
   const Parameters p = parameters(20, 5, 1, Kind::linear);
   const std::atomic<bool> interrupted = true;
   RunControl stopped({.threads = 2, .interrupted = &interrupted});
-  EXPECT_EQ(enumerate_designs(p, 46, stopped).why, WhyStopped::interrupted);
+  EXPECT_EQ(enumerate_designs(p, 46, stopped).why_stopped, WhyStopped::interrupted);
   RunControl timed({.time = std::chrono::milliseconds(50), .threads = 2});
-  EXPECT_EQ(classify_designs(p, 46, {}, timed).why, WhyStopped::time_limit);
+  EXPECT_EQ(classify_designs(p, 46, {}, timed).why_stopped, WhyStopped::time_limit);
 }
 
 TEST(Enumeration, WhatTheCallbackThrowsComesOutFromAnyThread) {

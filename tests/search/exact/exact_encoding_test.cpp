@@ -20,8 +20,8 @@ std::optional<Design> solution(const Parameters& p, std::uint64_t b,
   const DesignFormula formula = encode_design(p, b, options);
   RunControl control({});
   const SatResult result = solve_sat(formula.cnf(), {}, {}, control);
-  EXPECT_NE(result.answer, SatAnswer::unknown);
-  if (result.answer != SatAnswer::satisfiable) {
+  EXPECT_NE(result.outcome, Outcome::unknown);
+  if (result.outcome != Outcome::found) {
     return std::nullopt;
   }
   return formula.decode([&](Literal x) { return result.is_true(x); });

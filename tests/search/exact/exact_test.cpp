@@ -39,8 +39,8 @@ TEST(Decide, FindsAVerifiedDesignAndLeavesNoFile) {
   RunControl control({});
   const Decision decision =
       decide(sccd_9_4, 12, {.proof_directory = folder.path().string()}, control);
-  EXPECT_EQ(decision.answer, Answer::found);
-  EXPECT_EQ(decision.why, WhyStopped::found);
+  EXPECT_EQ(decision.outcome, Outcome::found);
+  EXPECT_EQ(decision.why_stopped, WhyStopped::found);
   ASSERT_TRUE(decision.design.has_value());
   EXPECT_EQ(decision.design->block_count(), 12U);
   EXPECT_TRUE(test::naive_verdict(*decision.design).valid);
@@ -53,8 +53,8 @@ TEST(Decide, ProvesThatThereIsNoneAndKeepsBothFiles) {
   const test::TemporaryFolder folder;
   RunControl control({});
   const Decision decision = decide(sccd_9_4, 11, {.proof_directory = folder.file("a/b")}, control);
-  EXPECT_EQ(decision.answer, Answer::none);
-  EXPECT_EQ(decision.why, WhyStopped::exhausted);
+  EXPECT_TRUE(decision.excluded());
+  EXPECT_EQ(decision.why_stopped, WhyStopped::exhausted);
   EXPECT_FALSE(decision.design.has_value());
   ASSERT_EQ(decision.parts.size(), 1U);
   const CheckedPart& part = decision.parts.front();
@@ -88,7 +88,7 @@ TEST(Decide, WritesProofsThatFailWhenTheyAreMutated) {
   RunControl control({});
   const Decision decision =
       decide(sccd_9_4, 11, {.proof_directory = folder.path().string()}, control);
-  ASSERT_EQ(decision.answer, Answer::none);
+  ASSERT_TRUE(decision.excluded());
   const std::string cnf = test::slurp(decision.parts.front().cnf_path);
   const std::string proof = test::slurp(decision.parts.front().proof_path);
   const auto verdict_on = [](const std::string& formula, const std::string& steps) {
@@ -132,15 +132,17 @@ TEST(Decide, WritesProofsThatFailWhenTheyAreMutated) {
 
 TEST(Decide, SaysNoneWithoutProofOnlyAsThat) {
   RunControl control({});
-  EXPECT_EQ(decide(sccd_9_4, 11, {.prove = false}, control).answer, Answer::none_unproved);
-  EXPECT_EQ(decide(sccd_9_4, 12, {.prove = false}, control).answer, Answer::found);
+  const Decision unproved = decide(sccd_9_4, 11, {.prove = false}, control);
+  EXPECT_EQ(unproved.outcome, Outcome::none);
+  EXPECT_FALSE(unproved.proved || unproved.excluded());
+  EXPECT_EQ(decide(sccd_9_4, 12, {.prove = false}, control).outcome, Outcome::found);
 }
 
 TEST(Decide, StopsWhenTheTimeIsUp) {
   RunControl none({.time = seconds(0)});
   const Decision stopped = decide(sccd_9_4, 11, {}, none);
-  EXPECT_EQ(stopped.answer, Answer::unknown);
-  EXPECT_EQ(stopped.why, WhyStopped::time_limit);
+  EXPECT_EQ(stopped.outcome, Outcome::unknown);
+  EXPECT_EQ(stopped.why_stopped, WhyStopped::time_limit);
   EXPECT_TRUE(stopped.parts.empty());
 
   const test::TemporaryFolder folder;
@@ -149,8 +151,8 @@ TEST(Decide, StopsWhenTheTimeIsUp) {
       {.v = 16, .k = 5, .change = 1}, 29,
       {.proof_directory = folder.path().string(), .time_per_step = std::chrono::milliseconds(200)},
       control);
-  EXPECT_EQ(step.answer, Answer::unknown);
-  EXPECT_EQ(step.why, WhyStopped::time_limit);
+  EXPECT_EQ(step.outcome, Outcome::unknown);
+  EXPECT_EQ(step.why_stopped, WhyStopped::time_limit);
   EXPECT_EQ(control.why_stopped(), WhyStopped::running);
   EXPECT_TRUE(names_in(folder.path()).empty());
 }
@@ -160,8 +162,8 @@ TEST(Decide, StopsAfterSoManyConflicts) {
   for (const bool prove : {true, false}) {
     RunControl control({});
     const Decision decision = decide(p, 11, {.prove = prove, .conflicts_per_step = 100}, control);
-    EXPECT_EQ(decision.answer, Answer::unknown);
-    EXPECT_EQ(decision.why, WhyStopped::step_limit);
+    EXPECT_EQ(decision.outcome, Outcome::unknown);
+    EXPECT_EQ(decision.why_stopped, WhyStopped::step_limit);
   }
 }
 
@@ -171,8 +173,8 @@ TEST(Decide, StopsWhenTheUserSaysSo) {
                       .on_progress = [&](const Progress&) { interrupted = true; },
                       .progress_interval = std::chrono::duration<double>(0)});
   const Decision decision = decide({.v = 16, .k = 5, .change = 1}, 29, {}, control);
-  EXPECT_EQ(decision.answer, Answer::unknown);
-  EXPECT_EQ(decision.why, WhyStopped::interrupted);
+  EXPECT_EQ(decision.outcome, Outcome::unknown);
+  EXPECT_EQ(decision.why_stopped, WhyStopped::interrupted);
 }
 
 TEST(Decide, HandsOnWhatACallbackThrows) {
@@ -187,7 +189,8 @@ TEST(Decide, GivesTheSameAnswersWithTwoThreads) {
     RunControl control({.threads = 2});
     const Decision decision =
         decide(sccd_9_4, b, {.proof_directory = folder.path().string()}, control);
-    EXPECT_EQ(decision.answer, b == 11 ? Answer::none : Answer::found);
+    EXPECT_EQ(decision.outcome, b == 11 ? Outcome::none : Outcome::found);
+    EXPECT_EQ(decision.excluded(), b == 11);
     if (b == 12) {
       EXPECT_TRUE(test::naive_verdict(*decision.design).valid);
       continue;
@@ -220,7 +223,8 @@ TEST(Decide, SharesTheCubesBetweenProcesses) {
   for (std::uint64_t index = 0; index < processes; ++index) {
     RunControl control({.share = {index, processes}});
     const Decision decision = decide(sccd_9_4, 11, {}, control);
-    EXPECT_EQ(decision.answer, Answer::none_in_share);
+    EXPECT_EQ(decision.outcome, Outcome::none);
+    EXPECT_TRUE(decision.proved && decision.in_share && !decision.excluded());
     for (const CheckedPart& part : decision.parts) {
       cubes.push_back(part.cube);
     }
@@ -232,18 +236,18 @@ TEST(Decide, SharesTheCubesBetweenProcesses) {
 
 TEST(Decide, KnowsTheCornerCases) {
   RunControl control({});
-  const auto answer = [&](const Parameters& p, std::uint64_t b) {
-    return decide(p, b, {}, control).answer;
+  const auto outcome = [&](const Parameters& p, std::uint64_t b) {
+    return decide(p, b, {}, control).outcome;
   };
   for (const Kind kind : {Kind::linear, Kind::circular}) {
-    EXPECT_EQ(answer({.v = 4, .k = 4, .kind = kind}, 1), Answer::found);
-    EXPECT_EQ(answer({.v = 4, .k = 4, .kind = kind}, 2), Answer::none);
-    EXPECT_EQ(answer({.v = 5, .k = 4, .change = 1, .kind = kind}, 1), Answer::none);
-    EXPECT_EQ(answer({.v = 5, .k = 4, .change = 1, .kind = kind}, 3), Answer::found);
-    EXPECT_EQ(answer({.v = 4, .k = 2, .kind = kind}, 6), Answer::none);
+    EXPECT_EQ(outcome({.v = 4, .k = 4, .kind = kind}, 1), Outcome::found);
+    EXPECT_EQ(outcome({.v = 4, .k = 4, .kind = kind}, 2), Outcome::none);
+    EXPECT_EQ(outcome({.v = 5, .k = 4, .change = 1, .kind = kind}, 1), Outcome::none);
+    EXPECT_EQ(outcome({.v = 5, .k = 4, .change = 1, .kind = kind}, 3), Outcome::found);
+    EXPECT_EQ(outcome({.v = 4, .k = 2, .kind = kind}, 6), Outcome::none);
   }
-  EXPECT_THROW((void)answer({.v = 5, .k = 4, .change = 1}, 0), BadInput);
-  EXPECT_THROW((void)answer({.v = 3, .k = 4, .change = 1}, 2), ImpossibleParameters);
+  EXPECT_THROW((void)outcome({.v = 5, .k = 4, .change = 1}, 0), BadInput);
+  EXPECT_THROW((void)outcome({.v = 3, .k = 4, .change = 1}, 2), ImpossibleParameters);
 }
 
 TEST(Decide, RefusesAFormulaThatTheMemoryDoesNotHold) {
@@ -255,7 +259,7 @@ TEST(Decide, RefusesAFormulaThatTheMemoryDoesNotHold) {
     EXPECT_THAT(fault.what(), HasSubstr("the formula of linear DCCD(60,5) with 300 blocks"));
     EXPECT_THAT(fault.what(), HasSubstr("GB"));
   }
-  EXPECT_EQ(decide({.v = 5, .k = 4, .change = 1}, 3, {}, control).answer, Answer::found);
+  EXPECT_EQ(decide({.v = 5, .k = 4, .change = 1}, 3, {}, control).outcome, Outcome::found);
 }
 
 TEST(Decide, TakesFewerThreadsWhereMemoryIsShort) {
@@ -264,7 +268,7 @@ TEST(Decide, TakesFewerThreadsWhereMemoryIsShort) {
   const SolvingNeeds two{.split = true, .threads = 2};
   RunControl control({.memory_bytes = solving_bytes(size, two), .threads = 8});
   EXPECT_EQ(require_room(p, 11, {}, control), 2U);
-  EXPECT_EQ(decide(p, 11, {}, control).answer, Answer::none);
+  EXPECT_TRUE(decide(p, 11, {}, control).excluded());
 }
 
 // Building the formula, splitting it, writing it, handing it to the solver, solving: wherever it is then.
@@ -274,8 +278,8 @@ TEST(Decide, StopsInTimeWhereverItIs) {
       RunControl control({.time = std::chrono::milliseconds(time), .threads = threads});
       const auto begin = RunControl::Clock::now();
       const Decision decision = decide({.v = 40, .k = 5}, 130, {}, control);
-      EXPECT_EQ(decision.answer, Answer::unknown);
-      EXPECT_EQ(decision.why, WhyStopped::time_limit);
+      EXPECT_EQ(decision.outcome, Outcome::unknown);
+      EXPECT_EQ(decision.why_stopped, WhyStopped::time_limit);
       EXPECT_LT(RunControl::Clock::now() - begin, seconds(10)) << time << " ms";
     }
   }

@@ -21,11 +21,12 @@ void expect_minimum(const Parameters& p, std::uint64_t b, const std::optional<De
   EXPECT_EQ(result.lower, b) << name(p);
   EXPECT_EQ(result.upper(), b) << name(p);
   EXPECT_TRUE(result.settled());
-  EXPECT_EQ(result.why, WhyStopped::exhausted);
+  EXPECT_EQ(result.why_stopped, WhyStopped::exhausted);
   ASSERT_TRUE(result.best.has_value());
   EXPECT_TRUE(test::naive_verdict(*result.best).valid) << name(p);
   for (const Decision& step : result.steps) {
-    EXPECT_EQ(step.answer, step.b < b ? Answer::none : Answer::found);
+    EXPECT_EQ(step.outcome, step.b < b ? Outcome::none : Outcome::found);
+    EXPECT_EQ(step.excluded(), step.b < b);
   }
   // Every number between the bound on paper and the minimum was excluded, one after another.
   for (std::uint64_t i = 0; result.start.blocks + i < b; ++i) {
@@ -45,7 +46,7 @@ TEST(FindMinimum, KeepsWhatIsKnownWhenAResourceIsMissing) {
   RunControl control({});
   const MinimumResult result = find_minimum(p, options, control, known);
   ASSERT_TRUE(result.best.has_value());
-  EXPECT_EQ(result.why, WhyStopped::fault);
+  EXPECT_EQ(result.why_stopped, WhyStopped::fault);
   EXPECT_THROW(std::rethrow_exception(result.fault), MissingResource);
   EXPECT_THROW((void)find_minimum(p, options, control), MissingResource);  // nothing to keep
 }
@@ -100,8 +101,8 @@ TEST(FindMinimum, WorksForLargerStrengths) {
     for (std::uint64_t b = 1; b < result.lower; ++b) {
       EXPECT_EQ(
           decide(p, b, {.prove = false, .encoding = {.order = false, .degrees = false}}, control)
-              .answer,
-          Answer::none_unproved);
+              .outcome,
+          Outcome::none);
     }
   }
 }
@@ -123,7 +124,7 @@ TEST(FindMinimum, LeavesAnIntervalWhenItIsStopped) {
   EXPECT_EQ(nothing.lower, nothing.start.blocks);
   EXPECT_EQ(nothing.upper(), known->block_count());
   EXPECT_FALSE(nothing.settled());
-  EXPECT_EQ(nothing.why, WhyStopped::time_limit);
+  EXPECT_EQ(nothing.why_stopped, WhyStopped::time_limit);
 
   RunControl control({});
   MinimumOptions options;
@@ -131,7 +132,7 @@ TEST(FindMinimum, LeavesAnIntervalWhenItIsStopped) {
   options.tries_above = 2;
   const MinimumResult result = find_minimum(p, options, control);
   EXPECT_FALSE(result.settled());
-  EXPECT_EQ(result.why, WhyStopped::time_limit);
+  EXPECT_EQ(result.why_stopped, WhyStopped::time_limit);
   EXPECT_LE(result.steps.size(), 3U);
   EXPECT_GE(result.steps.size(), 2U);
 }

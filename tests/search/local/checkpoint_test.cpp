@@ -10,39 +10,26 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "changeover/core/error.hpp"
 #include "changeover/search/local_search.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "run_program.hpp"
 
 namespace changeover {
 namespace {
 
 class Checkpoints : public testing::Test {
  protected:
-  Checkpoints() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "changeover-checkpoint-XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-  }
-  ~Checkpoints() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
-  [[nodiscard]] std::string path() const { return (folder_ / "state").string(); }
-
-  [[nodiscard]] std::string text() const {
-    std::ifstream file(path(), std::ios::binary);
-    std::ostringstream all;
-    all << file.rdbuf();
-    return all.str();
-  }
-
-  void put(const std::string& all) const { std::ofstream(path(), std::ios::binary) << all; }
+  [[nodiscard]] std::string path() const { return folder_.file("state"); }
+  [[nodiscard]] std::string text() const { return test::slurp(path()); }
+  void put(const std::string& all) const { test::spit(path(), all); }
 
   void expect_refused(const std::string& words, const Parameters& p) const {
     const std::string before = text();
@@ -65,7 +52,45 @@ class Checkpoints : public testing::Test {
     EXPECT_EQ(text(), before);
   }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
+};
+
+// A search that does something whenever it tells how far it is, or the first time only.
+RunControl::Settings doing(const std::function<void()>& act) {
+  return {.seed = 7,
+          .on_progress = [act](const Progress&) { act(); },
+          .progress_interval = std::chrono::duration<double>(0)};
+}
+RunControl::Settings doing_once(bool& done, const std::function<void()>& act) {
+  return doing([&done, act] {
+    if (!std::exchange(done, true)) {
+      act();
+    }
+  });
+}
+
+// Another process, until it is killed.
+class Child {
+ public:
+  explicit Child(const std::function<void()>& work) : pid_(::fork()) {
+    if (pid_ == 0) {
+      try {
+        work();
+      } catch (...) {
+        std::_Exit(1);
+      }
+      std::_Exit(0);
+    }
+  }
+  // Whether it was still at work.
+  [[nodiscard]] bool killed() const {
+    int status = 0;
+    return pid_ > 0 && ::kill(pid_, SIGKILL) == 0 && ::waitpid(pid_, &status, 0) == pid_ &&
+           WIFSIGNALED(status);
+  }
+
+ private:
+  pid_t pid_;
 };
 
 const Parameters asked{.v = 6, .k = 4, .change = 2, .kind = Kind::circular};
@@ -86,7 +111,8 @@ Checkpoint example() {
                       .step = 4,
                       .missed = 9}};
   checkpoint.how = "blocks without symmetry";
-  checkpoint.best = Design(asked, std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}});
+  checkpoint.best =
+      verified(Design(asked, std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}}));
   return checkpoint;
 }
 
@@ -177,24 +203,10 @@ TEST_F(Checkpoints, HostileNumbersWithARightSumAreRefusedOrHarmless) {
   static_cast<void>(improve(p, {.moves = 1000, .checkpoint = path()}, first));
   std::vector<std::string> lines = lines_of(text());
   lines.pop_back();
-  const std::array<std::string, 18> words{"0",
-                                          "1",
-                                          "2",
-                                          "63",
-                                          "64",
-                                          "65",
-                                          "255",
-                                          "1000003",
-                                          "2147483647",
-                                          "2147483648",
-                                          "4294967295",
-                                          "4294967296",
-                                          "1152921504606846977",
-                                          "9223372036854775807",
-                                          "9223372036854775808",
-                                          "18446744073709551614",
-                                          "18446744073709551615",
-                                          "-1"};
+  std::istringstream numbers(
+      "0 1 2 63 64 65 255 1000003 2147483647 2147483648 4294967295 4294967296 1152921504606846977 "
+      "9223372036854775807 9223372036854775808 18446744073709551614 18446744073709551615 -1");
+  const std::vector<std::string> words(std::istream_iterator<std::string>(numbers), {});
   std::size_t refused = 0;
   std::size_t harmless = 0;
   std::size_t number = 0;
@@ -251,11 +263,11 @@ TEST_F(Checkpoints, MustBeARegularFile) {
 }
 
 TEST_F(Checkpoints, IsOfOneSearchAtATime) {
-  const std::string link = (folder_ / "link").string();
+  const std::string link = folder_.file("link");
   std::filesystem::create_symlink("state", link);
   {
     const CheckpointFile file(path(), asked);
-    for (const std::string& name : {path(), link, (folder_ / "." / "state").string()}) {
+    for (const std::string& name : {path(), link, folder_.file("./state")}) {
       try {
         const CheckpointFile second(name, asked);
         ADD_FAILURE() << name;
@@ -271,20 +283,15 @@ TEST_F(Checkpoints, IsOfOneSearchAtATime) {
 TEST_F(Checkpoints, TheLockOfAKilledSearchBlocksNobody) {
   std::array<int, 2> pipe{};
   ASSERT_EQ(::pipe(pipe.data()), 0);
-  const pid_t child = ::fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
+  const Child child([&] {
     const CheckpointFile file(path(), asked);
     static_cast<void>(::write(pipe[1], "x", 1));
     ::pause();
-    std::_Exit(0);
-  }
+  });
   char byte = 0;
   ASSERT_EQ(::read(pipe[0], &byte, 1), 1);
   EXPECT_THROW(CheckpointFile(path(), asked), MissingResource);
-  ::kill(child, SIGKILL);
-  int status = 0;
-  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  ASSERT_TRUE(child.killed());
   ::close(pipe[0]);
   ::close(pipe[1]);
   EXPECT_TRUE(std::filesystem::exists(path() + ".lock"));
@@ -306,7 +313,7 @@ TEST_F(Checkpoints, AFileThatOnlyHasTheNameOfTheLockIsSomebodys) {
 
 TEST_F(Checkpoints, IsNeverReplacedByAWorseDesign) {
   const Parameters p{.v = 47, .k = 9, .change = 1};
-  const std::string better = (folder_ / "better").string();
+  const std::string better = folder_.file("better");
   RunControl first({.seed = 1});
   const ImproveResult good = improve(p, {.moves = 600'000, .checkpoint = better}, first);
   RunControl plain({.seed = 7});
@@ -314,17 +321,7 @@ TEST_F(Checkpoints, IsNeverReplacedByAWorseDesign) {
   ASSERT_LT(good.design->block_count(), known.design->block_count());
   // Somebody puts the better one there while a search that has the worse one is running.
   bool put_there = false;
-  RunControl control({.seed = 7,
-                      .on_progress =
-                          [&](const Progress&) {
-                            if (!put_there) {
-                              put_there = true;
-                              std::filesystem::copy_file(
-                                  better, path(),
-                                  std::filesystem::copy_options::overwrite_existing);
-                            }
-                          },
-                      .progress_interval = std::chrono::duration<double>(0)});
+  RunControl control(doing_once(put_there, [&] { put(test::slurp(better)); }));
   const ImproveResult result = improve(
       p, {.moves = 10'000, .checkpoint = path(), .checkpoint_interval = std::chrono::hours(1)},
       control);
@@ -336,16 +333,10 @@ TEST_F(Checkpoints, IsNeverReplacedByAWorseDesign) {
 TEST_F(Checkpoints, AFileThatIsNoneIsNotReplaced) {
   const Parameters p{.v = 47, .k = 9, .change = 1};
   bool put_there = false;
-  RunControl control({.seed = 7,
-                      .on_progress =
-                          [&](const Progress&) {
-                            if (!put_there) {
-                              put_there = true;
-                              std::filesystem::remove(path());
-                              put("my notes\n");
-                            }
-                          },
-                      .progress_interval = std::chrono::duration<double>(0)});
+  RunControl control(doing_once(put_there, [&] {
+    std::filesystem::remove(path());
+    put("my notes\n");
+  }));
   const ImproveResult result = improve(p,
                                        {.moves = 30'000,
                                         .checkpoint = path(),
@@ -359,12 +350,10 @@ TEST_F(Checkpoints, AFileThatIsNoneIsNotReplaced) {
 
 TEST_F(Checkpoints, WhatCannotBeWrittenAnyMoreDoesNotEndTheSearch) {
   const Parameters p{.v = 47, .k = 9, .change = 1};
-  const std::filesystem::path inner = folder_ / "inner";
+  const std::filesystem::path inner = folder_.path() / "inner";
   std::filesystem::create_directory(inner);
   const std::string state = (inner / "state").string();
-  RunControl control({.seed = 7,
-                      .on_progress = [&](const Progress&) { std::filesystem::remove_all(inner); },
-                      .progress_interval = std::chrono::duration<double>(0)});
+  RunControl control(doing([&] { std::filesystem::remove_all(inner); }));
   const ImproveResult result = improve(p,
                                        {.moves = 20'000,
                                         .checkpoint = state,
@@ -378,10 +367,9 @@ TEST_F(Checkpoints, WhatCannotBeWrittenAnyMoreDoesNotEndTheSearch) {
 
 TEST_F(Checkpoints, ThatCannotBeWrittenFromTheBeginningIsRefused) {
   RunControl control({});
-  EXPECT_THROW(
-      static_cast<void>(improve(
-          asked, {.moves = 1000, .checkpoint = (folder_ / "no" / "state").string()}, control)),
-      MissingResource);
+  EXPECT_THROW(static_cast<void>(improve(
+                   asked, {.moves = 1000, .checkpoint = folder_.file("no/state")}, control)),
+               MissingResource);
 }
 
 TEST_F(Checkpoints, GoesOnWhereTheSearchWas) {
@@ -404,19 +392,12 @@ TEST_F(Checkpoints, SurvivesAKill) {
   const Parameters p{.v = 30, .k = 6, .change = 1};
   std::uint64_t moves = 0;
   for (int round = 0; round < 3; ++round) {
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      try {
-        RunControl control({.time = std::chrono::seconds(60), .seed = 3});
-        static_cast<void>(improve(
-            p, {.checkpoint = path(), .checkpoint_interval = std::chrono::duration<double>(0)},
-            control));
-      } catch (...) {
-        std::_Exit(1);
-      }
-      std::_Exit(0);
-    }
+    const Child child([&] {
+      RunControl control({.time = std::chrono::seconds(60), .seed = 3});
+      static_cast<void>(improve(
+          p, {.checkpoint = path(), .checkpoint_interval = std::chrono::duration<double>(0)},
+          control));
+    });
     // Killed as soon as there is more than before, most likely while the file is being written.
     std::uint64_t now = moves;
     for (int wait = 0; wait < 4000 && now <= moves; ++wait) {
@@ -425,10 +406,7 @@ TEST_F(Checkpoints, SurvivesAKill) {
         now = state->moves;
       }
     }
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    ASSERT_TRUE(WIFSIGNALED(status));
+    ASSERT_TRUE(child.killed());
     const auto state = read_checkpoint(path(), p);
     ASSERT_TRUE(state.has_value());
     ASSERT_GT(state->moves, moves);

@@ -96,9 +96,9 @@ TEST(Listening, StatesNeedNoMoreMemoryThanTheySay) {
   EXPECT_GT(SegmentPairs<std::uint8_t>::bytes(4000, 4, 1'600'000), 6'400'000'000U);
   EXPECT_LT(SegmentPairs<std::uint8_t>::bytes(4000, 4, 1'600'000), 7'500'000'000U);
   EXPECT_GT(SegmentSubsets::bytes({.v = 120, .k = 6, .strength = 4}, 1000), 100'000'000U);
-  EXPECT_GT(SegmentOrbits::bytes({.v = 4000, .k = 4, .kind = Kind::circular}, {2, 0}, 800'000),
+  EXPECT_GT(SegmentOrbits::bytes({.v = 4000, .k = 4, .kind = Kind::circular}, {2, 2000}, 800'000),
             3'200'000'000U);
-  EXPECT_THROW(static_cast<void>(SegmentOrbits::bytes({.v = 4000, .k = 4}, {2, 0},
+  EXPECT_THROW(static_cast<void>(SegmentOrbits::bytes({.v = 4000, .k = 4}, {2, 2000},
                                                       std::numeric_limits<std::uint64_t>::max())),
                ImpossibleParameters);
 }
@@ -139,11 +139,11 @@ TEST(Listening, OrdersOfManyBlocksStop) {
   EXPECT_LT(first.elapsed(), soon);
   EXPECT_LE(least.cost, least.first_cost);
   EXPECT_EQ(change_cost(blocks, least.order, {.v = p.v}), least.cost);
-  EXPECT_EQ(least.why, WhyStopped::time_limit);
+  EXPECT_EQ(least.why_stopped, WhyStopped::time_limit);
   RunControl second({.time = Seconds(0.1)});
   const ChangeOrder change = order_for_change(blocks, {.v = p.v, .m = 2}, {}, second);
   EXPECT_LT(second.elapsed(), soon);
-  EXPECT_EQ(change.answer, OrderAnswer::unknown);
+  EXPECT_EQ(change.outcome, Outcome::unknown);
 }
 
 TEST(Listening, BaseBlockSearchStops) {
@@ -151,13 +151,13 @@ TEST(Listening, BaseBlockSearchStops) {
   const BaseBlockResult result =
       search_base_blocks({.v = 1999, .k = 5, .kind = Kind::circular}, {}, control);
   EXPECT_LT(control.elapsed(), soon);
-  EXPECT_TRUE(result.found() || result.why == WhyStopped::time_limit);
+  EXPECT_TRUE(result.found() || result.why_stopped == WhyStopped::time_limit);
 }
 
 TEST(Listening, FormulasForBaseBlocksAreCountedBeforeTheyAreBuilt) {
   const Parameters p{.v = 1999, .k = 4, .kind = Kind::circular};
   RunControl control({.memory_bytes = 1'000'000'000});
-  EXPECT_THROW(static_cast<void>(base_blocks_by_sat(p, {1999, 1, 0, 200}, true, 1000, control)),
+  EXPECT_THROW(static_cast<void>(base_blocks_by_sat(p, {{1999, 1, 0}, 200}, true, 1000, control)),
                MissingResource);
   BaseBlockOptions options;
   options.method = BaseBlockMethod::sat;
@@ -170,7 +170,7 @@ TEST(Listening, WhatACallbackThrowsArrivesAfterTheSolver) {
       {.on_progress = [](const Progress&) { throw std::runtime_error("the callback"); },
        .progress_interval = Seconds(0)});
   try {
-    static_cast<void>(base_blocks_by_sat({.v = 28, .k = 6, .kind = Kind::circular}, {7, 4, 0, 6},
+    static_cast<void>(base_blocks_by_sat({.v = 28, .k = 6, .kind = Kind::circular}, {{7, 4, 0}, 6},
                                          true, 100'000, control));
     ADD_FAILURE() << "nothing arrived";
   } catch (const std::runtime_error& fault) {

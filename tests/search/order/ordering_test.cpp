@@ -61,6 +61,17 @@ Block random_subset(std::uint32_t v, std::size_t k, Random& random) {
   return {chosen.begin(), chosen.end()};
 }
 
+// So many, each of `least` elements or up to `spread` − 1 more.
+std::vector<Block> random_subsets(std::size_t count, std::uint32_t v, std::size_t least,
+                                  std::uint32_t spread, Random& random) {
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t size = least + (spread == 0 ? 0 : random.below(spread));
+    blocks.push_back(random_subset(v, size, random));
+  }
+  return blocks;
+}
+
 std::size_t common(const Block& a, const Block& b) {
   return static_cast<std::size_t>(std::count_if(
       a.begin(), a.end(), [&](Element x) { return std::find(b.begin(), b.end(), x) != b.end(); }));
@@ -138,23 +149,21 @@ TEST(OrderForChange, AgreesWithTryingAllPermutations) {
     const std::uint32_t v = 5 + random.below(4);
     const std::size_t k = 2 + random.below(3);
     const std::size_t b = 1 + random.below(7);
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < b; ++i) {
-      blocks.push_back(random_subset(v, std::min<std::size_t>(k, v - 1), random));
-    }
+    const std::vector<Block> blocks =
+        random_subsets(b, v, std::min<std::size_t>(k, v - 1), 0, random);
     const ChangeWanted wanted{v, 1 + random.below(2),
                               random.one_in_two() ? Kind::linear : Kind::circular};
     const ChangeOrder order = ordered(blocks, wanted, {.rotations = 100});
-    ASSERT_NE(order.answer, OrderAnswer::unknown);
-    ASSERT_EQ(order.answer == OrderAnswer::found, some_permutation_changes(blocks, wanted));
-    if (order.answer == OrderAnswer::found) {
+    ASSERT_NE(order.outcome, Outcome::unknown);
+    ASSERT_EQ(order.outcome == Outcome::found, some_permutation_changes(blocks, wanted));
+    if (order.outcome == Outcome::found) {
       ++found;
       EXPECT_TRUE(changes_as_wanted(arranged(blocks, order.order), wanted));
-      EXPECT_EQ(order.why, WhyStopped::found);
+      EXPECT_EQ(order.why_stopped, WhyStopped::found);
     } else {
       ++none;
       EXPECT_FALSE(order.reason.empty());
-      EXPECT_EQ(order.why, WhyStopped::exhausted);
+      EXPECT_EQ(order.why_stopped, WhyStopped::exhausted);
       by_solver += order.reason.find("SAT solver") != std::string::npos ? 1U : 0U;
     }
   }
@@ -166,19 +175,19 @@ TEST(OrderForChange, AgreesWithTryingAllPermutations) {
 TEST(OrderForChange, AnyOrderOfTheFanoPlaneIsDoubleChange) {
   for (const Kind kind : {Kind::linear, Kind::circular}) {
     const ChangeOrder order = ordered(fano, {7, 2, kind});
-    ASSERT_EQ(order.answer, OrderAnswer::found);
+    ASSERT_EQ(order.outcome, Outcome::found);
     EXPECT_EQ(order.rotations, 0U);
     const Design design({7, 3, 2, kind, 2}, arranged(fano, order.order));
     EXPECT_TRUE(verify(design).valid());
   }
-  EXPECT_EQ(ordered(fano, {7, 1, Kind::linear}).answer, OrderAnswer::none);
+  EXPECT_EQ(ordered(fano, {7, 1, Kind::linear}).outcome, Outcome::none);
 }
 
 TEST(OrderForChange, OrdersSteinerTripleSystemsForDoubleChange) {
   for (const auto& [blocks, v] : {std::pair(sts9(), 9U), std::pair(sts13, 13U)}) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       const ChangeOrder order = ordered(blocks, {v, 2, kind});
-      ASSERT_EQ(order.answer, OrderAnswer::found);
+      ASSERT_EQ(order.outcome, Outcome::found);
       EXPECT_TRUE(verify(Design({v, 3, 2, kind, 2}, arranged(blocks, order.order))).tight() ||
                   kind == Kind::linear);
       EXPECT_TRUE(verify(Design({v, 3, 2, kind, 2}, arranged(blocks, order.order))).valid());
@@ -187,10 +196,10 @@ TEST(OrderForChange, OrdersSteinerTripleSystemsForDoubleChange) {
 }
 
 TEST(OrderForChange, OrdersDisjointTriplesOfSts13ButNotOfSts9) {
-  EXPECT_EQ(ordered(sts13, {13, 3, Kind::circular}).answer, OrderAnswer::found);
+  EXPECT_EQ(ordered(sts13, {13, 3, Kind::circular}).outcome, Outcome::found);
   // Each line of the plane of order 3 misses only its two parallels: four triangles.
   const ChangeOrder order = ordered(sts9(), {9, 3, Kind::linear});
-  EXPECT_EQ(order.answer, OrderAnswer::none);
+  EXPECT_EQ(order.outcome, Outcome::none);
   EXPECT_NE(order.reason.find("is not reached"), std::string::npos);
 }
 
@@ -202,16 +211,16 @@ TEST(OrderForChange, NoneIsSaidBySatAndByAllPermutationsAlike) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       const ChangeWanted wanted{10, 1, kind};
       const bool exists = some_permutation_changes(blocks, wanted);
-      EXPECT_EQ(ordered(blocks, wanted, {.rotations = 1000}).answer,
-                exists ? OrderAnswer::found : OrderAnswer::none);
+      EXPECT_EQ(ordered(blocks, wanted, {.rotations = 1000}).outcome,
+                exists ? Outcome::found : Outcome::none);
     }
   }
   // A bipartite graph with sides of 3 and 5, all degrees at least 3: no cheap argument, none all the same.
   const std::vector<Block> pairs{{0, 3}, {1, 3}, {2, 3}, {0, 4}, {1, 4}, {2, 4}, {0, 5}};
   const ChangeWanted wanted{6, 2, Kind::circular};
   const ChangeOrder order = ordered(pairs, wanted, {.rotations = 1000});
-  EXPECT_EQ(order.answer,
-            some_permutation_changes(pairs, wanted) ? OrderAnswer::found : OrderAnswer::none);
+  EXPECT_EQ(order.outcome,
+            some_permutation_changes(pairs, wanted) ? Outcome::found : Outcome::none);
 }
 
 TEST(OrderForChange, FindsItsWayThroughAShuffledDesign) {
@@ -219,9 +228,9 @@ TEST(OrderForChange, FindsItsWayThroughAShuffledDesign) {
   const Design design = Registry::standard().build_design(
       Registry::standard().best({61, 4, 2, Kind::circular, 2})->recipe);
   const ChangeOrder order = ordered(shuffled(design.blocks(), random), {61, 2, Kind::linear});
-  EXPECT_NE(order.answer, OrderAnswer::none);
+  EXPECT_NE(order.outcome, Outcome::none);
   const ChangeOrder three = ordered(shuffled(design.blocks(), random), {61, 3, Kind::circular});
-  EXPECT_EQ(three.answer, OrderAnswer::found);
+  EXPECT_EQ(three.outcome, Outcome::found);
 }
 
 TEST(OrderForChange, IsDeterministicAndStops) {
@@ -229,15 +238,14 @@ TEST(OrderForChange, IsDeterministicAndStops) {
             ordered(sts13, {13, 3, Kind::circular}).order);
   RunControl control({.time = std::chrono::seconds(0)});
   const ChangeOrder order = order_for_change(sts13, {13, 3, Kind::circular}, {}, control);
-  EXPECT_EQ(order.answer, OrderAnswer::unknown);
-  EXPECT_EQ(order.why, WhyStopped::time_limit);
+  EXPECT_EQ(order.outcome, Outcome::unknown);
+  EXPECT_EQ(order.why_stopped, WhyStopped::time_limit);
 }
 
 TEST(OrderForChange, TakesOneAndTwoBlocks) {
   EXPECT_EQ(ordered({{0, 1}}, ChangeWanted{2, 1, Kind::circular}).order, Order{0});
-  EXPECT_EQ(ordered({{0, 1}, {0, 2}}, ChangeWanted{3, 1, Kind::circular}).answer,
-            OrderAnswer::found);
-  EXPECT_EQ(ordered({{0, 1}, {0, 1}}, ChangeWanted{3, 1, Kind::linear}).answer, OrderAnswer::none);
+  EXPECT_EQ(ordered({{0, 1}, {0, 2}}, ChangeWanted{3, 1, Kind::circular}).outcome, Outcome::found);
+  EXPECT_EQ(ordered({{0, 1}, {0, 1}}, ChangeWanted{3, 1, Kind::linear}).outcome, Outcome::none);
 }
 
 TEST(OrderForChange, RefusesMalformedBlocks) {
@@ -256,10 +264,7 @@ TEST(OrderForLeastChange, AgreesWithTryingAllPermutations) {
   for (int trial = 0; trial < 60; ++trial) {
     const std::uint32_t v = 6 + random.below(6);
     const std::size_t b = 1 + random.below(7);
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < b; ++i) {
-      blocks.push_back(random_subset(v, random.below(5), random));
-    }
+    const std::vector<Block> blocks = random_subsets(b, v, 0, 5, random);
     for (const LeastChangeWanted& wanted : all_kinds(v)) {
       const LeastChangeOrder order = ordered(blocks, wanted);
       EXPECT_EQ(order.cost, least_cost(blocks, wanted));
@@ -276,10 +281,7 @@ TEST(OrderForLeastChange, LocalSearchIsNeverBelowTheLeastAndMostlyThere) {
   std::uint64_t trials = 0;
   for (int trial = 0; trial < 25; ++trial) {
     const std::size_t b = 9 + random.below(5);
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < b; ++i) {
-      blocks.push_back(random_subset(16, 2 + random.below(6), random));
-    }
+    const std::vector<Block> blocks = random_subsets(b, 16, 2, 6, random);
     for (const LeastChangeWanted& wanted : all_kinds(16)) {
       const LeastChangeOrder exact = ordered(blocks, wanted);
       const LeastChangeOrder searched = ordered(blocks, wanted, {.exact_blocks = 0});
@@ -298,10 +300,7 @@ TEST(OrderForLeastChange, LocalSearchIsNeverBelowTheLeastAndMostlyThere) {
 TEST(OrderForLeastChange, BoundsStayBelowTheLeastForTinyCases) {
   Random random(4);
   for (int trial = 0; trial < 40; ++trial) {
-    std::vector<Block> blocks;
-    for (std::size_t i = 0; i < 9; ++i) {
-      blocks.push_back(random_subset(12, random.below(7), random));
-    }
+    const std::vector<Block> blocks = random_subsets(9, 12, 0, 7, random);
     for (const LeastChangeWanted& wanted : all_kinds(12)) {
       const LeastChangeOrder exact = ordered(blocks, wanted);
       for (const std::uint64_t effort : {0U, 50U, 1000U, 100'000U}) {
@@ -323,7 +322,7 @@ TEST(OrderForLeastChange, PutsAShuffledSlidingWindowBack) {
   const LeastChangeOrder order = ordered(shuffled(windows, random), LeastChangeWanted{404});
   EXPECT_EQ(order.cost, 404U);
   EXPECT_EQ(order.lower_bound, 404U);
-  EXPECT_EQ(order.why, WhyStopped::exhausted);
+  EXPECT_EQ(order.why_stopped, WhyStopped::exhausted);
   EXPECT_GT(order.first_cost, 1900U);
 }
 
@@ -357,10 +356,7 @@ TEST(OrderForLeastChange, OrdersADesignNoWorseThanTheDesignDoes) {
 
 TEST(OrderForLeastChange, IsDeterministicAndStops) {
   Random random(9);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < 200; ++i) {
-    blocks.push_back(random_subset(40, 6, random));
-  }
+  const std::vector<Block> blocks = random_subsets(200, 40, 6, 0, random);
   const LeastChangeOrder once = ordered(blocks, LeastChangeWanted{40});
   const LeastChangeOrder again = ordered(blocks, LeastChangeWanted{40});
   EXPECT_EQ(once.order, again.order);
@@ -369,7 +365,7 @@ TEST(OrderForLeastChange, IsDeterministicAndStops) {
   RunControl control({.time = std::chrono::seconds(0)});
   const LeastChangeOrder stopped =
       order_for_least_change(blocks, LeastChangeWanted{40}, {}, control);
-  EXPECT_EQ(stopped.why, WhyStopped::time_limit);
+  EXPECT_EQ(stopped.why_stopped, WhyStopped::time_limit);
   EXPECT_LE(stopped.lower_bound, once.cost);
 }
 
@@ -377,10 +373,7 @@ RC_GTEST_PROP(OrderForLeastChange, CostsWhatARecountSays, ()) {
   Random random(*rc::gen::arbitrary<std::uint64_t>());
   const auto b = *rc::gen::inRange<std::size_t>(1, 80);
   const auto v = *rc::gen::inRange<std::uint32_t>(8, 100);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < b; ++i) {
-    blocks.push_back(random_subset(v, random.below(8), random));
-  }
+  const std::vector<Block> blocks = random_subsets(b, v, 0, 8, random);
   for (const LeastChangeWanted& wanted : all_kinds(v)) {
     const LeastChangeOrder order = ordered(blocks, wanted, {.kicks = 300});
     RC_ASSERT(order.cost == naive_cost(arranged(blocks, order.order), wanted));
@@ -406,10 +399,7 @@ TEST(OrderForLeastChange, RefusesMalformedInput) {
 
 TEST(OrderForLeastChange, SlowOrdersTwentyThousandBlocks) {
   Random random(10);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < 20'000; ++i) {
-    blocks.push_back(random_subset(300, 10, random));
-  }
+  const std::vector<Block> blocks = random_subsets(20'000, 300, 10, 0, random);
   const LeastChangeOrder order = ordered(blocks, LeastChangeWanted{300}, {.kicks = 200'000});
   EXPECT_LT(order.cost, order.first_cost * 3 / 4);
   EXPECT_GT(order.lower_bound, order.cost / 2);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/search/local_search.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
 #include "run/random.hpp"

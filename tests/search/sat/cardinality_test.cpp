@@ -50,7 +50,7 @@ TEST(Cardinality, IsExactlyAsLargeAsItWasForetold) {
 
 bool possible(const Cnf& cnf, std::vector<Literal> assumptions) {
   RunControl control({});
-  return solve_sat(cnf, assumptions, {}, control).answer == SatAnswer::satisfiable;
+  return solve_sat(cnf, assumptions, {}, control).outcome == Outcome::found;
 }
 
 TEST(UnaryCount, SaysHowManyHoldInBothDirections) {

@@ -43,7 +43,7 @@ TEST(SatSolver, WritesAProofThatTheCheckerVerifies) {
   test::spit(folder.file("a.cnf"), formula.text());
   RunControl control({});
   const SatResult result = solve_sat(cnf, {}, {.proof_path = folder.file("a.drat")}, control);
-  EXPECT_EQ(result.answer, SatAnswer::unsatisfiable);
+  EXPECT_EQ(result.outcome, Outcome::none);
   EXPECT_TRUE(check_proof_files(folder.file("a.cnf"), folder.file("a.drat")).verified());
 }
 
@@ -56,7 +56,7 @@ TEST(SatSolver, GivesAModel) {
   cnf.add({-a, -b});
   RunControl control({});
   const SatResult result = solve_sat(cnf, std::vector<Literal>{-a}, {}, control);
-  ASSERT_EQ(result.answer, SatAnswer::satisfiable);
+  ASSERT_EQ(result.outcome, Outcome::found);
   EXPECT_FALSE(result.is_true(a));
   EXPECT_TRUE(result.is_true(-a));
   EXPECT_TRUE(result.is_true(b));
@@ -73,13 +73,13 @@ TEST(SatSolver, SolvesALargeFormulaToo) {
   const test::TemporaryFolder folder;
   for (const std::string& proof : {std::string(), folder.file("a.drat")}) {
     RunControl control({});
-    EXPECT_EQ(solve_sat(cnf, {}, {.proof_path = proof}, control).answer, SatAnswer::satisfiable);
+    EXPECT_EQ(solve_sat(cnf, {}, {.proof_path = proof}, control).outcome, Outcome::found);
   }
 }
 
 TEST(SatSolver, StopsWithItsControl) {
   RunControl control({.time = std::chrono::milliseconds(50)});
-  EXPECT_EQ(solve_sat(pigeons(13), {}, {}, control).answer, SatAnswer::unknown);
+  EXPECT_EQ(solve_sat(pigeons(13), {}, {}, control).outcome, Outcome::unknown);
   EXPECT_EQ(control.why_stopped(), WhyStopped::time_limit);
 }
 

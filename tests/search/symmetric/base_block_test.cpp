@@ -13,8 +13,8 @@
 #include "changeover/core/error.hpp"
 #include "changeover/search/base_block_search.hpp"
 #include "naive_verdict.hpp"
+#include "search/pair_orbits.hpp"
 #include "search/symmetric/base_block_anneal.hpp"
-#include "search/symmetric/base_block_orbits.hpp"
 #include "search/symmetric/base_block_sat.hpp"
 
 namespace changeover {
@@ -84,18 +84,18 @@ TEST(BaseBlockShapes, OfKnownTightDesignsAreThere) {
     const auto shapes = base_block_shapes(p, {.tight = true});
     return std::find(shapes.begin(), shapes.end(), shape) != shapes.end();
   };
-  EXPECT_TRUE(has(circular(15, 4), {3, 5, 0, 7}));
-  EXPECT_TRUE(has(circular(16, 4), {3, 5, 1, 8}));
-  EXPECT_TRUE(has(circular(25, 4), {5, 5, 0, 12}));
-  EXPECT_TRUE(has(circular(26, 4), {13, 2, 0, 5}));
-  EXPECT_TRUE(has(circular(28, 6), {7, 4, 0, 6}));
-  EXPECT_TRUE(has(circular(21, 3), {7, 3, 0, 10}));
-  EXPECT_TRUE(has(circular(61, 4), {61, 1, 0, 6}));
+  EXPECT_TRUE(has(circular(15, 4), {{3, 5, 0}, 7}));
+  EXPECT_TRUE(has(circular(16, 4), {{3, 5, 1}, 8}));
+  EXPECT_TRUE(has(circular(25, 4), {{5, 5, 0}, 12}));
+  EXPECT_TRUE(has(circular(26, 4), {{13, 2, 0}, 5}));
+  EXPECT_TRUE(has(circular(28, 6), {{7, 4, 0}, 6}));
+  EXPECT_TRUE(has(circular(21, 3), {{7, 3, 0}, 10}));
+  EXPECT_TRUE(has(circular(61, 4), {{61, 1, 0}, 6}));
 }
 
 TEST(BaseBlockShapes, MayHaveAFixedElementInEveryBlock) {
-  EXPECT_FALSE(shape_obstruction(circular(7, 5), {3, 2, 1, 1}, true));
-  EXPECT_TRUE(search(circular(7, 5), tight()).verdict->tight());
+  EXPECT_FALSE(shape_obstruction(circular(7, 5), {{3, 2, 1}, 1}, true));
+  EXPECT_TRUE(search(circular(7, 5), tight()).verdict().tight());
 }
 
 TEST(BaseBlockShapes, AreExcludedForThreeOpenTightDesigns) {
@@ -108,26 +108,26 @@ TEST(BaseBlockShapes, AreExcludedForThreeOpenTightDesigns) {
         << v;
   }
   EXPECT_EQ(
-      shape_obstruction(circular(26, 8), {5, 5, 1, 5}, true),
+      shape_obstruction(circular(26, 8), {{5, 5, 1}, 5}, true),
       "a fixed element would be introduced j times in r ≥ j ≥ 1 base blocks, 7j + 2(r−j) = 5");
   EXPECT_EQ(
-      shape_obstruction(circular(20, 4), {19, 1, 1, 2}, true),
+      shape_obstruction(circular(20, 4), {{19, 1, 1}, 2}, true),
       "a fixed element would be introduced j times in r ≥ j ≥ 1 base blocks, 3j + 2(r−j) = 1");
-  EXPECT_FALSE(shape_obstruction(circular(26, 8), {5, 5, 1, 5}, false));
+  EXPECT_FALSE(shape_obstruction(circular(26, 8), {{5, 5, 1}, 5}, false));
 }
 
 TEST(BaseBlockShapes, SayWhatExcludesThem) {
   const auto why = [](std::uint64_t v, std::uint64_t k, const BaseBlockShape& shape) {
     return shape_obstruction(circular(v, k), shape, true).value_or("");
   };
-  EXPECT_EQ(why(15, 4, {3, 5, 0, 8}), "24 blocks newly cover 5 pairs each, and there are 105");
-  EXPECT_EQ(why(10, 4, {2, 5, 0, 5}), "10 blocks newly cover 5 pairs each, and there are 45");
-  EXPECT_EQ(why(8, 5, {4, 2, 0, 1}),
+  EXPECT_EQ(why(15, 4, {{3, 5, 0}, 8}), "24 blocks newly cover 5 pairs each, and there are 105");
+  EXPECT_EQ(why(10, 4, {{2, 5, 0}, 5}), "10 blocks newly cover 5 pairs each, and there are 45");
+  EXPECT_EQ(why(8, 5, {{4, 2, 0}, 1}),
             "at least 5 blocks are needed: " + lower_bound(circular(8, 5)).reason);
-  EXPECT_NE(why(15, 4, {4, 5, 0, 7}).find("v = 15 is not"), std::string::npos);
-  EXPECT_NE(why(5, 4, {5, 1, 0, 2}), "");
-  EXPECT_NE(why(16, 4, {2, 8, 0, 12}).find("is even"), std::string::npos);
-  EXPECT_NE(why(26, 4, {5, 4, 6, 13}).find("two of 6 fixed elements"), std::string::npos);
+  EXPECT_NE(why(15, 4, {{4, 5, 0}, 7}).find("v = 15 is not"), std::string::npos);
+  EXPECT_NE(why(5, 4, {{5, 1, 0}, 2}), "");
+  EXPECT_NE(why(16, 4, {{2, 8, 0}, 12}).find("is even"), std::string::npos);
+  EXPECT_NE(why(26, 4, {{5, 4, 6}, 13}).find("two of 6 fixed elements"), std::string::npos);
 }
 
 TEST(BaseBlockShapes, ComeFewestBlocksFirst) {
@@ -137,33 +137,33 @@ TEST(BaseBlockShapes, ComeFewestBlocksFirst) {
                              [](const auto& a, const auto& b) { return a.b() < b.b(); }));
   EXPECT_LE(shapes.back().b(), 30U);
   EXPECT_EQ(base_block_shapes(circular(12, 4), {.n = 11, .fixed = 1}),
-            (std::vector<BaseBlockShape>{{11, 1, 1, 2}}));
+            (std::vector<BaseBlockShape>{{{11, 1, 1}, 2}}));
   EXPECT_TRUE(base_block_shapes(circular(12, 4), {.n = 7}).empty());
   EXPECT_EQ(base_block_shapes(circular(12, 4), {.n = 12, .base_blocks = 9}).size(), 1U);
-  EXPECT_EQ(to_string(BaseBlockShape{13, 2, 0, 5}), "5 base blocks, 2 cycles of length 13");
-  EXPECT_EQ(to_string(BaseBlockShape{11, 1, 1, 1}),
+  EXPECT_EQ(to_string(BaseBlockShape{{13, 2, 0}, 5}), "5 base blocks, 2 cycles of length 13");
+  EXPECT_EQ(to_string(BaseBlockShape{{11, 1, 1}, 1}),
             "1 base block, 1 cycle of length 11, 1 fixed point");
 }
 
 TEST(PairOrbits, AreTheOrbitsOfPairs) {
-  for (const BaseBlockShape& shape : {BaseBlockShape{7, 1, 0, 1}, BaseBlockShape{6, 1, 0, 1},
-                                      BaseBlockShape{4, 2, 1, 1}, BaseBlockShape{3, 2, 3, 1}}) {
-    const PairOrbits orbits(shape);
+  for (const Automorphism& pi : {Automorphism{7, 1, 0}, Automorphism{6, 1, 0},
+                                 Automorphism{4, 2, 1}, Automorphism{3, 2, 3}}) {
+    const PairOrbits orbits(pi);
     std::set<std::uint32_t> numbers;
-    for (Element x = 0; x < shape.v(); ++x) {
-      EXPECT_EQ(orbits.moved(x, shape.n), x);
+    for (Element x = 0; x < pi.v(); ++x) {
       for (Element y = 0; y < x; ++y) {
         numbers.insert(orbits.of(x, y));
         EXPECT_EQ(orbits.of(x, y), orbits.of(y, x));
-        EXPECT_EQ(orbits.of(x, y), orbits.of(orbits.moved(x, 1), orbits.moved(y, 1)));
+        EXPECT_EQ(orbits.of(x, y), orbits.of(pi.image(x, 1), pi.image(y, 1)));
       }
     }
     EXPECT_EQ(numbers.size(), orbits.count());
     EXPECT_EQ(*numbers.rbegin() + 1, orbits.count());
+    EXPECT_EQ(pi.pair_orbits(), orbits.count());
   }
-  EXPECT_EQ(PairOrbits({7, 1, 0, 1}).count(), 3U);
-  EXPECT_EQ(PairOrbits({6, 1, 0, 1}).count(), 3U);
-  EXPECT_EQ(PairOrbits({3, 2, 3, 1}).count(), 2U + 3 + 6 + 3);
+  EXPECT_EQ(PairOrbits({7, 1, 0}).count(), 3U);
+  EXPECT_EQ(PairOrbits({6, 1, 0}).count(), 3U);
+  EXPECT_EQ(PairOrbits({3, 2, 3}).count(), 2U + 3 + 6 + 3);
 }
 
 // ---- Both methods against trying everything.
@@ -226,30 +226,32 @@ TEST(BaseBlocksBySat, AgreeWithTryingEverything) {
   std::size_t some = 0;
   std::size_t none = 0;
   for (const Case& each :
-       std::vector<Case>{{circular(5, 3), {5, 1, 0, 1}},    {circular(6, 3), {6, 1, 0, 1}},
-                         {circular(7, 3), {7, 1, 0, 1}},    {circular(6, 3), {5, 1, 1, 1}},
-                         {circular(6, 4), {3, 2, 0, 1}},    {circular(6, 4), {6, 1, 0, 1}},
-                         {circular(7, 4), {3, 2, 1, 2}},    {circular(7, 4), {7, 1, 0, 1}},
-                         {circular(7, 5), {3, 2, 1, 1}},    {circular(5, 2), {5, 1, 0, 2}},
-                         {circular(6, 2), {5, 1, 1, 3}},    {circular(5, 3, 1), {5, 1, 0, 1}},
-                         {circular(6, 3, 1), {3, 2, 0, 3}}, {circular(6, 3, 1), {5, 1, 1, 2}},
-                         {circular(5, 2, 1), {5, 1, 0, 2}}, {circular(4, 2, 1), {2, 2, 0, 3}},
-                         {circular(4, 2, 1), {3, 1, 1, 2}}, {circular(4, 2, 1), {2, 1, 2, 4}},
-                         {circular(7, 3, 3), {7, 1, 0, 1}}, {circular(7, 3, 3), {7, 1, 0, 2}},
-                         {circular(8, 4, 3), {7, 1, 1, 1}}, {circular(8, 5), {4, 2, 0, 1}}}) {
+       std::vector<Case>{{circular(5, 3), {{5, 1, 0}, 1}},    {circular(6, 3), {{6, 1, 0}, 1}},
+                         {circular(7, 3), {{7, 1, 0}, 1}},    {circular(6, 3), {{5, 1, 1}, 1}},
+                         {circular(6, 4), {{3, 2, 0}, 1}},    {circular(6, 4), {{6, 1, 0}, 1}},
+                         {circular(7, 4), {{3, 2, 1}, 2}},    {circular(7, 4), {{7, 1, 0}, 1}},
+                         {circular(7, 5), {{3, 2, 1}, 1}},    {circular(5, 2), {{5, 1, 0}, 2}},
+                         {circular(6, 2), {{5, 1, 1}, 3}},    {circular(5, 3, 1), {{5, 1, 0}, 1}},
+                         {circular(6, 3, 1), {{3, 2, 0}, 3}}, {circular(6, 3, 1), {{5, 1, 1}, 2}},
+                         {circular(5, 2, 1), {{5, 1, 0}, 2}}, {circular(4, 2, 1), {{2, 2, 0}, 3}},
+                         {circular(4, 2, 1), {{3, 1, 1}, 2}}, {circular(4, 2, 1), {{2, 1, 2}, 4}},
+                         {circular(7, 3, 3), {{7, 1, 0}, 1}}, {circular(7, 3, 3), {{7, 1, 0}, 2}},
+                         {circular(8, 4, 3), {{7, 1, 1}, 1}}, {circular(8, 5), {{4, 2, 0}, 1}}}) {
     for (const bool want_tight : {false, true}) {
       RunControl control({});
-      const SatOutcome outcome =
+      const BaseBlocksBySat result =
           base_blocks_by_sat(each.p, each.shape, want_tight, std::nullopt, control);
-      EXPECT_NE(outcome.blocks.empty(), !outcome.none);
-      EXPECT_EQ(!outcome.none, exists(each.p, each.shape, want_tight))
+      const bool found = result.outcome == Outcome::found;
+      EXPECT_NE(result.outcome, Outcome::unknown);
+      EXPECT_NE(result.blocks.empty(), found);
+      EXPECT_EQ(found, exists(each.p, each.shape, want_tight))
           << name(each.p) << " " << to_string(each.shape) << (want_tight ? " tight" : "");
-      if (!outcome.none) {
-        const auto verdict = test::naive_verdict(developed(each.p, each.shape, outcome.blocks));
+      if (found) {
+        const auto verdict = test::naive_verdict(developed(each.p, each.shape, result.blocks));
         EXPECT_TRUE(verdict.valid);
         EXPECT_TRUE(!want_tight || verdict.excess == 0);
       }
-      (outcome.none ? none : some) += 1;
+      (found ? some : none) += 1;
     }
   }
   EXPECT_GE(some, 10U);
@@ -258,17 +260,18 @@ TEST(BaseBlocksBySat, AgreeWithTryingEverything) {
 
 TEST(BaseBlocksBySat, GiveUpAtTheLimitOfConflicts) {
   RunControl control({});
-  const SatOutcome outcome = base_blocks_by_sat(circular(27, 6), {3, 9, 0, 13}, true, 200, control);
-  EXPECT_TRUE(outcome.blocks.empty());
-  EXPECT_FALSE(outcome.none);
-  EXPECT_GE(outcome.conflicts, 100U);
+  const BaseBlocksBySat result =
+      base_blocks_by_sat(circular(27, 6), {{3, 9, 0}, 13}, true, 200, control);
+  EXPECT_TRUE(result.blocks.empty());
+  EXPECT_EQ(result.outcome, Outcome::unknown);
+  EXPECT_GE(result.conflicts, 100U);
 }
 
 RC_GTEST_PROP(RandomBaseBlocks, HaveTheChangeProperty, ()) {
   const auto n = *rc::gen::inRange<std::uint64_t>(5, 20);
-  const BaseBlockShape shape{n, *rc::gen::inRange<std::uint64_t>(1, 4),
-                             *rc::gen::inRange<std::uint64_t>(0, 3),
-                             *rc::gen::inRange<std::uint64_t>(1, 8)};
+  const BaseBlockShape shape{
+      {n, *rc::gen::inRange<std::uint64_t>(1, 4), *rc::gen::inRange<std::uint64_t>(0, 3)},
+      *rc::gen::inRange<std::uint64_t>(1, 8)};
   const auto m = *rc::gen::inRange<std::uint64_t>(1, 4);
   const Parameters p = circular(
       shape.v(), *rc::gen::inRange<std::uint64_t>(std::max<std::uint64_t>(m, 2), n - 1), m);
@@ -287,9 +290,9 @@ TEST(SearchBaseBlocks, FindsTheCyclicDesignsOfThePaper) {
     const Parameters p = circular(static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(k));
     const BaseBlockResult result = search(p, tight(p.v));
     ASSERT_TRUE(result.found()) << v;
-    EXPECT_TRUE(result.verdict->tight());
+    EXPECT_TRUE(result.verdict().tight());
     EXPECT_EQ(result.comparison, Comparison::equal);
-    EXPECT_EQ(result.why, WhyStopped::found);
+    EXPECT_EQ(result.why_stopped, WhyStopped::found);
   }
 }
 
@@ -299,10 +302,10 @@ TEST(SearchBaseBlocks, FindsTightCircularDesignsWithSeveralCycles) {
     const Parameters p = circular(static_cast<std::uint64_t>(v), static_cast<std::uint64_t>(k));
     const BaseBlockResult result = search(p, tight(static_cast<std::uint64_t>(n)));
     ASSERT_TRUE(result.found()) << v;
-    EXPECT_TRUE(result.verdict->tight());
-    EXPECT_TRUE(result.verdict->economical());
+    EXPECT_TRUE(result.verdict().tight());
+    EXPECT_TRUE(result.verdict().economical());
     EXPECT_EQ(result.shape.n, static_cast<std::uint64_t>(n));
-    EXPECT_EQ(result.design->recipe, result.recipe);
+    EXPECT_EQ(result.design->recipe(), result.recipe);
     EXPECT_EQ(result.recipe->blocks.size(), result.shape.base_blocks);
     EXPECT_FALSE(result.recipe->provenance.empty());
     EXPECT_NE(describe(result).find("tight"), std::string::npos);
@@ -312,8 +315,8 @@ TEST(SearchBaseBlocks, FindsTightCircularDesignsWithSeveralCycles) {
 TEST(SearchBaseBlocks, SlowFindsTheTightDccd25x4) {
   const BaseBlockResult result = search(circular(25, 4), tight(5));
   ASSERT_TRUE(result.found());
-  EXPECT_TRUE(result.verdict->tight());
-  EXPECT_EQ(result.verdict->b, 60U);
+  EXPECT_TRUE(result.verdict().tight());
+  EXPECT_EQ(result.verdict().b, 60U);
 }
 
 TEST(SearchBaseBlocks, FindsTightDesignsForOtherChangeNumbers) {
@@ -322,15 +325,15 @@ TEST(SearchBaseBlocks, FindsTightDesignsForOtherChangeNumbers) {
         circular(19, 5, 3), circular(25, 6, 3), circular(28, 4, 4)}) {
     const BaseBlockResult result = search(p, tight());
     ASSERT_TRUE(result.found()) << name(p);
-    EXPECT_TRUE(result.verdict->tight()) << name(p);
+    EXPECT_TRUE(result.verdict().tight()) << name(p);
   }
 }
 
 TEST(SearchBaseBlocks, FindsTheTightCircularSccd9x4) {
   const BaseBlockResult result = search(circular(9, 4, 1), tight());
   ASSERT_TRUE(result.found());
-  EXPECT_TRUE(result.verdict->tight());
-  EXPECT_EQ(result.verdict->b, 12U);
+  EXPECT_TRUE(result.verdict().tight());
+  EXPECT_EQ(result.verdict().b, 12U);
   EXPECT_EQ(result.comparison, Comparison::equal);
 }
 
@@ -342,8 +345,8 @@ TEST(SearchBaseBlocks, AnnealsWhereThereIsSlack) {
   options.shapes.base_blocks = 3;
   const BaseBlockResult result = search(circular(30, 5), options);
   ASSERT_TRUE(result.found());
-  EXPECT_TRUE(result.verdict->valid());
-  EXPECT_LE(result.verdict->b, 87U);
+  EXPECT_TRUE(result.verdict().valid());
+  EXPECT_LE(result.verdict().b, 87U);
   EXPECT_EQ(result.conflicts, 0U);
   EXPECT_GT(result.moves, 0U);
 }
@@ -372,9 +375,9 @@ TEST(SearchBaseBlocks, FamilyForTripleChangeIsTightForEveryK) {
     std::iota(block.begin(), block.end(), Element{0});
     block.insert(block.end(), {2 * n, 3 * n});
     const Parameters p = circular(6 * n + 1, k, 3);
-    EXPECT_TRUE(verify(developed(p, {p.v, 1, 0, 1}, {block})).tight()) << k;
+    EXPECT_TRUE(verify(developed(p, {{p.v, 1, 0}, 1}, {block})).tight()) << k;
     block.back() = 3 * n - 1;
-    EXPECT_FALSE(verify(developed(p, {p.v, 1, 0, 1}, {block})).tight()) << k;
+    EXPECT_FALSE(verify(developed(p, {{p.v, 1, 0}, 1}, {block})).tight()) << k;
   }
 }
 
@@ -384,8 +387,8 @@ TEST(SearchBaseBlocks, CutsALinearDesignOpen) {
   const BaseBlockResult result = search(p, tight(3));
   ASSERT_TRUE(result.found());
   EXPECT_EQ(result.recipe->construction, "cut");
-  EXPECT_EQ(result.verdict->parameters, p);
-  EXPECT_TRUE(result.verdict->valid());
+  EXPECT_EQ(result.verdict().parameters, p);
+  EXPECT_TRUE(result.verdict().valid());
 }
 
 TEST(SearchBaseBlocks, GivesTheSameDesignForEveryShift) {
@@ -394,7 +397,7 @@ TEST(SearchBaseBlocks, GivesTheSameDesignForEveryShift) {
     options.shift = shift;
     const BaseBlockResult result = search(circular(26, 4), options);
     ASSERT_TRUE(result.found());
-    EXPECT_TRUE(result.verdict->tight());
+    EXPECT_TRUE(result.verdict().tight());
     EXPECT_EQ(result.recipe->arguments.at("shift"), static_cast<std::int64_t>(shift));
   }
   BaseBlockOptions options = tight(13);
@@ -405,10 +408,10 @@ TEST(SearchBaseBlocks, GivesTheSameDesignForEveryShift) {
 TEST(SearchBaseBlocks, SaysThatAllShapesAreExcluded) {
   const BaseBlockResult result = search(circular(18, 6), tight());
   EXPECT_FALSE(result.found());
-  EXPECT_EQ(result.why, WhyStopped::exhausted);
+  EXPECT_EQ(result.why_stopped, WhyStopped::exhausted);
   EXPECT_EQ(describe(result), "No shape of base blocks passes the counting conditions.");
   const BaseBlockResult none = search(circular(21, 9), tight());
-  EXPECT_EQ(none.why, WhyStopped::exhausted);
+  EXPECT_EQ(none.why_stopped, WhyStopped::exhausted);
   EXPECT_NE(describe(none).find("the SAT solver says"), std::string::npos);
 }
 
@@ -416,11 +419,11 @@ TEST(SearchBaseBlocks, StopsWhenToldTo) {
   RunControl control({.time = std::chrono::seconds(0)});
   const BaseBlockResult result = search_base_blocks(circular(27, 6), tight(), control);
   EXPECT_FALSE(result.found());
-  EXPECT_EQ(result.why, WhyStopped::time_limit);
+  EXPECT_EQ(result.why_stopped, WhyStopped::time_limit);
   BaseBlockOptions options = tight();
   options.conflicts = 50;
   options.moves = 1000;
-  EXPECT_EQ(search(circular(27, 6), options).why, WhyStopped::step_limit);
+  EXPECT_EQ(search(circular(27, 6), options).why_stopped, WhyStopped::step_limit);
 }
 
 TEST(SearchBaseBlocks, RefusesWhatItIsNotFor) {

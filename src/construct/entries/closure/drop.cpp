@@ -76,8 +76,17 @@ class Dropping {
   /// Whether a run can leave out any block at all.
   [[nodiscard]] bool can_drop() const { return !candidates_.empty(); }
 
-  /// Of the last run.
-  [[nodiscard]] bool stays(std::size_t i) const { return stays_[i]; }
+  /// Those that the last run left.
+  [[nodiscard]] std::vector<Block> blocks() const {
+    std::vector<Block> blocks;
+    for (std::size_t i = 0; i < b_; ++i) {
+      if (stays_[i]) {
+        const auto block = design_.block(i);
+        blocks.emplace_back(block.begin(), block.end());
+      }
+    }
+    return blocks;
+  }
 
  private:
   void leave_out(std::size_t i) {
@@ -158,19 +167,6 @@ class Dropping {
   std::vector<std::size_t> gone_;        // in the order in which they went
 };
 
-std::vector<Block> needed_blocks(const Design& design) {
-  Dropping dropping(design);
-  (void)dropping.run(design.parameters().kind);
-  std::vector<Block> blocks;
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    if (dropping.stays(i)) {
-      const auto block = design.block(i);
-      blocks.emplace_back(block.begin(), block.end());
-    }
-  }
-  return blocks;
-}
-
 class Drop final : public Construction {
  public:
   std::string_view name() const override { return "drop"; }
@@ -194,7 +190,9 @@ class Drop final : public Construction {
                                  changeover::name(recipe.parameters)));
     }
     const Design design = read_all(*registry.build(recipe.inputs.front()));
-    return std::make_unique<BlockListSource>(recipe.parameters, needed_blocks(design));
+    Dropping dropping(design);
+    (void)dropping.run(design.parameters().kind);
+    return std::make_unique<BlockListSource>(recipe.parameters, dropping.blocks());
   }
 
   std::string explain(const Recipe& recipe) const override {
@@ -212,6 +210,19 @@ class Drop final : public Construction {
 
 std::uint64_t needed_block_count(const Design& design) {
   return Dropping(design).run(design.parameters().kind);
+}
+
+Design without_needless_blocks(const Design& design) {
+  if (design.parameters().strength != 2) {
+    return design;
+  }
+  Dropping dropping(design);
+  if (dropping.run(design.parameters().kind) == design.block_count()) {
+    return design;
+  }
+  Design fewer(design.parameters(), dropping.blocks());
+  fewer.set_labels(design.labels());
+  return fewer;
 }
 
 BestCut best_cut(const Design& design, std::size_t most_cuts, std::uint64_t enough) {

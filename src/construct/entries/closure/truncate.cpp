@@ -17,6 +17,11 @@
 namespace changeover {
 namespace {
 
+Parameters smaller(Parameters p) {
+  --p.v;
+  return p;
+}
+
 /// Where the elements of a design are, to see which of them can go.
 class Truncation {
  public:
@@ -45,6 +50,17 @@ class Truncation {
       }
     }
     return true;
+  }
+
+  /// The largest element that can go, if blocks stay smaller than what is left.
+  std::optional<Element> last_that_can_go() {
+    for (auto x = static_cast<Element>(design_.v()); x-- > 0 && design_.v() > design_.k() + 1;) {
+      stop_if_asked();
+      if (can_go(x)) {
+        return x;
+      }
+    }
+    return std::nullopt;
   }
 
   /// The design without x, if it can go.
@@ -184,19 +200,23 @@ class Truncate final : public Construction {
 }  // namespace
 
 std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design) {
-  if (design.v() <= design.k() + 1) {
-    return std::nullopt;
-  }
-  Truncation truncation(design);
-  for (auto x = static_cast<Element>(design.v()); x-- > 0;) {
-    stop_if_asked();
-    if (truncation.can_go(x)) {
-      Parameters smaller = input.parameters;
-      --smaller.v;
-      return Recipe{"truncate", smaller, {{"element", x}}, {input}, {}};
-    }
+  if (const auto x = Truncation(design).last_that_can_go()) {
+    return Recipe{"truncate", smaller(input.parameters), {{"element", *x}}, {input}, {}};
   }
   return std::nullopt;
+}
+
+std::optional<Design> truncated(const Design& design, std::uint64_t elements) {
+  Design result = design;
+  for (std::uint64_t i = 0; i < elements; ++i) {
+    Truncation truncation(result);
+    const auto x = truncation.last_that_can_go();
+    if (!x) {
+      return std::nullopt;
+    }
+    result = Design(smaller(result.parameters()), *truncation.without(*x));
+  }
+  return result;
 }
 
 const Construction& truncate_construction() {

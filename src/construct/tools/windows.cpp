@@ -1,17 +1,11 @@
-// What can be had from designs that are known: recipes, cuts, parts.
+// Consecutive blocks of a design that cover all pairs, or most of them.
 #include <algorithm>
-#include <memory>
-#include <utility>
+#include <vector>
 
 #include "changeover/construct/closure.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/core/checked.hpp"
-#include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/run/scope.hpp"
-#include "changeover/search/local_search.hpp"
-#include "search/listening.hpp"
-#include "search/local/local_search_known.hpp"
 
 namespace changeover {
 namespace {
@@ -70,28 +64,6 @@ std::size_t last_block_of_windows(const Design& design) {
 
 }  // namespace
 
-Design without_needless_blocks(const Design& design) {
-  if (design.parameters().strength != 2 || needed_block_count(design) == design.block_count()) {
-    return design;
-  }
-  Design fewer = Registry::standard().build_design(drop_recipe(literal_recipe(design)));
-  fewer.recipe.reset();
-  return fewer;
-}
-
-std::optional<Design> truncated(const Design& design, std::uint64_t elements) {
-  Design result = design;
-  for (std::uint64_t i = 0; i < elements; ++i) {
-    const auto recipe = truncate_recipe(literal_recipe(result), result);
-    if (!recipe) {
-      return std::nullopt;
-    }
-    result = Registry::standard().build_design(*recipe);
-    result.recipe.reset();
-  }
-  return result;
-}
-
 Design shortest_cut(const Design& design) {
   const std::size_t b = design.block_count();
   if (design.parameters().strength != 2) {
@@ -141,26 +113,6 @@ Design best_part(const Design& design, std::size_t blocks) {
     }
   }
   return part(design, best, length);
-}
-
-std::optional<Design> best_known_design(const Parameters& p) {
-  const Registry& registry = Registry::standard();
-  const auto best = best_known(
-      registry, p, [](const Design& design) { return verify_listening(design).valid(); });
-  if (!best) {
-    return std::nullopt;
-  }
-  require_memory(checked_multiply(checked_multiply(best->b, p.k), sizeof(Element)),
-                 "the best design that is known, the " + name(p) + ",");
-  const std::unique_ptr<BlockSource> blocks = registry.build(best->recipe);
-  ListeningSource listening(*blocks);
-  Design design = read_all(listening);
-  design.set_labels(registry.construction_of(best->recipe).labels(best->recipe, registry));
-  design.recipe = best->recipe;
-  if (!verify_listening(design).valid()) {
-    throw InternalError("the best recipe for the " + name(p) + " does not give a design");
-  }
-  return design;
 }
 
 }  // namespace changeover

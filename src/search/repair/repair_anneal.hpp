@@ -1,0 +1,31 @@
+// What repairing and extending a list have in common.
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <string>
+
+#include "changeover/core/design.hpp"
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+
+[[nodiscard]] inline Block block_of(const Design& design, std::size_t i) {
+  const auto elements = design.block(i);
+  return Block(elements.begin(), elements.end());
+}
+
+/// Anneals by `work()`. Returns why it could not, in one line, if memory is short; else an empty line.
+template <typename Work>
+std::string annealing_fault(Work&& work) {
+  try {
+    work();
+  } catch (const MissingResource& fault) {
+    return fault.what();
+  } catch (const std::bad_alloc&) {
+    return "not enough memory to anneal the list";
+  }
+  return "";
+}
+
+}  // namespace changeover
