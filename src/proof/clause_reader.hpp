@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/proof/drat.hpp"
+#include "changeover/proof/proof.hpp"
 
 namespace changeover::detail {
 

@@ -1,4 +1,4 @@
-#include "changeover/proof/drat.hpp"
+#include "changeover/proof/proof.hpp"
 
 #include <fmt/format.h>
 

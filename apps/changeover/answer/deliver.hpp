@@ -12,7 +12,7 @@
 #include <functional>
 #include <string>
 
-#include "changeover/io/output_file.hpp"
+#include "changeover/io/output.hpp"
 
 namespace changeover::cli {
 

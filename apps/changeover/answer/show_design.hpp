@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "changeover/io/output_file.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/io/output.hpp"
 #include "request/request.hpp"
 
 namespace changeover::cli {

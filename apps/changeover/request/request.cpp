@@ -9,7 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/difference.hpp"
-#include "changeover/verify/interval_difference.hpp"
+#include "changeover/verify/difference.hpp"
 
 namespace changeover::cli {
 

@@ -12,8 +12,8 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/io/json.hpp"
-#include "changeover/io/output_file.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/io/output.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "cli/cli.hpp"
 

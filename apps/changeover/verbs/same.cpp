@@ -1,9 +1,7 @@
 // changeover same A B: are two designs the same up to names, rotation and reversal.
 #include <fmt/format.h>
 
-#include "changeover/io/read_design.hpp"
-#include "changeover/isomorphism/automorphisms.hpp"
-#include "changeover/isomorphism/block_system.hpp"
+#include "changeover/io/input.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/input_files.hpp"

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "changeover/io/read_design.hpp"
+#include "changeover/io/input.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/input_files.hpp"
 #include "request/request.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "changeover/core/design.hpp"
-#include "changeover/io/design_input.hpp"
+#include "changeover/io/input.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/place.hpp"
 #include "io/read/token_table.hpp"
@@ -40,7 +40,7 @@ class Collector {
     std::function<Place(std::uint64_t word)> place_of_word;  ///< the i-th word of all, from 0
   };
 
-  /// The design. @throws BadInput as io/design_input.hpp says.
+  /// The design. @throws BadInput as io/input.hpp says.
   [[nodiscard]] Design finish(const Context& context);
 
  private:

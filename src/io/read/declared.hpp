@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "changeover/core/parameters.hpp"
-#include "changeover/io/design_input.hpp"
+#include "changeover/io/input.hpp"
 #include "io/read/place.hpp"
 
 namespace changeover::io_detail {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "changeover/io/json.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/read/collector.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/json_events.hpp"

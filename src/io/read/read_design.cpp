@@ -1,12 +1,10 @@
-#include "changeover/io/read_design.hpp"
+#include "changeover/io/input.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "changeover/io/csv.hpp"
-#include "changeover/io/json.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/place.hpp"
 

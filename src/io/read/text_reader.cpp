@@ -5,8 +5,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
-#include "changeover/io/json.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/json_events.hpp"
 #include "io/read/text_scanner.hpp"

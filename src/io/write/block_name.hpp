@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "changeover/io/marks.hpp"
+#include "changeover/io/tables.hpp"
 
 namespace changeover::io_detail {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "changeover/io/sink.hpp"
+#include "changeover/io/output.hpp"
 
 namespace changeover::io_detail {
 

@@ -1,4 +1,4 @@
-#include "changeover/io/latex.hpp"
+#include "changeover/io/tables.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "changeover/io/table.hpp"
+#include "changeover/io/tables.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include "changeover/io/json.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/write/element_text.hpp"
 
 namespace changeover {

@@ -1,4 +1,4 @@
-#include "changeover/plan/amount.hpp"
+#include "changeover/plan/job.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "changeover/plan/read_job.hpp"
+#include "changeover/plan/job.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "changeover/plan/read_job.hpp"
+#include "changeover/plan/job.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/sheet_words.hpp"

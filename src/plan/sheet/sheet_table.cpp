@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "changeover/plan/read_job.hpp"
+#include "changeover/plan/job.hpp"
 #include "core/utf8.hpp"
 #include "plan/sheet/sheet_words.hpp"
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "changeover/run/control.hpp"
-#include "changeover/search/cnf.hpp"
+#include "search/sat/cnf.hpp"
 
 namespace changeover {
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "changeover/core/error.hpp"
-#include "changeover/plan/what_if.hpp"
+#include "changeover/plan/run_plan.hpp"
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
