@@ -5,7 +5,7 @@
 # in the independent checker. The public door, include/changeover/, is closed in itself: its headers
 # include each other and the standard library, changeover.hpp includes all of them, and what shows
 # strangers how to use the library (examples/, the consumer of tests/install) includes nothing else
-# of ours.
+# of ours. What lies in src/ is internal by its place, so no namespace says so again.
 set -euo pipefail
 
 root=$1
@@ -75,6 +75,10 @@ while IFS= read -r header; do
   grep -qxF "#include \"$header\"" include/changeover/changeover.hpp ||
     fault "include/$header: is not in changeover.hpp"
 done < <(cd include && find changeover/*/ -name '*.h' -o -name '*.hpp' | sort)
+
+while IFS= read -r found; do
+  [[ -z $found ]] || fault "$found: internals lie in namespace changeover"
+done < <(grep -rnE '^[[:space:]]*namespace .*detail' src | cut -d: -f1,2 || true)
 
 for folder in examples tests/install/consumer; do
   while IFS= read -r found; do

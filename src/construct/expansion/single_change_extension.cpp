@@ -166,7 +166,7 @@ std::unique_ptr<BlockSource> start_of(const Design& design, std::uint64_t rounds
 }
 
 // All rounds follow the start of the design; an insertion is a step of the script.
-class ExtendedSource final : public detail::InsertingSource {
+class ExtendedSource final : public InsertingSource {
  public:
   ExtendedSource(const Design& design, std::uint64_t rounds, const Parameters& larger)
       : InsertingSource(start_of(design, rounds), larger,

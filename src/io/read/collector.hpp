@@ -14,7 +14,7 @@
 #include "io/read/place.hpp"
 #include "io/read/token_table.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 /// Collects the words of blocks; what they mean is decided at the end, when all is known.
 class Collector {
@@ -55,4 +55,4 @@ class Collector {
   std::vector<std::string> labels_;
 };
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

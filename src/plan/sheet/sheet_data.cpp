@@ -11,8 +11,6 @@
 namespace changeover {
 namespace {
 
-using namespace plan_detail;
-
 void write_candidate(JsonWriter& json, const Money& money, const Candidate& candidate) {
   json.begin_object().key("name").value(candidate.name).key("how").value(candidate.how);
   json.key("tests").value(candidate.tests()).key("changes").value(candidate.changes);

@@ -11,8 +11,6 @@
 namespace changeover {
 namespace {
 
-using namespace plan_detail;
-
 std::size_t columns_of(std::string_view text) {
   std::size_t count = 0;
   while (!text.empty()) {
