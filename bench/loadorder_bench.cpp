@@ -19,11 +19,10 @@
 #include <string>
 #include <vector>
 
+#include "all_pairs/load_orders.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
-#include "changeover/loadorder/improve.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/control.hpp"
-#include "peers/load_orders.hpp"
 #include "run/random.hpp"
 
 namespace changeover::bench {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "changeover/construct/registry.hpp"
-#include "changeover/io/output_file.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/io/output.hpp"
 #include "paired.hpp"
 
 namespace changeover::bench {

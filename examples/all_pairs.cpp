@@ -39,20 +39,19 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "all_pairs/files.hpp"
 #include "all_pairs/gram.hpp"
+#include "all_pairs/load_orders.hpp"
 #include "all_pairs/processes.hpp"
-#include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/io/output_file.hpp"
+#include "changeover/io/output.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/prefetch.hpp"
-#include "peers/load_orders.hpp"
-#include "run/random.hpp"
 
 namespace {
 
@@ -125,16 +124,16 @@ int make(const std::string& path, std::uint64_t vectors, std::uint64_t dimension
   if (vectors == 0 || dimension == 0) {
     throw Usage{"VECTORS and DIMENSION must be at least 1"};
   }
-  const std::uint64_t numbers = checked_multiply(vectors, dimension);
-  require_space(path, checked_multiply(numbers, sizeof(float)));
+  const std::uint64_t numbers = product(vectors, dimension);
+  require_space(path, product(numbers, sizeof(float)));
   OutputFile out(path);
-  Random random(1);
+  std::mt19937_64 random(1);
   std::vector<float> piece(1 << 16);
   for (std::uint64_t done = 0; done < numbers; done += piece.size()) {
     stop_if_interrupted();
     piece.resize(static_cast<std::size_t>(std::min<std::uint64_t>(piece.size(), numbers - done)));
     for (float& x : piece) {
-      x = static_cast<float>(random.next() >> 40) / static_cast<float>(1 << 24) - 0.5F;
+      x = static_cast<float>(random() >> 40) / static_cast<float>(1 << 24) - 0.5F;
     }
     out.write({reinterpret_cast<const char*>(piece.data()), piece.size() * sizeof(float)});
   }
@@ -230,7 +229,7 @@ PrefetchPlan plan_of(const Job& job, std::uint64_t items, std::uint64_t room) {
 }
 
 std::uint64_t vectors_in(const Job& job, const FileItems& file) {
-  const std::uint64_t vector_bytes = checked_multiply(job.dimension, sizeof(float));
+  const std::uint64_t vector_bytes = product(job.dimension, sizeof(float));
   if (file.data_bytes() % vector_bytes != 0) {
     throw BadInput(fmt::format("{}: {} bytes are no whole number of vectors of {} bytes", job.path,
                                file.data_bytes(), vector_bytes));
@@ -242,7 +241,7 @@ std::uint64_t vectors_in(const Job& job, const FileItems& file) {
 void write_distances(const std::string& path, std::uint64_t n) {
   const Mapping gram(path + ".gram");
   const auto* g = gram.as<double>();
-  require_space(path + ".dist", checked_multiply(checked_multiply(n, n), sizeof(double)));
+  require_space(path + ".dist", product(product(n, n), sizeof(double)));
   OutputFile out(path + ".dist");
   std::vector<double> row(static_cast<std::size_t>(n));
   double least = HUGE_VAL;
@@ -281,8 +280,8 @@ int compare(const Job& job, std::uint64_t n) {
 // Computes the share of this process. The results stay locked as long as `gram` is there.
 Part compute_share(Job job, Processes& processes, std::unique_ptr<Gram>& gram,
                    const std::function<void()>& before_writing) {
-  const std::uint64_t vector_bytes = checked_multiply(job.dimension, sizeof(float));
-  FileItems file(job.path, checked_multiply(job.chunk, vector_bytes), {.bypass_cache = !job.cache});
+  const std::uint64_t vector_bytes = product(job.dimension, sizeof(float));
+  FileItems file(job.path, product(job.chunk, vector_bytes), {.bypass_cache = !job.cache});
   const std::uint64_t room = room_for(file, job.memory);
   const PrefetchPlan plan = plan_of(job, file.item_count(), room);
   const std::uint64_t n = vectors_in(job, file);

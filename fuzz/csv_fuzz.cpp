@@ -1,5 +1,5 @@
 // Any bytes, read as CSV.
-#include "changeover/io/csv.hpp"
+#include "changeover/io/formats.hpp"
 
 #include "read_write_read.hpp"
 

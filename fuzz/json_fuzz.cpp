@@ -1,5 +1,5 @@
 // Any bytes, read as JSON.
-#include "changeover/io/json.hpp"
+#include "changeover/io/formats.hpp"
 
 #include "read_write_read.hpp"
 

@@ -11,7 +11,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
-#include "changeover/io/sink.hpp"
+#include "changeover/io/output.hpp"
 
 namespace changeover::fuzz {
 

@@ -1,5 +1,5 @@
 // Any bytes, read as text.
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 
 #include "read_write_read.hpp"
 

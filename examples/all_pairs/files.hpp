@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "changeover/core/error.hpp"
@@ -50,6 +51,15 @@ class Mapping {
   void* start_ = MAP_FAILED;
   std::size_t bytes_ = 0;
 };
+
+// a · b. @throws changeover::ImpossibleParameters if it does not fit in 64 bits.
+inline std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+  if (b != 0 && a > std::numeric_limits<std::uint64_t>::max() / b) {
+    throw changeover::ImpossibleParameters(
+        "these parameters are too large: a count exceeds 64 bits");
+  }
+  return a * b;
+}
 
 // Refuses what the disk has no space for, before it is filled up with a part of it.
 inline void require_space(const std::string& path, std::uint64_t bytes) {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "changeover/core/checked.hpp"
 #include "changeover/loadorder/job_results.hpp"
+#include "files.hpp"
 
 class Gram final : public changeover::JobResults {
  public:
@@ -25,8 +25,7 @@ class Gram final : public changeover::JobResults {
         file_(path),
         vectors_(vectors),
         chunk_(chunk),
-        bytes_(changeover::checked_multiply(changeover::checked_multiply(vectors, vectors),
-                                            sizeof(double))),
+        bytes_(product(product(vectors, vectors), sizeof(double))),
         before_open_(std::move(before_open)) {}
 
   [[nodiscard]] std::uint64_t vectors() const { return vectors_; }

@@ -1,4 +1,4 @@
-#include "changeover/isomorphism/automorphisms.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "changeover/isomorphism/block_system.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
 
 #include <algorithm>
 #include <utility>

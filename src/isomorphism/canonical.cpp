@@ -1,4 +1,4 @@
-#include "changeover/isomorphism/canonical.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
 
 #include <utility>
 

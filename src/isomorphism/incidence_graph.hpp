@@ -1,6 +1,6 @@
 // The incidence graph of elements and blocks, for bliss.
 //
-// A second, independent way to decide what isomorphism/canonical.hpp decides by sorting columns, and the
+// A second, independent way to decide what isomorphism/isomorphism.hpp decides by sorting columns, and the
 // only way where the order of blocks is forgotten. How much of the order is kept is a matter of gadgets:
 // block i of a sequence has a colour of its own; a circle has an arc of two vertices from each block to the
 // next, one vertex if its direction is forgotten.

@@ -6,7 +6,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 namespace {
 
 constexpr std::size_t buffer_bytes = std::size_t{1} << 16;
@@ -221,4 +221,4 @@ bool DratReader::next_binary(ProofStep& step) {
   }
 }
 
-}  // namespace changeover::detail
+}  // namespace changeover

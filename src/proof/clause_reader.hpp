@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "changeover/proof/drat.hpp"
+#include "changeover/proof/proof.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 
 /// Literals ±x, as in the file.
 using Literals = std::vector<std::int32_t>;
@@ -130,4 +130,4 @@ class DratReader {
   std::uint64_t steps_ = 0;
 };
 
-}  // namespace changeover::detail
+}  // namespace changeover

@@ -6,7 +6,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 
 void ClauseStore::reserve(std::uint64_t variable) {
   const std::size_t literals = 2 * static_cast<std::size_t>(variable) + 2;
@@ -298,4 +298,4 @@ bool ClauseStore::implies_resolvents(std::span<const std::int32_t> clause, std::
   return all;
 }
 
-}  // namespace changeover::detail
+}  // namespace changeover

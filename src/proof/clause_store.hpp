@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace changeover::detail {
+namespace changeover {
 
 class ClauseStore {
  public:
@@ -100,4 +100,4 @@ class ClauseStore {
   bool contradictory_ = false;
 };
 
-}  // namespace changeover::detail
+}  // namespace changeover

@@ -1,4 +1,4 @@
-#include "changeover/proof/drat.hpp"
+#include "changeover/proof/proof.hpp"
 
 #include <fmt/format.h>
 
@@ -12,8 +12,6 @@
 
 namespace changeover {
 namespace {
-
-using detail::Literals;
 
 /// Sorts and removes repetitions; false if a literal and its negation occur, so that the clause is true.
 bool normalise(Literals& clause) {
@@ -41,7 +39,7 @@ class Check {
   explicit Check(const ProofOptions& options)
       : options_(options), store_(options.max_literals, [this] { ask(); }) {}
 
-  void read_formula(detail::DimacsReader& formula) {
+  void read_formula(DimacsReader& formula) {
     verdict_.variables = formula.variables();
     reserve(formula.variables());
     Literals clause;
@@ -58,11 +56,11 @@ class Check {
     return end(ProofVerdict::Outcome::stopped, line_, "the check was stopped");
   }
 
-  ProofVerdict run(detail::DratReader& proof) {
+  ProofVerdict run(DratReader& proof) {
     if (store_.contradictory()) {
       return end(ProofVerdict::Outcome::verified, 0, "unit propagation alone refutes the formula");
     }
-    detail::ProofStep step;
+    ProofStep step;
     while (proof.next(step)) {
       line_ = step.line;
       if (++steps_ % 1024 == 0) {
@@ -134,12 +132,12 @@ class Check {
 
   void ask() const {
     if (options_.stop && options_.stop()) {
-      throw detail::CheckStopped{};
+      throw CheckStopped{};
     }
   }
 
   const ProofOptions& options_;
-  detail::ClauseStore store_;
+  ClauseStore store_;
   ProofVerdict verdict_;
   std::uint64_t largest_ = 0;
   std::uint64_t steps_ = 0;
@@ -160,16 +158,16 @@ ProofVerdict check_proof(std::istream& cnf, const std::string& cnf_name, std::is
                          const std::string& proof_name, const ProofOptions& options) {
   constexpr std::uint64_t longest_clause = std::uint64_t{1} << 26;
   constexpr std::uint64_t largest_variable = std::uint64_t{1} << 28;
-  const detail::ReadLimits limits{std::min(options.max_variable, largest_variable),
-                                  std::min(options.max_literals, longest_clause), &options.stop};
+  const ReadLimits limits{std::min(options.max_variable, largest_variable),
+                          std::min(options.max_literals, longest_clause), &options.stop};
   try {
     Check check(options);
     try {
-      detail::DimacsReader formula(cnf, cnf_name, limits);
+      DimacsReader formula(cnf, cnf_name, limits);
       check.read_formula(formula);
-      detail::DratReader steps(proof, proof_name, options.format, limits);
+      DratReader steps(proof, proof_name, options.format, limits);
       return check.run(steps);
-    } catch (const detail::CheckStopped&) {
+    } catch (const CheckStopped&) {
       return check.stopped();
     }
   } catch (const std::bad_alloc&) {

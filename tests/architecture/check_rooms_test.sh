@@ -12,6 +12,10 @@ tree=$work/tree
 check_with() {
   rm -rf "$tree"
   mkdir -p "$tree"/include/changeover/{core,io} "$tree"/src/{core,io} "$tree/apps/checkdesign"
+  echo '#include <vector>' >"$tree/include/changeover/core/block.hpp"
+  echo '#include "changeover/core/block.hpp"' >"$tree/include/changeover/io/text.hpp"
+  printf '#include "changeover/%s.hpp"\n' core/block io/text >"$tree/include/changeover/changeover.hpp"
+  touch "$tree/src/io/rows.hpp"
   echo '#include "changeover/core/block.hpp"' >"$tree/src/io/text.cpp"
   echo '#include <fmt/format.h>' >"$tree/src/core/block.cpp"
   mkdir -p "$tree/$(dirname "$1")"
@@ -35,7 +39,19 @@ must_pass src/io/more.cpp '#include "changeover/core/design.hpp"'
 must_pass src/io/more.cpp '#include "detail/rows.hpp"'
 must_pass src/core/more.cpp '// #include "changeover/io/text.hpp"'
 must_fail src/core/more.cpp '#include "changeover/io/text.hpp"'
-must_fail include/changeover/core/deep/more.hpp '#  include <changeover/io/text.hpp>  // oh'
+must_fail include/changeover/core/block.hpp '#  include <changeover/io/text.hpp>  // oh'
+must_pass include/changeover/io/text.hpp '#include <stdint.h>'
+must_fail include/changeover/io/text.hpp '#include "io/rows.hpp"'
+must_fail include/changeover/io/text.hpp '#include "changeover/io/rows.hpp"'
+must_fail include/changeover/io/text.hpp '#include <fmt/format.h>'
+must_fail include/changeover/io/more.hpp '#include "changeover/io/text.hpp"'
+must_fail include/changeover/changeover.hpp '#include "changeover/core/block.hpp"'
+must_pass src/io/more.cpp 'namespace changeover {'
+must_fail src/io/more.cpp 'namespace changeover::io_detail {'
+must_pass examples/walk.cpp '#include "changeover/io/text.hpp"'
+must_pass examples/walk.cpp '#include <mpi.h>'
+must_fail examples/walk.cpp '#include "io/rows.hpp"'
+must_fail tests/install/consumer/main.cpp '#include <io/rows.hpp>'
 must_fail src/core/more.cpp '#include "../io/rows.hpp"'
 must_fail src/core/more.cpp '#include "io/rows.hpp"'
 must_fail src/core/more.cpp '#include "changeover/unheard/of.hpp"'

@@ -14,7 +14,6 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
-#include "changeover/verify/interval_difference.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
 

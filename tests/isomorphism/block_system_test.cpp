@@ -1,11 +1,9 @@
 // bliss on incidence graphs: a second opinion on sequences, the only one on collections of blocks.
-#include "changeover/isomorphism/block_system.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
 
 #include <gtest/gtest.h>
 
 #include "../../src/isomorphism/incidence_graph.hpp"
-#include "changeover/isomorphism/automorphisms.hpp"
-#include "changeover/isomorphism/canonical.hpp"
 #include "sample_designs.hpp"
 
 namespace changeover::test {

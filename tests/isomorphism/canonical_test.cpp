@@ -1,10 +1,9 @@
 // Canonical forms, maps and groups against all v!·2b maps of tiny lists, and on known designs.
-#include "changeover/isomorphism/canonical.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
 
 #include <gtest/gtest.h>
 
 #include "changeover/core/error.hpp"
-#include "changeover/isomorphism/automorphisms.hpp"
 #include "sample_designs.hpp"
 
 namespace changeover::test {

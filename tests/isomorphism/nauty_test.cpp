@@ -2,8 +2,7 @@
 // arrows, against sorting columns.
 #include <gtest/gtest.h>
 
-#include "changeover/isomorphism/automorphisms.hpp"
-#include "changeover/isomorphism/canonical.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
 #include "sample_designs.hpp"
 
 // nauty.h is C; C++ spells this keyword differently.

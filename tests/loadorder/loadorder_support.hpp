@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "changeover/loadorder/load_step.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 namespace changeover::test {
 

@@ -7,8 +7,8 @@
 #include <sstream>
 
 #include "changeover/construct/registry.hpp"
-#include "changeover/io/sink.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/io/output.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "run_program.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
 #include "run_program.hpp"

@@ -1,4 +1,4 @@
-#include "changeover/proof/cubes.hpp"
+#include "changeover/proof/proof.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

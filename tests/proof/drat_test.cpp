@@ -1,4 +1,4 @@
-#include "changeover/proof/drat.hpp"
+#include "changeover/proof/proof.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

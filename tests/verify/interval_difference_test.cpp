@@ -1,4 +1,4 @@
-#include "changeover/verify/interval_difference.hpp"
+#include "changeover/verify/difference.hpp"
 
 #include <gtest/gtest.h>
 

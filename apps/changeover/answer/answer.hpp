@@ -21,7 +21,7 @@
 #include <memory>
 #include <string>
 
-#include "changeover/io/output_file.hpp"
+#include "changeover/io/output.hpp"
 #include "cli/cli.hpp"
 #include "request/output.hpp"
 

@@ -6,7 +6,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/difference.hpp"
-#include "changeover/verify/interval_difference.hpp"
 
 namespace changeover::cli {
 

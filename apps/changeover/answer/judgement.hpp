@@ -8,7 +8,8 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/io/json.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/io/output.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover::cli {

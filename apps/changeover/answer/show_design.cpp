@@ -5,10 +5,9 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "changeover/io/csv.hpp"
 #include "changeover/io/figures.hpp"
-#include "changeover/io/latex.hpp"
-#include "changeover/io/table.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/io/tables.hpp"
 #include "cli/terminal.hpp"
 
 namespace changeover::cli {

@@ -9,8 +9,9 @@
 #include "answer/answer.hpp"
 #include "answer/judgement.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/io/output_file.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/output.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/core/block.hpp"
 
 namespace changeover::cli {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "changeover/io/output_file.hpp"
+#include "changeover/io/output.hpp"
 
 namespace changeover::cli {
 

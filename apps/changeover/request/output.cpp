@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "changeover/io/output_file.hpp"
+#include "changeover/io/output.hpp"
 
 namespace changeover::cli {
 

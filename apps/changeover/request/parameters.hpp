@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "changeover/core/parameters.hpp"
-#include "changeover/io/design_input.hpp"
+#include "changeover/io/input.hpp"
 #include "cli/cli.hpp"
 
 namespace changeover::cli {

@@ -12,7 +12,7 @@
 #include "answer/judgement.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/io/design_input.hpp"
+#include "changeover/io/input.hpp"
 #include "changeover/search/base_block_search.hpp"
 #include "request/run_request.hpp"
 

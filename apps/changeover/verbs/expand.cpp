@@ -6,7 +6,7 @@
 
 #include "answer/show_design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/io/read_design.hpp"
+#include "changeover/io/input.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"

@@ -6,8 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/io/output_file.hpp"
-#include "changeover/loadorder/improve.hpp"
+#include "changeover/io/output.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"

@@ -2,10 +2,9 @@
 #include <fmt/format.h>
 
 #include "changeover/core/error.hpp"
-#include "changeover/plan/read_job.hpp"
+#include "changeover/plan/job.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/plan/sheet_formats.hpp"
-#include "changeover/plan/what_if.hpp"
 #include "cli/terminal.hpp"
 #include "request/inputs.hpp"
 #include "request/run_request.hpp"

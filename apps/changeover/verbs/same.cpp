@@ -2,9 +2,7 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "changeover/io/read_design.hpp"
-#include "changeover/isomorphism/automorphisms.hpp"
-#include "changeover/isomorphism/block_system.hpp"
+#include "changeover/io/input.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"

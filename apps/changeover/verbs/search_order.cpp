@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "changeover/io/read_design.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/io/input.hpp"
 #include "changeover/search/ordering.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/search_request.hpp"

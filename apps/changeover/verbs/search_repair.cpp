@@ -1,7 +1,7 @@
 // changeover search --repair FILE, --extend FILE: a design from a list of blocks that is none yet.
 #include <fmt/format.h>
 
-#include "changeover/io/read_design.hpp"
+#include "changeover/io/input.hpp"
 #include "changeover/search/repair.hpp"
 #include "request/search_request.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "answer/answer.hpp"
 #include "answer/judgement.hpp"
-#include "changeover/io/read_design.hpp"
+#include "changeover/io/input.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"

@@ -3,7 +3,7 @@
 //     for (const Bound& bound : lower_bounds({.v = 8, .k = 5, .kind = Kind::circular})) {
 //       std::cout << bound.blocks << "  " << bound.reason << '\n';   // plain mathematics, one line each
 //     }
-//     lower_bound(p).blocks;                                          // the largest
+//     lower_bound({.v = 8, .k = 5, .kind = Kind::circular}).blocks;     // the largest
 //
 // With p = C(k,t) − C(k−m,t), the t-subsets that a block can newly cover, v > k and t = 2 unless said:
 //   counting  linear ⌈(C(v,t) − C(k,t)) / p⌉ + 1, circular ⌈C(v,t) / p⌉ [ChafeeStevens2025, Theorem 1].

@@ -11,12 +11,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "changeover/construct/exact_cover.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
@@ -33,11 +33,19 @@ using ExpansionSet = std::vector<UnchangedSubset>;
 [[nodiscard]] std::optional<std::string> expansion_set_defect(const Design& design,
                                                               const ExpansionSet& set);
 
+/// How far a search may go; by default, to the end.
+struct SearchLimits {
+  /// At most so many nodes. A search that needs exactly so many is complete.
+  std::optional<std::uint64_t> nodes = {};
+  /// Asked before the first node and then every 256 nodes; true ends the search.
+  std::function<bool()> stop = {};
+};
+
 struct ExpansionSearchOptions {
   std::uint64_t how_many = 1;  ///< stop after listing this many sets; 0 lists none
   bool count = false;          ///< count all of them, too
   bool partial = false;        ///< list inclusion-maximal partial expansion sets instead
-  SearchLimits limits;         ///< of the listing and of the counting, each
+  SearchLimits limits = {};    ///< of the listing and of the counting, each
 };
 
 struct ExpansionSearch {

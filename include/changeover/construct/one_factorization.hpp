@@ -6,10 +6,10 @@
 //
 //     OneFactorization k8 = one_factorization(8);          // seven factors of four edges
 //     OneFactor again = circle_factor(8, 3);               // k8.factors[3], without the other six
-//     assert(!factorization_defect(k8));                   // checked edge by edge
-//     assert(is_perfect(k8));                              // 7 is prime
+//     factorization_defect(k8);                            // nothing: checked edge by edge
+//     is_perfect(k8);                                      // true: 7 is prime
 //     auto other = cycle_types(one_factorization(8, FactorizationKind::doubled));
-//     assert(other.contains({4, 4}));                      // so the two kinds differ
+//     other.contains({4, 4});                              // true: the two kinds differ
 //
 // The circle kind is GK_n, the rotation of a circle of n − 1 vertices about a fixed one; the
 // doubled kind joins two copies of K_{n/2}. K_2, K_4 and K_6 have only one 1-factorization up to

@@ -5,7 +5,7 @@
 // so that all w − 1 factors of a 1-factorization are used, extra positions repeating one (ℓ ≥ w−1),
 // and insert U_j ∪ e for the edges e of its factor. The result is a DCCD(v+w, k, b + ℓw/2) of the
 // same kind, with
-//     total excess = old excess + (ℓ(k−2) − v)·w + (ℓ−w+1)·w/2.
+//   total excess = old excess + (ℓ(k−2) − v)·w + (ℓ−w+1)·w/2.
 // With a partition and w = ℓ + 1 this is [ChafeeStevens2025, Theorem 2]; with ℓ even, w = ℓ costs
 // an excess of only ℓ/2. From the tight circular DCCD(15,5,15), five intervals and w = 4:
 //
@@ -40,8 +40,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/construct/exact_cover.hpp"
-#include "changeover/construct/one_factorization.hpp"
+#include "changeover/construct/expansion.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/interval_base_blocks.hpp"

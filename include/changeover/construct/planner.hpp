@@ -1,6 +1,7 @@
 // The best known recipe for every (v, k, kind) of a range at once.
 //
-//     Plan plan = plan_range(registry, {.v_from = 5, .v_to = 100, .k_from = 3, .k_to = 12, .change = 2});
+//     const auto accept = [](const Design& design) { return verify(design).valid(); };
+//     Plan plan = plan_range(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6}, accept);
 //     const PlannedCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
 //     cell.best->b;  cell.bound.blocks;  cell.status();
 //

@@ -89,7 +89,7 @@ class Construction {
   [[nodiscard]] virtual std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const;
 
   /// The same where base blocks share an interval, without writing it out
-  /// (verify/interval_difference.hpp).
+  /// (verify/difference.hpp).
   [[nodiscard]] virtual std::optional<IntervalBaseBlocks> interval_base_blocks(
       const Recipe& recipe) const;
 

@@ -2,7 +2,7 @@
 //
 //     std::vector<std::uint64_t> words{0b1010};
 //     count_bits(words);                                                       // 2
-//     for_each_bit(words, 0, 64, 10, [](std::uint64_t place) { … });          // 1, 3
+//     for_each_bit(words, 0, 64, 10, [&](std::uint64_t place) { seen.push_back(place); });  // 1, 3
 #pragma once
 
 #include <bit>

@@ -4,7 +4,9 @@
 // blocks of a design one at a time, so a design of 10⁹ blocks needs no memory for its blocks:
 //
 //     std::vector<Element> block(source.parameters().k);
-//     while (source.next(block)) { … }
+//     while (source.next(block)) {
+//       std::cout << block.front() << '\n';     // or whatever is to be done with a block
+//     }
 //
 // What a source hands out is a claim, not a fact: verification reads blocks and trusts nothing else.
 #pragma once

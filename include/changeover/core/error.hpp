@@ -4,8 +4,8 @@
 // from Error, and its class says whose fault it is:
 //
 //     try {
-//       run(...);
-//     } catch (const changeover::BadInput& fault) {  // the file or the number that was given
+//       Design design = read_design("mine.txt");
+//     } catch (const BadInput& fault) {              // the file or the number that was given
 //       std::cerr << fault.what() << '\n';           // one line: what, where, how to mend it
 //     }
 //

@@ -8,7 +8,7 @@
 //     // The two base blocks {0,1,4,12}, {0,1,2,7} of the tight circular DCCD(21,4,42).
 //     IntervalBaseBlocks base{{.v = 21, .k = 4, .kind = Kind::circular}, 0, 2, {4, 12, 2, 7}};
 //     IntervalDevelopedSource source(base);   // the 42 blocks
-//     verify_differences(base).tight;         // verify/interval_difference.hpp, O(c log c)
+//     verify_differences(base).tight;         // verify/difference.hpp, O(c log c)
 #pragma once
 
 #include <cstddef>

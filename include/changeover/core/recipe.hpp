@@ -2,9 +2,9 @@
 //
 // A recipe is deterministic: whoever builds it gets the same blocks, and can verify them anew.
 //
-//     expansion of cyclic(c=1, k=3):
-//     Recipe{"expansion", {.v = 15, .k = 3, .kind = Kind::circular}, {{"w", 8}},
-//            {Recipe{"cyclic-paper", {.v = 7, .k = 3, .kind = Kind::circular}, {{"c", 1}}, {}}}}
+//     // The expansion of a cyclic design on 7 elements by 8 more:
+//     Recipe cyclic{"cyclic-paper", {.v = 7, .k = 3, .kind = Kind::circular}, {{"c", 1}}, {}, {}};
+//     Recipe recipe{"expansion", {.v = 15, .k = 3, .kind = Kind::circular}, {{"w", 8}}, {cyclic}, {}};
 //
 // The registry (construct/registry.hpp) turns it into blocks.
 #pragma once

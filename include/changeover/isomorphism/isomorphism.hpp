@@ -16,7 +16,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "changeover/core/design.hpp"
@@ -65,5 +67,92 @@ struct Isomorphism {
 /// the map that was found fails its check.
 [[nodiscard]] std::optional<Isomorphism> find_isomorphism(const Design& from, const Design& to,
                                                           const Sameness& same = {});
+
+// One design for each class of designs that are the same.
+//
+//     const CanonicalForm form = canonical_form(design, {.reversal = true});
+//     form.design.elements();                // equal for two designs exactly if they are the same
+//     form.map;                              // carries `design` to `form.design`
+//
+// With the blocks in a fixed order nothing has to be searched: an element is known by its column, the list
+// of blocks that hold it, and the *standard form* numbers the elements by their columns, sorted so that at
+// the first block in which two columns differ the element that is in comes first. So elements are numbered
+// by first introduction, and those that are introduced together by who stays longer. Elements with
+// the same column are twins and may be exchanged.
+//
+// The canonical form of a class is the least of the standard forms of some of its rotations (and
+// reversals): of those that begin the least cyclic word of invariants of the blocks. It begins where a
+// longest run begins, a run being a longest interval of blocks that hold an element.
+//
+// Bound by: O(bk) for each rotation that is looked at, O(bk log k) for the invariants. No graph is needed;
+// block_system(), where the order of blocks is forgotten, does need one.
+
+struct CanonicalForm {
+  Design design;    ///< blocks in increasing order of elements, without labels and recipe
+  Isomorphism map;  ///< carries the given design to `design`
+};
+
+/// The same design for all designs that are the same as this one. O(n·bk) as find_isomorphism().
+[[nodiscard]] CanonicalForm canonical_form(const Design& design, const Sameness& same = {});
+
+/// The same with every block in its place: only elements are renamed. O(bk).
+[[nodiscard]] CanonicalForm standard_form(const Design& design);
+
+// The symmetries of a design: all maps that carry it to itself.
+//
+//     const AutomorphismGroup group = automorphisms(design);
+//     group.order;                  // "11" for the cyclic circular DCCD(11,4,11)
+//     group.rotations;              // 11: every rotation of the blocks extends to the elements
+//     group.generators;             // maps to check with carries(map, design, design)
+//
+// A map is known by what it does to positions, up to exchanging twins (elements that are in the same
+// blocks). So the group has (number of rotations and reflections that extend to the elements) times
+// (product of n! over the classes of n twins) members, and nothing has to be searched but rotations.
+
+struct AutomorphismGroup {
+  std::string order;            ///< exact, in decimal
+  std::uint64_t rotations = 1;  ///< rotations of the blocks, the identity among them, that extend
+  bool reflections = false;     ///< whether a reversal extends; then as many as rotations do
+  std::vector<std::vector<Element>> twins;  ///< classes of two or more elements, each increasing
+  /// Generate the group: exchanges of two twins, the shortest rotation, one reversal. Each is checked.
+  std::vector<Isomorphism> generators;
+
+  /// How many position maps extend to elements.
+  [[nodiscard]] std::uint64_t position_maps() const { return rotations * (reflections ? 2 : 1); }
+};
+
+/// The maps of the kind that `same` allows. O(n·bk) as find_isomorphism(), and O(v) for each twin.
+/// @throws InternalError if a generator fails its check.
+[[nodiscard]] AutomorphismGroup automorphisms(const Design& design, const Sameness& same = {});
+
+/// How many standard forms the class of the design has: rotations and reversals that differ by more than
+/// the names of elements. b, or 2b with reversal, over position_maps() if circular; 1 or 2 if linear.
+/// `group` must be that of the design under `same`. O(1).
+[[nodiscard]] std::uint64_t standard_forms_in_class(const Design& design,
+                                                    const AutomorphismGroup& group,
+                                                    const Sameness& same = {});
+
+// The blocks of a design without their order: when two designs are different walks through the same blocks.
+//
+//     const BlockSystem a = block_system(first);
+//     const BlockSystem b = block_system(second);
+//     a.blocks == b.blocks;        // the same collection of blocks up to names of elements
+//     a.group_order;               // permutations of the elements that keep the collection, exact
+//
+// The incidence graph of elements and blocks is brought into canonical form by bliss. A block that occurs
+// several times counts as often.
+//
+// Bound by: bliss; exponential for contrived designs, milliseconds for those of this library.
+
+struct BlockSystem {
+  std::vector<Block> blocks;      ///< canonical names; each block and the list of blocks increasing
+  std::vector<Element> elements;  ///< the canonical name of each element of the given design
+  std::string group_order;        ///< of permutations of the elements, exact, in decimal
+  std::vector<std::vector<Element>> generators;  ///< permutations x ↦ generator[x] of the elements
+};
+
+/// The canonical form and the group of the collection of blocks.
+/// @throws MissingResource if the incidence graph has more than 2³¹ vertices or edges.
+[[nodiscard]] BlockSystem block_system(const Design& design);
 
 }  // namespace changeover

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "changeover/core/pair_set.hpp"
-#include "changeover/loadorder/load_step.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
 

@@ -3,7 +3,9 @@
 //     LoadOrder order = plan_load_order(64, 16);
 //     order.facts().loads;                    // facts().bound.loads = 143 are needed
 //     LoadStep step;
-//     while (order.next(step)) { … }          // one by one; nothing is kept
+//     while (order.next(step)) {              // one by one; nothing is kept
+//       std::cout << step.number << ": " << step.load.size() << '\n';
+//     }
 //
 // *What an order is.* In a step some items are evicted and some loaded; at most C are in memory. Its cost
 // is the number of loads, those of the first step included; orders with equally many are told apart by
@@ -28,7 +30,7 @@
 //
 // *Certificate.* For P ≤ `read_up_to` every step is read before plan_load_order() returns
 // (loadorder/load_check.hpp): C(P,2) bits of memory. For more items the streamed order is taken and
-// certified by its structure: the differences of its base blocks (verify/interval_difference.hpp) and the
+// certified by its structure: the differences of its base blocks (verify/difference.hpp) and the
 // argument of docs/loadorder.md; facts().certificate says which. Whoever streams such an order can
 // have it audited on the way (LoadCheck).
 #pragma once
@@ -38,11 +40,49 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/loadorder/load_step.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
+
+// Steps of a load order, and where they come from.
+//
+// Memory has room for C items. A step evicts some items, then loads some; after it, everything in memory
+// can meet. A StepSource hands out steps one at a time, so an order of 10⁹ steps needs no memory for them:
+//
+//     LoadStep step;
+//     while (source.next(step)) {
+//       drop(step.evict);
+//       fetch(step.load);
+//     }
+//
+// As with blocks, what a source hands out is a claim: loadorder/load_check.hpp decides.
+
+/// What happens before one stretch of computation.
+struct LoadStep {
+  std::uint64_t number = 0;    ///< from 1
+  std::vector<Element> evict;  ///< leave memory first
+  std::vector<Element> load;   ///< are loaded then
+
+  bool operator==(const LoadStep&) const = default;
+};
+
+/// A stream of steps.
+class StepSource {
+ public:
+  virtual ~StepSource() = default;
+  StepSource(const StepSource&) = delete;
+  StepSource& operator=(const StepSource&) = delete;
+
+  /// Writes the next step into `step`, whose vectors are reused, and returns true; false at the end.
+  virtual bool next(LoadStep& step) = 0;
+
+ protected:
+  StepSource() = default;
+};
 
 /// A number of loads that no order can go below.
 struct LoadBound {
@@ -108,7 +148,7 @@ class LoadOrder {
 
 /// The best order that is known. Bound by reading it, see `read_up_to`: 10⁷ to 10⁸ pairs a second.
 /// @throws BadInput if items = 0 or room < 2, one line that says so; ImpossibleParameters if items
-/// exceeds 10⁹; InternalError if an order does not keep its promise.
+/// exceeds 10⁷; InternalError if an order does not keep its promise.
 [[nodiscard]] LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
                                         const LoadOrderOptions& options = {});
 
@@ -116,5 +156,19 @@ class LoadOrder {
 /// (set its kind to linear first) or has no block.
 [[nodiscard]] LoadOrder load_order_of(std::shared_ptr<const Design> design, std::string method,
                                       std::string explanation);
+
+// Local search as what improves load orders.
+//
+//     RunControl control({.time = std::chrono::seconds(1)});
+//     LoadOrderOptions options;
+//     options.improve = improve_by_search(control);
+//     LoadOrder order = plan_load_order(37, 9, options);     // no more loads than without the search
+//
+// See search/local_search.hpp for what it does with the time.
+
+/// For LoadOrderOptions::improve. The control must outlive what is returned; a search that it has
+/// stopped before is not begun.
+[[nodiscard]] std::function<std::optional<Design>(const Design& start, std::uint64_t least_blocks)>
+improve_by_search(RunControl& control);
 
 }  // namespace changeover

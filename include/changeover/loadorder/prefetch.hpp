@@ -2,13 +2,17 @@
 //
 //     PrefetchPlan plan = plan_prefetch(64, 16);
 //     PrefetchSchedule schedule(plan.order.stream(), 64, 16);
-//     PrefetchStep step, next;                     // what follows is one turn of a loop
-//     wait_for(step.load);                         // these loads were started in the step before
-//     compute(step.before);                        // all pairs with what has to go first
-//     drop(next.evict_first);
-//     start_loads(next.load);
-//     compute(step.overlap);                       // meanwhile
-//     drop(next.evict_late);
+//     PrefetchStep step, next;
+//     for (bool more = schedule.next(step); more; std::swap(step, next)) {
+//       wait_for(step.load);                       // these loads were started in the step before
+//       compute(step.before);                      // all pairs with what has to go first
+//       next = {};
+//       more = schedule.next(next);
+//       drop(next.evict_first);
+//       start_loads(next.load);
+//       compute(step.overlap);                     // meanwhile
+//       drop(next.evict_late);
+//     }
 //
 // *Two ways.* With a place to spare, an order for room C−1, the next load can start as soon as a step
 // begins, and everything that is computed overlaps it. With the whole room for the order there are fewer
@@ -36,7 +40,6 @@
 
 #include "changeover/core/pair_set.hpp"
 #include "changeover/loadorder/load_order.hpp"
-#include "changeover/loadorder/load_step.hpp"
 
 namespace changeover {
 

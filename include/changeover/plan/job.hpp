@@ -9,13 +9,15 @@
 // A *set-up* is a set of at most `at_once` parts that are mounted together and tested once. A list of
 // set-ups does the job if every needed pair is in some set-up, no pair of `never` is in any, and the
 // `mounted` parts are in all. It costs
-//     (number of set-ups) · test_cost + Σ over all introductions of the change cost of the part,
+//   (number of set-ups) · test_cost + Σ over all introductions of the change cost of the part,
 // where a part is introduced in a set-up if it was not in the one before; the first set-up introduces all
 // its parts but those of `start`, which are on the bench already. Taking parts out costs nothing. These
 // are the costs of [ChafeeStevens2025, Section 1].
 #pragma once
 
+#include <compare>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,9 +25,45 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/pair_set.hpp"
-#include "changeover/plan/amount.hpp"
+#include "changeover/io/input.hpp"
 
 namespace changeover {
+
+// Costs, kept exactly: whole millionths of a unit of money.
+//
+//     const Amount test = parse_amount("1.25");
+//     to_string(test * 12 + parse_amount("0.5"));        // "15.50"
+//     to_string(parse_amount("3"));                      // "3"
+//
+// Sums and products refuse to overflow, so a total is exact or it is not given.
+
+/// An amount of money, never negative.
+struct Amount {
+  std::uint64_t millionths = 0;
+
+  auto operator<=>(const Amount&) const = default;
+};
+
+/// The exact sum. @throws ImpossibleParameters if it exceeds 2⁶³ − 1 millionths, about 9.2·10¹² units.
+[[nodiscard]] Amount operator+(Amount a, Amount b);
+/// The amount so many times. @throws as the sum.
+[[nodiscard]] Amount operator*(Amount a, std::uint64_t times);
+/// Adds b. @throws as the sum; a is then as it was.
+inline Amount& operator+=(Amount& a, Amount b) { return a = a + b; }
+
+/// a − b for b ≤ a. @throws InternalError if b is larger.
+[[nodiscard]] Amount operator-(Amount a, Amount b);
+
+/// Reads "12", "12.5", "0.000001", ".5": digits with at most one point and at most six decimals.
+/// @throws BadInput with one line (without a place) for anything else, negative numbers included;
+/// ImpossibleParameters if it is too large.
+[[nodiscard]] Amount parse_amount(std::string_view text);
+
+/// How many decimals show an amount as money: none, two, or as many up to six as it needs.
+[[nodiscard]] unsigned decimals_needed(Amount amount);
+
+/// The amount with decimals_needed() decimals, or with more if asked for.
+[[nodiscard]] std::string to_string(Amount amount, unsigned at_least_decimals = 0);
 
 /// The most parts of a job.
 inline constexpr std::uint64_t max_parts = 1000;
@@ -73,5 +111,62 @@ void check(const Job& job);
 /// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once · v/64). Stopped
 /// if the scope of this thread (run/scope.hpp) wants to stop; the job is then as it was.
 void mark_done(Job& job, const std::vector<Block>& setups);
+
+// What an experimenter writes down: parts with their change costs, pairs, and set-ups.
+//
+//     # bench.csv
+//     component,change cost
+//     Pump A,12.50
+//     "Valve, large",8
+//     Motor,3
+//
+//     # pairs.csv
+//     Pump A,Motor
+//     1,2
+//
+//     # done.csv
+//     Pump A,Motor
+//     2,3
+//
+// Files are rows of fields with commas, or with semicolons if the first row has one before any comma; a
+// field may be quoted; lines that begin with # and blank lines say nothing. Where a part is expected, its
+// name or its number in the parts list counts, from 1; a name wins over a number.
+//   - Parts: a name, and a change cost if there is a second field. A first row is a header if its first
+//     field is name, part, component or item, or if its second is a word without digits; then the columns
+//     for names and for costs (the first one that says "cost") are found by it, and others are ignored.
+//   - Pairs: two parts a row.
+//   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/sheet_formats.hpp) is taken too: its
+//     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, and its rows in
+//     their order.
+// Lists are UTF-8; control characters and those that turn the direction of writing around are refused.
+// They are read a line at a time: at most 16 MiB a line, 1 GiB and 4,194,304 rows in all.
+// A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`.
+
+struct PartList {
+  std::vector<std::string> names;
+  std::vector<std::optional<Amount>> change_costs;  ///< by part; nothing where none is given
+};
+
+/// The parts in the order of their rows.
+/// @throws BadInput for no part, an empty or repeated name, a cost that is none, too many fields;
+/// MissingResource if reading fails.
+[[nodiscard]] PartList read_parts(Input& input);
+
+/// The pairs, as elements below names.size(); repetitions are fine. @throws BadInput for unknown parts, a
+/// part with itself, rows that are no pair; MissingResource if reading fails.
+[[nodiscard]] PairSet read_pairs(Input& input, const std::vector<std::string>& names);
+
+/// The set-ups in order. @throws BadInput for unknown or repeated parts and for a set-up of more than
+/// `at_once`; MissingResource if reading fails.
+[[nodiscard]] std::vector<Block> read_setups(
+    Input& input, const std::vector<std::string>& names,
+    std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
+
+/// Parts in one line, "Pump A, 3"; fields as in files. @throws BadInput (without a place) for unknown or
+/// repeated parts.
+[[nodiscard]] Block parse_parts(std::string_view text, const std::vector<std::string>& names);
+
+/// The same parts again by name, so that parse_parts() reads them back.
+[[nodiscard]] std::string parts_text(const Block& parts, const std::vector<std::string>& names);
 
 }  // namespace changeover

@@ -8,9 +8,11 @@
 // and the cost so far; all but CSV add what the plan was compared with and the lower bound with its reason.
 // Costs of one document have the same number of decimals. Names are escaped as each format asks.
 //
-// CSV, one row a step, in LF lines; read_setups() (plan/read_job.hpp) reads it back:
-//     step,take_out,put_in,slot_1,slot_2,slot_3,new_pairs,cost,cost_so_far
-//     2,Valve 2,"Motor, small",Pump A,"Motor, small",,1,6,22
+// CSV, one row a step, in LF lines; read_setups() (plan/job.hpp) reads it back:
+//
+//     step,take_out,put_in,slot_1,slot_2,new_pairs,cost,cost_so_far
+//     2,Valve 2,"""Motor, small""",Pump A,"Motor, small",1,6,13
+//
 // The parts of a set-up have a column each, as many as the largest set-up has parts; what is taken out and put
 // in is a list for people. No cell is a formula to a spreadsheet: a text that would be one begins with an
 // apostrophe (io/write/csv_cell.hpp), which read_setups() takes back; numbers stay numbers.
@@ -25,7 +27,6 @@
 #include <string>
 
 #include "changeover/plan/run_plan.hpp"
-#include "changeover/plan/what_if.hpp"
 
 namespace changeover {
 

@@ -1,8 +1,10 @@
 // When long work stops, how much memory it may take, and whom it tells how far it is.
 //
 //     RunControl control({.time = std::chrono::seconds(60), .threads = 2, .seed = 7,
-//                         .on_progress = [](const Progress& p) { … }});
-//     auto result = anneal(p, options, control);
+//                         .on_progress = [](const Progress& p) { std::cerr << p.phase << '\n'; }});
+//     while (!control.stop_wanted()) {       // what a search does with it
+//       take_steps(control);
+//     }
 //     control.why_stopped();                 // e.g. WhyStopped::time_limit
 //
 // One control is shared by all threads of a search. The inner loop asks stop_wanted() every few thousand

@@ -1,7 +1,7 @@
 // How work that was handed no control listens to the one above it.
 //
-//     RunScope scope(control);                       // for this thread, until the end of the block
-//     const Plan plan = plan_range(registry, range); // stops with the control, and tells it where it is
+//     RunScope scope(control);                 // for this thread, until the end of the block
+//     const Bound bound = lower_bound(p);      // stops with the control, and tells it where it is
 //
 // Bounds, constructions and verification are called by searches that have a limit and by programs that
 // have none, often several calls deep. Their loops call stop_if_asked(); where no scope is open that is a look

@@ -2,12 +2,12 @@
 //
 //     RunControl control({.time = std::chrono::seconds(60)});
 //     const BaseBlockResult result = search_base_blocks({.v = 26, .k = 4, .kind = Kind::circular},
-//                                                       {.tight = true}, control);
+//                                                       {.shapes = {.tight = true}}, control);
 //     if (result.found()) {
 //       result.shape;                       // 5 base blocks, 2 cycles of length 13
-//       result.verdict().tight();            // verified on all 65 blocks
-//       result.recipe;                      // "developed", stores the 5 base blocks
-//       result.comparison;                  // Comparison::better than what the registry has
+//       result.verdict->tight();            // verified on all 65 blocks
+//       result.recipe->blocks;              // a recipe "developed" stores the 5 base blocks
+//       result.comparison;                  // Comparison::equal: the registry knows it by now
 //     }
 //
 // The shapes that the parameters allow (search/base_block_shape.hpp) are tried one after another, fewest

@@ -3,7 +3,9 @@
 // π has s cycles of one length n and f fixed points (core/automorphism.hpp), and B_{i+c} = π(B_i): the design
 // is developed from c base blocks and has b = cn blocks. With s = 1, f = 0 these are base blocks over Z_v.
 //
-//     for (const BaseBlockShape& shape : base_block_shapes(p, {.tight = true})) { … }
+//     for (const BaseBlockShape& shape : base_block_shapes(p, {.tight = true})) {
+//       std::cout << to_string(shape) << '\n';
+//     }
 //     shape_obstruction({.v = 26, .k = 8, .kind = Kind::circular}, {5, 5, 1, 5}, true);
 //     // "a fixed element would be introduced j times in r ≥ j ≥ 1 base blocks, 7j + 2(r−j) = 5"
 //

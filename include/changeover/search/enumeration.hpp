@@ -2,14 +2,14 @@
 //
 //     RunControl control({.threads = 2});
 //     auto result = enumerate_designs({.v = 12, .k = 4, .change = 1}, 21, control,
-//                                     [](const Design& design) { … });
+//                                     [&](const Design&) { ++seen; });
 //     result.forms;                     // 2554, if result.why_stopped is WhyStopped::exhausted
 //
 //     auto classes = classify_designs({.v = 9, .k = 4, .change = 1, .kind = Kind::circular}, 12, {}, control);
 //     classes.standard_forms;           // 16 sequences
 //     classes.classes;                  // 2 [McSorley1999]
 //
-// A *standard form* is a sequence of blocks up to renaming elements (isomorphism/canonical.hpp): the b rotations
+// A *standard form* is a sequence of blocks up to renaming elements (isomorphism/isomorphism.hpp): the b rotations
 // of a circular design are b standard forms unless it has symmetries, and so are a design and its
 // reversal. A *class* holds the designs that are the same up to renaming, rotation (if circular)
 // and, if asked for, reversal.

@@ -5,7 +5,7 @@
 //     decision.excluded();                     // true: there is none, and the proof was checked
 //     decision.parts.front().proof_path;       // "proofs/linear-m1-v9-k4-b11.drat", and .cnf beside it
 //
-// The question becomes a formula (search/exact_encoding.hpp) for a SAT solver. A design is verified before it
+// The question becomes a formula (src/search/exact/exact_encoding.hpp) for a SAT solver. A design is verified before it
 // is handed out. "None" is said only after the solver's DRAT proof, read back from the disk with the
 // formula, was checked by room proof, which shares no code with what made them; anyone can check the two files
 // with another checker. docs/trust.md says what trust remains.
@@ -25,13 +25,20 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/proof/cubes.hpp"
+#include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/run/outcome.hpp"
-#include "changeover/search/exact_encoding.hpp"
+#include "search/exact/exact_encoding.hpp"
 #include "changeover/verify/verified_design.hpp"
 
 namespace changeover {
+
+/// Which clauses beyond the definition the formula has; the default is what was measured to be best.
+struct EncodingOptions {
+  bool order = true;
+  bool degrees = true;
+  std::uint64_t budget = 4;  ///< count repetitions if at most so many are possible
+};
 
 struct ExactOptions {
   /// Where formulas and proofs are kept, named by their parameters; made if it is missing. Files appear

@@ -1,10 +1,10 @@
 // Better designs by local search, beyond the reach of exact methods.
 //
 //     RunControl control({.time = std::chrono::seconds(60), .seed = 7});
-//     ImproveResult found = improve({.v = 100, .k = 10, .change = 2}, {}, control);
-//     found.design->block_count();          // 300 or fewer; the lower bound is 290
-//     found.how;                            // "3 base blocks under an automorphism of order 100 …"
-//     found.why_stopped;                    // time limit
+//     ImproveResult found = improve({.v = 30, .k = 6, .change = 2}, {.moves = 1'000'000}, control);
+//     found.design->block_count();          // at most found.started_from, the best that was known
+//     found.how;                            // "best recipe", or how a better one was found
+//     found.why_stopped;                    // a limit, here that of the moves
 //
 // Contract. The result is verified, and has no more blocks than the best recipe that is known (the
 // planner's for v ≤ 120, else the registry's), whatever happens: if there is no memory for the search, or v is too

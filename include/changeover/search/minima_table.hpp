@@ -2,8 +2,12 @@
 // exact search with checked proofs makes of the gap between them.
 //
 //     std::vector<MinimaRow> rows = read_minima(*open_input("minima.csv"));       // of an earlier run
-//     fill_minima({.changes = {1, 2, 3}, .k_from = 2, .k_to = 8, .v_to = 16}, rows, {}, control,
-//                 [&](const MinimaRow&) { … write_minima(rows, file) … });
+//     fill_minima({.changes = {1}, .k_from = 3, .k_to = 3, .v_to = 6}, rows, {}, control,
+//                 [&](const MinimaRow&) {
+//                   OutputFile file("minima.csv");
+//                   write_minima(rows, file);
+//                   file.commit();
+//                 });
 //     std::string text = minima_markdown(rows);
 //
 // Filling goes on where it was stopped: rows that are settled stay, and so do those that were tried with at least
@@ -18,7 +22,7 @@
 #include <vector>
 
 #include "changeover/io/input.hpp"
-#include "changeover/io/sink.hpp"
+#include "changeover/io/output.hpp"
 #include "changeover/search/minimum_search.hpp"
 
 namespace changeover {

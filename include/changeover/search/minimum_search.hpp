@@ -3,7 +3,7 @@
 //     RunControl control({.time = std::chrono::minutes(5)});
 //     MinimumResult result = find_minimum({.v = 10, .k = 4, .change = 1}, {}, control);
 //     result.settled();                     // true
-//     result.lower, result.upper();          // 15, 15: bounds on paper give 14, which a checked proof excludes
+//     result.lower;  result.upper();         // 15, 15: bounds on paper give 14, which a checked proof excludes
 //
 // The walk starts from the largest bound that is a proof on paper (bounds/lower_bound.hpp; minima known
 // by exhaustive search are not used: they are what is settled here), and goes up one block at a time. It ends at

@@ -4,7 +4,9 @@
 //     // The 12 blocks of a Steiner triple system on 9 points, consecutive ones sharing one point:
 //     const ChangeOrder order = order_for_change(triples, {.v = 9, .m = 2, .kind = Kind::circular},
 //                                                {}, control);
-//     if (order.outcome == Outcome::found) { arranged(triples, order.order); }
+//     if (order.outcome == Outcome::found) {
+//       arranged(triples, order.order);
+//     }
 //
 //     // Batches of any sizes, as few loads in total as possible:
 //     const LeastChangeOrder least = order_for_least_change(batches, {.v = 5000}, {}, control);

@@ -81,7 +81,7 @@ Parameters expanded_parameters(const Parameters& p, std::size_t subsets) {
 }
 
 // U ∪ e for the edges e of the factor of U, vertex x being the element v + x.
-class ExpandedSource final : public detail::InsertingSource {
+class ExpandedSource final : public InsertingSource {
  public:
   using Factors = std::function<OneFactor(std::uint32_t index)>;
 

@@ -10,6 +10,7 @@
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "construct/tools/exact_cover.hpp"
 
 namespace changeover {
 namespace {

@@ -8,7 +8,7 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 
 InsertingSource::InsertingSource(std::unique_ptr<BlockSource>&& source, const Parameters& larger,
                                  Amount amount, std::string_view chosen)
@@ -88,4 +88,4 @@ bool InsertingSource::rewind() {
   return true;
 }
 
-}  // namespace changeover::detail
+}  // namespace changeover

@@ -21,7 +21,7 @@
 
 #include "changeover/core/block.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 
 class InsertingSource : public BlockSource {
  public:
@@ -81,4 +81,4 @@ class InsertingSource : public BlockSource {
   std::optional<Block> read_ahead_;  // what follows it, empty at the end
 };
 
-}  // namespace changeover::detail
+}  // namespace changeover

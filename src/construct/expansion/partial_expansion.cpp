@@ -78,7 +78,7 @@ std::optional<std::string> beside_defect(const Parameters& p, const UnchangedCov
     return fmt::format("{} subsets but {} lists of what comes beside", cover.subsets.size(),
                        cover.beside.size());
   }
-  const std::uint64_t most = detail::beside_at_most(p, w);
+  const std::uint64_t most = beside_at_most(p, w);
   for (std::size_t i = 0; i < cover.beside.size(); ++i) {
     const Block& beside = cover.beside[i];
     const std::size_t position = cover.subsets[i].position;
@@ -100,7 +100,7 @@ std::optional<std::string> beside_defect(const Parameters& p, const UnchangedCov
 // Why the elements in no subset are not served.
 std::optional<std::string> left_out_defect(const Parameters& p, const UnchangedCover& cover,
                                            std::uint64_t w) {
-  const Block rest = detail::left_out_elements(p.v, cover.subsets);
+  const Block rest = left_out_elements(p.v, cover.subsets);
   if (rest.empty()) {
     return std::nullopt;
   }
@@ -192,7 +192,7 @@ std::optional<std::string> sweep_defect(const UnchangedSubset& subset, Element l
                      left_out);
 }
 
-class PartiallyExpandedSource final : public detail::InsertingSource {
+class PartiallyExpandedSource final : public InsertingSource {
  public:
   PartiallyExpandedSource(std::unique_ptr<BlockSource> source, UnchangedCover cover,
                           std::uint64_t w, FactorizationKind kind)
@@ -212,11 +212,11 @@ class PartiallyExpandedSource final : public detail::InsertingSource {
         w_(w),
         cover_(std::move(cover)),
         kind_(kind),
-        sweeps_(detail::takes_sweep(small, cover_.subsets.size(), w)) {}
+        sweeps_(takes_sweep(small, cover_.subsets.size(), w)) {}
 
   // The element that is left out, m = 1.
   static std::optional<Element> left_out_by(const Parameters& p, const UnchangedCover& cover) {
-    const Block rest = p.change == 1 ? detail::left_out_elements(p.v, cover.subsets) : Block{};
+    const Block rest = p.change == 1 ? left_out_elements(p.v, cover.subsets) : Block{};
     return rest.empty() ? std::nullopt : std::optional(rest.front());
   }
 
@@ -249,7 +249,7 @@ class PartiallyExpandedSource final : public detail::InsertingSource {
       return sweeps_ && is_sweep ? Insertion{{}, double_sweep(subset.elements, place)}
                                  : Insertion{subset.elements, factor(index, beside, place.before)};
     }
-    return is_sweep ? Insertion{{}, detail::sweep(subset.elements, left_out_, new_elements())}
+    return is_sweep ? Insertion{{}, sweep(subset.elements, left_out_, new_elements())}
                     : Insertion{subset.elements, new_elements()};
   }
 
@@ -316,7 +316,7 @@ class PartiallyExpandedSource final : public detail::InsertingSource {
         added.push_back(y);
       }
     }
-    return detail::double_sweep(kept, added);
+    return double_sweep(kept, added);
   }
 
   Parameters small_;
@@ -335,11 +335,11 @@ void throw_if(const std::optional<std::string>& defect) {
 
 }  // namespace
 
-std::uint64_t detail::beside_at_most(const Parameters& p, std::uint64_t w) {
+std::uint64_t beside_at_most(const Parameters& p, std::uint64_t w) {
   return w < p.change ? p.change - w : has_unmatched(p, w) ? 1 : 0;
 }
 
-Block detail::left_out_elements(std::uint64_t v, const std::vector<UnchangedSubset>& subsets) {
+Block left_out_elements(std::uint64_t v, const std::vector<UnchangedSubset>& subsets) {
   std::vector<bool> met(static_cast<std::size_t>(v), false);
   for (const UnchangedSubset& subset : subsets) {
     for (const Element x : subset.elements) {
@@ -355,16 +355,16 @@ Block detail::left_out_elements(std::uint64_t v, const std::vector<UnchangedSubs
   return rest;
 }
 
-std::uint64_t detail::positions_for_factors(const Parameters& p, std::uint64_t w) {
+std::uint64_t positions_for_factors(const Parameters& p, std::uint64_t w) {
   return p.change != 2 || w <= 2 ? 1 : w % 2 == 0 ? w - 1 : w;
 }
 
-bool detail::takes_sweep(const Parameters& p, std::uint64_t subsets, std::uint64_t w) {
+bool takes_sweep(const Parameters& p, std::uint64_t subsets, std::uint64_t w) {
   return w > p.change && (p.change == 1 || subsets < positions_for_factors(p, w));
 }
 
-std::optional<std::uint64_t> detail::best_positions(const Parameters& p, std::uint64_t subsets,
-                                                    std::uint64_t available, std::uint64_t w) {
+std::optional<std::uint64_t> best_positions(const Parameters& p, std::uint64_t subsets,
+                                            std::uint64_t available, std::uint64_t w) {
   const std::uint64_t more = std::max(subsets, positions_for_factors(p, w));
   const bool few = least_positions(p, w) <= subsets;
   if (few && (more > available || blocks_added(p, subsets, w) <= blocks_added(p, more, w))) {
@@ -376,7 +376,7 @@ std::optional<std::uint64_t> detail::best_positions(const Parameters& p, std::ui
 std::uint64_t least_positions(const Parameters& p, std::uint64_t w) {
   check_fit(p, w);
   const bool can_sweep = p.k >= 4 && (w % 2 == 0 || p.v >= p.k + 3);
-  return can_sweep ? 1 : detail::positions_for_factors(p, w);
+  return can_sweep ? 1 : positions_for_factors(p, w);
 }
 
 std::uint64_t may_be_left_out(const Parameters& p, std::uint64_t subsets, std::uint64_t w) {
@@ -394,12 +394,12 @@ std::uint64_t blocks_added(const Parameters& p, std::uint64_t subsets, std::uint
     return positions;
   }
   const std::uint64_t at_each = p.change == 2 ? w / 2 + w % 2 : w;
-  if (!detail::takes_sweep(p, positions, w)) {
+  if (!takes_sweep(p, positions, w)) {
     return checked_multiply(positions, at_each);
   }
   const std::uint64_t kept = p.change == 2 ? p.k / 2 - 1 : p.k - 1;
   return checked_add(checked_multiply(positions - 1, at_each),
-                     detail::sweep_length(kept, at_each, left_out && p.change == 1));
+                     sweep_length(kept, at_each, left_out && p.change == 1));
 }
 
 std::optional<std::string> cover_defect(const Design& design, const UnchangedCover& cover,
@@ -410,7 +410,7 @@ std::optional<std::string> cover_defect(const Design& design, const UnchangedCov
   }
   const std::size_t b = design.block_count();
   const bool circular = p.kind == Kind::circular;
-  const Block rest = p.change == 1 ? detail::left_out_elements(p.v, cover.subsets) : Block{};
+  const Block rest = p.change == 1 ? left_out_elements(p.v, cover.subsets) : Block{};
   for (std::size_t i = 0; i < cover.subsets.size(); ++i) {
     const UnchangedSubset& subset = cover.subsets[i];
     const std::size_t position = subset.position;
@@ -445,7 +445,7 @@ Design expand_by(const Design& design, const UnchangedCover& cover, std::uint64_
   const std::uint64_t least = least_positions(design.parameters(), w);
   if (cover.subsets.size() < least) {
     enough.beside.clear();
-    if (!detail::add_positions(enough, detail::one_subset_a_position(design), least)) {
+    if (!add_positions(enough, one_subset_a_position(design), least)) {
       throw BadInput(fmt::format("{} new elements take at least {} positions: there are only {}", w,
                                  least, enough.subsets.size()));
     }

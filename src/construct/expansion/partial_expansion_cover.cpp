@@ -347,19 +347,19 @@ class Finder {
     if (design_.block_count() == 0) {
       return std::nullopt;
     }
-    const std::vector<UnchangedSubset> all = detail::one_subset_a_position(design_);
+    const std::vector<UnchangedSubset> all = one_subset_a_position(design_);
     std::optional<UnchangedCover> plain = without_leaving_out();
     if (plain) {
-      const auto count = detail::best_positions(p_, plain->subsets.size(), all.size(), w_);
+      const auto count = best_positions(p_, plain->subsets.size(), all.size(), w_);
       if (!count) {
         return std::nullopt;
       }
-      (void)detail::add_positions(*plain, all, *count);
+      (void)add_positions(*plain, all, *count);
     }
     if (p_.change == 1) {
       return plain && w_ > 1 ? with_one_wandering(*std::move(plain)) : std::move(plain);
     }
-    return leaving_out(std::move(plain), detail::positions_for_factors(p_, w_));
+    return leaving_out(std::move(plain), positions_for_factors(p_, w_));
   }
 
  private:
@@ -388,7 +388,7 @@ class Finder {
   std::optional<UnchangedCover> leaving_out(std::optional<UnchangedCover> plain,
                                             std::uint64_t least) {
     const std::uint64_t end =
-        plain ? plain->subsets.size() : detail::one_subset_a_position(design_).size() + 1;
+        plain ? plain->subsets.size() : one_subset_a_position(design_).size() + 1;
     bool refuted = true;  // all smaller numbers were
     std::uint64_t tries = 0;
     for (std::uint64_t count = least; count < end && tries < max_tries; ++count) {
@@ -413,8 +413,8 @@ class Finder {
 
   // Adds positions until there are `count`, and puts what is left out beside new elements.
   bool finish(UnchangedCover& cover, std::uint64_t count) const {
-    return detail::add_positions(cover, detail::one_subset_a_position(design_), count) &&
-           detail::put_beside(p_, w_, cover, [&](std::size_t place, Element y) {
+    return add_positions(cover, one_subset_a_position(design_), count) &&
+           put_beside(p_, w_, cover, [&](std::size_t place, Element y) {
              const std::size_t position = cover.subsets[place].position;
              const std::size_t b = std::max<std::size_t>(design_.block_count(), 1);
              const auto is_in = [y](std::span<const Element> block) {
@@ -441,7 +441,7 @@ class Finder {
           difference(design_.block(subset.position - 1), subset.elements).front();
       const auto answer = search_.run_with(subset, leaves, limit, each);
       std::optional<UnchangedCover> cover = cover_of(answer);
-      if (!cover || detail::left_out_elements(p_.v, cover->subsets) != Block{leaves} ||
+      if (!cover || left_out_elements(p_.v, cover->subsets) != Block{leaves} ||
           blocks_added(p_, cover->subsets.size(), w_, true) >=
               blocks_added(p_, plain.subsets.size(), w_, false)) {
         continue;

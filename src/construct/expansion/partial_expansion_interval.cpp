@@ -77,7 +77,7 @@ std::optional<IntervalCoverSize> interval_cover_size(const Parameters& p, std::u
   const std::uint64_t positions = p.v > std::numeric_limits<std::uint64_t>::max() / c
                                       ? std::numeric_limits<std::uint64_t>::max()
                                       : c * p.v;
-  const auto count = detail::best_positions(p, fewest(p, w), positions, w);
+  const auto count = best_positions(p, fewest(p, w), positions, w);
   if (!count || *count > positions) {
     return std::nullopt;
   }
@@ -136,7 +136,7 @@ UnchangedCover interval_cover(const Parameters& p, std::uint64_t c, std::uint64_
     const Block first = w < p.change ? points_of(0) : Block{};
     const Block last = w < p.change ? points_of(c - 1) : Block{};
     // Position sc is between B_{c−1} + (s−1) and B₀ + s.
-    const bool served = detail::put_beside(p, w, cover, [&](std::size_t place, Element y) {
+    const bool served = put_beside(p, w, cover, [&](std::size_t place, Element y) {
       const std::uint64_t shift = cover.subsets[place].position / c;
       return !holds(p, last, shift + p.v - 1, y) && !holds(p, first, shift, y);
     });
@@ -156,7 +156,7 @@ std::optional<std::uint64_t> interval_cover_for_one_more_size(const Parameters& 
   const auto inner = interval_cover_size(p, c, w);
   Parameters larger = p;
   larger.v += w;
-  if (!inner || detail::takes_sweep(p, inner->subsets, w) || !fits(larger, 1)) {
+  if (!inner || takes_sweep(p, inner->subsets, w) || !fits(larger, 1)) {
     return std::nullopt;
   }
   const std::uint64_t n = p.k - 2;

@@ -9,7 +9,7 @@
 
 #include "changeover/construct/partial_expansion.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 
 /// The sweep for m = 1: the blocks between U ∪ {a} and U ∪ {b} that cover all pairs of new elements
 /// and all pairs of a new and an old element of U, and those of new elements with a if a is left
@@ -70,4 +70,4 @@ namespace changeover::detail {
 [[nodiscard]] bool put_beside(const Parameters& p, std::uint64_t w, UnchangedCover& cover,
                               const std::function<bool(std::size_t, Element)>& allowed);
 
-}  // namespace changeover::detail
+}  // namespace changeover

@@ -11,7 +11,7 @@
 
 namespace changeover {
 
-std::vector<UnchangedSubset> detail::one_subset_a_position(const Design& design) {
+std::vector<UnchangedSubset> one_subset_a_position(const Design& design) {
   const std::size_t b = design.block_count();
   const auto size = static_cast<std::ptrdiff_t>(design.k() - design.parameters().change);
   std::vector<UnchangedSubset> result = unchanged_subsets(design);
@@ -31,8 +31,8 @@ std::vector<UnchangedSubset> detail::one_subset_a_position(const Design& design)
   return result;
 }
 
-bool detail::add_positions(UnchangedCover& cover, const std::vector<UnchangedSubset>& more,
-                           std::uint64_t count) {
+bool add_positions(UnchangedCover& cover, const std::vector<UnchangedSubset>& more,
+                   std::uint64_t count) {
   std::vector<UnchangedSubset>& subsets = cover.subsets;
   const auto by_position = [](const auto& a, const auto& b) { return a.position < b.position; };
   std::vector<UnchangedSubset> added;
@@ -49,7 +49,7 @@ bool detail::add_positions(UnchangedCover& cover, const std::vector<UnchangedSub
   return subsets.size() >= count;
 }
 
-std::optional<std::vector<Block>> detail::share_out(
+std::optional<std::vector<Block>> share_out(
     const Block& rest, std::size_t places, std::size_t capacity,
     const std::function<bool(std::size_t, Element)>& allowed) {
   std::vector<Block> result(places);
@@ -93,8 +93,8 @@ std::optional<std::vector<Block>> detail::share_out(
   return result;
 }
 
-bool detail::put_beside(const Parameters& p, std::uint64_t w, UnchangedCover& cover,
-                        const std::function<bool(std::size_t, Element)>& allowed) {
+bool put_beside(const Parameters& p, std::uint64_t w, UnchangedCover& cover,
+                const std::function<bool(std::size_t, Element)>& allowed) {
   const Block rest = left_out_elements(p.v, cover.subsets);
   cover.beside.clear();
   if (rest.empty()) {
@@ -129,7 +129,7 @@ std::optional<NewElements> best_new_elements(const Design& design, std::uint64_t
         fmt::format("the range {}..{} of new elements is empty or begins with 0", from, to));
   }
   const Parameters& p = design.parameters();
-  const auto positions = detail::one_subset_a_position(design);
+  const auto positions = one_subset_a_position(design);
   const auto find = [&](std::uint64_t w) {
     CoverOptions mine = options;
     mine.new_elements = w;
@@ -156,8 +156,8 @@ std::optional<NewElements> best_new_elements(const Design& design, std::uint64_t
       }
       cover = plain;
       if (cover) {
-        const auto count = detail::best_positions(p, cover->subsets.size(), positions.size(), w);
-        if (!count || !detail::add_positions(*cover, positions, *count)) {
+        const auto count = best_positions(p, cover->subsets.size(), positions.size(), w);
+        if (!count || !add_positions(*cover, positions, *count)) {
           cover.reset();
         }
       }
@@ -168,8 +168,7 @@ std::optional<NewElements> best_new_elements(const Design& design, std::uint64_t
       continue;
     }
     NewElements mine{w, 0, 0, *std::move(cover)};
-    const bool left_out =
-        p.change == 1 && !detail::left_out_elements(p.v, mine.cover.subsets).empty();
+    const bool left_out = p.change == 1 && !left_out_elements(p.v, mine.cover.subsets).empty();
     mine.b =
         checked_add(design.block_count(), blocks_added(p, mine.cover.subsets.size(), w, left_out));
     Parameters larger = p;

@@ -35,7 +35,7 @@
 
 #include "construct/expansion/partial_expansion_parts.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 namespace {
 
 bool hold_is_shorter(std::uint64_t count, std::uint64_t k) { return 2 * count < 3 * k; }
@@ -232,4 +232,4 @@ std::vector<Element> double_sweep(const Block& kept, const Block& added) {
   return result;
 }
 
-}  // namespace changeover::detail
+}  // namespace changeover

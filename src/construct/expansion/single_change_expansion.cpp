@@ -55,7 +55,7 @@ std::optional<std::string> shape_defect(const Parameters& p, const ExpansionSet&
 }
 
 // U ∪ {x} for each subset U, x being the new element.
-class ExpandedSource final : public detail::InsertingSource {
+class ExpandedSource final : public InsertingSource {
  public:
   ExpandedSource(std::unique_ptr<BlockSource> source, ExpansionSet set)
       : InsertingSource(std::move(source), expanded_parameters(source->parameters()),

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/construct/exact_cover.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/inserter.hpp"
+#include "construct/tools/exact_cover.hpp"
 
 namespace changeover {
 namespace {
@@ -166,7 +166,7 @@ std::unique_ptr<BlockSource> start_of(const Design& design, std::uint64_t rounds
 }
 
 // All rounds follow the start of the design; an insertion is a step of the script.
-class ExtendedSource final : public detail::InsertingSource {
+class ExtendedSource final : public InsertingSource {
  public:
   ExtendedSource(const Design& design, std::uint64_t rounds, const Parameters& larger)
       : InsertingSource(start_of(design, rounds), larger,

@@ -1,4 +1,4 @@
-#include "changeover/construct/cyclic.hpp"
+#include "construct/tools/cyclic.hpp"
 
 #include <fmt/format.h>
 

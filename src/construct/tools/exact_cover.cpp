@@ -1,4 +1,4 @@
-#include "changeover/construct/exact_cover.hpp"
+#include "construct/tools/exact_cover.hpp"
 
 #include <fmt/format.h>
 

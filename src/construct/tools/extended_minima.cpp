@@ -7,7 +7,7 @@
 #include "construct/expansion/single_change_extension.hpp"
 #include "construct/tools/short_blocks.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 namespace {
 
 // The largest v whose expansion set is written down.
@@ -95,4 +95,4 @@ std::string ExtendedMinima::explanation(const Parameters& p) const {
       2 * (k_ - 1), k_ - 1);
 }
 
-}  // namespace changeover::detail
+}  // namespace changeover

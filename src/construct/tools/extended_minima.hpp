@@ -12,7 +12,7 @@
 
 #include "construct/entry.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 
 /// A design that is written down.
 struct ListedMinimum {
@@ -45,4 +45,4 @@ class ExtendedMinima : public Family {
   std::span<const ListedMinimum> circular_;
 };
 
-}  // namespace changeover::detail
+}  // namespace changeover

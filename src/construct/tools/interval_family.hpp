@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/construct/cyclic.hpp"
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
+#include "construct/tools/cyclic.hpp"
 
 namespace changeover {
 

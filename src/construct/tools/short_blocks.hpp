@@ -6,7 +6,7 @@
 
 #include "changeover/core/block.hpp"
 
-namespace changeover::detail {
+namespace changeover {
 
 /// The blocks of a list that is separated by single blanks; an element is one character, 0, …, 9
 /// and then a, …, z for 10, …, 35.
@@ -22,4 +22,4 @@ namespace changeover::detail {
   return blocks;
 }
 
-}  // namespace changeover::detail
+}  // namespace changeover

@@ -23,7 +23,7 @@ constexpr std::string_view lock_words = "changeover: a process works with the fi
 
 // All names of a file have the same lock.
 FileLock::FileLock(const std::string& path) {
-  const auto target = io_detail::behind_links(path);
+  const auto target = behind_links(path);
   if (!target) {
     throw MissingResource(path + ": symbolic links lead in a circle; correct them");
   }

@@ -2,7 +2,7 @@
 //
 //     FileLock lock("mine.csv");             // "mine.csv.lock", until the end of the block
 //
-// The file itself cannot carry the lock, for writing replaces it (io/output_file.hpp). The lock file says what
+// The file itself cannot carry the lock, for writing replaces it (io/output.hpp). The lock file says what
 // it is and goes away with its owner; one that a killed process left blocks nobody, since the system drops the
 // lock with the process. All names of a file, links included, have the same lock.
 #pragma once

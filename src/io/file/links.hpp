@@ -5,7 +5,7 @@
 #include <optional>
 #include <system_error>
 
-namespace changeover::io_detail {
+namespace changeover {
 
 /// The path that the links of `path` end in; the file itself may be missing. Nothing if they lead in a circle.
 inline std::optional<std::filesystem::path> behind_links(std::filesystem::path path) {
@@ -20,4 +20,4 @@ inline std::optional<std::filesystem::path> behind_links(std::filesystem::path p
   return path;
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

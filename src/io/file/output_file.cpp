@@ -1,4 +1,4 @@
-#include "changeover/io/output_file.hpp"
+#include "changeover/io/output.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -257,7 +257,7 @@ OutputFile::OutputFile(const std::string& path) : state_(std::make_unique<State>
   if (exists && ::access(path.c_str(), W_OK) != 0) {
     cannot_write(path, errno);
   }
-  const auto target = io_detail::behind_links(path);
+  const auto target = behind_links(path);
   if (!target) {
     cannot_write(path, ELOOP);
   }

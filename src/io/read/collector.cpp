@@ -6,7 +6,7 @@
 
 #include "changeover/core/transitions.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 namespace {
 
 bool is_quoted(std::string_view word) { return word.starts_with('"'); }
@@ -150,4 +150,4 @@ Design Collector::finish(const Context& context) {
   return design;
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "changeover/core/design.hpp"
-#include "changeover/io/design_input.hpp"
+#include "changeover/io/input.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/place.hpp"
 #include "io/read/token_table.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 /// Collects the words of blocks; what they mean is decided at the end, when all is known.
 class Collector {
@@ -40,7 +40,7 @@ class Collector {
     std::function<Place(std::uint64_t word)> place_of_word;  ///< the i-th word of all, from 0
   };
 
-  /// The design. @throws BadInput as io/design_input.hpp says.
+  /// The design. @throws BadInput as io/input.hpp says.
   [[nodiscard]] Design finish(const Context& context);
 
  private:
@@ -55,4 +55,4 @@ class Collector {
   std::vector<std::string> labels_;
 };
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -1,4 +1,4 @@
-#include "changeover/io/csv.hpp"
+#include "changeover/io/formats.hpp"
 
 #include <fmt/format.h>
 
@@ -17,8 +17,6 @@
 
 namespace changeover {
 namespace {
-
-using io_detail::Place;
 
 struct Field {
   std::string text;  // without quotes and the blanks around it
@@ -53,9 +51,9 @@ class Records {
   }
 
   [[noreturn]] void fail(std::size_t offset, std::string_view what) const {
-    io_detail::fail(*name_, place(offset), what);
+    changeover::fail(*name_, place(offset), what);
   }
-  Place place(std::size_t offset) const { return io_detail::place_of(text_, offset); }
+  Place place(std::size_t offset) const { return place_of(text_, offset); }
   std::size_t here() const { return at_; }
 
  private:
@@ -138,11 +136,11 @@ class Records {
     if ((byte < 0x20 && byte != '\t') || byte == 0x7f) {
       fail(at_, byte == '\n' || byte == '\r'
                     ? std::string("a line end within quotes; close them before it")
-                    : io_detail::control_byte_defect(text_[at_]));
+                    : control_byte_defect(text_[at_]));
     }
-    if (field.text.size() > io_detail::max_token_bytes) {
-      fail(field.offset, fmt::format("a field of more than {} bytes; use shorter names",
-                                     io_detail::max_token_bytes));
+    if (field.text.size() > max_token_bytes) {
+      fail(field.offset,
+           fmt::format("a field of more than {} bytes; use shorter names", max_token_bytes));
     }
     field.text += text_[at_++];
   }
@@ -169,7 +167,7 @@ bool is_element_column(std::string_view name) {
   }
   name.remove_prefix(std::string_view("element").size());
   name.remove_prefix(name.starts_with('_') || name.starts_with(' ') ? 1 : 0);
-  return io_detail::plain_number(name).has_value();
+  return plain_number(name).has_value();
 }
 
 constexpr std::array<std::string_view, 6> constants = {"v",    "k",        "change",
@@ -213,7 +211,7 @@ class Columns {
 
   // Adds the elements of a record to the block.
   void add_elements(const std::vector<Field>& fields, const Records& records,
-                    io_detail::Collector& collector) const {
+                    Collector& collector) const {
     for (std::size_t i = 0; i < (named_ ? elements_.size() : fields.size()); ++i) {
       const std::size_t column = named_ ? elements_[i] : i;
       if (column >= fields.size() || fields[column].text.empty()) {
@@ -221,7 +219,7 @@ class Columns {
       }
       const Field& field = fields[column];
       const std::string_view word = csv_text(field.text);
-      auto defect = io_detail::word_defect(word);
+      auto defect = word_defect(word);
       defect = defect ? defect : collector.add(word);
       if (defect) {
         records.fail(field.offset, *defect);
@@ -242,8 +240,7 @@ class Columns {
         if (field.text != said_[i]) {
           records.fail(field.offset, fmt::format("{} is {} here and {} in the rows before; make "
                                                  "them equal",
-                                                 constants[i], io_detail::shown(field.text),
-                                                 io_detail::shown(said_[i])));
+                                                 constants[i], shown(field.text), shown(said_[i])));
         }
         continue;
       }
@@ -254,7 +251,7 @@ class Columns {
           records.fail(field.offset, "the column elements says neither labels nor numbers");
         }
         labels = field.text == "labels";
-      } else if (const auto defect = io_detail::declare(found, constants[i], field.text)) {
+      } else if (const auto defect = declare(found, constants[i], field.text)) {
         records.fail(field.offset, *defect);
       }
     }
@@ -280,16 +277,16 @@ class Columns {
 
 // The words of the elements are names, not the numbers 0, …, v−1 in some order.
 bool are_names(const std::vector<std::string>& labels) {
-  return !labels.empty() && !io_detail::element_set(labels).labels.empty();
+  return !labels.empty() && !element_set(labels).labels.empty();
 }
 
 }  // namespace
 
 Design read_csv(Input& input, const ReadOptions& options) {
   const std::string bytes = read_to_end(input);
-  const std::string_view text = io_detail::without_byte_order_mark(bytes);
+  const std::string_view text = without_byte_order_mark(bytes);
   Records records(text, input.name());
-  if (const auto defect = io_detail::table_defect(text.substr(0, 1U << 16))) {
+  if (const auto defect = table_defect(text.substr(0, 1U << 16))) {
     records.fail(0, *defect);
   }
   Columns columns;
@@ -298,7 +295,7 @@ Design read_csv(Input& input, const ReadOptions& options) {
   const bool header = more && columns.learn(fields, records);
   more = header ? records.next(fields) : more;
 
-  io_detail::Collector collector;
+  Collector collector;
   ReadOptions found;
   bool labels = false;
   std::size_t k = 0;
@@ -311,21 +308,20 @@ Design read_csv(Input& input, const ReadOptions& options) {
       records.fail(fields.back().offset, *defect);
     }
   }
-  io_detail::Collector::Context context{.name = input.name(),
-                                        .declared = io_detail::merged(input.name(), options, found),
-                                        .labels = std::nullopt,
-                                        .labels_place = {},
-                                        .place = records.place(place.value_or(0)),
-                                        .named = labels,
-                                        .place_of_word = [&](std::uint64_t word) {
-                                          Records again(text, input.name());
-                                          std::vector<Field> row;
-                                          for (std::uint64_t i = 0;
-                                               i <= word / k + (header ? 1 : 0); ++i) {
-                                            again.next(row);
-                                          }
-                                          return again.place(columns.offset_of(row, word % k));
-                                        }};
+  Collector::Context context{.name = input.name(),
+                             .declared = merged(input.name(), options, found),
+                             .labels = std::nullopt,
+                             .labels_place = {},
+                             .place = records.place(place.value_or(0)),
+                             .named = labels,
+                             .place_of_word = [&](std::uint64_t word) {
+                               Records again(text, input.name());
+                               std::vector<Field> row;
+                               for (std::uint64_t i = 0; i <= word / k + (header ? 1 : 0); ++i) {
+                                 again.next(row);
+                               }
+                               return again.place(columns.offset_of(row, word % k));
+                             }};
   return collector.finish(context);
 }
 
@@ -333,7 +329,7 @@ std::uint64_t write_csv(BlockSource& source, Sink& sink, const std::vector<std::
   const Parameters& p = source.parameters();
   std::vector<std::string> cells(labels);
   std::transform(cells.begin(), cells.end(), cells.begin(), csv_cell);
-  io_detail::ElementText text(sink, p.v, cells, ',');
+  ElementText text(sink, p.v, cells, ',');
   text.put("block,");
   for (std::uint64_t i = 1; i <= p.k; ++i) {
     text.put("element_");

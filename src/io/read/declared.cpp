@@ -8,7 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "io/read/token_table.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 namespace {
 
 template <typename T>
@@ -234,4 +234,4 @@ std::string too_many_defect(std::string_view word, std::optional<std::uint64_t> 
                      max_elements_in_memory);
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "changeover/core/parameters.hpp"
-#include "changeover/io/design_input.hpp"
+#include "changeover/io/input.hpp"
 #include "io/read/place.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 /// Notes that a file says key = text, for the keys v, k, change, kind and strength; other keys mean
 /// nothing. Returns what is wrong with it, if anything.
@@ -56,4 +56,4 @@ inline constexpr std::string_view no_blocks =
 [[nodiscard]] std::string unknown_label_defect(std::string_view word);
 [[nodiscard]] std::string too_many_defect(std::string_view word, std::optional<std::uint64_t> v);
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

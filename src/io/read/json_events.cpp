@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace changeover::io_detail {
+namespace changeover {
 namespace {
 
 // Follows the parser through the text: it reports events without saying where they begin, but between
@@ -143,4 +143,4 @@ void parse_json(const JsonText& json, JsonHandler& handler) {
   nlohmann::json::sax_parse(json.text.begin(), json.text.end(), &adapter);
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -8,7 +8,7 @@
 #include "changeover/core/recipe.hpp"
 #include "io/read/place.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 struct JsonEvent {
   enum class Type : std::uint8_t {
@@ -54,7 +54,7 @@ struct JsonText {
 
   [[nodiscard]] Place place(std::size_t offset) const;
   [[noreturn]] void fail(std::size_t offset, std::string_view what) const {
-    io_detail::fail(name, place(offset), what);
+    changeover::fail(name, place(offset), what);
   }
 };
 
@@ -65,4 +65,4 @@ void parse_json(const JsonText& json, JsonHandler& handler);
 /// The recipe in a piece of JSON. @throws BadInput
 [[nodiscard]] Recipe recipe_at(std::string_view json, const std::string& name, Place origin);
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

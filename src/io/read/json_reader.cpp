@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "changeover/io/json.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/read/collector.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/json_events.hpp"
@@ -12,10 +12,6 @@
 namespace changeover {
 namespace {
 
-using io_detail::JsonEvent;
-using io_detail::JsonHandler;
-using io_detail::JsonText;
-using io_detail::Place;
 using Type = JsonEvent::Type;
 
 // Calls visit(event) for each element of the blocks; knows only the shape.
@@ -94,9 +90,9 @@ class DesignHandler final : public JsonHandler {
     if (!has_blocks_) {
       json_->fail(end_, "no key \"blocks\"; this is no design");
     }
-    io_detail::Collector::Context context{
+    Collector::Context context{
         .name = json_->name,
-        .declared = io_detail::merged(json_->name, options, file_),
+        .declared = merged(json_->name, options, file_),
         .labels = std::move(labels_),
         .labels_place = json_->place(labels_offset_),
         .place = json_->place(start_),
@@ -119,8 +115,8 @@ class DesignHandler final : public JsonHandler {
   }
 
   [[noreturn]] void wrong(const JsonEvent& event, std::string_view wanted) const {
-    json_->fail(event.offset, fmt::format("{} where {} belongs; correct it",
-                                          io_detail::to_string(event.type), wanted));
+    json_->fail(event.offset,
+                fmt::format("{} where {} belongs; correct it", to_string(event.type), wanted));
   }
 
   void start(const JsonEvent& event) {
@@ -189,7 +185,7 @@ class DesignHandler final : public JsonHandler {
   }
 
   void declare(const JsonEvent& event) {
-    if (const auto defect = io_detail::declare(file_, key_, event.text)) {
+    if (const auto defect = changeover::declare(file_, key_, event.text)) {
       json_->fail(event.offset, *defect);
     }
   }
@@ -215,15 +211,15 @@ class DesignHandler final : public JsonHandler {
     if (event.type != Type::string && event.type != Type::natural) {
       wrong(event, "a label, a string,");
     }
-    if (const auto defect = io_detail::word_defect(event.text)) {
+    if (const auto defect = word_defect(event.text)) {
       json_->fail(event.offset, *defect);
     }
-    if (known_labels_.find(event.text) != io_detail::TokenTable::none) {
+    if (known_labels_.find(event.text) != TokenTable::none) {
       json_->fail(event.offset, fmt::format("label {} is listed twice; remove or correct one",
-                                            io_detail::shown(event.text)));
+                                            shown(event.text)));
     }
     if (labels_->size() == max_elements_in_memory) {
-      json_->fail(event.offset, *io_detail::label_count_defect(labels_->size() + 1, {}));
+      json_->fail(event.offset, *label_count_defect(labels_->size() + 1, {}));
     }
     known_labels_.add(event.text);
     labels_->emplace_back(event.text);
@@ -250,11 +246,11 @@ class DesignHandler final : public JsonHandler {
     } else if (event.type == Type::end_array) {
       where_ = Where::blocks;
       defect = collector_.end_block();
-    } else if (event.type == Type::other_number && io_detail::plain_number(event.text)) {
+    } else if (event.type == Type::other_number && plain_number(event.text)) {
       defect = collector_.add(event.text);  // too large for a machine word, not for a name
     } else if (event.type == Type::other_number) {
-      defect = fmt::format("element {} is no whole number from 0 on; correct it",
-                           io_detail::shown(event.text));
+      defect =
+          fmt::format("element {} is no whole number from 0 on; correct it", shown(event.text));
     } else {
       wrong(event, "an element, a number or a label,");
     }
@@ -266,7 +262,7 @@ class DesignHandler final : public JsonHandler {
   Place place_of_element(std::uint64_t element) const {
     BlockFinder finder(element);
     try {
-      io_detail::parse_json(*json_, finder);
+      parse_json(*json_, finder);
     } catch (const BlockFinder::Found& found) {
       return json_->place(found.offset);
     }
@@ -285,24 +281,24 @@ class DesignHandler final : public JsonHandler {
   ReadOptions file_;
   std::optional<std::vector<std::string>> labels_;
   std::size_t labels_offset_ = 0;
-  io_detail::TokenTable known_labels_;
-  io_detail::Collector collector_;
+  TokenTable known_labels_;
+  Collector collector_;
   std::optional<Recipe> recipe_;
-  std::optional<io_detail::RecipeHandler> recipe_handler_;
+  std::optional<RecipeHandler> recipe_handler_;
 };
 
 }  // namespace
 
 Design read_json(Input& input, const ReadOptions& options) {
   const std::string text = read_to_end(input);
-  const JsonText json{io_detail::without_byte_order_mark(text), input.name()};
+  const JsonText json{without_byte_order_mark(text), input.name()};
   DesignHandler handler(json);
-  io_detail::parse_json(json, handler);
+  parse_json(json, handler);
   return handler.finish(options);
 }
 
 Recipe recipe_from_json(std::string_view json, const std::string& name) {
-  return io_detail::recipe_at(json, name, {});
+  return recipe_at(json, name, {});
 }
 
 }  // namespace changeover

@@ -7,7 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "core/utf8.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 Place place_of(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, offset);
@@ -44,4 +44,4 @@ std::string shown(std::string_view word) {
   return "'" + printable(front) + (rest.empty() ? "'" : "…'");
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace changeover::io_detail {
+namespace changeover {
 
 /// Line and column from 1; columns count bytes.
 struct Place {
@@ -29,4 +29,4 @@ struct Place {
 /// A word of the input as it can stand in a message: in quotes, on one line, not too long.
 [[nodiscard]] std::string shown(std::string_view word);
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -1,12 +1,10 @@
-#include "changeover/io/read_design.hpp"
+#include "changeover/io/input.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "changeover/io/csv.hpp"
-#include "changeover/io/json.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/place.hpp"
 
@@ -87,10 +85,8 @@ void refuse_binary(const PeekedInput& input) {
     return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7f;
   });
   if (control != beginning.end()) {
-    io_detail::fail(
-        input.name(),
-        io_detail::place_of(beginning, static_cast<std::size_t>(control - beginning.begin())),
-        io_detail::control_byte_defect(*control));
+    fail(input.name(), place_of(beginning, static_cast<std::size_t>(control - beginning.begin())),
+         control_byte_defect(*control));
   }
 }
 
@@ -106,7 +102,7 @@ Opened look_at(std::unique_ptr<Input> input) {
 }  // namespace
 
 Format guess_format(std::string_view beginning) {
-  beginning = io_detail::without_byte_order_mark(beginning);
+  beginning = without_byte_order_mark(beginning);
   const std::size_t start = beginning.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos) {
     return Format::text;
@@ -114,8 +110,7 @@ Format guess_format(std::string_view beginning) {
   if (beginning[start] == '{' || beginning[start] == '[') {
     return Format::json;
   }
-  if (beginning.substr(start).starts_with("# changeover design") ||
-      io_detail::table_defect(beginning)) {
+  if (beginning.substr(start).starts_with("# changeover design") || table_defect(beginning)) {
     return Format::text;
   }
   std::string_view rest = beginning.substr(start);

@@ -8,7 +8,7 @@
 
 #include "changeover/core/parameters.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 using Type = JsonEvent::Type;
 
@@ -193,4 +193,4 @@ Recipe recipe_at(std::string_view json, const std::string& name, Place origin) {
   return handler.take();
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

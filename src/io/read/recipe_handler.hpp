@@ -8,7 +8,7 @@
 #include "changeover/core/recipe.hpp"
 #include "io/read/json_events.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 /// Takes the events of one recipe, from its begin_object to its end_object.
 class RecipeHandler final : public JsonHandler {
@@ -44,4 +44,4 @@ class RecipeHandler final : public JsonHandler {
   std::size_t skipped_ = 0;
 };
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -5,8 +5,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
-#include "changeover/io/json.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/read/declared.hpp"
 #include "io/read/json_events.hpp"
 #include "io/read/text_scanner.hpp"
@@ -14,10 +13,6 @@
 
 namespace changeover {
 namespace {
-
-using io_detail::Place;
-using io_detail::TextScanner;
-using io_detail::TokenTable;
 
 constexpr std::size_t recipe_bytes = std::size_t{64} << 20;
 constexpr std::size_t kept_bytes = std::size_t{4} << 30;
@@ -76,12 +71,12 @@ class TextSource final : public DesignInput {
   // `kept` is `input` if that keeps its bytes.
   TextSource(std::unique_ptr<Input> input, KeptInput* kept, const ReadOptions& options)
       : input_(std::move(input)), scanner_(*input_) {
-    if (const auto defect = io_detail::table_defect(scanner_.beginning())) {
+    if (const auto defect = table_defect(scanner_.beginning())) {
       scanner_.fail({}, *defect);
     }
-    const bool numbers = io_detail::only_numbers(scanner_.beginning());
+    const bool numbers = only_numbers(scanner_.beginning());
     read_header();
-    declared_ = io_detail::merged(input_->name(), options, file_);
+    declared_ = merged(input_->name(), options, file_);
     choose_rule(numbers);
     if (rule_ == Rule::survey) {
       survey();
@@ -143,7 +138,7 @@ class TextSource final : public DesignInput {
         first_block_place_ = scanner_.word_place();
         return;
       } else if (item == TextScanner::Item::end) {
-        scanner_.fail(scanner_.here(), io_detail::no_blocks);
+        scanner_.fail(scanner_.here(), no_blocks);
       }
     }
   }
@@ -162,8 +157,8 @@ class TextSource final : public DesignInput {
       while (scanner_.comment_word(word)) {
         const std::size_t equals = word.text.find('=');
         if (equals != std::string::npos) {
-          if (const auto defect = io_detail::declare(file_, word.text.substr(0, equals),
-                                                     word.text.substr(equals + 1))) {
+          if (const auto defect =
+                  declare(file_, word.text.substr(0, equals), word.text.substr(equals + 1))) {
             scanner_.fail(word.place, *defect);
           }
         }
@@ -178,16 +173,16 @@ class TextSource final : public DesignInput {
     }
     labels_place_ = place;
     TextScanner::CommentWord word;
-    while (scanner_.comment_word(word, io_detail::max_token_bytes + 1)) {
-      if (const auto defect = io_detail::word_defect(word.text)) {
+    while (scanner_.comment_word(word, max_token_bytes + 1)) {
+      if (const auto defect = word_defect(word.text)) {
         scanner_.fail(word.place, *defect);
       }
       if (table_.find(word.text) != TokenTable::none) {
         scanner_.fail(word.place, fmt::format("label {} is listed twice; remove or correct one",
-                                              io_detail::shown(word.text)));
+                                              shown(word.text)));
       }
       if (table_.size() == max_elements_in_memory) {
-        scanner_.fail(word.place, *io_detail::label_count_defect(table_.size() + 1, {}));
+        scanner_.fail(word.place, *label_count_defect(table_.size() + 1, {}));
       }
       table_.add(word.text);
     }
@@ -199,12 +194,12 @@ class TextSource final : public DesignInput {
     if (recipe_) {
       scanner_.fail(place, "a second recipe; leave one");
     }
-    recipe_ = io_detail::recipe_at(text, input_->name(), place);
+    recipe_ = recipe_at(text, input_->name(), place);
   }
 
   void choose_rule(bool only_numbers) {
     if (labels_place_) {
-      if (const auto defect = io_detail::label_count_defect(table_.size(), declared_)) {
+      if (const auto defect = label_count_defect(table_.size(), declared_)) {
         scanner_.fail(*labels_place_, *defect);
       }
       rule_ = Rule::listed;
@@ -225,7 +220,7 @@ class TextSource final : public DesignInput {
 
   void set_labels(std::vector<std::string> labels) {
     // Names that say no more than numbers are no names.
-    const io_detail::ElementSet set = io_detail::element_set(labels);
+    const ElementSet set = element_set(labels);
     const bool plain =
         set.labels.empty() && std::is_sorted(set.element_of.begin(), set.element_of.end());
     labels_ = plain ? std::vector<std::string>() : std::move(labels);
@@ -251,11 +246,10 @@ class TextSource final : public DesignInput {
         }
         if (size == room) {
           scanner_.fail(scanner_.word_place(),
-                        io_detail::surplus_defect(blocks_ + 1, room, declared_.k.has_value()));
+                        surplus_defect(blocks_ + 1, room, declared_.k.has_value()));
         }
         if (seen_[element] == stamp_) {
-          scanner_.fail(scanner_.word_place(),
-                        io_detail::repeat_defect(blocks_ + 1, scanner_.word()));
+          scanner_.fail(scanner_.word_place(), repeat_defect(blocks_ + 1, scanner_.word()));
         }
         seen_[element] = stamp_;
         out[size++] = element;
@@ -265,8 +259,7 @@ class TextSource final : public DesignInput {
         if (k_ != 0 && size != k_) {
           const Place place =
               item == TextScanner::Item::end ? scanner_.here() : scanner_.line_end_place();
-          scanner_.fail(place,
-                        io_detail::size_defect(blocks_ + 1, size, k_, declared_.k.has_value()));
+          scanner_.fail(place, size_defect(blocks_ + 1, size, k_, declared_.k.has_value()));
         }
         ++blocks_;
         return size;
@@ -284,18 +277,18 @@ class TextSource final : public DesignInput {
     }
     const auto fail = [&](std::string_view what) { scanner_.fail(scanner_.word_place(), what); };
     if (rule_ == Rule::listed) {
-      fail(io_detail::unknown_label_defect(word));
+      fail(unknown_label_defect(word));
     } else if (rule_ == Rule::numbers) {
-      fail(io_detail::plain_number(word)
-               ? io_detail::above_v_defect(word, v_)
+      fail(plain_number(word)
+               ? above_v_defect(word, v_)
                : fmt::format("element {} is no number, but those before are; list all names "
                              "in a line '# labels: …'",
-                             io_detail::shown(word)));
+                             shown(word)));
     } else if (rule_ == Rule::surveyed) {
       fail("the file changes while it is read; try again");
     } else if (table_.size() == v_) {
-      fail(io_detail::too_many_defect(word, declared_.v));
-    } else if (const auto defect = io_detail::word_defect(word)) {
+      fail(too_many_defect(word, declared_.v));
+    } else if (const auto defect = word_defect(word)) {
       fail(*defect);
     }
     return table_.add(word);
@@ -342,8 +335,8 @@ class TextSource final : public DesignInput {
   }
 
   void complete(std::uint64_t first_change) {
-    parameters_ = io_detail::completed(input_->name(), header_place_.value_or(first_block_place_),
-                                       declared_, v_, k_, first_change);
+    parameters_ = completed(input_->name(), header_place_.value_or(first_block_place_), declared_,
+                            v_, k_, first_change);
   }
 
   // Reads everything to learn which elements there are, and starts over.
@@ -352,7 +345,7 @@ class TextSource final : public DesignInput {
     std::vector<Element> block(k_);
     while (!ended_ && read_block(block.data(), k_) != 0) {
     }
-    const io_detail::ElementSet set = io_detail::element_set(table_.words());
+    const ElementSet set = element_set(table_.words());
     v_ = set.element_of.size();
     table_.renumber(set.element_of);
     labels_ = set.labels;
@@ -373,7 +366,7 @@ class TextSource final : public DesignInput {
     block_count_ = blocks_;
     if (rule_ == Rule::named) {
       std::vector<std::string> labels = table_.words();
-      io_detail::fill_labels(labels, v_);
+      fill_labels(labels, v_);
       labels_ = std::move(labels);
     }
   }
@@ -393,7 +386,7 @@ class TextSource final : public DesignInput {
   TextScanner scanner_;
   TokenTable table_;
   ReadOptions file_;
-  io_detail::Declared declared_;
+  Declared declared_;
   std::optional<Place> header_place_, labels_place_;
   Place first_block_place_;
   Rule rule_ = Rule::numbers;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace changeover::io_detail {
+namespace changeover {
 
 TextScanner::TextScanner(Input& input)
     : input_(&input), buffer_(std::make_unique_for_overwrite<char[]>(buffer_bytes + 1)) {
@@ -141,4 +141,4 @@ void TextScanner::skip_comment() {
   }
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -10,7 +10,7 @@
 #include "io/read/place.hpp"
 #include "io/read/token_table.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 /// Scans an input through one buffer. A word never straddles the buffer's end: when one begins, either
 /// more bytes than a word may have are there, or the input has ended. A NUL follows the last byte, so
@@ -58,7 +58,7 @@ class TextScanner {
   void skip_comment();
 
   [[noreturn]] void fail(Place place, std::string_view what) const {
-    io_detail::fail(input_->name(), place, what);
+    changeover::fail(input_->name(), place, what);
   }
 
  private:
@@ -118,4 +118,4 @@ inline TextScanner::Item TextScanner::next() {
   return Item::word;
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -9,7 +9,7 @@
 
 #include "changeover/core/design.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 std::optional<std::uint64_t> plain_number(std::string_view word) {
   if (word.empty() || (word[0] == '0' && word.size() > 1)) {
@@ -108,4 +108,4 @@ void fill_labels(std::vector<std::string>& labels, std::uint64_t v) {
   }
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -14,7 +14,7 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/parameters.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 inline constexpr std::size_t max_token_bytes = 255;
 
@@ -76,4 +76,4 @@ struct ElementSet {
 /// Completes labels to v of them, with numbers from v upwards.
 void fill_labels(std::vector<std::string>& labels, std::uint64_t v);
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "changeover/io/marks.hpp"
+#include "changeover/io/tables.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 /// `index` from 0 in the order of the blocks.
 [[nodiscard]] inline std::string block_name(const BlockNames& names, std::uint64_t index) {
@@ -16,4 +16,4 @@ namespace changeover::io_detail {
   return std::to_string(names.first + index);
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

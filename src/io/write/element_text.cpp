@@ -5,7 +5,7 @@
 
 #include "changeover/core/parameters.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 ElementText::ElementText(Sink& sink, std::uint64_t v, const std::vector<std::string>& labels,
                          char separator)
@@ -70,4 +70,4 @@ void ElementText::make_room_slowly(std::size_t bytes) {
   end_ = buffer_.data() + buffer_.size();
 }
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "changeover/io/sink.hpp"
+#include "changeover/io/output.hpp"
 
-namespace changeover::io_detail {
+namespace changeover {
 
 /// Gathers text for a sink. Elements are written as "word separator word … word last".
 class ElementText {
@@ -76,4 +76,4 @@ class ElementText {
   char* end_;
 };
 
-}  // namespace changeover::io_detail
+}  // namespace changeover

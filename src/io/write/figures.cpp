@@ -9,8 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
-#include "changeover/io/latex.hpp"
-#include "changeover/io/marks.hpp"
+#include "changeover/io/tables.hpp"
 #include "core/utf8.hpp"
 
 namespace changeover {

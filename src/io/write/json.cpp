@@ -1,4 +1,4 @@
-#include "changeover/io/json.hpp"
+#include "changeover/io/formats.hpp"
 
 #include "io/write/element_text.hpp"
 #include "io/write/json_writer.hpp"
@@ -59,7 +59,7 @@ std::uint64_t write_json(BlockSource& source, Sink& sink, const TextHeader& head
                          const std::function<std::optional<DesignVerdict>()>& verdict) {
   const Parameters& p = source.parameters();
   const std::vector<std::string> numbers_only;
-  io_detail::ElementText text(sink, p.v, numbers_only, ',');
+  ElementText text(sink, p.v, numbers_only, ',');
   JsonWriter json;
   json.begin_object().key("format").value("changeover-design/1");
   write_parameters(json, p);

@@ -1,4 +1,4 @@
-#include "changeover/io/latex.hpp"
+#include "changeover/io/tables.hpp"
 
 #include <fmt/format.h>
 
@@ -144,8 +144,7 @@ void write_latex(const Design& design, Sink& sink, const LatexOptions& options) 
       }
       text += last ? "" : " \\\\\n";
     };
-    row([&](std::size_t i) { return "$B_{" + io_detail::block_name(options.names, i) + "}$"; },
-        false);
+    row([&](std::size_t i) { return "$B_{" + block_name(options.names, i) + "}$"; }, false);
     const std::size_t k = blocks[start].size();
     for (std::size_t r = 0; r < k; ++r) {
       row(

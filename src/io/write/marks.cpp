@@ -1,4 +1,4 @@
-#include "changeover/io/marks.hpp"
+#include "changeover/io/tables.hpp"
 
 #include <algorithm>
 #include <array>

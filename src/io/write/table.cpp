@@ -1,4 +1,4 @@
-#include "changeover/io/table.hpp"
+#include "changeover/io/tables.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ Column make_column(const Design& design, const AlignedBlock& block, std::size_t 
     column.cells.push_back(std::move(text));
     column.tones.push_back(tone);
   };
-  add("B" + io_detail::block_name(options.names, index), 'B');
+  add("B" + block_name(options.names, index), 'B');
   for (const MarkedElement& cell : block) {
     std::string text = design.label(cell.element);
     if (options.introduced && cell.introduced) {

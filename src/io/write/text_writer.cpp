@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include "changeover/io/json.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/write/element_text.hpp"
 
 namespace changeover {
@@ -14,8 +13,8 @@ std::string header_words(const Parameters& p) {
 
 namespace {
 
-void put_header(io_detail::ElementText& text, const Parameters& p,
-                const std::vector<std::string>& labels, const std::optional<Recipe>& recipe) {
+void put_header(ElementText& text, const Parameters& p, const std::vector<std::string>& labels,
+                const std::optional<Recipe>& recipe) {
   text.put("# " + header_words(p) + "\n");
   if (!labels.empty()) {
     text.put("# labels:");
@@ -34,7 +33,7 @@ void put_header(io_detail::ElementText& text, const Parameters& p,
 
 std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& header) {
   const Parameters& p = source.parameters();
-  io_detail::ElementText text(sink, p.v, header.labels, ' ');
+  ElementText text(sink, p.v, header.labels, ' ');
   put_header(text, p, header.labels, header.recipe);
   std::uint64_t blocks = 0;
   for (Block block(static_cast<std::size_t>(p.k)); source.next(block); ++blocks) {
@@ -46,7 +45,7 @@ std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& head
 
 // Not by way of a DesignSource: copying each block would take a third of the time.
 void write_text(const Design& design, Sink& sink) {
-  io_detail::ElementText text(sink, design.v(), design.labels(), ' ');
+  ElementText text(sink, design.v(), design.labels(), ' ');
   put_header(text, design.parameters(), design.labels(), design.recipe);
   for (std::size_t i = 0; i < design.block_count(); ++i) {
     text.elements(design.block(i), '\n');

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "changeover/loadorder/load_step.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
 

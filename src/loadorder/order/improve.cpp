@@ -1,4 +1,4 @@
-#include "changeover/loadorder/improve.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 #include "changeover/search/local_search.hpp"
 

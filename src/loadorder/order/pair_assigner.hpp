@@ -14,7 +14,7 @@
 
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/loadorder/load_step.hpp"
+#include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 
 namespace changeover {

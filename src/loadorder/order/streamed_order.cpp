@@ -6,7 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/interval_base_blocks.hpp"
-#include "changeover/verify/interval_difference.hpp"
+#include "changeover/verify/difference.hpp"
 
 namespace changeover {
 namespace {

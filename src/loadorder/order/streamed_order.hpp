@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/loadorder/load_step.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
 

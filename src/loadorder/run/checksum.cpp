@@ -1,4 +1,4 @@
-#include "changeover/loadorder/checksum.hpp"
+#include "changeover/loadorder/job_results.hpp"
 
 #include <algorithm>
 #include <bit>

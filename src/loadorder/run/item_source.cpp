@@ -1,4 +1,4 @@
-#include "changeover/loadorder/item_source.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/checksum.hpp"
+#include "changeover/loadorder/job_results.hpp"
 
 namespace changeover {
 

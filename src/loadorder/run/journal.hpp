@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "changeover/loadorder/checksum.hpp"
+#include "changeover/loadorder/job_results.hpp"
 
 namespace changeover {
 

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "changeover/loadorder/item_source.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 
 namespace changeover {
 

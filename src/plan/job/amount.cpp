@@ -1,4 +1,4 @@
-#include "changeover/plan/amount.hpp"
+#include "changeover/plan/job.hpp"
 
 #include <fmt/format.h>
 
@@ -49,26 +49,26 @@ Amount operator-(Amount a, Amount b) {
 }
 
 Amount parse_amount(std::string_view text) {
-  const std::string shown = io_detail::shown(text);
+  const std::string said = shown(text);
   if (text.starts_with('-')) {
-    throw BadInput(fmt::format("the cost {} is negative; give 0 or more", shown));
+    throw BadInput(fmt::format("the cost {} is negative; give 0 or more", said));
   }
   const std::size_t point = std::min(text.find('.'), text.size());
   const std::string_view whole = text.substr(0, point);
   const std::string_view decimals = point < text.size() ? text.substr(point + 1) : "";
   if (whole.size() + decimals.size() == 0 || !std::all_of(whole.begin(), whole.end(), is_digit) ||
       !std::all_of(decimals.begin(), decimals.end(), is_digit)) {
-    throw BadInput(fmt::format("{} is not a cost; write it as 12 or 12.50", shown));
+    throw BadInput(fmt::format("{} is not a cost; write it as 12 or 12.50", said));
   }
   if (decimals.size() > most_decimals) {
-    throw BadInput(fmt::format("the cost {} has more than six decimals; round it", shown));
+    throw BadInput(fmt::format("the cost {} has more than six decimals; round it", said));
   }
   std::uint64_t units = 0;
   for (const char c : whole) {
     units = 10 * units + static_cast<std::uint64_t>(c - '0');
     if (units > largest / unit) {
       throw ImpossibleParameters(fmt::format(
-          "the cost {} is too large; a total can be 9.2e12, so use a larger unit", shown));
+          "the cost {} is too large; a total can be 9.2e12, so use a larger unit", said));
     }
   }
   std::uint64_t millionths = units * unit;

@@ -36,7 +36,7 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
   std::unordered_set<std::string> seen;
   for (const std::string& name : job.names) {
     if (const auto defect = text_defect(name)) {
-      found.push_back(fmt::format("the name {}: {}", io_detail::shown(name), *defect));
+      found.push_back(fmt::format("the name {}: {}", shown(name), *defect));
     } else if (name.empty()) {
       found.push_back("a part has no name; name it");
     } else if (!seen.insert(name).second) {

@@ -20,8 +20,6 @@ bool ends_a_line(char32_t c) { return c == 0x2028 || c == 0x2029; }
 
 }  // namespace
 
-namespace plan_detail {
-
 std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
   for (std::size_t at = 0; at < text.size();) {
     const auto byte = static_cast<unsigned char>(text[at]);
@@ -63,10 +61,8 @@ std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
   return std::nullopt;
 }
 
-}  // namespace plan_detail
-
 std::optional<std::string> text_defect(std::string_view text) {
-  auto defect = plan_detail::first_defect(text, false);
+  auto defect = first_defect(text, false);
   return defect ? std::optional(std::move(defect->what)) : std::nullopt;
 }
 

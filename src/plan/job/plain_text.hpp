@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace changeover::plan_detail {
+namespace changeover {
 
 struct TextDefect {
   std::size_t offset = 0;  ///< of the first byte that is at fault
@@ -17,4 +17,4 @@ struct TextDefect {
 /// direction of writing around; nothing if there is none. Tabs are control characters unless allowed.
 [[nodiscard]] std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs);
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -1,4 +1,4 @@
-#include "changeover/plan/read_job.hpp"
+#include "changeover/plan/job.hpp"
 
 #include <fmt/format.h>
 
@@ -18,10 +18,6 @@
 
 namespace changeover {
 namespace {
-
-using plan_detail::Field;
-using plan_detail::Row;
-using plan_detail::RowReader;
 
 constexpr std::size_t longest_name = 255;
 
@@ -68,13 +64,12 @@ class PartFinder {
   [[nodiscard]] std::string complaint(const std::string& word) const {
     for (const std::string& name : *names_) {
       if (lower(name) == lower(word)) {
-        return fmt::format("there is no part {}; did you mean {}?", io_detail::shown(word),
-                           io_detail::shown(name));
+        return fmt::format("there is no part {}; did you mean {}?", shown(word), shown(name));
       }
     }
     return fmt::format(
-        "there is no part {}; give a name of the parts list or a number from 1 to {}",
-        io_detail::shown(word), names_->size());
+        "there is no part {}; give a name of the parts list or a number from 1 to {}", shown(word),
+        names_->size());
   }
 
  private:
@@ -96,7 +91,7 @@ Block find_parts(const PartFinder& finder, std::span<const Field> row, Find&& fi
       fail(field, finder.complaint(field.text));
     }
     if (seen[*part]) {
-      fail(field, fmt::format("{} stands here twice; remove one", io_detail::shown(field.text)));
+      fail(field, fmt::format("{} stands here twice; remove one", shown(field.text)));
     }
     seen[*part] = true;
     parts.push_back(*part);
@@ -216,12 +211,11 @@ PartList read_parts(Input& input) {
                   fmt::format("a name of more than {} bytes; shorten it", longest_name));
     }
     if (const auto defect = text_defect(name.text)) {
-      reader.fail(name.offset,
-                  fmt::format("the name {}: {}", io_detail::shown(name.text), *defect));
+      reader.fail(name.offset, fmt::format("the name {}: {}", shown(name.text), *defect));
     }
     if (!seen.insert(name.text).second) {
-      reader.fail(name.offset, fmt::format("a second part is called {}; rename one",
-                                           io_detail::shown(name.text)));
+      reader.fail(name.offset,
+                  fmt::format("a second part is called {}; rename one", shown(name.text)));
     }
     if (parts.names.size() == max_parts) {
       reader.fail(name.offset,
@@ -239,7 +233,7 @@ PartList read_parts(Input& input) {
     }
   }
   if (parts.names.empty()) {
-    io_detail::fail(input.name(), {}, "no part is listed; write one a line");
+    fail(input.name(), {}, "no part is listed; write one a line");
   }
   return parts;
 }
@@ -301,7 +295,7 @@ std::vector<Block> read_setups(Input& input, const std::vector<std::string>& nam
       const auto fail_in_list = [&](const Field&, const std::string& what) { fail(list, what); };
       Row parts;
       try {
-        parts = plan_detail::split_row(list.text);
+        parts = split_row(list.text);
       } catch (const BadInput& fault) {
         fail(list, fault.what());
       }
@@ -323,15 +317,14 @@ std::vector<Block> read_setups(Input& input, const std::vector<std::string>& nam
 Block parse_parts(std::string_view text, const std::vector<std::string>& names) {
   const PartFinder finder(names);
   return find_parts(
-      finder, plan_detail::split_row(text),
-      [&](const std::string& word) { return finder.find(word); },
+      finder, split_row(text), [&](const std::string& word) { return finder.find(word); },
       [](const Field&, const std::string& what) { throw BadInput(what); });
 }
 
 std::string parts_text(const Block& parts, const std::vector<std::string>& names) {
   std::string text;
   for (const Element x : parts) {
-    text += (text.empty() ? "" : ", ") + plan_detail::quoted(names[x]);
+    text += (text.empty() ? "" : ", ") + quoted(names[x]);
   }
   return text;
 }

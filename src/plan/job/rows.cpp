@@ -12,7 +12,7 @@
 #include "io/read/place.hpp"
 #include "plan/job/plain_text.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 namespace {
 
 // No list of parts, pairs or set-ups is longer.
@@ -71,7 +71,7 @@ std::optional<TextDefect> split(std::string_view line, char separator, Row& row)
 }  // namespace
 
 void RowReader::fail(std::size_t offset, std::string_view what) const {
-  io_detail::fail(input_->name(), {std::max<std::uint64_t>(1, line_number_), offset + 1}, what);
+  changeover::fail(input_->name(), {std::max<std::uint64_t>(1, line_number_), offset + 1}, what);
 }
 
 bool RowReader::next_line() {
@@ -105,7 +105,7 @@ bool RowReader::next_line() {
   line_.assign(buffer_, begin_, stop - begin_);
   begin_ = std::min(stop + 1, buffer_.size());
   if (++line_number_ == 1) {
-    line_ = std::string(io_detail::without_byte_order_mark(line_));
+    line_ = std::string(without_byte_order_mark(line_));
   }
   if (line_.ends_with('\r')) {
     line_.pop_back();
@@ -164,4 +164,4 @@ std::string quoted(std::string_view field) {
   return text + "\"";
 }
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

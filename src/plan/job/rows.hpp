@@ -9,7 +9,7 @@
 
 #include "changeover/io/input.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 
 struct Field {
   std::string text;        ///< without quotes and the blanks around it
@@ -55,4 +55,4 @@ class RowReader {
 /// quotes or outer blanks, or begins with #.
 [[nodiscard]] std::string quoted(std::string_view field);
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -6,7 +6,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 namespace {
 
 // −ln of evenly spread numbers in (0,1), rounded so that every machine has the same.
@@ -30,7 +30,7 @@ class Annealer {
     energy_ = energy();
   }
 
-  Annealed run(RunControl& control) {
+  AnnealedPlan run(RunControl& control) {
     record();
     constexpr std::uint64_t batch = 1024;
     // A move on a long list of large set-ups takes as long as thousands on a short one.
@@ -347,14 +347,15 @@ class Annealer {
   Random* random_;
   double temperature_ = 0;
   double energy_ = 0;
-  Annealed best_;
+  AnnealedPlan best_;
   Block protected_;
 };
 
 }  // namespace
 
-Annealed anneal(Sequence& sequence, const Annealing& options, Random& random, RunControl& control) {
-  Annealed best = Annealer(sequence, options, random).run(control);
+AnnealedPlan anneal(Sequence& sequence, const Annealing& options, Random& random,
+                    RunControl& control) {
+  AnnealedPlan best = Annealer(sequence, options, random).run(control);
   if (control.stop_wanted()) {
     return best;  // At once: the referee counts what becomes of it.
   }
@@ -366,4 +367,4 @@ Annealed anneal(Sequence& sequence, const Annealing& options, Random& random, Ru
   return best;
 }
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -16,7 +16,7 @@
 #include "plan/search/sequence.hpp"
 #include "run/random.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 
 struct Annealing {
   std::uint64_t steps = 0;
@@ -31,7 +31,7 @@ struct Annealing {
 
 /// The best that an annealing met: all pairs covered, at the least cost; or within the budget, the most
 /// pairs, and at the least cost among these.
-struct Annealed {
+struct AnnealedPlan {
   std::optional<std::vector<Block>> setups;
   std::int64_t cost = 0;  ///< in weights
   std::size_t uncovered = 0;
@@ -39,7 +39,8 @@ struct Annealed {
 };
 
 /// Anneals from the state that is given, which ends wherever it ends.
-Annealed anneal(Sequence& sequence, const Annealing& options, Random& random, RunControl& control);
+AnnealedPlan anneal(Sequence& sequence, const Annealing& options, Random& random,
+                    RunControl& control);
 
 /// Covers what is uncovered by set-ups where they cost least, then takes away what is not needed. False,
 /// with pairs uncovered, if the control says stop before that is done. O(tests · at_once²) a pair.
@@ -49,4 +50,4 @@ bool repair(Sequence& sequence, RunControl& control);
 /// covered and costs no more, or until the control says stop.
 void prune(Sequence& sequence, RunControl& control);
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

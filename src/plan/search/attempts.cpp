@@ -9,7 +9,7 @@
 
 #include "run/threads.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 namespace {
 
 // How attempts differ: the penalty of an uncovered pair as a multiple of what a pair costs in the best
@@ -50,14 +50,14 @@ Start Attempts::covering(const Candidate& from, std::uint64_t steps) {
       1000.0 * static_cast<double>(from.tests()) / static_cast<double>(job_->needed.size());
   const double penalty = std::max(1.5 * per_pair, 300.0);
   Random random(control_->seed(), 1'000'000);
-  const Annealed found = anneal(sequence,
-                                {.steps = steps,
-                                 .penalty = penalty,
-                                 .hot = 0.4 * penalty,
-                                 .cold = 0.04 * penalty,
-                                 .most_tests = limit,
-                                 .phase = "looking for a covering with few tests"},
-                                random, *control_);
+  const AnnealedPlan found = anneal(sequence,
+                                    {.steps = steps,
+                                     .penalty = penalty,
+                                     .hot = 0.4 * penalty,
+                                     .cold = 0.04 * penalty,
+                                     .most_tests = limit,
+                                     .phase = "looking for a covering with few tests"},
+                                    random, *control_);
   steps_ += found.steps;
   std::vector<Block> setups = found.setups.value_or(from.setups);
   if (repair(sequence, *control_) && sequence.size() < setups.size()) {
@@ -103,14 +103,15 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
     const double penalty = style.penalty * per_pair;
     Random random(control_->seed(), std::uint64_t{round} * attempts + i);
     sequence = Sequence(*job_, weights, from.setups);
-    const Annealed found = anneal(sequence,
-                                  {.steps = steps,
-                                   .penalty = penalty,
-                                   .hot = style.hot * penalty,
-                                   .cold = style.cold * penalty,
-                                   .most_tests = limit,
-                                   .phase = fmt::format("local search {} of {}", i + 1, attempts)},
-                                  random, *control_);
+    const AnnealedPlan found =
+        anneal(sequence,
+               {.steps = steps,
+                .penalty = penalty,
+                .hot = style.hot * penalty,
+                .cold = style.cold * penalty,
+                .most_tests = limit,
+                .phase = fmt::format("local search {} of {}", i + 1, attempts)},
+               random, *control_);
     steps_ += found.steps;
     if (repair(sequence, *control_) && sequence.cost() < results[i].cost) {
       results[i] = {sequence.cost(), sequence.setups(), from.name};
@@ -141,7 +142,7 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
   const Weights weights = Weights::of(*job_, limit);
   // The weights are the costs, rounded up: what weighs no more than the budget costs no more.
   const auto most = static_cast<std::int64_t>(budget.millionths / weights.unit);
-  std::vector<Annealed> results(attempts);
+  std::vector<AnnealedPlan> results(attempts);
   in_parallel(*control_, attempts, [&](std::size_t i) {
     Sequence sequence(*job_, weights, best.setups);
     const Style& style = styles[i % styles.size()];
@@ -164,7 +165,7 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
   });
   Start start{search_name, "any number of changes a step, within the budget", best.setups};
   std::size_t least = static_cast<std::size_t>(job_->needed.size() - best.pairs_tested);
-  for (Annealed& result : results) {
+  for (AnnealedPlan& result : results) {
     if (result.setups && result.uncovered < least) {
       least = result.uncovered;
       start.setups = std::move(*result.setups);
@@ -173,4 +174,4 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
   return start;
 }
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -10,7 +10,7 @@
 #include "plan/search/anneal.hpp"
 #include "plan/search/starts.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 
 inline constexpr const char* search_name = "local search";
 
@@ -43,4 +43,4 @@ class Attempts {
   std::atomic<std::uint64_t> steps_{0};
 };
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -12,7 +12,7 @@
 #include "plan/search/starts.hpp"
 #include "run/threads.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 namespace {
 
 // Parts that have needed pairs and do not stay mounted.
@@ -179,4 +179,4 @@ std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl
   return starts;
 }
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

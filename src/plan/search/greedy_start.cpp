@@ -5,7 +5,7 @@
 #include "plan/search/listener.hpp"
 #include "plan/search/starts.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 namespace {
 
 constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
@@ -235,4 +235,4 @@ class Greedy {
 
 Start greedy_start(const Job& job, RunControl& control) { return Greedy(job, control).run(); }
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

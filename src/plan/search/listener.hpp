@@ -5,7 +5,7 @@
 
 #include "changeover/run/control.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 
 /// Looks at the clock once enough work was done, since a look costs as much as dozens of steps.
 class Listener {
@@ -30,4 +30,4 @@ class Listener {
   bool stopped_ = false;
 };
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

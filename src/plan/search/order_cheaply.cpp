@@ -6,7 +6,7 @@
 #include "plan/search/listener.hpp"
 #include "plan/search/starts.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 namespace {
 
 // The weight of what `to` has and `from` lacks; both increasing.
@@ -96,4 +96,4 @@ std::vector<Block> order_cheaply(const Job& job, const Weights& weights, std::ve
   return sequence.setups();
 }
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -6,7 +6,7 @@
 #include "plan/search/anneal.hpp"
 #include "plan/search/listener.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 namespace {
 
 // The set-up nearest to `beside` that holds x and y: what they must not meet goes, and where there is no
@@ -132,4 +132,4 @@ void prune(Sequence& sequence, RunControl& control) {
   }
 }
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -17,8 +17,6 @@
 namespace changeover {
 namespace {
 
-using plan_detail::Start;
-
 // A list that changes the same number of parts at every step and tests all pairs is a change covering
 // design: the verifier must agree.
 void verify_as_design(const Job& job, const RunSheet& sheet) {
@@ -148,7 +146,7 @@ class Planner {
   }
 
   void find_complete(RunPlan& plan) {
-    add(plan, plan_detail::greedy_start(*job_, *control_));
+    add(plan, greedy_start(*job_, *control_));
     keep_what_there_is(plan, [&] { search(plan); });
   }
 
@@ -169,8 +167,7 @@ class Planner {
 
   void search(RunPlan& plan) {
     std::vector<Candidate>& all = plan.candidates;
-    for (const Start& start :
-         plan_detail::design_starts(*job_, options_->design_moves, *control_)) {
+    for (const Start& start : design_starts(*job_, options_->design_moves, *control_)) {
       add(plan, start);
     }
     const auto best = [&]() -> const Candidate& {
@@ -178,7 +175,7 @@ class Planner {
     };
     require_memory(bytes_of_search(best()),
                    fmt::format("searching among lists of {} tests", best().tests()));
-    plan_detail::Attempts attempts(*job_, plan.bound, *control_);
+    Attempts attempts(*job_, plan.bound, *control_);
     std::uint64_t steps = options_->steps == 0 ? attempts.suitable_steps(best()) : options_->steps;
     keep_what_there_is(plan, [&] {
       if (!control_->stop_wanted() && best().tests() > 1) {
@@ -206,9 +203,7 @@ class Planner {
     constexpr std::size_t few = 3;
     std::stable_sort(all.begin(), all.end(), cheaper);
     const std::string best = all.front().name;
-    std::erase_if(all, [&](const Candidate& c) {
-      return c.name == best || c.name == plan_detail::search_name;
-    });
+    std::erase_if(all, [&](const Candidate& c) { return c.name == best || c.name == search_name; });
     all.resize(std::min(all.size(), few));
     return all;
   }
@@ -217,12 +212,12 @@ class Planner {
   static void drop_repeated(std::vector<Candidate>& all) {
     bool seen = false;
     std::size_t others_best = 0;
-    while (others_best < all.size() && all[others_best].name == plan_detail::search_name) {
+    while (others_best < all.size() && all[others_best].name == search_name) {
       ++others_best;
     }
     std::erase_if(all, [&, position = std::size_t{0}](const Candidate& c) mutable {
       const std::size_t at = position++;
-      if (c.name != plan_detail::search_name) {
+      if (c.name != search_name) {
         return false;
       }
       const bool worse = at > others_best;
@@ -249,7 +244,7 @@ class Planner {
       within.push_back(counted(*job_, part));
     }
     std::stable_sort(within.begin(), within.end(), tests_more);
-    plan_detail::Attempts attempts(*job_, plan.bound, *control_);
+    Attempts attempts(*job_, plan.bound, *control_);
     const std::uint64_t steps =
         options_->steps == 0 ? attempts.suitable_steps(*plan.complete) : options_->steps;
     keep_what_there_is(plan, [&] {

@@ -8,7 +8,7 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/run/scope.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 namespace {
 
 __extension__ using Wide = unsigned __int128;
@@ -299,4 +299,4 @@ void Sequence::rotate(std::size_t first, std::size_t middle, std::size_t end) {
   cost_ += step_into(first) + step_into(first + (end - middle)) + step_into(end);
 }
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

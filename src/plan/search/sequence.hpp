@@ -12,7 +12,7 @@
 #include "changeover/plan/job.hpp"
 #include "run/random.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 
 /// What an introduction and a test weigh in a search; not always what they cost.
 struct Weights {
@@ -135,4 +135,4 @@ class Sequence {
   std::uint64_t occupied_ = 0;
 };
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

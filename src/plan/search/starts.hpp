@@ -7,7 +7,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "plan/search/sequence.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 
 /// A list of set-ups that does the job, and how it came about.
 struct Start {
@@ -32,4 +32,4 @@ struct Start {
 [[nodiscard]] std::vector<Block> order_cheaply(const Job& job, const Weights& weights,
                                                std::vector<Block> setups, RunControl& control);
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -1,4 +1,4 @@
-#include "changeover/plan/what_if.hpp"
+#include "changeover/plan/run_plan.hpp"
 
 #include <fmt/format.h>
 
@@ -151,10 +151,10 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
     if (!best || best->cost == bound.cost) {
       return false;
     }
-    plan_detail::Attempts attempts(other, bound, control);
+    Attempts attempts(other, bound, control);
     const std::uint64_t steps =
         options.steps == 0 ? attempts.suitable_steps(*best) / 2 : options.steps;
-    const plan_detail::Start start =
+    const Start start =
         attempts.cheaper_than(*best, candidates, steps, std::min(options.attempts, 2U), 0);
     if (run_sheet(other, start.setups).cost >= best->cost) {
       return false;

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 
-#include "changeover/plan/read_job.hpp"
+#include "changeover/plan/job.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
 namespace {
-
-using namespace plan_detail;
 
 void write_candidate(JsonWriter& json, const Money& money, const Candidate& candidate) {
   json.begin_object().key("name").value(candidate.name).key("how").value(candidate.how);

@@ -8,8 +8,6 @@
 namespace changeover {
 namespace {
 
-using namespace plan_detail;
-
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <numeric>
 
-#include "changeover/plan/read_job.hpp"
+#include "changeover/plan/job.hpp"
 #include "core/utf8.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
 namespace {
-
-using namespace plan_detail;
 
 std::size_t columns_of(std::string_view text) {
   std::size_t count = 0;

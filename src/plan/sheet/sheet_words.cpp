@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace changeover::plan_detail {
+namespace changeover {
 namespace {
 
 // How far a is above b, in per cent.
@@ -98,4 +98,4 @@ std::string difference(const SheetDocument& document, const Candidate& candidate
   return least.millionths == 0 ? text : text + " (" + per_cent_above(candidate.cost, least) + ")";
 }
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -6,7 +6,7 @@
 
 #include "changeover/plan/sheet_formats.hpp"
 
-namespace changeover::plan_detail {
+namespace changeover {
 
 /// Costs with the decimals that the costs of a job need.
 class Money {
@@ -34,4 +34,4 @@ class Money {
 /// How much dearer a candidate is than the first: "+1 (0.9 %)"; empty for the first and under a budget.
 [[nodiscard]] std::string difference(const SheetDocument& document, const Candidate& candidate);
 
-}  // namespace changeover::plan_detail
+}  // namespace changeover

@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/isomorphism/automorphisms.hpp"
-#include "changeover/isomorphism/canonical.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "search/enumerate/enumeration_case.hpp"
 #include "search/enumerate/enumeration_team.hpp"

@@ -16,10 +16,11 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/io/output_file.hpp"
-#include "changeover/proof/drat.hpp"
+#include "changeover/io/output.hpp"
+#include "changeover/proof/proof.hpp"
 #include "changeover/run/scope.hpp"
 #include "run/threads.hpp"
+#include "search/exact/exact_encoding.hpp"
 #include "search/sat/sat_solver.hpp"
 
 namespace changeover {

@@ -16,9 +16,10 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"
-#include "changeover/io/output_file.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/output.hpp"
+#include "changeover/verify/verdict.hpp"
 #include "search/local/segment_orbits.hpp"
 
 namespace changeover {

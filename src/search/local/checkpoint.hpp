@@ -11,7 +11,7 @@
 //     …
 //     check 9ae16a3b2f90404f
 //
-// Files are replaced as a whole (io/output_file.hpp), so that a process killed at any moment leaves
+// Files are replaced as a whole (io/output.hpp), so that a process killed at any moment leaves
 // the old one or the new one. The last line is the FNV-1a hash of all before it: a damaged file is
 // refused, as is one of other parameters, with one line, and never overwritten. Reading needs no
 // trust beyond that: the design is verified before it is used, and every number must be one that a search with

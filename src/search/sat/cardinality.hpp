@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "changeover/search/cnf.hpp"
+#include "search/sat/cnf.hpp"
 
 namespace changeover {
 

@@ -1,4 +1,4 @@
-#include "changeover/search/cnf_size.hpp"
+#include "search/sat/cnf_size.hpp"
 
 #include <fmt/format.h>
 

@@ -20,7 +20,7 @@
 
 #include "changeover/run/control.hpp"
 #include "changeover/run/outcome.hpp"
-#include "changeover/search/cnf.hpp"
+#include "search/sat/cnf.hpp"
 
 namespace changeover {
 

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "changeover/proof/cubes.hpp"
+#include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/run/outcome.hpp"
-#include "changeover/search/cnf.hpp"
+#include "search/sat/cnf.hpp"
 
 namespace changeover {
 

@@ -1,4 +1,4 @@
-#include "changeover/construct/cyclic.hpp"
+#include "construct/tools/cyclic.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "changeover/verify/interval_difference.hpp"
+#include "changeover/verify/difference.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover {

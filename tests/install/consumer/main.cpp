@@ -1,8 +1,7 @@
-// A program outside the project: includes every installed header, calls into the library and
-// prints its version.
+// A program outside the project: includes the whole public door, calls into the library and prints its
+// version.
+#include <changeover/changeover.hpp>
 #include <iostream>
-
-#include "every_header.hpp"
 
 int main() {
   const changeover::Parameters parameters{.v = 61, .k = 4};

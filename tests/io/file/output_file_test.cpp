@@ -1,4 +1,4 @@
-#include "changeover/io/output_file.hpp"
+#include "changeover/io/output.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "changeover/io/read_design.hpp"
+#include "changeover/io/input.hpp"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -6,9 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "changeover/io/csv.hpp"
-#include "changeover/io/json.hpp"
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "random_designs.hpp"
 

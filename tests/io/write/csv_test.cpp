@@ -1,4 +1,4 @@
-#include "changeover/io/csv.hpp"
+#include "changeover/io/formats.hpp"
 
 #include "random_designs.hpp"
 

@@ -1,4 +1,4 @@
-#include "changeover/io/json.hpp"
+#include "changeover/io/formats.hpp"
 
 #include "io/write/json_writer.hpp"
 #include "random_designs.hpp"

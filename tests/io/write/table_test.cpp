@@ -1,8 +1,7 @@
-#include "changeover/io/table.hpp"
+#include "changeover/io/tables.hpp"
 
 #include "changeover/core/developed.hpp"
 #include "changeover/core/transitions.hpp"
-#include "changeover/io/latex.hpp"
 #include "random_designs.hpp"
 
 namespace changeover {

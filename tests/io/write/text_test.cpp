@@ -1,9 +1,9 @@
-#include "changeover/io/text.hpp"
+#include "changeover/io/formats.hpp"
 
 #include <unistd.h>
 
 #include "changeover/core/developed.hpp"
-#include "changeover/io/read_design.hpp"
+#include "changeover/io/input.hpp"
 #include "random_designs.hpp"
 
 namespace changeover {

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "all_pairs/load_orders.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "loadorder_support.hpp"
-#include "peers/load_orders.hpp"
 
 namespace changeover::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "changeover/plan/amount.hpp"
+#include "changeover/plan/job.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "changeover/core/error.hpp"
-#include "changeover/plan/what_if.hpp"
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 

@@ -1,4 +1,4 @@
-#include "changeover/plan/what_if.hpp"
+#include "changeover/plan/run_plan.hpp"
 
 #include <gtest/gtest.h>
 

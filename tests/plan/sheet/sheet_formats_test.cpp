@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/plan/read_job.hpp"
+#include "changeover/plan/job.hpp"
 
 namespace changeover {
 namespace {

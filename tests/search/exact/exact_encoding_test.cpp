@@ -1,4 +1,4 @@
-#include "changeover/search/exact_encoding.hpp"
+#include "search/exact/exact_encoding.hpp"
 
 #include <gtest/gtest.h>
 

@@ -13,9 +13,10 @@
 #include <sstream>
 
 #include "changeover/core/error.hpp"
-#include "changeover/proof/drat.hpp"
+#include "changeover/proof/proof.hpp"
 #include "naive_verdict.hpp"
 #include "run_program.hpp"
+#include "search/exact/exact_encoding.hpp"
 
 namespace changeover {
 namespace {

@@ -1,4 +1,4 @@
-#include "changeover/search/cnf.hpp"
+#include "search/sat/cnf.hpp"
 
 #include <gtest/gtest.h>
 

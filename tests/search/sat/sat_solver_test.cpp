@@ -7,10 +7,10 @@
 #include <string>
 
 #include "changeover/core/error.hpp"
-#include "changeover/proof/drat.hpp"
+#include "changeover/proof/proof.hpp"
 #include "changeover/run/scope.hpp"
-#include "changeover/search/exact_encoding.hpp"
 #include "run_program.hpp"
+#include "search/exact/exact_encoding.hpp"
 
 namespace changeover {
 namespace {

@@ -80,7 +80,7 @@ std::optional<IntervalCoverSize> cover_size(Family family, const Parameters& p, 
   if (half.k < 2 || (w == 1 && p.v < p.k + 3)) {
     return std::nullopt;
   }
-  const auto count = detail::best_positions(p, interval_cover_size(half, 1, 1)->subsets, b, w);
+  const auto count = best_positions(p, interval_cover_size(half, 1, 1)->subsets, b, w);
   return count ? std::optional(IntervalCoverSize{*count, false}) : std::nullopt;
 }
 
@@ -207,7 +207,7 @@ class PartialExpander final : public Rule {
                                   ? fmt::format("the new elements {} and {}", input.v, input.v + 1)
                                   : fmt::format("the new elements {},…,{}", input.v, p.v - 1);
     const auto size = known_size(recipe.inputs.front(), w);
-    const bool sweeps = size && detail::takes_sweep(input, size->subsets, w);
+    const bool sweeps = size && takes_sweep(input, size->subsets, w);
     std::string how;
     if (w <= p.change) {
       how = w == p.change ? added

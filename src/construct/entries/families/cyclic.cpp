@@ -1,7 +1,7 @@
 // The tight circular DCCD(c(4k−6)+1, k, c²(4k−6)+c) for every c ≥ 1 and every k ≥ 3.
 //
 // The printed theorem stops at c = 5. What is needed for more is a way of pairing 2c numbers, which
-// has a closed form: construct/cyclic.hpp, proved in docs/theorems.md. The pairs are made as they
+// has a closed form: construct/tools/cyclic.hpp, proved in docs/theorems.md. The pairs are made as they
 // are asked for, so the design is a stream without any memory for its base blocks.
 #include <algorithm>
 

@@ -65,7 +65,7 @@ class PairsDoubleChange final : public Family {
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
     if (p.v == 5) {
       const std::string_view list = p.kind == Kind::circular ? walk_of_5 : path_of_5;
-      return std::make_unique<BlockListSource>(p, detail::short_blocks(list));
+      return std::make_unique<BlockListSource>(p, short_blocks(list));
     }
     return factors(p);
   }

@@ -12,8 +12,6 @@
 namespace changeover {
 namespace {
 
-using detail::ListedMinimum;
-
 constexpr ListedMinimum five{5, "0123 0234 1234"};
 constexpr ListedMinimum six{6, "0123 0234 2345 1245 0125"};
 constexpr ListedMinimum seven{7, "0123 0234 2345 3456 1456 0156 0126"};
@@ -72,7 +70,7 @@ constexpr Description description{
     .cited = "ChafeeStevens2023",
 };
 
-class QuadruplesSingleChange final : public detail::ExtendedMinima {
+class QuadruplesSingleChange final : public ExtendedMinima {
  public:
   QuadruplesSingleChange() : ExtendedMinima(description, 4, linear, circular) {}
 };

@@ -248,7 +248,7 @@ class TriplesDoubleChange final : public Family {
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
     if (p.v <= largest_listed) {
       return std::make_unique<BlockListSource>(
-          p, detail::short_blocks(lists[static_cast<std::size_t>(p.v - 5)]));
+          p, short_blocks(lists[static_cast<std::size_t>(p.v - 5)]));
     }
     return std::make_unique<TriplesSource>(p);
   }

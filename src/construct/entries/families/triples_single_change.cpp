@@ -9,8 +9,6 @@
 namespace changeover {
 namespace {
 
-using detail::ListedMinimum;
-
 constexpr std::array<ListedMinimum, 5> linear{{
     {4, "012 023 123"},
     {5, "012 023 234 134 014"},
@@ -35,7 +33,7 @@ constexpr Description description{
     .cited = "WallisYucasZhang1993",
 };
 
-class TriplesSingleChange final : public detail::ExtendedMinima {
+class TriplesSingleChange final : public ExtendedMinima {
  public:
   TriplesSingleChange() : ExtendedMinima(description, 3, linear, circular) {}
 };

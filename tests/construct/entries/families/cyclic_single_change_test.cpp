@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/construct/cyclic.hpp"
-#include "changeover/verify/interval_difference.hpp"
+#include "changeover/verify/difference.hpp"
+#include "construct/tools/cyclic.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/verify/interval_difference.hpp"
+#include "changeover/verify/difference.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover {

@@ -18,10 +18,41 @@
 #include <memory>
 #include <string>
 #include <string_view>
-
-#include "changeover/io/sink.hpp"
+#include <utility>
 
 namespace changeover {
+
+// Where writers put their bytes: a file (io/output.hpp), a string, or something of your own.
+//
+//     StringSink sink;
+//     write_text(design, sink);
+//     sink.text();
+
+/// A place for bytes. Writers hand over large pieces, so a virtual call costs nothing.
+class Sink {
+ public:
+  virtual ~Sink() = default;
+
+  /// Takes all of `bytes`. @throws MissingResource if they cannot be stored.
+  virtual void write(std::string_view bytes) = 0;
+
+ protected:
+  Sink() = default;
+  Sink(const Sink&) = default;
+  Sink& operator=(const Sink&) = default;
+};
+
+/// A string that grows.
+class StringSink final : public Sink {
+ public:
+  void write(std::string_view bytes) override { text_.append(bytes); }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+  [[nodiscard]] std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
 
 /// A buffered output file; not copyable, not shared between threads.
 class OutputFile final : public Sink {

@@ -1,4 +1,4 @@
-#include "peers/load_orders.hpp"
+#include "load_orders.hpp"
 
 #include <algorithm>
 #include <list>

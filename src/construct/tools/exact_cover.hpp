@@ -35,15 +35,9 @@
 #include <span>
 #include <vector>
 
-namespace changeover {
+#include "changeover/construct/expansion.hpp"
 
-/// How far a search may go; by default, to the end.
-struct SearchLimits {
-  /// At most so many nodes. A search that needs exactly so many is complete.
-  std::optional<std::uint64_t> nodes;
-  /// Asked before the first node and then every 256 nodes; true ends the search.
-  std::function<bool()> stop;
-};
+namespace changeover {
 
 /// Why a search ended: it had seen everything; it reached SearchLimits::nodes (or a count left 64
 /// bits); the caller ended it, by `stop` or by what `visit` returned.

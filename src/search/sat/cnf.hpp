@@ -16,8 +16,8 @@
 #include <string>
 #include <vector>
 
-#include "changeover/io/sink.hpp"
-#include "changeover/search/cnf_size.hpp"
+#include "changeover/io/output.hpp"
+#include "search/sat/cnf_size.hpp"
 
 namespace changeover {
 

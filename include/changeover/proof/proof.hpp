@@ -3,7 +3,8 @@
 //     std::ifstream cnf("a.cnf"), proof("a.drat");
 //     ProofVerdict verdict = check_proof(cnf, "a.cnf", proof, "a.drat");
 //     verdict.verified();          // the formula is unsatisfiable
-//     verdict.line, verdict.reason // otherwise: the first line that does not follow, and why
+//     verdict.line;                // otherwise: the first line that does not follow,
+//     verdict.reason;              // and why
 //
 // A proof is a list of clauses, each of which may be added to the formula without making a satisfiable
 // one unsatisfiable, until a contradiction is plain; and of clauses that are dropped because they are not
@@ -23,6 +24,7 @@
 #include <functional>
 #include <istream>
 #include <string>
+#include <vector>
 
 namespace changeover {
 
@@ -74,5 +76,23 @@ struct ProofVerdict {
 [[nodiscard]] ProofVerdict check_proof_files(const std::string& cnf_path,
                                              const std::string& proof_path,
                                              const ProofOptions& options = {});
+
+// Do some cubes leave nothing out?
+//
+//     cubes_cover_everything({{1}, {-1, 2}, {-1, -2}});      // true
+//     cubes_cover_everything({{1}, {-1, 2}});                // false: −1 −2 is missing
+//
+// A cube is a list of literals that are all to hold. If a formula has no solution in any of some cubes, and
+// every assignment lies in one of these, then it has no solution at all: that is what allows a
+// search to be split, each part with a proof of its own.
+
+/// Literals that hold together: ±1, ±2, …
+using Cube = std::vector<std::int32_t>;
+
+/// Whether each assignment of the variables satisfies all the literals of at least one cube. Splits on
+/// a variable of the shortest cube: linear in the total length of the cubes of a binary tree for each of
+/// its levels, exponential at worst.
+/// @throws BadInput if a literal is 0 or a cube contradicts itself.
+[[nodiscard]] bool cubes_cover_everything(const std::vector<Cube>& cubes);
 
 }  // namespace changeover

@@ -32,17 +32,11 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/search/cnf.hpp"
-#include "changeover/search/cnf_size.hpp"
+#include "changeover/search/exact.hpp"
+#include "search/sat/cnf.hpp"
+#include "search/sat/cnf_size.hpp"
 
 namespace changeover {
-
-/// Which clauses beyond the definition are added; the default is what was measured to be best.
-struct EncodingOptions {
-  bool order = true;
-  bool degrees = true;
-  std::uint64_t budget = 4;  ///< count repetitions if at most so many are possible; see above
-};
 
 class DesignFormula {
  public:

@@ -1,6 +1,6 @@
 // How large a formula is, counted before it is built, and the memory that it takes to decide it.
 //
-//     CnfSize size = design_formula_size(p, b);                       // search/exact_encoding.hpp
+//     CnfSize size = design_formula_size(p, b);                       // search/exact/exact_encoding.hpp
 //     size += exactly_size(30, 5);                                    // search/sat/cardinality.hpp
 //     control.require_memory(solving_bytes(size, {.proof = true}), "the formula of DCCD(60,5)");
 //
@@ -14,7 +14,7 @@
 
 namespace changeover {
 
-/// The largest formula that search/cnf.hpp holds.
+/// The largest formula that search/sat/cnf.hpp holds.
 inline constexpr std::uint64_t most_variables = 100'000'000;
 inline constexpr std::uint64_t most_literals = std::uint64_t{1} << 31;
 

@@ -1,0 +1,73 @@
+// Everything that this library offers, in one line.
+//
+//     check(Parameters{.v = 61, .k = 4});
+//     std::cout << version << '\n';
+//
+// What is included here is the public door: these headers include each other, the standard library and nothing else, and what
+// they do not show may change at any time. Whoever needs one room only includes its headers, which compile faster.
+//
+//   core         parameters, blocks and designs, recipes, faults
+//   run          limits, stop and progress of all that takes long
+//   verify       the verdict on a list of blocks
+//   bounds       how few blocks there can be
+//   construct    designs by recipe: the registry, recursions, plans of whole ranges
+//   io           files in and out, tables and pictures
+//   isomorphism  the same up to names, and the groups
+//   proof        checked proofs that there is none
+//   search       designs that are found, and proofs that there are none
+//   plan         run sheets for experiments
+//   loadorder    load orders, and all-pairs jobs that run them
+#pragma once
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/expansion.hpp"
+#include "changeover/construct/one_factorization.hpp"
+#include "changeover/construct/partial_expansion.hpp"
+#include "changeover/construct/planner.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/bit_scan.hpp"
+#include "changeover/core/block.hpp"
+#include "changeover/core/checked.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/core/developed.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/core/interval_base_blocks.hpp"
+#include "changeover/core/pair_set.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/core/printable.hpp"
+#include "changeover/core/recipe.hpp"
+#include "changeover/core/transitions.hpp"
+#include "changeover/core/version.hpp"
+#include "changeover/io/figures.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/io/input.hpp"
+#include "changeover/io/output.hpp"
+#include "changeover/io/tables.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
+#include "changeover/loadorder/changeover_loadorder.h"
+#include "changeover/loadorder/job_results.hpp"
+#include "changeover/loadorder/load_check.hpp"
+#include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/prefetch.hpp"
+#include "changeover/loadorder/workers.hpp"
+#include "changeover/plan/cost_bound.hpp"
+#include "changeover/plan/job.hpp"
+#include "changeover/plan/run_plan.hpp"
+#include "changeover/plan/run_sheet.hpp"
+#include "changeover/plan/sheet_formats.hpp"
+#include "changeover/proof/proof.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/search/base_block_search.hpp"
+#include "changeover/search/base_block_shape.hpp"
+#include "changeover/search/enumeration.hpp"
+#include "changeover/search/exact.hpp"
+#include "changeover/search/local_search.hpp"
+#include "changeover/search/minima_table.hpp"
+#include "changeover/search/minimum_search.hpp"
+#include "changeover/search/ordering.hpp"
+#include "changeover/search/repair.hpp"
+#include "changeover/verify/difference.hpp"
+#include "changeover/verify/verdict.hpp"

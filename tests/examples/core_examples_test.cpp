@@ -1,0 +1,129 @@
+// The examples of the headers of core/, as they stand there.
+#include <iostream>
+
+#include "example_support.hpp"
+
+namespace changeover::test {
+namespace {
+
+TEST(CoreExamples, BitScan) {
+  std::vector<std::uint64_t> seen;
+  std::vector<std::uint64_t> words{0b1010};
+  EXPECT_EQ(count_bits(words), 2U);
+  for_each_bit(words, 0, 64, 10, [&](std::uint64_t place) { seen.push_back(place); });
+  EXPECT_THAT(seen, ElementsAre(1U, 3U));
+}
+
+TEST(CoreExamples, Block) {
+  const Design design = three_blocks();
+  DesignSource source(design);
+  StandardOutput output;
+  std::vector<Element> block(source.parameters().k);
+  while (source.next(block)) {
+    std::cout << block.front() << '\n';  // or whatever is to be done with a block
+  }
+  EXPECT_EQ(output.take(), "0\n4\n4\n");
+}
+
+TEST(CoreExamples, Checked) {
+  const std::uint64_t v = 61;
+  const std::uint64_t k = 4;
+  std::uint64_t pairs = binomial(v, 2);  // throws rather than wraps
+  std::uint64_t b = ceil_div(pairs, 2 * k - 3);
+  EXPECT_EQ(b, 366U);
+  EXPECT_THROW((void)binomial(std::uint64_t{1} << 60, 2), ImpossibleParameters);
+}
+
+TEST(CoreExamples, Design) {
+  Design design(Parameters{.v = 6, .k = 4, .kind = Kind::circular},
+                std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 0, 1}});
+  EXPECT_THAT(design.block(1), ElementsAre(4U, 5U, 2U, 3U));
+  DesignSource source(design);  // the same as a stream
+  const Design again = read_all(source);
+  EXPECT_TRUE(std::ranges::equal(again.elements(), design.elements()));
+}
+
+TEST(CoreExamples, Developed) {
+  DevelopedSource source({{.v = 11, .k = 4, .kind = Kind::circular}, {{0, 1, 2, 5}}});
+  EXPECT_EQ(source.block_count(), 11U);
+  EXPECT_TRUE(verify(source).tight());
+}
+
+class CoreExampleFiles : public InAFolder {};
+
+TEST_F(CoreExampleFiles, Error) {
+  put("mine.txt", "0 1 2\n0 1 1\n");
+  testing::internal::CaptureStderr();
+  try {
+    Design design = read_design("mine.txt");
+  } catch (const BadInput& fault) {     // the file or the number that was given
+    std::cerr << fault.what() << '\n';  // one line: what, where, how to mend it
+  }
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::StartsWith("mine.txt:2:"));
+}
+
+TEST(CoreExamples, IntervalBaseBlocks) {
+  IntervalBaseBlocks base{{.v = 21, .k = 4, .kind = Kind::circular}, 0, 2, {4, 12, 2, 7}};
+  IntervalDevelopedSource source(base);  // the 42 blocks
+  EXPECT_EQ(source.block_count(), 42U);
+  EXPECT_TRUE(verify_differences(base).tight);
+  EXPECT_TRUE(verify(source).tight());
+}
+
+TEST(CoreExamples, PairSet) {
+  const std::uint64_t v = 10;
+  std::vector<std::pair<Element, Element>> printed;
+  const auto print = [&](Element x, Element y) { printed.emplace_back(x, y); };
+  PairSet covered(v);
+  covered.insert(3, 7);
+  EXPECT_EQ(covered.missing(), 44U);
+  covered.for_each_missing(20, print);
+  EXPECT_THAT(printed, SizeIs(20));
+  EXPECT_EQ(printed.back(), std::pair(Element{4}, Element{6}));
+}
+
+TEST(CoreExamples, Parameters) {
+  Parameters p{.v = 61, .k = 4, .change = 2, .kind = Kind::circular};
+  check(p);                            // throws when no such list of blocks could be written down
+  auto g2 = newly_covered_at_most(p);  // 2k − 3 = 5 pairs a block
+  EXPECT_EQ(g2, 5U);
+}
+
+TEST(CoreExamples, Printable) {
+  EXPECT_EQ(printable("B\x1b[2J.txt"), "B\\x1b[2J.txt");
+  EXPECT_THAT(printable("B\x1b[2J.txt"), SizeIs(12));
+  EXPECT_EQ(printable("a\nb"), "a\\nb");
+  EXPECT_EQ(printable("\xff"), "\\xff");
+  EXPECT_TRUE(is_printable("∞_s"));
+}
+
+TEST(CoreExamples, Recipe) {
+  Recipe cyclic{"cyclic-paper", {.v = 7, .k = 3, .kind = Kind::circular}, {{"c", 1}}, {}, {}};
+  Recipe recipe{"expansion", {.v = 15, .k = 3, .kind = Kind::circular}, {{"w", 8}}, {cyclic}, {}};
+  EXPECT_TRUE(verify(*Registry::standard().build(recipe)).tight());
+}
+
+TEST(CoreExamples, Transitions) {
+  const Design design = three_blocks();
+  std::vector<Block> drawn;
+  const auto draw = [&](std::span<const Element> block, std::span<const Element> introduced,
+                        std::span<const Element> leaving) {
+    EXPECT_THAT(block, SizeIs(4));
+    EXPECT_THAT(leaving, SizeIs(2));
+    drawn.emplace_back(introduced.begin(), introduced.end());
+  };
+  DesignSource source(design);
+  for (Transitions steps(source); steps.next();) {
+    draw(steps.block(), steps.introduced(), steps.leaving());
+  }
+  EXPECT_THAT(drawn, ElementsAre(Block{2, 3}, Block{4, 5}, Block{0, 1}));
+}
+
+TEST(CoreExamples, Version) {
+  StandardOutput output;
+  std::cout << changeover::version << '\n';
+  EXPECT_THAT(output.take(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+}  // namespace
+}  // namespace changeover::test

@@ -1,0 +1,179 @@
+// The examples of the headers of loadorder/, as they stand there.
+#include <atomic>
+#include <iostream>
+
+#include "example_support.hpp"
+
+extern "C" std::uint64_t steps_of_c_example(void);
+
+namespace changeover::test {
+namespace {
+
+class LoadOrderExamples : public InAFolder {};
+
+TEST_F(LoadOrderExamples, AllPairs) {
+  put("vectors.f32", "");
+  std::filesystem::resize_file("vectors.f32", 64 << 20);
+  std::atomic<int> calls = 0;
+  const auto gram = [&](std::span<const std::byte> a, std::span<const std::byte> b) {
+    EXPECT_EQ(a.size(), b.size());
+    ++calls;
+  };
+  FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});
+  PrefetchPlan plan = plan_prefetch(file.item_count(), room_for(file, 512 << 20));
+  AllPairsReport report = all_pairs(
+      file, plan.order,
+      [&](const PairWork& pair) {
+        gram(pair.first.bytes, pair.second.bytes);  // first = second: the pairs within one item
+      },
+      {.threads = 2, .read_ahead = plan.spare, .journal = "job.journal"});
+  EXPECT_TRUE(report.finished);
+  EXPECT_EQ(calls, 3);
+}
+
+TEST_F(LoadOrderExamples, ItemSource) {
+  put("vectors.f32", "");
+  std::filesystem::resize_file("vectors.f32", (70 << 20) + 1);
+  FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});  // items of 32 MiB
+  EXPECT_EQ(file.item_count(), 3U);
+}
+
+class Distances final : public JobResults {
+ public:
+  std::string describe() const override { return "distances.f64, 300 rows of 300"; }
+  void open(const ResultsClaim& claim) override { file_.open(300 * 300 * 8, claim); }
+  Checksum checksum(const StepPairs& done) override;  // of what file_ holds for these pairs
+  void sync() override { file_.sync(); }
+
+ private:
+  ResultFile file_{"distances.f64"};
+};
+
+Checksum Distances::checksum(const StepPairs& done) {
+  Sha256 hash;
+  for (const auto& [x, y] : done.pairs) {
+    double distance = 0;
+    file_.read(&distance, sizeof distance, (x * std::uint64_t{300} + y) * sizeof distance);
+    hash.add(&distance, sizeof distance);
+  }
+  return hash.finish();
+}
+
+TEST_F(LoadOrderExamples, JobResults) {
+  Distances distances;
+  distances.open({sha256("a job"), {0, 1}});
+  distances.sync();
+  const std::vector<ItemPair> pairs = {{0, 0}, {0, 299}};
+  EXPECT_EQ(distances.checksum({1, pairs}), sha256(std::string(16, '\0')));
+}
+
+TEST_F(LoadOrderExamples, Checksum) {
+  Sha256 hash;
+  hash.add("ab");
+  hash.add("c");
+  EXPECT_EQ(to_hex(hash.finish()),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST_F(LoadOrderExamples, LoadCheck) {
+  const std::uint64_t items = 64;
+  const std::uint64_t room = 16;
+  LoadOrder order = plan_load_order(items, room);
+  LoadCheck check(items, room);
+  LoadStep step;
+  while (order.next(step)) {
+    check.read(step);
+  }
+  LoadVerdict verdict = check.finish();
+  EXPECT_TRUE(verdict.valid());
+}
+
+TEST_F(LoadOrderExamples, LoadOrder) {
+  StandardOutput output;
+  LoadOrder order = plan_load_order(64, 16);
+  EXPECT_GE(order.facts().loads, order.facts().bound.loads);
+  EXPECT_EQ(order.facts().bound.loads, 143U);
+  LoadStep step;
+  while (order.next(step)) {  // one by one; nothing is kept
+    std::cout << step.number << ": " << step.load.size() << '\n';
+  }
+  EXPECT_THAT(output.take(), HasSubstr(std::to_string(order.facts().steps) + ": 1\n"));
+}
+
+TEST_F(LoadOrderExamples, LoadStep) {
+  LoadOrder source = plan_load_order(20, 5);
+  std::size_t there = 0;
+  const auto drop = [&](const std::vector<Element>& items) { there -= items.size(); };
+  const auto fetch = [&](const std::vector<Element>& items) { there += items.size(); };
+  LoadStep step;
+  while (source.next(step)) {
+    drop(step.evict);
+    fetch(step.load);
+    EXPECT_LE(there, 5U);
+  }
+}
+
+TEST_F(LoadOrderExamples, Improve) {
+  RunControl control({.time = std::chrono::seconds(1)});
+  LoadOrderOptions options;
+  options.improve = improve_by_search(control);
+  LoadOrder order = plan_load_order(37, 9, options);  // no more loads than without the search
+  EXPECT_LE(order.facts().loads, plan_load_order(37, 9).facts().loads);
+}
+
+TEST_F(LoadOrderExamples, Prefetch) {
+  std::vector<bool> there(64, false);
+  std::uint64_t computed = 0;
+  const auto compute = [&](const std::vector<ItemPair>& pairs) {
+    for (const auto& [x, y] : pairs) {
+      EXPECT_TRUE(there[x] && there[y]);
+      ++computed;
+    }
+  };
+  const auto set = [&](const std::vector<Element>& items, bool value) {
+    for (const Element x : items) {
+      there[x] = value;
+    }
+  };
+  const auto wait_for = [&](const std::vector<Element>& items) { set(items, true); };
+  const auto drop = [&](const std::vector<Element>& items) { set(items, false); };
+  const auto start_loads = [&](const std::vector<Element>& items) { set(items, false); };
+  PrefetchPlan plan = plan_prefetch(64, 16);
+  PrefetchSchedule schedule(plan.order.stream(), 64, 16);
+  PrefetchStep step, next;
+  for (bool more = schedule.next(step); more; std::swap(step, next)) {
+    wait_for(step.load);   // these loads were started in the step before
+    compute(step.before);  // all pairs with what has to go first
+    next = {};
+    more = schedule.next(next);
+    drop(next.evict_first);
+    start_loads(next.load);
+    compute(step.overlap);  // meanwhile
+    drop(next.evict_late);
+  }
+  EXPECT_EQ(computed, 64U * 63 / 2);
+}
+
+TEST_F(LoadOrderExamples, Workers) {
+  std::uint64_t busiest = 0;
+  WorkerSplit split = split_load_order(64, 16, 4);
+  EXPECT_GE(split.facts().makespan, split.facts().makespan_bound.loads);
+  for (std::uint64_t w = 0; w < 4; ++w) {
+    auto steps = split.stream(w);  // its steps, numbered from 1; the first loads a full memory
+    LoadStep step;
+    std::uint64_t loads = 0;
+    for (std::uint64_t number = 1; steps->next(step); ++number) {
+      EXPECT_EQ(step.number, number);
+      loads += step.load.size();
+    }
+    busiest = std::max(busiest, loads);
+  }
+  EXPECT_EQ(busiest, split.facts().makespan);
+}
+
+TEST_F(LoadOrderExamples, InC) {
+  EXPECT_EQ(steps_of_c_example(), plan_load_order(64, 16).facts().steps);
+}
+
+}  // namespace
+}  // namespace changeover::test

@@ -1,0 +1,116 @@
+// The examples of the headers of plan/, as they stand there.
+#include <iostream>
+
+#include "example_support.hpp"
+
+namespace changeover::test {
+namespace {
+
+TEST(PlanExamples, CostBound) {
+  CostBound bound = cost_bound(make_job(9, 3, parse_amount("10"), parse_amount("1")));
+  EXPECT_EQ(to_string(bound.cost), "145");
+  EXPECT_EQ(bound.tests, 12U);
+  EXPECT_THAT(bound.reason, HasSubstr("12 tests with 25 changes"));
+}
+
+TEST(PlanExamples, Job) {
+  Job job = make_job(9, 3, parse_amount("1"), parse_amount("5"));  // nine parts, three at a time
+  job.never.insert(2, 7);                                          // these two must not meet …
+  job.needed = all_pairs_but(job.never);                           // … and all others must
+  check(job);
+  EXPECT_EQ(job.needed.size(), 35U);
+}
+
+TEST(PlanExamples, Amount) {
+  const Amount test = parse_amount("1.25");
+  EXPECT_EQ(to_string(test * 12 + parse_amount("0.5")), "15.50");
+  EXPECT_EQ(to_string(parse_amount("3")), "3");
+}
+
+TEST(PlanExamples, ReadJob) {
+  const std::string bench = R"(
+    # bench.csv
+    component,change cost
+    Pump A,12.50
+    "Valve, large",8
+    Motor,3
+)";
+  const std::string pairs = R"(
+    # pairs.csv
+    Pump A,Motor
+    1,2
+)";
+  const std::string done = R"(
+    # done.csv
+    Pump A,Motor
+    2,3
+)";
+  const PartList parts = read_parts(*input_from_text(without_margin(bench)));
+  EXPECT_THAT(parts.names, ElementsAre("Pump A", "Valve, large", "Motor"));
+  EXPECT_EQ(parts.change_costs[0], parse_amount("12.50"));
+  const PairSet needed = read_pairs(*input_from_text(without_margin(pairs)), parts.names);
+  EXPECT_TRUE(needed.contains(0, 2) && needed.contains(0, 1));
+  EXPECT_THAT(read_setups(*input_from_text(without_margin(done)), parts.names),
+              ElementsAre(Block{0, 2}, Block{1, 2}));
+}
+
+TEST(PlanExamples, RunPlan) {
+  StandardOutput output;
+  RunControl control({.time = std::chrono::seconds(10)});
+  RunPlan plan = make_run_plan(make_job(9, 3, parse_amount("1"), parse_amount("5")), {}, control);
+  EXPECT_GE(plan.sheet.cost, plan.bound.cost);
+  for (const Candidate& c : plan.candidates) {  // cheapest first: the first one is the sheet
+    std::cout << c.name << ": " << to_string(c.cost) << '\n';
+  }
+  EXPECT_THAT(output.take(), HasSubstr(": " + to_string(plan.sheet.cost) + "\n"));
+  EXPECT_EQ(plan.candidates.front().cost, plan.sheet.cost);
+}
+
+TEST(PlanExamples, WhatIf) {
+  const Job job = make_job(6, 3, parse_amount("1"), parse_amount("5"));
+  RunControl control({.time = std::chrono::seconds(10)});
+  const PlanOptions few{.steps = 1000, .attempts = 1, .design_moves = 1000};
+  const RunPlan plan = make_run_plan(job, few, control);
+  control.stop(WhyStopped::found);
+  StandardOutput output;
+  WhatIf answer = what_if(job, plan, {}, control);
+  for (const WhatIf::Range& range : answer.ranges) {  // by ratio, without gaps
+    std::cout << range.plan.name << (range.to ? " up to " + range.to->to_string() : "") << '\n';
+  }
+  const std::string lines = output.take();
+  ASSERT_FALSE(answer.ranges.empty());
+  EXPECT_FALSE(answer.ranges.front().from);
+  EXPECT_FALSE(answer.ranges.back().to);
+  EXPECT_EQ(std::ranges::count(lines, '\n'), std::ssize(answer.ranges));
+}
+
+TEST(PlanExamples, RunSheet) {
+  const Job job = make_job(4, 2, parse_amount("1"), parse_amount("5"));
+  const std::vector<Block> setups{{0, 1}, {0, 2}, {0, 3}, {1, 3}, {1, 2}, {3, 2}};
+  RunSheet sheet = run_sheet(job, setups);
+  EXPECT_TRUE(sheet.does_the_job());
+  EXPECT_THAT(sheet.steps[3].put_in, ElementsAre(1U));
+  EXPECT_EQ(to_string(sheet.cost), "41");
+}
+
+TEST(PlanExamples, SheetFormats) {
+  Job job = make_job(3, 2, parse_amount("5"), parse_amount("1"));
+  job.names = {"Pump A", "Valve 2", "Motor, small"};
+  RunPlan plan;
+  plan.sheet = run_sheet(job, {{0, 1}, {0, 2}, {1, 2}});
+  plan.bound = cost_bound(job);
+  SheetDocument document{.job = &job, .plan = &plan, .title = "Pump bench"};
+  EXPECT_THAT(sheet_as_table(document, 100), HasSubstr("Pump bench"));
+  EXPECT_THAT(sheet_as_html(document), HasSubstr("class=\"box\""));
+  const std::string example = R"(
+    step,take_out,put_in,slot_1,slot_2,new_pairs,cost,cost_so_far
+    2,Valve 2,"""Motor, small""",Pump A,"Motor, small",1,6,13
+)";
+  std::istringstream lines(without_margin(example));
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_THAT(sheet_as_csv(document), HasSubstr(line + "\n"));
+  }
+}
+
+}  // namespace
+}  // namespace changeover::test

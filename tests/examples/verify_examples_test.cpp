@@ -1,0 +1,52 @@
+// The examples of the headers of verify/, as they stand there.
+#include "example_support.hpp"
+
+namespace changeover::test {
+namespace {
+
+TEST(VerifyExamples, Difference) {
+  DifferenceVerdict verdict = verify_differences({{.v = 11, .k = 4}, {{0, 1, 2, 5}}});
+  EXPECT_TRUE(verdict.valid() && verdict.tight);
+  EXPECT_EQ(verdict.b, 11U);
+}
+
+TEST(VerifyExamples, IntervalDifference) {
+  IntervalBaseBlocks base{{.v = 21, .k = 4, .kind = Kind::circular}, 0, 2, {4, 12, 2, 7}};
+  DifferenceVerdict verdict = verify_differences(base);
+  EXPECT_TRUE(verdict.valid() && verdict.tight);
+  EXPECT_EQ(verdict.b, 42U);
+}
+
+TEST(VerifyExamples, Verdict) {
+  const Design design(Parameters{.v = 6, .k = 4},
+                      std::vector<Block>{{0, 1, 2, 3}, {4, 5, 2, 3}, {4, 5, 2, 0}});
+  DesignSource source(design);
+  Verdict verdict = verify(source);
+  EXPECT_FALSE(verdict.valid());
+  if (!verdict.valid()) {
+    EXPECT_EQ(verdict.bad_steps, 1U);
+    EXPECT_EQ(verdict.bad_step_examples.front().from, 2U);
+    EXPECT_EQ(verdict.uncovered, 2U);
+    EXPECT_THAT(verdict.uncovered_examples, ElementsAre(Block{1, 4}, Block{1, 5}));
+  }
+}
+
+TEST(VerifyExamples, RunningVerdict) {
+  const Design design = three_blocks();
+  DesignSource source(design);
+  const Parameters& parameters = source.parameters();
+  Block block(parameters.k);
+  std::vector<Block> written;
+  const auto write = [&](const Block& next) { written.push_back(next); };
+  RunningVerdict running(parameters);
+  while (source.next(block)) {
+    running.add(block);
+    write(block);
+  }
+  Verdict verdict = running.finish();
+  EXPECT_TRUE(verdict.valid());
+  EXPECT_THAT(written, SizeIs(3));
+}
+
+}  // namespace
+}  // namespace changeover::test
