@@ -214,8 +214,8 @@ TEST_P(OneBlockSize, RefusesSpoiltRecipes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, OneBlockSize, testing::ValuesIn(families), [](const auto& info) {
-  std::string name = info.param.entry;
+INSTANTIATE_TEST_SUITE_P(Families, OneBlockSize, testing::ValuesIn(families), [](const auto& one) {
+  std::string name = one.param.entry;
   std::erase(name, '-');
   return name;
 });

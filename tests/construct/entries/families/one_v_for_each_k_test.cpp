@@ -81,8 +81,8 @@ TEST_P(OneVForEachK, RefusesSpoiltRecipes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, OneVForEachK, testing::ValuesIn(families), [](const auto& info) {
-  std::string name = info.param.entry;
+INSTANTIATE_TEST_SUITE_P(Families, OneVForEachK, testing::ValuesIn(families), [](const auto& one) {
+  std::string name = one.param.entry;
   std::erase(name, '-');
   return name;
 });
