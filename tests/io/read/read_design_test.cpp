@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "changeover/core/printable.hpp"
 #include "changeover/io/csv.hpp"
 #include "changeover/io/json.hpp"
 #include "changeover/io/text.hpp"
