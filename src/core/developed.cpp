@@ -30,20 +30,20 @@ DevelopedSource::DevelopedSource(BaseBlocks base) : base_(std::move(base)) {
   }
 }
 
-bool DevelopedSource::next(std::span<Element> block) {
-  if (shift_ == base_.parameters.v) {
-    return false;
+std::span<const Element> DevelopedSource::read(std::span<Element> room) {
+  const std::uint64_t v = base_.parameters.v;
+  std::size_t filled = 0;
+  while (shift_ < v && room.size() - filled >= base_.parameters.k) {
+    for (const Element x : base_.blocks[which_]) {
+      const std::uint64_t sum = x + shift_;
+      room[filled++] = static_cast<Element>(sum >= v ? sum - v : sum);
+    }
+    if (++which_ == base_.blocks.size()) {
+      which_ = 0;
+      ++shift_;
+    }
   }
-  const Block& base = base_.blocks[which_];
-  for (std::size_t i = 0; i < base.size(); ++i) {
-    const std::uint64_t sum = base[i] + shift_;
-    block[i] = static_cast<Element>(sum >= base_.parameters.v ? sum - base_.parameters.v : sum);
-  }
-  if (++which_ == base_.blocks.size()) {
-    which_ = 0;
-    ++shift_;
-  }
-  return true;
+  return room.first(filled);
 }
 
 }  // namespace changeover

@@ -1,6 +1,7 @@
 // Reading and verifying blocks while listening to the scope of this thread (run/scope.hpp).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -22,14 +23,17 @@ class ListeningSource final : public BlockSource {
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
     return source_->block_count();
   }
-  bool next(std::span<Element> block) override {
+  std::span<const Element> read(std::span<Element> room) override {
     // A long block is asked about every time, short ones now and then.
-    elements_ += block.size();
-    if (elements_ >= elements_between_questions) {
+    const auto k = static_cast<std::size_t>(parameters().k);
+    const std::size_t blocks = std::max<std::size_t>(1, elements_between_questions / k);
+    room = room.first(std::min(room.size(), blocks * k));
+    elements_ += room.size();
+    if (elements_ >= blocks * k) {
       elements_ = 0;
       stop_if_asked();
     }
-    return source_->next(block);
+    return source_->read(room);
   }
   bool rewind() override { return source_->rewind(); }
 

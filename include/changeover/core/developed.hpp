@@ -33,7 +33,7 @@ class DevelopedSource final : public BlockSource {
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
     return base_.block_count();
   }
-  bool next(std::span<Element> block) override;
+  std::span<const Element> read(std::span<Element> room) override;
   bool rewind() override {
     which_ = 0;
     shift_ = 0;

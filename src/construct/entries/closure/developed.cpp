@@ -61,7 +61,7 @@ Permutation permutation_of(const Recipe& recipe, const Construction& constructio
   return pi;
 }
 
-class PermutedSource final : public BlockSource {
+class PermutedSource final : public BlockByBlock<PermutedSource> {
  public:
   // The list checks its blocks; it is read once for each power of π.
   PermutedSource(const Recipe& recipe, const Permutation& pi)
@@ -71,16 +71,16 @@ class PermutedSource final : public BlockSource {
 
   std::optional<std::uint64_t> block_count() const override { return *base_.block_count() * pi_.n; }
 
-  bool next(std::span<Element> block) override {
+  bool make(std::span<Element> block) {
     if (power_ == pi_.n) {
       return false;
     }
-    if (!base_.next(block)) {
+    if (!base_.make(block)) {
       (void)base_.rewind();
       add_ += pi_.shift;
       add_ -= add_ >= pi_.n ? pi_.n : 0;
       ++power_;
-      return next(block);
+      return make(block);
     }
     const std::uint64_t moved = parameters().v - pi_.fixed;
     for (Element& x : block) {
