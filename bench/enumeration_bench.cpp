@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/search/enumeration.hpp"
 #include "paired.hpp"
 

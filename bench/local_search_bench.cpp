@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/checked.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "paired.hpp"
 #include "search/local/anneal.hpp"

@@ -1,6 +1,6 @@
 #include "bounds/counting_bound.hpp"
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 

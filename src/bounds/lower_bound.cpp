@@ -7,7 +7,7 @@
 
 #include "bounds/degree_program.hpp"
 #include "bounds/known_minima.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

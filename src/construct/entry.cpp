@@ -41,21 +41,22 @@ class MappedSource final : public BlockSource {
   using Map = std::function<void(std::span<const Element> from, std::span<Element> to)>;
 
   MappedSource(const Parameters& parameters, std::unique_ptr<BlockSource> source, Map map)
-      : parameters_(parameters),
-        source_(std::move(source)),
-        map_(std::move(map)),
-        from_(static_cast<std::size_t>(source_->parameters().k)) {}
+      : parameters_(parameters), source_(std::move(source)), map_(std::move(map)) {}
 
   [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
     return source_->block_count();
   }
-  bool next(std::span<Element> block) override {
-    if (!source_->next(from_)) {
-      return false;
+  std::span<const Element> read(std::span<Element> room) override {
+    const auto k = static_cast<std::size_t>(parameters_.k);
+    const auto small_k = static_cast<std::size_t>(source_->parameters().k);
+    from_.resize(room.size() / k * small_k);
+    const std::span<const Element> blocks = source_->read(from_);
+    std::size_t filled = 0;
+    for (std::size_t at = 0; at < blocks.size(); at += small_k, filled += k) {
+      map_(blocks.subspan(at, small_k), room.subspan(filled, k));
     }
-    map_(from_, block);
-    return true;
+    return room.first(filled);
   }
   bool rewind() override { return source_->rewind(); }
 
@@ -63,10 +64,10 @@ class MappedSource final : public BlockSource {
   Parameters parameters_;
   std::unique_ptr<BlockSource> source_;
   Map map_;
-  Block from_;
+  std::vector<Element> from_;
 };
 
-class NumberedSource final : public BlockSource {
+class NumberedSource final : public BlockByBlock<NumberedSource> {
  public:
   using Write = std::function<void(std::uint64_t number, std::span<Element> block)>;
 
@@ -75,7 +76,7 @@ class NumberedSource final : public BlockSource {
 
   [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override { return count_; }
-  bool next(std::span<Element> block) override {
+  bool make(std::span<Element> block) {
     if (number_ == count_) {
       return false;
     }
@@ -315,7 +316,7 @@ BlockListSource::BlockListSource(const Parameters& parameters, std::vector<Block
   }
 }
 
-bool BlockListSource::next(std::span<Element> block) {
+bool BlockListSource::make(std::span<Element> block) {
   if (position_ == blocks_.size()) {
     return false;
   }

@@ -191,7 +191,7 @@ void blow_up(std::span<const Element> from, std::uint64_t copies, std::span<Elem
     std::function<void(std::uint64_t number, std::span<Element> block)> write);
 
 /// A stream that owns its list of blocks.
-class BlockListSource final : public BlockSource {
+class BlockListSource final : public BlockByBlock<BlockListSource> {
  public:
   /// @throws BadInput unless `parameters` can be those of a design and each block has k distinct
   /// elements below v, at least one block. O(bk log k).
@@ -199,7 +199,7 @@ class BlockListSource final : public BlockSource {
 
   [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override { return blocks_.size(); }
-  bool next(std::span<Element> block) override;
+  bool make(std::span<Element> block);
   bool rewind() override {
     position_ = 0;
     return true;

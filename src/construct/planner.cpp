@@ -8,7 +8,7 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/closure.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"

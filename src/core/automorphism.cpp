@@ -1,6 +1,6 @@
 #include "changeover/core/automorphism.hpp"
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 

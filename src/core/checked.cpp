@@ -1,4 +1,4 @@
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -118,13 +118,12 @@ void Design::set_labels(std::vector<std::string> labels) {
   labels_ = std::move(labels);
 }
 
-bool DesignSource::next(std::span<Element> block) {
-  if (position_ >= design_->block_count()) {
-    return false;
-  }
-  const std::span<const Element> from = design_->block(position_++);
-  std::copy(from.begin(), from.end(), block.begin());
-  return true;
+std::span<const Element> DesignSource::read(std::span<Element> room) {
+  const std::span<const Element> rest = design_->elements().subspan(position_);
+  const auto k = static_cast<std::size_t>(design_->k());
+  const std::span<const Element> blocks = rest.first(std::min(rest.size(), room.size() / k * k));
+  position_ += blocks.size();
+  return blocks;
 }
 
 Design read_all(BlockSource& source) {
@@ -133,10 +132,7 @@ Design read_all(BlockSource& source) {
     // A claim from outside must not make us reserve memory that it does not fill.
     design.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(*count, 1U << 20)));
   }
-  Block block(source.parameters().k);
-  while (source.next(block)) {
-    design.append(block);
-  }
+  for_each_block(source, [&](std::span<const Element> block) { design.append(block); });
   return design;
 }
 

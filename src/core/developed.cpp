@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {
@@ -37,18 +37,20 @@ DevelopedSource::DevelopedSource(BaseBlocks base, const Automorphism& pi, std::u
   }
 }
 
-bool DevelopedSource::next(std::span<Element> block) {
-  if (times_ == pi_.n) {
-    return false;
+std::span<const Element> DevelopedSource::read(std::span<Element> room) {
+  const auto k = static_cast<std::size_t>(base_.parameters.k);
+  std::size_t filled = 0;
+  while (times_ < pi_.n && room.size() - filled >= k) {
+    pi_.image(base_.blocks[which_], power_, room.subspan(filled, k));
+    filled += k;
+    if (++which_ == base_.blocks.size()) {
+      which_ = 0;
+      ++times_;
+      power_ += shift_;
+      power_ -= power_ >= pi_.n ? pi_.n : 0;
+    }
   }
-  pi_.image(base_.blocks[which_], power_, block);
-  if (++which_ == base_.blocks.size()) {
-    which_ = 0;
-    ++times_;
-    power_ += shift_;
-    power_ -= power_ >= pi_.n ? pi_.n : 0;
-  }
-  return true;
+  return room.first(filled);
 }
 
 }  // namespace changeover

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {
@@ -95,24 +95,41 @@ IntervalDevelopedSource::IntervalDevelopedSource(IntervalBaseBlocks base)
   };
 }
 
-bool IntervalDevelopedSource::next(std::span<Element> block) {
+// Writes the points of base block which_, not shifted.
+void IntervalDevelopedSource::write_points(std::span<Element> points) {
+  constexpr std::uint64_t most_kept = std::uint64_t{1} << 16;
+  if (base_blocks_ > most_kept / points.size()) {
+    points_(which_, points);
+    return;
+  }
+  const std::size_t at = static_cast<std::size_t>(which_) * points.size();
+  if (at == kept_points_.size()) {
+    kept_points_.resize(at + points.size());
+    points_(which_, std::span(kept_points_).last(points.size()));
+  }
+  std::copy_n(kept_points_.begin() + static_cast<std::ptrdiff_t>(at), points.size(),
+              points.begin());
+}
+
+std::span<const Element> IntervalDevelopedSource::read(std::span<Element> room) {
   const std::uint64_t v = parameters_.v;
-  if (shift_ == v) {
-    return false;
-  }
   const auto modulo_v = [v](std::uint64_t sum) { return sum >= v ? sum - v : sum; };
+  const auto k = static_cast<std::size_t>(parameters_.k);
   const auto n = static_cast<std::size_t>(length_);
-  write_interval(modulo_v(start_ + shift_), v, block.first(n));
-  const std::span<Element> points = block.subspan(n, static_cast<std::size_t>(parameters_.k) - n);
-  points_(which_, points);
-  for (Element& x : points) {
-    x = static_cast<Element>(modulo_v(x + shift_));
+  std::size_t filled = 0;
+  for (; shift_ < v && room.size() - filled >= k; filled += k) {
+    write_interval(modulo_v(start_ + shift_), v, room.subspan(filled, n));
+    const std::span<Element> points = room.subspan(filled + n, k - n);
+    write_points(points);
+    for (Element& x : points) {
+      x = static_cast<Element>(modulo_v(x + shift_));
+    }
+    if (++which_ == base_blocks_) {
+      which_ = 0;
+      ++shift_;
+    }
   }
-  if (++which_ == base_blocks_) {
-    which_ = 0;
-    ++shift_;
-  }
-  return true;
+  return room.first(filled);
 }
 
 }  // namespace changeover

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {

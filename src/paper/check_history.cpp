@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "paper/checking.hpp"
 #include "paper/checks.hpp"
 #include "paper/enumeration.hpp"

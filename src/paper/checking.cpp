@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 

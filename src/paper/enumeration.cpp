@@ -6,7 +6,7 @@
 #include <numeric>
 #include <set>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <vector>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {

@@ -7,10 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "changeover/core/bit_scan.hpp"
 #include "changeover/core/block.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/parameters.hpp"
+#include "core/bit_scan.hpp"
 #include "verify/element_bits.hpp"
 
 namespace changeover {
@@ -64,10 +64,12 @@ class SubsetSet {
   // Visits the subsets whose bit is set after an exclusive or with `flip`.
   template <typename Visit>
   void scan(std::uint64_t flip, std::uint64_t limit, Visit&& visit) const {
-    for_each_bit(words_, flip, binomial(v_, t_), limit, [&](std::uint64_t place) {
+    const std::uint64_t end = binomial(v_, t_);
+    for (std::uint64_t place = next_bit(words_, 0, flip); place < end && limit > 0;
+         place = next_bit(words_, place + 1, flip), --limit) {
       const std::array<Element, max_strength> subset = subset_at(place);
       visit(std::span<const Element>(subset).first(t_));
-    });
+    }
   }
 
   // Chooses `left` − 1 more members from `from`, the largest first, and takes all smallest members below

@@ -8,7 +8,7 @@
 #include <new>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/run/scope.hpp"
@@ -61,54 +61,22 @@ class Verification {
         occurring_(std::move(occurring)),
         last_(static_cast<std::size_t>(p.v), 0),
         tracks_(static_cast<std::size_t>(p.v)),
-        arranged_(k_),
-        introduced_(k_),
+        surplus_(static_cast<std::size_t>(p.v), 0),
+        batch_(std::max<std::size_t>(1, 2048 / k_)),
+        arranged_(batch_ * k_),
+        kept_(batch_),
         left_(k_) {
     verdict_.parameters = p;
+    usually_covered_ = newly_covered(p.change);
   }
 
-  void add(std::span<const Element> block) {
-    ++verdict_.b;
-    const std::uint64_t now = verdict_.b + 1;  // so that 0 and 1 stand before every block
-    // Both stores are made and one counter advances: a branch would be mispredicted at every change.
-    Element* const kept = arranged_.data();
-    Element* const introduced = introduced_.data();
-    std::uint64_t* const left = left_.data();
-    std::uint64_t* const last_seen = last_.data();
-    const std::uint64_t v = p_.v;
-    std::size_t kept_count = 0;
-    std::size_t introduced_count = 0;
-    bool repeated = false;
-    for (const Element x : block) {
-      if (x >= v) {
-        throw BadInput(fmt::format("block {}: element {} is not below v = {}", verdict_.b, x, v));
-      }
-      const std::uint64_t last = last_seen[x];
-      const bool stays = last + 1 == now;
-      kept[kept_count] = x;
-      introduced[introduced_count] = x;
-      left[introduced_count] = last;
-      kept_count += stays ? 1 : 0;
-      introduced_count += stays ? 0 : 1;
-      repeated |= last == now;
-      last_seen[x] = now;
+  /// Blocks, one after another.
+  void add(std::span<const Element> blocks) {
+    while (!blocks.empty()) {
+      const std::size_t size = std::min(blocks.size(), arranged_.size());
+      add_batch(blocks.first(size));
+      blocks = blocks.subspan(size);
     }
-    if (repeated) {
-      refuse_repetition(block);
-    }
-    for (std::size_t i = 0; i < introduced_count; ++i) {
-      Track& track = tracks_[introduced[i]];
-      track.close_run(left[i]);
-      track.first = now;
-      kept[kept_count + i] = introduced[i];
-    }
-    if (verdict_.b == 1) {
-      first_.assign(block.begin(), block.end());
-    } else {
-      judge_step(verdict_.b - 1, verdict_.b, introduced_count, {kept, kept_count});
-    }
-    verdict_.covered += newly_covered(introduced_count);
-    occurring_.insert_new({kept, k_}, kept_count);
   }
 
   Verdict finish() {
@@ -131,21 +99,71 @@ class Verification {
   }
 
  private:
-  /// Where an element has been: closed runs of blocks, and where the run began that is open or was open
-  /// last. Blocks are told by verdict_.b + 1.
+  /// Where an element has been. A run of blocks from `first` to `last` counts last − first + 1, so what is
+  /// known of the sum when a run begins is all but its `last`, which last_ tells.
   struct Track {
-    std::uint64_t first = 0;
     std::uint64_t runs = 0;
-    std::uint64_t blocks = 0;
-    std::int64_t surplus = 0;  ///< covered pairs at x beyond m for each block that keeps it
-
-    void close_run(std::uint64_t last) {
-      if (last != 0) {
-        ++runs;
-        blocks += last - first + 1;
-      }
-    }
+    std::uint64_t length =
+        0;  ///< Σ(last − first) of the runs, less the last of the latest; may wrap
   };
+
+  // First what changes from block to block, in little memory; then the bits of the pairs, whose waiting for
+  // memory overlaps if nothing else stands between them.
+  void add_batch(std::span<const Element> blocks) {
+    Element* arranged = arranged_.data();
+    std::size_t* kept = kept_.data();
+    for (std::size_t at = 0; at < blocks.size(); at += k_, arranged += k_) {
+      *kept++ = add_block(blocks.subspan(at, k_), arranged);
+    }
+    for (std::size_t at = 0, i = 0; at < blocks.size(); at += k_, ++i) {
+      occurring_.insert_new({arranged_.data() + at, k_}, kept_[i]);
+    }
+  }
+
+  // Writes the kept elements of the block to `arranged`, then the introduced ones, and returns how many are
+  // kept.
+  std::size_t add_block(std::span<const Element> block, Element* arranged) {
+    const std::uint64_t number = ++verdict_.b;
+    const std::uint64_t now = number + 1;  // so that 0 and 1 stand before every block
+    std::uint64_t* const left = left_.data();
+    std::uint64_t* const last_seen = last_.data();
+    const std::uint64_t v = p_.v;
+    const std::size_t k = block.size();
+    std::size_t kept = 0;
+    std::size_t introduced_from = k;
+    bool repeated = false;
+    for (const Element x : block) {
+      if (x >= v) {
+        throw BadInput(fmt::format("block {}: element {} is not below v = {}", number, x, v));
+      }
+      const std::uint64_t last = last_seen[x];
+      last_seen[x] = now;
+      // Both stores are made, from the front and from the back, and one place advances: a branch would be
+      // mispredicted at every change.
+      const bool stays = last + 1 == now;
+      arranged[kept] = x;
+      arranged[introduced_from - 1] = x;
+      left[introduced_from - 1] = last;
+      kept += stays ? 1 : 0;
+      introduced_from -= stays ? 0 : 1;
+    }
+    for (std::size_t i = kept; i < k; ++i) {
+      Track& track = tracks_[arranged[i]];
+      track.length += left[i] - now;
+      ++track.runs;
+      repeated |= left[i] == now;  // it was in this block already, so it counted as introduced
+    }
+    if (repeated) {
+      refuse_repetition(block);
+    }
+    if (number == 1) {
+      first_.assign(block.begin(), block.end());
+    } else {
+      judge_step(number - 1, number, k - kept, {arranged, kept});
+    }
+    verdict_.covered += k - kept == p_.change ? usually_covered_ : newly_covered(k - kept);
+    return kept;
+  }
 
   [[noreturn]] void refuse_repetition(std::span<const Element> block) const {
     Block sorted(block.begin(), block.end());
@@ -170,8 +188,7 @@ class Verification {
         verdict_.bad_step_examples.push_back({from, to, changes});
       }
       for (const Element x : kept) {
-        tracks_[x].surplus +=
-            static_cast<std::int64_t>(changes) - static_cast<std::int64_t>(p_.change);
+        surplus_[x] += static_cast<std::int64_t>(changes) - static_cast<std::int64_t>(p_.change);
       }
     }
     if (options_.unchanged) {
@@ -181,12 +198,12 @@ class Verification {
 
   // Until here the first block counted as if nothing preceded it.
   void close_the_circle() {
-    for (std::size_t x = 0; x < tracks_.size(); ++x) {
-      tracks_[x].close_run(last_[x]);
-    }
     const std::uint64_t b = verdict_.b;
-    for (std::size_t x = 0; x < tracks_.size() && b > 0; ++x) {
-      if (tracks_[x].blocks == b) {
+    verdict_.elements.resize(tracks_.size());
+    for (std::size_t x = 0; x < tracks_.size(); ++x) {
+      const std::uint64_t blocks = tracks_[x].length + last_[x] + tracks_[x].runs;
+      verdict_.elements[x].blocks = blocks;
+      if (b > 0 && blocks == b) {
         verdict_.fixed.push_back(static_cast<Element>(x));
       }
     }
@@ -218,18 +235,16 @@ class Verification {
 
   void count_elements() {
     const bool pairs = p_.strength == 2;
-    verdict_.elements.resize(tracks_.size());
     for (std::size_t x = 0; x < tracks_.size(); ++x) {
-      const Track& track = tracks_[x];
       ElementCount& count = verdict_.elements[x];
-      count.introductions = track.runs;
-      count.blocks = track.blocks;
-      if (track.blocks == track.runs) {
+      count.introductions = tracks_[x].runs;
+      if (count.blocks == count.introductions) {
         verdict_.never_unchanged.push_back(static_cast<Element>(x));
       }
       if (pairs) {
-        count.covered = track.runs * (p_.k - 1) + (track.blocks - track.runs) * p_.change +
-                        static_cast<std::uint64_t>(track.surplus);
+        count.covered = count.introductions * (p_.k - 1) +
+                        (count.blocks - count.introductions) * p_.change +
+                        static_cast<std::uint64_t>(surplus_[x]);
       }
     }
     if (pairs && verdict_.b > 0) {
@@ -276,10 +291,15 @@ class Verification {
   Set occurring_;
   std::vector<std::uint64_t> last_;  // by element: the last block that holds it; 0: none yet
   std::vector<Track> tracks_;
-  std::vector<Element> arranged_;  // the kept elements of a block, then the introduced ones
-  std::vector<Element> introduced_;
+  std::vector<std::int64_t>
+      surplus_;        // by element: covered pairs beyond m for each block that keeps it
+  std::size_t batch_;  // blocks that are taken together
+  std::vector<Element>
+      arranged_;  // of each block of a batch the kept elements, then the introduced ones
+  std::vector<std::size_t> kept_;    // by block of a batch: the number of kept elements
   std::vector<std::uint64_t> left_;  // last_ of the introduced elements, before this block
   Block first_;
+  std::uint64_t usually_covered_ = 0;  // by a step with m changes
   SubsetHashes unchanged_;
   Verdict verdict_;
 };
@@ -329,45 +349,13 @@ class Pairs {
   ElementBits bits_;
 };
 
-/// Where reading blocks can stop: every few thousand elements.
-class StopPlace {
- public:
-  explicit StopPlace(std::size_t k) : every_(std::max<std::size_t>(1, 4096 / (k + 1))) {}
-
-  void pass() {
-    if (--left_ == 0) {
-      left_ = every_;
-      stop_if_asked();
-    }
-  }
-
- private:
-  std::size_t every_;
-  std::size_t left_ = 1;
-};
-
-/// Hands every block to `take`.
-void for_each_block(BlockSource& source, auto&& take) {
-  Block block(static_cast<std::size_t>(source.parameters().k));
-  StopPlace place(block.size());
-  while (source.next(block)) {
-    place.pass();
-    take(std::span<const Element>(block));
-  }
-}
-
-void for_each_block(const Design& design, auto&& take) {
-  StopPlace place(static_cast<std::size_t>(design.k()));
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    place.pass();
-    take(design.block(i));
-  }
-}
-
-template <typename Set, typename Blocks>
-Verdict run(Blocks& blocks, const Parameters& p, const VerifyOptions& options) {
+template <typename Set>
+Verdict run(BlockSource& blocks, const Parameters& p, const VerifyOptions& options) {
   Verification<Set> verification(p, options, Set(p));
-  for_each_block(blocks, [&](std::span<const Element> block) { verification.add(block); });
+  for_each_batch(blocks, [&](std::span<const Element> batch) {
+    stop_if_asked();
+    verification.add(batch);
+  });
   return verification.finish();
 }
 
@@ -391,17 +379,6 @@ MissingResource no_memory(const Parameters& p) {
       fmt::format("not enough memory to verify v = {}: it takes C(v,{}) bits", p.v, p.strength));
 }
 
-template <typename Blocks>
-Verdict judge(Blocks& blocks, const VerifyOptions& options) {
-  const Parameters p = blocks.parameters();
-  check_size(p);
-  try {
-    return p.strength == 2 ? run<Pairs>(blocks, p, options) : run<SubsetSet>(blocks, p, options);
-  } catch (const std::bad_alloc&) {
-    throw no_memory(p);
-  }
-}
-
 }  // namespace
 
 struct RunningVerdict::State {
@@ -409,14 +386,14 @@ struct RunningVerdict::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
   virtual ~State() = default;
-  virtual void add(std::span<const Element> block) = 0;
+  virtual void add(std::span<const Element> blocks) = 0;
   virtual Verdict finish() = 0;
 };
 
 template <typename Set>
 struct RunningVerdict::StateOf final : RunningVerdict::State {
   StateOf(const Parameters& p, const VerifyOptions& options) : verification(p, options, Set(p)) {}
-  void add(std::span<const Element> block) override { verification.add(block); }
+  void add(std::span<const Element> blocks) override { verification.add(blocks); }
   Verdict finish() override { return verification.finish(); }
 
   Verification<Set> verification;
@@ -437,19 +414,28 @@ RunningVerdict::RunningVerdict(const Parameters& p, const VerifyOptions& options
 
 RunningVerdict::~RunningVerdict() = default;
 
-void RunningVerdict::add(std::span<const Element> block) {
-  if (block.size() != k_) {
-    throw BadInput(fmt::format("a block of {} elements, not k = {}", block.size(), k_));
+void RunningVerdict::add(std::span<const Element> blocks) {
+  if (blocks.size() % k_ != 0) {
+    throw BadInput(fmt::format("a block of {} elements, not k = {}", blocks.size() % k_, k_));
   }
-  state_->add(block);
+  state_->add(blocks);
 }
 
 Verdict RunningVerdict::finish() { return state_->finish(); }
 
-Verdict verify(BlockSource& source, const VerifyOptions& options) { return judge(source, options); }
+Verdict verify(BlockSource& source, const VerifyOptions& options) {
+  const Parameters p = source.parameters();
+  check_size(p);
+  try {
+    return p.strength == 2 ? run<Pairs>(source, p, options) : run<SubsetSet>(source, p, options);
+  } catch (const std::bad_alloc&) {
+    throw no_memory(p);
+  }
+}
 
 Verdict verify(const Design& design, const VerifyOptions& options) {
-  return judge(design, options);
+  DesignSource source(design);
+  return verify(source, options);
 }
 
 }  // namespace changeover

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "oracle_minima.hpp"
 
 namespace changeover {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "bounds/counting_bound.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "oracle_minima.hpp"
 

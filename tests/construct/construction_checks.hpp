@@ -35,10 +35,9 @@ inline std::optional<Offer> offer_of(std::string_view name, const Parameters& p)
 
 inline std::vector<Block> blocks_of(BlockSource& source) {
   std::vector<Block> blocks;
-  Block block(static_cast<std::size_t>(source.parameters().k));
-  while (source.next(block)) {
-    blocks.push_back(block);
-  }
+  for_each_block(source, [&](std::span<const Element> block) {
+    blocks.emplace_back(block.begin(), block.end());
+  });
   return blocks;
 }
 

@@ -1,4 +1,4 @@
-#include "changeover/core/bit_scan.hpp"
+#include "core/bit_scan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +31,29 @@ TEST(OrBits, SetsEachBitWhereItBelongsAndNoOther) {
     for (std::size_t i = 0; i < expected.size(); ++i) {
       ASSERT_EQ((words[i / 64] >> (i % 64) & 1) != 0, expected[i]) << place << " " << count;
     }
+  }
+}
+
+TEST(NextBit, FindsEveryBitInOrderAndThenNone) {
+  std::mt19937_64 random(4);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::uint64_t> words(random() % 4);
+    std::vector<std::uint64_t> expected;
+    const std::uint64_t flip = round % 2 == 0 ? 0 : ~std::uint64_t{0};
+    for (std::size_t w = 0; w < words.size(); ++w) {
+      words[w] = random() & random() & (random() % 3 == 0 ? 0 : ~std::uint64_t{0});
+      for (std::uint64_t i = 0; i < 64; ++i) {
+        if (((words[w] ^ flip) >> i & 1) != 0) {
+          expected.push_back(w * 64 + i);
+        }
+      }
+    }
+    std::vector<std::uint64_t> found;
+    for (std::uint64_t r = next_bit(words, 0, flip); r < words.size() * 64;
+         r = next_bit(words, r + 1, flip)) {
+      found.push_back(r);
+    }
+    ASSERT_EQ(found, expected);
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"

@@ -1,4 +1,4 @@
-#include "changeover/core/printable.hpp"
+#include "core/printable.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -126,4 +126,20 @@ inline std::string mutated(std::string text, std::mt19937& random) {
   return text;
 }
 
+/// Such a file gives a design that is written and read back the same, or one line with a place. The functions
+/// are read(text), of a file named f, and written(design).
+template <typename Read, typename Written>
+void read_mutated_file(std::uint32_t seed, Read&& read, Written&& written) {
+  std::mt19937 random(seed);
+  const std::string text = mutated(written(random_design(seed)), random);
+  try {
+    const Design design = read(text);
+    RC_ASSERT(written(read(written(design))) == written(design));
+  } catch (const BadInput& fault) {
+    const std::string line = fault.what();
+    RC_ASSERT(line.starts_with("f:"));
+    RC_ASSERT(line.find('\n') == std::string::npos);
+  }
+}
+
 }  // namespace changeover

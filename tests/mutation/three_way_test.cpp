@@ -10,7 +10,7 @@
 #include <random>
 #include <sstream>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/verify/verdict.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "naive_verdict.hpp"
@@ -260,11 +260,11 @@ TEST(Verdict, RejectsAnEmptyList) {
   EXPECT_FALSE(verify(Design({.v = 5, .k = 3, .kind = Kind::circular})).valid());
 }
 
-class FixedBlocks final : public BlockSource {
+class FixedBlocks final : public BlockByBlock<FixedBlocks> {
  public:
   FixedBlocks(Parameters p, std::vector<Block> blocks) : p_(p), blocks_(std::move(blocks)) {}
   [[nodiscard]] const Parameters& parameters() const override { return p_; }
-  bool next(std::span<Element> block) override {
+  bool make(std::span<Element> block) {
     if (next_ == blocks_.size()) {
       return false;
     }

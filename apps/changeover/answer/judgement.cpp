@@ -84,11 +84,14 @@ bool takes_long_to_judge(const BlockSource& source, const Offer& promise) {
 JudgedWhileRead::JudgedWhileRead(BlockSource& source, const Offer& promise)
     : source_(source), promise_(promise), running_(source.parameters()) {}
 
-bool JudgedWhileRead::next(std::span<Element> block) {
-  if (source_.next(block)) {
-    running_.add(block);
+std::span<const Element> JudgedWhileRead::read(std::span<Element> room) {
+  const std::span<const Element> blocks = source_.read(room);
+  if (!blocks.empty()) {
+    running_.add(blocks);
     constexpr std::uint64_t blocks_between_looks = 4096;
-    if (++blocks_ % blocks_between_looks == 0) {
+    const std::uint64_t looks = blocks_ / blocks_between_looks;
+    blocks_ += blocks.size() / source_.parameters().k;
+    if (blocks_ / blocks_between_looks != looks) {
       stop_if_asked();
       if (progress_due()) {
         report_progress({.phase = fmt::format("verifying {} of {}", name(source_.parameters()),
@@ -97,14 +100,14 @@ bool JudgedWhileRead::next(std::span<Element> block) {
                          .unit = "blocks"});
       }
     }
-    return true;
+    return blocks;
   }
   if (!judgement_) {
     Judgement judgement = judge(running_.finish());
     hold_to_promise(judgement, promise_);
     judgement_ = std::move(judgement);
   }
-  return false;
+  return blocks;
 }
 
 const Judgement& JudgedWhileRead::judgement() const {
@@ -119,8 +122,7 @@ Judgement judge(BlockSource& source, const Offer& promise) {
     return *std::move(judgement);
   }
   JudgedWhileRead judged(source, promise);
-  for (Block block(static_cast<std::size_t>(source.parameters().k)); judged.next(block);) {
-  }
+  for_each_batch(judged, [](std::span<const Element>) {});
   if (!source.rewind()) {
     throw InternalError("a construction that cannot be read twice");
   }

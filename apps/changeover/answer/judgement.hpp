@@ -42,7 +42,7 @@ struct Judgement {
                                                      const Offer& promise);
 
 /// Hands on the blocks of a stream and verifies them on the way. Whoever reads the end of it has a
-/// design that was verified: next() @throws InternalError there if what was promised does not hold.
+/// design that was verified: read() @throws InternalError there if what was promised does not hold.
 class JudgedWhileRead final : public BlockSource {
  public:
   /// Both must outlive it.
@@ -52,10 +52,10 @@ class JudgedWhileRead final : public BlockSource {
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
     return source_.block_count();
   }
-  bool next(std::span<Element> block) override;
+  std::span<const Element> read(std::span<Element> room) override;
   bool rewind() override { return false; }
 
-  /// Once next() was false.
+  /// Once the end was read.
   [[nodiscard]] const Judgement& judgement() const;
 
  private:

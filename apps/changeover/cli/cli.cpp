@@ -14,7 +14,7 @@
 
 #include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/printable.hpp"
+#include "core/printable.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"

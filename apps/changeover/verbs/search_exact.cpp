@@ -7,7 +7,7 @@
 
 #include "answer/offers.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/printable.hpp"
+#include "core/printable.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/search/minimum_search.hpp"
 #include "cli/team.hpp"

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "changeover/core/error.hpp"
-#include "changeover/core/printable.hpp"
+#include "core/printable.hpp"
 #include "changeover/search/local_search.hpp"
 #include "cli/status_line.hpp"
 #include "cli/team.hpp"

@@ -82,7 +82,8 @@ class Design {
   std::vector<std::size_t> last_seen_;  // by element: number of the last block that holds it
 };
 
-/// A design in memory as a stream. Keeps a reference: the design must outlive it.
+/// A design in memory as a stream, which hands out its own memory. Keeps a reference: the design must
+/// outlive it.
 class DesignSource final : public BlockSource {
  public:
   explicit DesignSource(const Design& design) : design_(&design) {}
@@ -91,7 +92,7 @@ class DesignSource final : public BlockSource {
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
     return design_->block_count();
   }
-  bool next(std::span<Element> block) override;
+  std::span<const Element> read(std::span<Element> room) override;
   bool rewind() override {
     position_ = 0;
     return true;
@@ -99,11 +100,11 @@ class DesignSource final : public BlockSource {
 
  private:
   const Design* design_;
-  std::size_t position_ = 0;
+  std::size_t position_ = 0;  // elements handed out
 };
 
 /// Reads a whole stream into memory. @throws ImpossibleParameters if v exceeds
-/// max_elements_in_memory; as BlockSource::next() and Design::append().
+/// max_elements_in_memory; as BlockSource::read() and Design::append().
 [[nodiscard]] Design read_all(BlockSource& source);
 
 }  // namespace changeover

@@ -35,7 +35,7 @@ class DevelopedSource final : public BlockSource {
 
   [[nodiscard]] const Parameters& parameters() const override { return base_.parameters; }
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override { return block_count_; }
-  bool next(std::span<Element> block) override;
+  std::span<const Element> read(std::span<Element> room) override;
   bool rewind() override {
     which_ = 0;
     times_ = power_ = 0;

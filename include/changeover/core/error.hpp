@@ -15,15 +15,13 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "changeover/core/printable.hpp"
-
 namespace changeover {
 
 /// Base of every fault; catch it, but throw one of its subclasses. The message is one line that is safe to
 /// show, whatever file names and words from outside went into it (core/printable.hpp).
 class Error : public std::runtime_error {
  protected:
-  explicit Error(std::string_view line) : std::runtime_error(printable(line)) {}
+  explicit Error(std::string_view line);
 };
 
 /// What was given (a file, a block list, an argument) is malformed. The message is one line that says

@@ -63,8 +63,9 @@ void check_shape(const IntervalBaseBlocks& base);
 /// comes first in each block, then the points.
 class IntervalDevelopedSource final : public BlockSource {
  public:
-  /// Writes the points of base block `which` into `points`. Asked once for every block, so that
-  /// base blocks with a formula need no memory; the same question must have the same answer.
+  /// Writes the points of base block `which` into `points`. Asked once for every base block and kept if
+  /// all of them have 2¹⁶ points at most, else once for every block, so that base blocks with a formula need
+  /// no memory; the same question must have the same answer.
   using Points = std::function<void(std::uint64_t which, std::span<Element> points)>;
 
   /// `base_blocks` base blocks whose points are told by `points`, which is trusted.
@@ -80,7 +81,7 @@ class IntervalDevelopedSource final : public BlockSource {
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
     return base_blocks_ * parameters_.v;
   }
-  bool next(std::span<Element> block) override;
+  std::span<const Element> read(std::span<Element> room) override;
   bool rewind() override {
     which_ = 0;
     shift_ = 0;
@@ -90,7 +91,10 @@ class IntervalDevelopedSource final : public BlockSource {
  private:
   Parameters parameters_;
   std::uint64_t start_, length_, base_blocks_;
+  void write_points(std::span<Element> points);
+
   Points points_;
+  std::vector<Element> kept_points_;  // of all base blocks, if they are few
   std::uint64_t which_ = 0;
   std::uint64_t shift_ = 0;
 };

@@ -12,17 +12,15 @@
 #include <span>
 #include <vector>
 
-#include "changeover/core/bit_scan.hpp"
 #include "changeover/core/block.hpp"
-#include "changeover/core/checked.hpp"
 
 namespace changeover {
 
 /// Pairs of distinct elements below v.
 class PairSet {
  public:
-  explicit PairSet(std::uint64_t v)
-      : v_(v), words_(static_cast<std::size_t>(ceil_div(binomial(v, 2), 64)), 0) {}
+  /// @throws ImpossibleParameters if C(v,2) does not fit in 64 bits.
+  explicit PairSet(std::uint64_t v);
 
   [[nodiscard]] std::uint64_t v() const { return v_; }
 
@@ -41,11 +39,7 @@ class PairSet {
 
   /// Adds {x,y} for every y < x whose bit is set in `below`, a set of elements with one bit each.
   /// O(x / 64).
-  void insert_below(Element x, std::span<const std::uint64_t> below) {
-    if (x > 0) {
-      or_bits(words_, rank(0, x), below, x);
-    }
-  }
+  void insert_below(Element x, std::span<const std::uint64_t> below);
 
   [[nodiscard]] bool contains(Element x, Element y) const {
     const std::uint64_t r = rank(x, y);
@@ -53,10 +47,10 @@ class PairSet {
   }
 
   /// The number of pairs in the set. O(v²/64).
-  [[nodiscard]] std::uint64_t size() const { return count_bits(words_); }
+  [[nodiscard]] std::uint64_t size() const;
 
   /// The number of the C(v,2) pairs that are not in the set. O(v²/64).
-  [[nodiscard]] std::uint64_t missing() const { return binomial(v_, 2) - size(); }
+  [[nodiscard]] std::uint64_t missing() const;
 
   /// Calls visit(x, y), x < y, for up to `limit` pairs that are not in the set, ordered by y and then
   /// by x. O(v²/64 + pairs visited).
@@ -77,15 +71,19 @@ class PairSet {
   void scan(std::uint64_t flip, std::uint64_t limit, Visit&& visit) const {
     Element high = 1;
     std::uint64_t row = 0;  // rank of {0, high}
-    for_each_bit(words_, flip, binomial(v_, 2), limit, [&](std::uint64_t r) {
+    for (std::uint64_t r = next(0, flip); r < pairs_ && limit > 0; r = next(r + 1, flip), --limit) {
       while (r >= row + high) {
         row += high++;
       }
       visit(static_cast<Element>(r - row), high);
-    });
+    }
   }
 
+  // The first such rank from r on.
+  [[nodiscard]] std::uint64_t next(std::uint64_t r, std::uint64_t flip) const;
+
   std::uint64_t v_;
+  std::uint64_t pairs_;  // C(v,2)
   std::vector<std::uint64_t> words_;
 };
 

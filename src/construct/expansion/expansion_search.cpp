@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "changeover/construct/expansion.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/tools/exact_cover.hpp"
 

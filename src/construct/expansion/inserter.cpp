@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {
@@ -28,7 +28,7 @@ bool InsertingSource::is_chosen(std::uint64_t at) const {
 }
 
 // The next block of the source, which may have been read already.
-bool InsertingSource::read(std::span<Element> block) {
+bool InsertingSource::read_one(std::span<Element> block) {
   if (!read_ahead_) {
     return source_->next(block);
   }
@@ -40,7 +40,35 @@ bool InsertingSource::read(std::span<Element> block) {
   return true;
 }
 
-bool InsertingSource::next(std::span<Element> block) {
+std::span<const Element> InsertingSource::read(std::span<Element> room) {
+  const auto k = static_cast<std::size_t>(parameters_.k);
+  const bool inserting = given_ < insertion_.others.size();
+  if (read_ > 0 && !read_ahead_ && !inserting) {
+    // Blocks that are not beside a position are handed on as they come.
+    std::uint64_t passing = room.size() / k;
+    if (begun_ < amount_.insertions) {
+      const std::uint64_t at = position(begun_);
+      passing = std::min(passing, at > read_ ? at - read_ - 1 : 0);
+    }
+    if (passing > 0) {
+      const auto blocks = source_->read(room.first(static_cast<std::size_t>(passing) * k));
+      if (!blocks.empty()) {
+        read_ += blocks.size() / k;
+        return blocks;
+      }
+    }
+  }
+  std::size_t filled = 0;
+  do {
+    if (!make(room.subspan(filled, k))) {
+      break;
+    }
+    filled += k;
+  } while (given_ < insertion_.others.size() && room.size() - filled >= k);
+  return room.first(filled);
+}
+
+bool InsertingSource::make(std::span<Element> block) {
   while (given_ == insertion_.others.size() && is_chosen(read_)) {
     if (!read_ahead_) {
       read_ahead_.emplace(block.size());
@@ -60,7 +88,7 @@ bool InsertingSource::next(std::span<Element> block) {
     given_ += static_cast<std::size_t>(count);
     return true;
   }
-  if (!read(block)) {
+  if (!read_one(block)) {
     if (begun_ < amount_.insertions) {
       throw BadInput(fmt::format("position {}{} is past the last block, {}", position(begun_),
                                  chosen_, read_));

@@ -27,7 +27,7 @@ class InsertingSource : public BlockSource {
  public:
   [[nodiscard]] const Parameters& parameters() const final { return parameters_; }
   [[nodiscard]] std::optional<std::uint64_t> block_count() const final;
-  bool next(std::span<Element> block) final;
+  std::span<const Element> read(std::span<Element> room) final;
   bool rewind() final;
 
  protected:
@@ -63,7 +63,8 @@ class InsertingSource : public BlockSource {
   [[nodiscard]] virtual Insertion insertion(std::uint64_t i, const Place& place) = 0;
 
  private:
-  bool read(std::span<Element> block);
+  bool make(std::span<Element> block);
+  bool read_one(std::span<Element> block);
   [[nodiscard]] bool is_chosen(std::uint64_t position) const;
 
   std::unique_ptr<BlockSource> source_;

@@ -22,7 +22,7 @@
 #include <utility>
 
 #include "changeover/construct/expansion.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/expansion/inserter.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"

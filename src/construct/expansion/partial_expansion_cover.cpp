@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "changeover/construct/expansion.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 
 namespace changeover {

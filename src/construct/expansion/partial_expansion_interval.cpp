@@ -13,7 +13,7 @@
 #include <limits>
 #include <numeric>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 

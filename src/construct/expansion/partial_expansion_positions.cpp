@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 

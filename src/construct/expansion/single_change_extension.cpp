@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 #include "construct/entry.hpp"

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/single_change_extension.hpp"
 #include "construct/tools/short_blocks.hpp"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "changeover/construct/closure.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/run/scope.hpp"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 #include "core/utf8.hpp"
 
 namespace changeover {

@@ -61,7 +61,7 @@ class MemoryInput final : public DesignInput {
 
   const Parameters& parameters() const override { return design_.parameters(); }
   std::optional<std::uint64_t> block_count() const override { return design_.block_count(); }
-  bool next(std::span<Element> block) override { return source_.next(block); }
+  std::span<const Element> read(std::span<Element> room) override { return source_.read(room); }
   bool rewind() override { return source_.rewind(); }
   const std::vector<std::string>& labels() const override { return design_.labels(); }
   const std::optional<Recipe>& recipe() const override { return design_.recipe; }

@@ -66,7 +66,7 @@ class KeptInput final : public Input {
   std::size_t position_ = 0;
 };
 
-class TextSource final : public DesignInput {
+class TextSource final : public BlockByBlock<TextSource, DesignInput> {
  public:
   // `kept` is `input` if that keeps its bytes.
   TextSource(std::unique_ptr<Input> input, KeptInput* kept, const ReadOptions& options)
@@ -93,7 +93,7 @@ class TextSource final : public DesignInput {
   const std::vector<std::string>& labels() const override { return labels_; }
   const std::optional<Recipe>& recipe() const override { return recipe_; }
 
-  bool next(std::span<Element> block) override {
+  bool make(std::span<Element> block) {
     if (given_ < front_.size()) {
       std::copy(front_[given_].begin(), front_[given_].end(), block.begin());
       ++given_;
@@ -399,7 +399,7 @@ class TextSource final : public DesignInput {
   std::optional<std::uint64_t> block_count_;
 
   std::vector<Block> front_;   // blocks that were read to learn parameters
-  std::size_t given_ = 0;      // how many of them next() has handed out
+  std::size_t given_ = 0;      // how many of them make() has handed out
   bool pending_word_ = false;  // the scanner has taken the first block's first word already
   bool ended_ = false;
   std::uint64_t blocks_ = 0;         // finished blocks

@@ -34,16 +34,15 @@ void ElementText::put(std::string_view text) {
   p_ += text.size();
 }
 
-void ElementText::elements_slowly(std::span<const Element> block, char last) {
-  for (const Element x : block) {
+void ElementText::blocks_slowly(std::span<const Element> elements, std::size_t k, char last) {
+  for (std::size_t i = 0; i < elements.size(); ++i) {
     if (labels_->empty()) {
-      put_number(x);
+      put_number(elements[i]);
     } else {
-      put((*labels_)[x]);
+      put((*labels_)[elements[i]]);
     }
-    put(separator_);
+    put((i + 1) % k == 0 ? last : separator_);
   }
-  p_[-1] = last;
 }
 
 void ElementText::flush() {

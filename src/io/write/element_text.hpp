@@ -32,21 +32,27 @@ class ElementText {
   }
 
   /// The elements of a block with `last` after them.
-  void elements(std::span<const Element> block, char last) {
+  void elements(std::span<const Element> block, char last) { blocks(block, block.size(), last); }
+
+  /// Blocks of k elements, one after another, each with `last` after it.
+  void blocks(std::span<const Element> elements, std::size_t k, char last) {
     if (slots_.empty()) {
-      elements_slowly(block, last);
+      blocks_slowly(elements, k, last);
       return;
     }
-    make_room(block.size() * sizeof(std::uint64_t));
+    make_room(elements.size() * sizeof(std::uint64_t));
     const std::uint64_t* const slots = slots_.data();
     char* p = p_;
+    const Element* x = elements.data();
+    for (const Element* const end = x + elements.size(); x != end;) {
 #pragma GCC unroll 4  // blocks are short: 5 % for k = 4
-    for (const Element x : block) {
-      const std::uint64_t slot = slots[x];
-      std::memcpy(p, &slot, sizeof slot);
-      p += length(slot);
+      for (const Element* const block_end = x + k; x != block_end; ++x) {
+        const std::uint64_t slot = slots[*x];
+        std::memcpy(p, &slot, sizeof slot);
+        p += length(slot);
+      }
+      p[-1] = last;
     }
-    p[-1] = last;
     p_ = p;
   }
 
@@ -65,7 +71,7 @@ class ElementText {
     }
   }
   void make_room_slowly(std::size_t bytes);
-  void elements_slowly(std::span<const Element> block, char last);
+  void blocks_slowly(std::span<const Element> elements, std::size_t k, char last);
 
   Sink* sink_;
   const std::vector<std::string>* labels_;

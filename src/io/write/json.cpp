@@ -66,10 +66,10 @@ std::uint64_t write_json(BlockSource& source, Sink& sink, const TextHeader& head
   json.key("blocks").begin_array();
   text.put(json.take());
   std::uint64_t blocks = 0;
-  for (Block block(static_cast<std::size_t>(p.k)); source.next(block); ++blocks) {
-    text.put(blocks == 0 ? "\n[" : ",\n[");
+  for_each_block(source, [&](std::span<const Element> block) {
+    text.put(blocks++ == 0 ? "\n[" : ",\n[");
     text.elements(block, ']');
-  }
+  });
   text.put('\n');
   json.end_array();
   if (!header.labels.empty()) {

@@ -6,7 +6,7 @@
 #include <unordered_set>
 
 #include "changeover/core/parameters.hpp"
-#include "changeover/core/printable.hpp"
+#include "core/printable.hpp"
 #include "io/write/block_name.hpp"
 
 namespace changeover {

@@ -35,22 +35,19 @@ std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& head
   const Parameters& p = source.parameters();
   ElementText text(sink, p.v, header.labels, ' ');
   put_header(text, p, header.labels, header.recipe);
-  std::uint64_t blocks = 0;
-  for (Block block(static_cast<std::size_t>(p.k)); source.next(block); ++blocks) {
-    text.elements(block, '\n');
-  }
+  const auto k = static_cast<std::size_t>(p.k);
+  std::uint64_t elements = 0;
+  for_each_batch(source, [&](std::span<const Element> blocks) {
+    text.blocks(blocks, k, '\n');
+    elements += blocks.size();
+  });
   text.flush();
-  return blocks;
+  return elements / k;
 }
 
-// Not by way of a DesignSource: copying each block would take a third of the time.
 void write_text(const Design& design, Sink& sink) {
-  ElementText text(sink, design.v(), design.labels(), ' ');
-  put_header(text, design.parameters(), design.labels(), design.recipe);
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    text.elements(design.block(i), '\n');
-  }
-  text.flush();
+  DesignSource source(design);
+  write_text(source, sink, {design.labels(), design.recipe});
 }
 
 }  // namespace changeover

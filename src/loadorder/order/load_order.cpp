@@ -9,7 +9,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/verify/verdict.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_check.hpp"

@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/job_results.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <new>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "run/threads.hpp"
 

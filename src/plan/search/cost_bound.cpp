@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
 
 namespace changeover {

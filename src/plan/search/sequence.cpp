@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
 
 namespace changeover {

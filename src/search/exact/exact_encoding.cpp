@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
 #include "search/sat/cardinality.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "search/local/random_list.hpp"
 #include "search/local/segment_orbits.hpp"

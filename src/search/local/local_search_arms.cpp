@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "search/local/imposed.hpp"

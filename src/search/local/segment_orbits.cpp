@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
 
 namespace changeover {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
 
 namespace changeover {

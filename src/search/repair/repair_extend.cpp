@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/search/repair.hpp"
 #include "run/grace.hpp"

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/scope.hpp"
 #include "search/subset_ranks.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
 
 namespace changeover {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

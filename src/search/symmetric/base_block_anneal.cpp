@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "search/local/anneal.hpp"

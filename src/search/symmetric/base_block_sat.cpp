@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
 #include "search/pair_orbits.hpp"
 #include "search/sat/cardinality.hpp"

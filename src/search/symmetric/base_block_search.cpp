@@ -10,7 +10,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "run/grace.hpp"
 #include "search/symmetric/base_block_anneal.hpp"

@@ -7,7 +7,7 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
 #include "search/symmetric/base_block_degrees.hpp"
 

@@ -249,16 +249,8 @@ RC_GTEST_PROP(JsonProperty, WritingReadingAndWritingGivesTheSameBytes, (std::uin
 }
 
 RC_GTEST_PROP(JsonProperty, MutatedFilesGiveADesignOrOneLine, (std::uint32_t seed)) {
-  std::mt19937 random(seed);
-  const std::string text = mutated(written(random_design(seed)), random);
-  try {
-    const Design design = read(text);
-    RC_ASSERT(written(read(written(design))) == written(design));
-  } catch (const BadInput& fault) {
-    const std::string line = fault.what();
-    RC_ASSERT(line.starts_with("f:"));
-    RC_ASSERT(line.find('\n') == std::string::npos);
-  }
+  read_mutated_file(
+      seed, [](const std::string& text) { return read(text); }, written);
 }
 
 }  // namespace

@@ -365,11 +365,11 @@ TEST(TextTest, ElementsBeyondTheTableAreWrittenToo) {
   const BaseBlocks base{{.v = 4'000'000'007, .k = 2, .change = 2, .kind = Kind::circular},
                         {{0, 3'999'999'999}}};
   DevelopedSource source(base);
-  class Three final : public BlockSource {
+  class Three final : public BlockByBlock<Three> {
    public:
     explicit Three(BlockSource& inner) : inner_(inner) {}
     const Parameters& parameters() const override { return inner_.parameters(); }
-    bool next(std::span<Element> block) override { return left_-- > 0 && inner_.next(block); }
+    bool make(std::span<Element> block) { return left_-- > 0 && inner_.next(block); }
 
    private:
     BlockSource& inner_;
@@ -411,16 +411,8 @@ RC_GTEST_PROP(TextProperty, WritingReadingAndWritingGivesTheSameBytes, (std::uin
 }
 
 RC_GTEST_PROP(TextProperty, MutatedFilesGiveADesignOrOneLine, (std::uint32_t seed)) {
-  std::mt19937 random(seed);
-  const std::string text = mutated(written(random_design(seed)), random);
-  try {
-    const Design design = read(text);
-    RC_ASSERT(written(read(written(design))) == written(design));
-  } catch (const BadInput& fault) {
-    const std::string line = fault.what();
-    RC_ASSERT(line.starts_with("f:"));
-    RC_ASSERT(line.find('\n') == std::string::npos);
-  }
+  read_mutated_file(
+      seed, [](const std::string& text) { return read(text); }, written);
 }
 
 }  // namespace

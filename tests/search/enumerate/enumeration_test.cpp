@@ -6,7 +6,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "enumeration_oracle.hpp"

@@ -35,29 +35,32 @@ class CutSource final : public BlockSource {
     return source_->block_count();
   }
 
-  bool next(std::span<Element> block) override {
+  std::span<const Element> read(std::span<Element> room) override {
+    const auto k = static_cast<std::size_t>(parameters_.k);
     if (!started_) {
       started_ = true;
       for (std::uint64_t i = 0; i < at_; ++i) {
-        if (!source_->next(block)) {
+        if (!source_->next(room.first(k))) {
           throw BadInput(fmt::format("cut after block {}: there are only {}", at_, i));
         }
       }
     }
     if (!wrapped_) {
-      if (source_->next(block)) {
-        return true;
+      if (const auto blocks = source_->read(room); !blocks.empty()) {
+        return blocks;
       }
       if (at_ > 0 && !source_->rewind()) {
         throw BadInput("cut needs a list of blocks that can be read twice");
       }
       wrapped_ = true;
     }
-    if (again_ == at_) {
-      return false;
+    const std::uint64_t wanted = std::min<std::uint64_t>(room.size() / k, at_ - again_);
+    if (wanted == 0) {
+      return {};
     }
-    ++again_;
-    return source_->next(block);
+    const auto blocks = source_->read(room.first(static_cast<std::size_t>(wanted) * k));
+    again_ += blocks.size() / k;
+    return blocks;
   }
 
   bool rewind() override {

@@ -11,6 +11,7 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/transitions.hpp"

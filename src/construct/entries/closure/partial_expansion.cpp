@@ -20,7 +20,7 @@
 
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"

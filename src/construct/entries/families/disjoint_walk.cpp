@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "construct/entry.hpp"

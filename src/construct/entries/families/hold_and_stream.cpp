@@ -17,7 +17,7 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 #include "changeover/run/scope.hpp"
@@ -28,7 +28,7 @@ namespace changeover {
 namespace {
 
 /// The rounds one after another, each a held set with its groups, and the ways between them.
-class HoldAndStreamSource final : public BlockSource {
+class HoldAndStreamSource final : public BlockByBlock<HoldAndStreamSource> {
  public:
   /// `tail` is a design of v − rounds·(k−m) elements, or nullptr with `rounds` ignored: to the end.
   HoldAndStreamSource(const Parameters& p, std::uint64_t b, std::uint64_t rounds,
@@ -44,7 +44,7 @@ class HoldAndStreamSource final : public BlockSource {
   [[nodiscard]] const Parameters& parameters() const override { return p_; }
   [[nodiscard]] std::optional<std::uint64_t> block_count() const override { return b_; }
 
-  bool next(std::span<Element> block) override {
+  bool make(std::span<Element> block) {
     while (legs_.empty()) {
       if (group_ < groups_) {
         last_ = round_block(group_++);
@@ -69,7 +69,7 @@ class HoldAndStreamSource final : public BlockSource {
     const Leg done = std::move(leg);
     legs_.pop_front();
     if (!done.arrives) {
-      return next(block);
+      return make(block);
     }
     last_ = done.to;
     std::copy(last_.begin(), last_.end(), block.begin());

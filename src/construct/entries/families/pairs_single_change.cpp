@@ -18,7 +18,7 @@ namespace {
 // The largest v whose expansion set, v subsets, is written down.
 constexpr std::uint64_t largest_expansion_set = std::uint64_t{1} << 20;
 
-class RunsOfEdgesSource final : public BlockSource {
+class RunsOfEdgesSource final : public BlockByBlock<RunsOfEdgesSource> {
  public:
   explicit RunsOfEdgesSource(const Parameters& parameters) : parameters_(parameters) {}
 
@@ -27,7 +27,7 @@ class RunsOfEdgesSource final : public BlockSource {
     return parameters_.v * (parameters_.v - 1) / 2;
   }
 
-  bool next(std::span<Element> block) override {
+  bool make(std::span<Element> block) {
     const std::uint64_t v = parameters_.v;
     if (x_ + 1 == v) {
       return false;

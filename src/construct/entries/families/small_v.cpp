@@ -45,7 +45,7 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "construct/entry.hpp"
 
 namespace changeover {
@@ -396,9 +396,9 @@ class SmallV final : public Entry {
     std::string list;
     if (layers.size() == 1 && layers.front().copies == 1) {
       const std::unique_ptr<BlockSource> source = layered(p);
-      for (Block block(static_cast<std::size_t>(p.k)); source->next(block);) {
+      for_each_block(*source, [&](std::span<const Element> block) {
         list += fmt::format("{}{{{}}}", list.empty() ? "" : ", ", fmt::join(block, ","));
-      }
+      });
       return fmt::format("The {} blocks {}.", shape.blocks(), list);
     }
     for (const auto& [part, copies] : layers) {

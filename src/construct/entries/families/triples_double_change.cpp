@@ -34,7 +34,7 @@
 #include <array>
 
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/short_blocks.hpp"
 
@@ -58,7 +58,7 @@ constexpr std::array<std::string_view, 7> lists{
 std::uint64_t block_count_for(std::uint64_t v) { return v == 5 ? 5 : ceil_div(v * (v / 2), 3); }
 
 // v ≥ 12, so that n ≥ 4.
-class TriplesSource final : public BlockSource {
+class TriplesSource final : public BlockByBlock<TriplesSource> {
  public:
   explicit TriplesSource(const Parameters& parameters)
       : parameters_(parameters),
@@ -75,7 +75,7 @@ class TriplesSource final : public BlockSource {
     return block_count_for(v_);
   }
 
-  bool next(std::span<Element> block) override {
+  bool make(std::span<Element> block) {
     if (level_ < 3) {
       next_at_point(block);
       return true;

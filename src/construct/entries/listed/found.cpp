@@ -8,7 +8,7 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/checked.hpp"
+#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/found/found_designs.hpp"

@@ -1,8 +1,8 @@
-// Bits in arrays of words: counting and listing them.
+// Bits in arrays of words: counting and finding them.
 //
 //     std::vector<std::uint64_t> words{0b1010};
 //     count_bits(words);                                                       // 2
-//     for_each_bit(words, 0, 64, 10, [&](std::uint64_t place) { seen.push_back(place); });  // 1, 3
+//     next_bit(words, 2, 0);                                                   // 3
 #pragma once
 
 #include <bit>
@@ -42,21 +42,16 @@ inline void or_bits(std::span<std::uint64_t> words, std::uint64_t place,
   }
 }
 
-/// Calls visit(place) for up to `limit` of the places below `total` whose bit, after an exclusive or with
-/// `flip`, is set; in increasing order. O(words + places visited).
-template <typename Visit>
-void for_each_bit(std::span<const std::uint64_t> words, std::uint64_t flip, std::uint64_t total,
-                  std::uint64_t limit, Visit&& visit) {
-  for (std::size_t w = 0; w < words.size() && limit > 0; ++w) {
-    for (std::uint64_t bits = words[w] ^ flip; bits != 0 && limit > 0; bits &= bits - 1) {
-      const std::uint64_t place = w * 64 + static_cast<std::uint64_t>(std::countr_zero(bits));
-      if (place >= total) {
-        return;
-      }
-      visit(place);
-      --limit;
+/// The first place from `place` on whose bit, after an exclusive or with `flip`, is set; beyond all words if there
+/// is none.
+[[nodiscard]] inline std::uint64_t next_bit(std::span<const std::uint64_t> words,
+                                            std::uint64_t place, std::uint64_t flip) {
+  for (auto w = static_cast<std::size_t>(place / 64); w < words.size(); ++w, place = w * 64) {
+    if (const std::uint64_t bits = (words[w] ^ flip) >> place % 64; bits != 0) {
+      return place + static_cast<std::uint64_t>(std::countr_zero(bits));
     }
   }
+  return std::uint64_t{words.size()} * 64;
 }
 
 }  // namespace changeover
