@@ -9,7 +9,7 @@ option(CHANGEOVER_PRECOMPILE "Compile the headers that most sources include once
 set(CHANGEOVER_COMMON_HEADERS
   <algorithm> <array> <charconv> <chrono> <cstddef> <cstdint> <cstring> <functional> <limits> <map> <memory>
   <numeric> <optional> <set> <span> <string> <string_view> <tuple> <utility> <vector>
-  "${PROJECT_SOURCE_DIR}/include/changeover/core/checked.hpp"
+  "${PROJECT_SOURCE_DIR}/src/core/checked.hpp"
   "${PROJECT_SOURCE_DIR}/include/changeover/core/design.hpp"
   "${PROJECT_SOURCE_DIR}/include/changeover/core/error.hpp"
   "${PROJECT_SOURCE_DIR}/include/changeover/core/transitions.hpp"

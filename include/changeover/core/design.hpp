@@ -23,7 +23,7 @@
 namespace changeover {
 
 /// Why no element can have this name, with how to mend it; nullopt if it can. So that every format can
-/// carry it and every terminal show it, a name is printable UTF-8 (core/printable.hpp), is not empty and
+/// carry it and every terminal show it, a name is printable UTF-8 (src/core/printable.hpp), is not empty and
 /// has no white space, comma, double quote or '#'.
 [[nodiscard]] std::optional<std::string> label_defect(std::string_view label);
 

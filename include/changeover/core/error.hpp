@@ -18,7 +18,7 @@
 namespace changeover {
 
 /// Base of every fault; catch it, but throw one of its subclasses. The message is one line that is safe to
-/// show, whatever file names and words from outside went into it (core/printable.hpp).
+/// show, whatever file names and words from outside went into it (src/core/printable.hpp).
 class Error : public std::runtime_error {
  protected:
   explicit Error(std::string_view line);

@@ -110,7 +110,7 @@ struct LatexOptions {
 /// Writes the table. @throws as Sink::write().
 void write_latex(const Design& design, Sink& sink, const LatexOptions& options = {});
 
-/// `text` with everything escaped that means something to LaTeX; one line (core/printable.hpp).
+/// `text` with everything escaped that means something to LaTeX; one line (src/core/printable.hpp).
 [[nodiscard]] std::string latex_escaped(std::string_view text);
 
 /// An element's name in LaTeX, with marks: "0$^*$", "$\infty_{l*}^{*}$".
