@@ -28,8 +28,8 @@
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/run/outcome.hpp"
-#include "search/exact/exact_encoding.hpp"
 #include "changeover/verify/verified_design.hpp"
+#include "search/exact/exact_encoding.hpp"
 
 namespace changeover {
 
