@@ -29,7 +29,6 @@
 #include "changeover/run/control.hpp"
 #include "changeover/run/outcome.hpp"
 #include "changeover/verify/verified_design.hpp"
-#include "search/exact/exact_encoding.hpp"
 
 namespace changeover {
 
