@@ -70,7 +70,10 @@ void unpack_into(Classification& all, const std::string& message, const Paramete
       kept;
   // Who was stopped speaks for all.
   const auto reason = static_cast<WhyStopped>(why);
-  all.why_stopped = all.why_stopped == WhyStopped::running || all.why_stopped == WhyStopped::exhausted ? reason : all.why_stopped;
+  all.why_stopped =
+      all.why_stopped == WhyStopped::running || all.why_stopped == WhyStopped::exhausted
+          ? reason
+          : all.why_stopped;
   all.standard_forms += other.standard_forms;
   all.classes += other.classes;
   all.tight += other.tight;

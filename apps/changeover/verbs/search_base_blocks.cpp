@@ -12,7 +12,7 @@ std::string line_of(const ShapeAttempt& attempt) {
   std::string line = to_string(attempt.shape) + ": ";
   line += attempt.outcome == Outcome::found  ? "found"
           : attempt.outcome == Outcome::none ? "none, says the SAT solver"
-                                                  : "not found";
+                                             : "not found";
   if (attempt.outcome == Outcome::unknown && attempt.missing) {
     line += fmt::format(" (at best {} of pairs missing)", count_of(*attempt.missing, "orbit"));
   }

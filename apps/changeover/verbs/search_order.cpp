@@ -95,7 +95,7 @@ Answer search(const OrderSearch& request) {
                        {"cost_as_given", found.first_cost}};
     ordered.order = std::move(found.order);
     code = found.least() || found.why_stopped == WhyStopped::exhausted ? exit_code::found
-                                                               : exit_code::limit_reached;
+                                                                       : exit_code::limit_reached;
   }
 
   Parameters p = given.parameters();

@@ -28,7 +28,6 @@
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/run/outcome.hpp"
-#include "search/exact/exact_encoding.hpp"
 #include "changeover/verify/verified_design.hpp"
 
 namespace changeover {

@@ -36,6 +36,7 @@ class VerifiedDesign {
   [[nodiscard]] std::span<const Element> block(std::size_t index) const {
     return design_.block(index);
   }
+  [[nodiscard]] std::vector<Block> blocks() const { return design_.blocks(); }
   [[nodiscard]] const std::vector<std::string>& labels() const { return design_.labels(); }
   [[nodiscard]] const std::optional<Recipe>& recipe() const { return design_.recipe; }
   /// Says how the blocks were made, which changes none.

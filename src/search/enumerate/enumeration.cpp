@@ -41,7 +41,8 @@ EnumerationRun explore(const EnumerationTask& task, std::uint64_t b, RunControl&
   if (!single || control.settings().share.index != 0) {
     return explore_together(task, control);
   }
-  EnumerationRun result{.why_stopped = WhyStopped::exhausted, .forms = 1, .nodes = 1, .prefixes = 0};
+  EnumerationRun result{
+      .why_stopped = WhyStopped::exhausted, .forms = 1, .nodes = 1, .prefixes = 0};
   if (auto judged = task.judge(*single)) {
     task.hand_out(*judged);
   }

@@ -12,8 +12,8 @@
 #include "changeover/search/ordering.hpp"
 #include "run/random.hpp"
 #include "search/order/ordering_overlap.hpp"
-#include "search/sat/incremental_solver.hpp"
 #include "search/sat/cardinality.hpp"
+#include "search/sat/incremental_solver.hpp"
 
 namespace changeover {
 namespace {
@@ -362,10 +362,10 @@ ChangeOrder order_for_change(std::span<const Block> blocks, const ChangeWanted& 
     if (outcome == Outcome::found) {
       recount(blocks, wanted, result.order);
     }
-    result.why_stopped = outcome == Outcome::found                   ? WhyStopped::found
-                 : outcome == Outcome::none                  ? WhyStopped::exhausted
-                 : control.why_stopped() != WhyStopped::running ? control.why_stopped()
-                                                                : WhyStopped::step_limit;
+    result.why_stopped = outcome == Outcome::found                      ? WhyStopped::found
+                         : outcome == Outcome::none                     ? WhyStopped::exhausted
+                         : control.why_stopped() != WhyStopped::running ? control.why_stopped()
+                                                                        : WhyStopped::step_limit;
     return result;
   };
   if (blocks.size() == 1) {

@@ -347,8 +347,8 @@ LeastChangeOrder order_for_least_change(std::span<const Block> blocks,
   result.lower_bound =
       order_lower_bound(blocks, overlaps, wanted, result.cost, options.bound_effort, control);
   result.why_stopped = result.least()                                 ? WhyStopped::exhausted
-               : control.why_stopped() != WhyStopped::running ? control.why_stopped()
-                                                              : WhyStopped::step_limit;
+                       : control.why_stopped() != WhyStopped::running ? control.why_stopped()
+                                                                      : WhyStopped::step_limit;
   return result;
 }
 

@@ -26,8 +26,8 @@ namespace changeover {
 
 /// Asked by the solver every few conflicts.
 struct SatWatch {
-  std::function<Progress()> progress;        ///< what the control is told when it is due
-  std::function<bool()> give_up = {};        ///< besides the control
+  std::function<Progress()> progress;  ///< what the control is told when it is due
+  std::function<bool()> give_up = {};  ///< besides the control
 };
 
 class SatEngine {

@@ -41,7 +41,7 @@ struct BaseBlocksBySat {
 /// (run/scope.hpp). @throws MissingResource if the formula would take more memory than `control` allows;
 /// ImpossibleParameters if it would be too large for any, see Cnf. Bound by: the solver.
 [[nodiscard]] BaseBlocksBySat base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape,
-                                            bool tight, std::optional<std::uint64_t> conflicts,
-                                            RunControl& control);
+                                                 bool tight, std::optional<std::uint64_t> conflicts,
+                                                 RunControl& control);
 
 }  // namespace changeover
