@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "changeover/io/csv.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/read/token_table.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/element_text.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 // The words of the elements are names, not the numbers 0, …, v−1 in some order.
 bool are_names(const std::vector<std::string>& labels) {
-  return !labels.empty() && !io_detail::element_set(labels).labels.empty();
+  return !labels.empty() && !element_set(labels).labels.empty();
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ std::uint64_t write_csv(BlockSource& source, Sink& sink, const std::vector<std::
   const Parameters& p = source.parameters();
   std::vector<std::string> cells(labels);
   std::transform(cells.begin(), cells.end(), cells.begin(), csv_cell);
-  io_detail::ElementText text(sink, p.v, cells, ',');
+  ElementText text(sink, p.v, cells, ',');
   text.put("block,");
   for (std::uint64_t i = 1; i <= p.k; ++i) {
     text.put("element_");
