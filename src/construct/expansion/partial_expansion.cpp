@@ -316,7 +316,7 @@ class PartiallyExpandedSource final : public InsertingSource {
         added.push_back(y);
       }
     }
-    return double_sweep(kept, added);
+    return changeover::double_sweep(kept, added);
   }
 
   Parameters small_;
