@@ -33,6 +33,8 @@ TEST(RunExamples, ControlOfTime) {
   EXPECT_EQ(control.why_stopped(), WhyStopped::time_limit);
 }
 
+TEST(RunExamples, Outcome) { EXPECT_EQ(to_string(Outcome::none), "none"); }
+
 TEST(RunExamples, Scope) {
   const Parameters p{.v = 8, .k = 5, .kind = Kind::circular};
   RunControl control({});

@@ -15,7 +15,7 @@ TEST_F(SearchExamples, BaseBlockSearch) {
                                                     {.shapes = {.tight = true}}, control);
   if (result.found()) {
     EXPECT_EQ(to_string(result.shape), "5 base blocks, 2 cycles of length 13");
-    EXPECT_TRUE(result.verdict->tight());
+    EXPECT_TRUE(result.verdict().tight());
     EXPECT_THAT(result.recipe->blocks, SizeIs(5));
     EXPECT_EQ(result.recipe->construction, "developed");
     EXPECT_EQ(result.comparison, Comparison::equal);
@@ -58,7 +58,7 @@ TEST_F(SearchExamples, Exact) {
   RunControl control({.time = std::chrono::seconds(60)});
   Decision decision =
       decide({.v = 9, .k = 4, .change = 1}, 11, {.proof_directory = "proofs"}, control);
-  EXPECT_EQ(decision.answer, Answer::none);
+  EXPECT_TRUE(decision.excluded());
   EXPECT_EQ(decision.parts.front().proof_path, "proofs/linear-m1-v9-k4-b11.drat");
   EXPECT_TRUE(std::filesystem::exists("proofs/linear-m1-v9-k4-b11.cnf"));
 }
@@ -114,7 +114,7 @@ TEST_F(SearchExamples, Ordering) {
   RunControl control({.time = std::chrono::seconds(10)});
   const ChangeOrder order =
       order_for_change(triples, {.v = 9, .m = 2, .kind = Kind::circular}, {}, control);
-  if (order.answer == OrderAnswer::found) {
+  if (order.outcome == Outcome::found) {
     walk = arranged(triples, order.order);
   }
   ASSERT_THAT(walk, SizeIs(12));

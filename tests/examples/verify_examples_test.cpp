@@ -35,17 +35,31 @@ TEST(VerifyExamples, RunningVerdict) {
   const Design design = three_blocks();
   DesignSource source(design);
   const Parameters& parameters = source.parameters();
-  Block block(parameters.k);
-  std::vector<Block> written;
-  const auto write = [&](const Block& next) { written.push_back(next); };
+  std::vector<Element> written;
+  const auto write = [&](std::span<const Element> blocks) {
+    written.insert(written.end(), blocks.begin(), blocks.end());
+  };
   RunningVerdict running(parameters);
-  while (source.next(block)) {
-    running.add(block);
-    write(block);
-  }
+  for_each_batch(source, [&](std::span<const Element> blocks) {
+    running.add(blocks);
+    write(blocks);
+  });
   Verdict verdict = running.finish();
   EXPECT_TRUE(verdict.valid());
-  EXPECT_THAT(written, SizeIs(3));
+  EXPECT_THAT(written, SizeIs(12));
+}
+
+TEST(VerifyExamples, VerifiedDesign) {
+  Design design = three_blocks();
+  bool seen = false;
+  if (const auto found = verified(std::move(design))) {
+    EXPECT_EQ(found->block_count(), 3U);
+    EXPECT_FALSE(found->verdict().tight());
+    const Design& blocks = *found;  // to read; a copy can be changed, and is no longer verified
+    seen = blocks.block_count() == 3;
+  }
+  EXPECT_TRUE(seen);
+  EXPECT_FALSE(verified(Design(Parameters{.v = 6, .k = 4}, std::vector<Block>{{0, 1, 2, 3}})));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // The best known recipe for every (v, k, kind) of a range at once.
 //
-//     const auto accept = [](const Design& design) { return verify(design).valid(); };
-//     Plan plan = plan_range(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6}, accept);
+//     Plan plan = plan_range(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
 //     const PlannedCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
 //     cell.best->b;  cell.bound.blocks;  cell.status();
 //

@@ -1,4 +1,6 @@
 // What came of looking for something.
+//
+//     to_string(Outcome::none);          // "none"
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 //                                                       {.shapes = {.tight = true}}, control);
 //     if (result.found()) {
 //       result.shape;                       // 5 base blocks, 2 cycles of length 13
-//       result.verdict->tight();            // verified on all 65 blocks
+//       result.verdict().tight();            // verified on all 65 blocks
 //       result.recipe->blocks;              // a recipe "developed" stores the 5 base blocks
 //       result.comparison;                  // Comparison::equal: the registry knows it by now
 //     }
