@@ -8,6 +8,7 @@
 
 #include "changeover/io/formats.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/printable.hpp"
 #include "random_designs.hpp"
 
 namespace changeover {
