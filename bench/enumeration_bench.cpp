@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/checked.hpp"
 #include "changeover/search/enumeration.hpp"
+#include "core/checked.hpp"
 #include "paired.hpp"
 
 namespace changeover::bench {

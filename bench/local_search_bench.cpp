@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/checked.hpp"
 #include "changeover/core/pair_set.hpp"
+#include "core/checked.hpp"
 #include "paired.hpp"
 #include "search/local/anneal.hpp"
 #include "search/local/random_list.hpp"

@@ -8,10 +8,10 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/closure.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

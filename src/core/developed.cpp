@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

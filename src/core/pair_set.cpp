@@ -1,7 +1,7 @@
 #include "changeover/core/pair_set.hpp"
 
-#include "core/checked.hpp"
 #include "core/bit_scan.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 

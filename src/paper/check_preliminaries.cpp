@@ -8,8 +8,8 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/one_factorization.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/transitions.hpp"
+#include "core/checked.hpp"
 #include "paper/checking.hpp"
 #include "paper/checks.hpp"
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <set>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <vector>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

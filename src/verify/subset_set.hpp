@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/parameters.hpp"
 #include "core/bit_scan.hpp"
+#include "core/checked.hpp"
 #include "verify/element_bits.hpp"
 
 namespace changeover {

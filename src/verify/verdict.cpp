@@ -8,10 +8,10 @@
 #include <new>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "verify/element_bits.hpp"
 #include "verify/subset_set.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "bounds/counting_bound.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "core/checked.hpp"
 #include "oracle_minima.hpp"
 
 namespace changeover {

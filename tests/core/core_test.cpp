@@ -2,12 +2,12 @@
 
 #include <numeric>
 
-#include "core/checked.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/parameters.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -54,7 +54,7 @@ TEST(VerifyExamples, VerifiedDesign) {
   bool seen = false;
   if (const auto found = verified(std::move(design))) {
     EXPECT_EQ(found->block_count(), 3U);
-    EXPECT_FALSE(found->verdict().tight());
+    EXPECT_TRUE(found->verdict().tight());
     const Design& blocks = *found;  // to read; a copy can be changed, and is no longer verified
     seen = blocks.block_count() == 3;
   }

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

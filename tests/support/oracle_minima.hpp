@@ -17,7 +17,7 @@ struct OracleMinimum {
 };
 
 inline std::vector<OracleMinimum> oracle_minima() {
-  const std::string path = std::string(CHANGEOVER_TEST_DATA) + "/minimum.csv";
+  const std::string path = CHANGEOVER_TEST_DATA "/minimum.csv";
   std::ifstream file(path);
   std::vector<OracleMinimum> minima;
   for (std::string line; std::getline(file, line);) {

@@ -92,10 +92,10 @@ TEST(DifferenceVerdict, DemandsTheLink) {
 
 TEST(DifferenceVerdict, RefusesMalformedBaseBlocks) {
   const Parameters p{.v = 11, .k = 4, .kind = Kind::circular};
-  EXPECT_THROW((void)verify_differences({p, {}}), BadInput);
-  EXPECT_THROW((void)verify_differences({p, {{0, 1, 2}}}), BadInput);
-  EXPECT_THROW((void)verify_differences({p, {{0, 1, 2, 11}}}), BadInput);
-  EXPECT_THROW((void)verify_differences({p, {{0, 1, 2, 2}}}), BadInput);
+  EXPECT_THROW((void)verify_differences(BaseBlocks{p, {}}), BadInput);
+  EXPECT_THROW((void)verify_differences(BaseBlocks{p, {{0, 1, 2}}}), BadInput);
+  EXPECT_THROW((void)verify_differences(BaseBlocks{p, {{0, 1, 2, 11}}}), BadInput);
+  EXPECT_THROW((void)verify_differences(BaseBlocks{p, {{0, 1, 2, 2}}}), BadInput);
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <random>
 
-#include "core/checked.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
+#include "core/checked.hpp"
 #include "naive_verdict.hpp"
 
 namespace changeover {

@@ -8,10 +8,10 @@
 
 #include "answer/answer.hpp"
 #include "answer/judgement.hpp"
-#include "changeover/core/design.hpp"
-#include "changeover/io/output.hpp"
-#include "changeover/io/formats.hpp"
 #include "changeover/core/block.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/io/output.hpp"
 
 namespace changeover::cli {
 

@@ -14,7 +14,6 @@
 
 #include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
-#include "core/printable.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"
@@ -22,6 +21,7 @@
 #include "cli/process.hpp"
 #include "cli/spelling.hpp"
 #include "cli/status_line.hpp"
+#include "core/printable.hpp"
 
 namespace changeover::cli {
 namespace {

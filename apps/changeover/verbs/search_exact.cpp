@@ -7,10 +7,10 @@
 
 #include "answer/offers.hpp"
 #include "changeover/core/error.hpp"
-#include "core/printable.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/search/minimum_search.hpp"
 #include "cli/team.hpp"
+#include "core/printable.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/search_request.hpp"
 

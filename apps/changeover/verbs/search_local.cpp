@@ -4,10 +4,10 @@
 #include <chrono>
 
 #include "changeover/core/error.hpp"
-#include "core/printable.hpp"
 #include "changeover/search/local_search.hpp"
 #include "cli/status_line.hpp"
 #include "cli/team.hpp"
+#include "core/printable.hpp"
 #include "request/search_request.hpp"
 #include "run/grace.hpp"
 

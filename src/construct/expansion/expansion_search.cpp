@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "changeover/construct/expansion.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/tools/exact_cover.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -22,10 +22,10 @@
 #include <utility>
 
 #include "changeover/construct/expansion.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/expansion/inserter.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

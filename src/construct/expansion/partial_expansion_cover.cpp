@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "changeover/construct/expansion.hpp"
-#include "core/checked.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

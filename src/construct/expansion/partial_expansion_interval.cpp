@@ -13,9 +13,9 @@
 #include <limits>
 #include <numeric>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

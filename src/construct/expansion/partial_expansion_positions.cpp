@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 

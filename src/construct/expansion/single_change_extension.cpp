@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/inserter.hpp"
 #include "construct/tools/exact_cover.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

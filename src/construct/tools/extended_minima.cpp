@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "core/checked.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/single_change_extension.hpp"
 #include "construct/tools/short_blocks.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

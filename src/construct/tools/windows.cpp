@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "changeover/construct/closure.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

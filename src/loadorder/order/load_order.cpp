@@ -9,10 +9,10 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/checked.hpp"
 #include "loadorder/order/block_steps.hpp"
 #include "loadorder/order/streamed_order.hpp"
 

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "loadorder/order/streamed_order.hpp"
 
 namespace changeover {

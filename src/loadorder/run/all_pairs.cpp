@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "core/checked.hpp"
 #include "loadorder/order/pair_assigner.hpp"
 #include "loadorder/run/compute_pool.hpp"
 #include "loadorder/run/journal.hpp"

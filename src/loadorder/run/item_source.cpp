@@ -13,9 +13,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/job_results.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 

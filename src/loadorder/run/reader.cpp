@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <new>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "core/checked.hpp"
 #include "run/threads.hpp"
 
 namespace changeover {

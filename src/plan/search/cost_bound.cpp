@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

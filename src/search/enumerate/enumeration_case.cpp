@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/checked.hpp"
 #include "changeover/search/enumeration.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

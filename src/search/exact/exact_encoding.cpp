@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "search/sat/cardinality.hpp"
 
 namespace changeover {

@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "search/local/imposed.hpp"
 #include "search/local/local_search_states.hpp"
 #include "search/local/segment_orbits.hpp"

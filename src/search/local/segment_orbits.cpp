@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "search/order/ordering_overlap.hpp"
 
 namespace changeover {

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/search/repair.hpp"
+#include "core/checked.hpp"
 #include "run/grace.hpp"
 #include "search/local/local_search_states.hpp"
 #include "search/local/random_list.hpp"

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "search/subset_ranks.hpp"
 
 namespace changeover {

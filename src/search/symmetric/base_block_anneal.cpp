@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "search/local/anneal.hpp"
 #include "search/local/segment_orbits.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "search/pair_orbits.hpp"
 #include "search/sat/cardinality.hpp"
 #include "search/sat/incremental_solver.hpp"

@@ -7,8 +7,8 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/bounds/lower_bound.hpp"
-#include "core/checked.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "search/symmetric/base_block_degrees.hpp"
 
 namespace changeover {

@@ -6,9 +6,9 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/checked.hpp"
 #include "enumeration_oracle.hpp"
 
 namespace changeover::test {

@@ -9,9 +9,9 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

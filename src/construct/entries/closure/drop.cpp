@@ -11,12 +11,12 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/transitions.hpp"
 #include "changeover/run/scope.hpp"
 #include "construct/entry.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

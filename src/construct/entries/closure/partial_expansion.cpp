@@ -20,10 +20,10 @@
 
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

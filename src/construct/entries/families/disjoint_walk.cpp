@@ -13,11 +13,11 @@
 #include <utility>
 
 #include "changeover/construct/registry.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/path.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -17,12 +17,12 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/registry.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 #include "changeover/run/scope.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/path.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -45,8 +45,8 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "core/checked.hpp"
 #include "construct/entry.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

@@ -34,9 +34,9 @@
 #include <array>
 
 #include "changeover/construct/registry.hpp"
-#include "core/checked.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/short_blocks.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {

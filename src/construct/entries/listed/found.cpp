@@ -8,10 +8,10 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/registry.hpp"
-#include "core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/found/found_designs.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {
