@@ -1,11 +1,13 @@
 #include "construct/entry.hpp"
 
 #include "changeover/construct/closure.hpp"
+#include "changeover/construct/expansion.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -34,7 +36,77 @@ std::string inputs_text(const Recipe& recipe) {
                      name(input.parameters));
 }
 
+class MappedSource final : public BlockSource {
+ public:
+  using Map = std::function<void(std::span<const Element> from, std::span<Element> to)>;
+
+  MappedSource(const Parameters& parameters, std::unique_ptr<BlockSource> source, Map map)
+      : parameters_(parameters),
+        source_(std::move(source)),
+        map_(std::move(map)),
+        from_(static_cast<std::size_t>(source_->parameters().k)) {}
+
+  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
+  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
+    return source_->block_count();
+  }
+  bool next(std::span<Element> block) override {
+    if (!source_->next(from_)) {
+      return false;
+    }
+    map_(from_, block);
+    return true;
+  }
+  bool rewind() override { return source_->rewind(); }
+
+ private:
+  Parameters parameters_;
+  std::unique_ptr<BlockSource> source_;
+  Map map_;
+  Block from_;
+};
+
 }  // namespace
+
+std::optional<Offer> Family::offer(const Parameters& p, const Registry&) const {
+  const std::optional<Promise> promised = promise(p);
+  if (!promised) {
+    return std::nullopt;
+  }
+  return Offer{recipe_for(p), promised->b, promised->tight, promised->economical,
+               promised->expansion_set};
+}
+
+std::unique_ptr<BlockSource> Family::build(const Recipe& recipe, const Registry&) const {
+  return blocks(required(recipe));
+}
+
+std::string Family::explain(const Recipe& recipe) const { return explanation(required(recipe)); }
+
+const Parameters& Family::required(const Recipe& recipe) const {
+  const Parameters& p = recipe.parameters;
+  require_recipe(recipe, *this, promise(p) ? std::optional(recipe_for(p)) : std::nullopt);
+  return p;
+}
+
+std::uint64_t Rule::number(const Recipe& recipe) const {
+  const Parameters& p = recipe.parameters;
+  try {
+    check(p);
+  } catch (const ImpossibleParameters& fault) {
+    throw BadInput(fmt::format("{}: {}", name(), fault.what()));
+  }
+  const Recipe* input = recipe.inputs.size() == 1 ? &recipe.inputs.front() : nullptr;
+  const bool alike = input != nullptr && input->parameters.kind == p.kind &&
+                     input->parameters.strength == p.strength;
+  const std::uint64_t number = alike ? number_between(input->parameters, p) : 0;
+  if (number == 0) {
+    throw BadInput(
+        fmt::format("{} to {} takes one input {}", name(), changeover::name(p), needs()));
+  }
+  require_recipe(recipe, *this, with(*input, number));
+  return number;
+}
 
 bool asks_for_pairs(const Parameters& p, std::uint64_t change) {
   return p.strength == 2 && p.change == change && p.change >= 1 && p.k >= 2 && p.change <= p.k &&
@@ -127,6 +199,45 @@ std::string first_elements(std::uint64_t count) {
     text += fmt::format("{}{}", x == 0 ? "" : ",", x);
   }
   return text;
+}
+
+std::vector<std::string> labels_with_new(const Recipe& recipe, const Registry& registry) {
+  const Recipe& input = recipe.inputs.front();
+  return expanded_labels(registry.construction_of(input).labels(input, registry),
+                         recipe.parameters.v - input.parameters.v);
+}
+
+std::unique_ptr<BlockSource> mapped(
+    const Parameters& parameters, std::unique_ptr<BlockSource> source,
+    std::function<void(std::span<const Element> from, std::span<Element> to)> map) {
+  return std::make_unique<MappedSource>(parameters, std::move(source), std::move(map));
+}
+
+void blow_up(std::span<const Element> from, std::uint64_t copies, std::span<Element> to) {
+  std::size_t filled = 0;
+  for (const Element x : from) {
+    for (std::uint64_t i = 0; i < copies; ++i) {
+      to[filled++] = static_cast<Element>(copies * x + i);
+    }
+  }
+}
+
+std::unique_ptr<BlockSource> blown_up(const Parameters& parameters,
+                                      std::unique_ptr<BlockSource> source, std::uint64_t copies) {
+  return mapped(parameters, std::move(source),
+                [copies](std::span<const Element> from, std::span<Element> to) {
+                  blow_up(from, copies, to);
+                });
+}
+
+std::unique_ptr<BlockSource> with_fixed(const Parameters& parameters,
+                                        std::unique_ptr<BlockSource> source) {
+  return mapped(parameters, std::move(source),
+                [v = parameters.v](std::span<const Element> from, std::span<Element> to) {
+                  const auto added = to.subspan(from.size());
+                  std::copy(from.begin(), from.end(), to.begin());
+                  std::iota(added.begin(), added.end(), static_cast<Element>(v - added.size()));
+                });
 }
 
 BlockListSource::BlockListSource(const Parameters& parameters, std::vector<Block> blocks)

@@ -1,10 +1,13 @@
-// What the files in src/construct/entries share: recognising their own recipes, choosing a design
-// to build upon, and a list of blocks as a stream.
+// What the files in src/construct/entries share: what they say of themselves, recognising their own
+// recipes, choosing a design to build upon, and blocks as streams.
 //
-//     std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-//       require_recipe(recipe, *this, recipe_for(recipe.parameters));   // BadInput, in one line
-//       …
-//     }
+//     constexpr Description description{.name = "mcsorley-circular", …};
+//     class McSorleyCircular final : public Family {     // one recipe for each p that is served
+//       McSorleyCircular() : Family(description) {}
+//       std::optional<Promise> promise(const Parameters& p) const override;
+//       std::unique_ptr<BlockSource> blocks(const Parameters& p) const override;
+//       std::string explanation(const Parameters& p) const override;
+//     };
 //
 // A construction that has only one recipe for given parameters compares the whole of it: what is
 // built is then what was offered, and nothing else in a recipe can be silently ignored.
@@ -12,14 +15,107 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
 
 namespace changeover {
+
+/// What a construction says of itself; see Construction.
+struct Description {
+  std::string_view name{};
+  std::string_view summary{};
+  std::string_view preconditions{};
+  std::string_view guarantee{};
+  std::string_view cited{};  ///< the key of what it is from, if it is from somewhere
+  std::string_view place{};  ///< where it is there
+};
+
+/// A construction that is described by data.
+class Entry : public Construction {
+ public:
+  [[nodiscard]] std::string_view name() const final { return description_.name; }
+  [[nodiscard]] std::string_view summary() const final { return description_.summary; }
+  [[nodiscard]] std::string_view preconditions() const final { return description_.preconditions; }
+  [[nodiscard]] std::string_view guarantee() const final { return description_.guarantee; }
+  [[nodiscard]] Citation citation() const final {
+    return {std::string(description_.cited), std::string(description_.place)};
+  }
+
+  /// None: rules and lists make no offers, lest offers recurse without end.
+  [[nodiscard]] std::optional<Offer> offer(const Parameters&, const Registry&) const override {
+    return std::nullopt;
+  }
+
+ protected:
+  explicit Entry(const Description& description) : description_(description) {}
+
+  /// A recipe of this construction.
+  [[nodiscard]] Recipe recipe_of(const Parameters& p,
+                                 std::map<std::string, std::int64_t> arguments = {},
+                                 std::vector<Recipe> inputs = {}) const {
+    return {std::string(name()), p, std::move(arguments), std::move(inputs), {}};
+  }
+
+ private:
+  Description description_;
+};
+
+/// What is promised of a design; see Offer.
+struct Promise {
+  std::uint64_t b = 0;
+  bool tight = false;
+  bool economical = false;
+  bool expansion_set = false;
+};
+
+/// A construction with one recipe, which has no inputs, for all parameters that it serves.
+class Family : public Entry {
+ public:
+  [[nodiscard]] std::optional<Offer> offer(const Parameters& p, const Registry&) const override;
+  [[nodiscard]] std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                                   const Registry&) const override;
+  [[nodiscard]] std::string explain(const Recipe& recipe) const override;
+
+ protected:
+  using Entry::Entry;
+
+  /// nullopt if p is not served.
+  [[nodiscard]] virtual std::optional<Promise> promise(const Parameters& p) const = 0;
+  /// The recipe, of parameters that are served: what is in it besides the name, if anything.
+  [[nodiscard]] virtual Recipe recipe_for(const Parameters& p) const { return recipe_of(p); }
+  /// The blocks, and how they are made, of parameters that are served.
+  [[nodiscard]] virtual std::unique_ptr<BlockSource> blocks(const Parameters& p) const = 0;
+  [[nodiscard]] virtual std::string explanation(const Parameters& p) const = 0;
+
+  /// The parameters of a recipe of this construction. @throws BadInput if it is none.
+  const Parameters& required(const Recipe& recipe) const;
+};
+
+/// A rule that makes a design of another one, its one input, and a number that their parameters tell.
+class Rule : public Entry {
+ protected:
+  using Entry::Entry;
+
+  /// The number; 0 if the rule does not lead from the one to the other. Kinds and strengths are the same.
+  [[nodiscard]] virtual std::uint64_t number_between(const Parameters& small,
+                                                     const Parameters& large) const = 0;
+  /// The recipe of this rule.
+  [[nodiscard]] virtual Recipe with(const Recipe& input, std::uint64_t number) const = 0;
+  /// What it takes, for a message: "takes one input …".
+  [[nodiscard]] virtual std::string_view needs() const = 0;
+
+  /// The number of a recipe of this rule; the input may be any of the right parameters.
+  /// @throws BadInput if the recipe is none.
+  [[nodiscard]] std::uint64_t number(const Recipe& recipe) const;
+};
 
 /// Whether p asks that pairs be covered (strength 2) with m = change, and 2 ≤ k, m ≤ k ≤ v < 2³²,
 /// so that products of two of its numbers fit in 64 bits. Never throws, unlike check().
@@ -50,6 +146,28 @@ enum class Need : std::uint8_t { blocks, expansion_set };
 
 /// "0,1,2", or "0,…,9" when there are many; for explanations.
 [[nodiscard]] std::string first_elements(std::uint64_t count);
+
+/// The labels of the recipe's one input, and of the elements that are new; see expanded_labels().
+[[nodiscard]] std::vector<std::string> labels_with_new(const Recipe& recipe,
+                                                       const Registry& registry);
+
+/// Each block of `source` made into one of another design by `map`, which reads the one and writes
+/// the other.
+[[nodiscard]] std::unique_ptr<BlockSource> mapped(
+    const Parameters& parameters, std::unique_ptr<BlockSource> source,
+    std::function<void(std::span<const Element> from, std::span<Element> to)> map);
+
+/// `copies` of every element x: copies·x, copies·x + 1, …
+void blow_up(std::span<const Element> from, std::uint64_t copies, std::span<Element> to);
+
+/// The same in each block of `source`.
+[[nodiscard]] std::unique_ptr<BlockSource> blown_up(const Parameters& parameters,
+                                                    std::unique_ptr<BlockSource> source,
+                                                    std::uint64_t copies);
+
+/// Each block of `source` with as many new elements, the last ones, as it lacks.
+[[nodiscard]] std::unique_ptr<BlockSource> with_fixed(const Parameters& parameters,
+                                                      std::unique_ptr<BlockSource> source);
 
 /// A stream that owns its list of blocks.
 class BlockListSource final : public BlockSource {

@@ -80,6 +80,15 @@ void Design::append(std::span<const Element> block) {
   elements_.insert(elements_.end(), block.begin(), block.end());
 }
 
+std::vector<Block> Design::blocks() const {
+  std::vector<Block> list;
+  list.reserve(block_count());
+  for (std::size_t i = 0; i < block_count(); ++i) {
+    list.emplace_back(block(i).begin(), block(i).end());
+  }
+  return list;
+}
+
 std::string Design::label(Element element) const {
   return labels_.empty() ? std::to_string(element) : labels_[element];
 }

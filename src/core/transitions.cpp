@@ -30,6 +30,10 @@ Block intersection(std::span<const Element> block, std::span<const Element> othe
   return select(block, other, true);
 }
 
+bool holds_all(std::span<const Element> block, std::span<const Element> elements) {
+  return intersection(block, elements).size() == elements.size();
+}
+
 Transitions::Transitions(BlockSource& source) : source_(&source) {
   const auto k = static_cast<std::size_t>(source.parameters().k);
   block_.resize(k);

@@ -50,6 +50,9 @@ class Design {
   /// All blocks, one after another.
   [[nodiscard]] std::span<const Element> elements() const { return elements_; }
 
+  /// A copy of the list of blocks, to be worked on.
+  [[nodiscard]] std::vector<Block> blocks() const;
+
   /// Adds a block at the end. @throws BadInput if it has not exactly k distinct elements below v;
   /// the design is then unchanged. O(k).
   void append(std::span<const Element> block);

@@ -28,6 +28,9 @@ namespace changeover {
 /// The elements of `block` that are also in `other`, in the order of `block`. O(k log k).
 [[nodiscard]] Block intersection(std::span<const Element> block, std::span<const Element> other);
 
+/// Whether the block holds all these elements, none of them twice. O(k log k).
+[[nodiscard]] bool holds_all(std::span<const Element> block, std::span<const Element> elements);
+
 /// A stream of blocks with the marks of each, one block of look-ahead.
 class Transitions {
  public:

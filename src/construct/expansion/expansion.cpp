@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <limits>
 #include <set>
-#include <span>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "construct/expansion/inserter.hpp"
 
 namespace changeover {
 namespace {
@@ -63,10 +63,6 @@ std::optional<std::string> shape_defect(const Parameters& p, const ExpansionSet&
   return std::nullopt;
 }
 
-bool holds_all(std::span<const Element> block, const Block& elements) {
-  return intersection(block, elements).size() == elements.size();
-}
-
 // What Theorem 2 makes of parameters p with an expansion set of ℓ subsets.
 Parameters expanded_parameters(const Parameters& p, std::size_t subsets) {
   if (p.change != 2 || p.strength != 2) {
@@ -84,81 +80,32 @@ Parameters expanded_parameters(const Parameters& p, std::size_t subsets) {
   return larger;
 }
 
-OneFactor factor(FactorizationKind kind, std::uint32_t order, std::uint32_t index) {
-  return kind == FactorizationKind::circle ? circle_factor(order, index)
-                                           : doubled_factor(order, index);
-}
-
-// Writes `kept` and the edge of new elements, vertex x being the element v + x.
-void write_block(const Block& kept, Edge edge, std::uint64_t v, std::span<Element> block) {
-  const auto end = std::copy(kept.begin(), kept.end(), block.begin());
-  *end = static_cast<Element>(v + edge.a);
-  *(end + 1) = static_cast<Element>(v + edge.b);
-}
-
-class ExpandedSource final : public BlockSource {
+// U ∪ e for the edges e of the factor of U, vertex x being the element v + x.
+class ExpandedSource final : public detail::InsertingSource {
  public:
-  ExpandedSource(std::unique_ptr<BlockSource> source, ExpansionSet set, FactorizationKind kind)
-      : source_(std::move(source)),
+  using Factors = std::function<OneFactor(std::uint32_t index)>;
+
+  ExpandedSource(std::unique_ptr<BlockSource> source, ExpansionSet set, Factors factors)
+      : InsertingSource(std::move(source), expanded_parameters(source->parameters(), set.size()),
+                        {set.size(), set.size() * (set.size() + 1) / 2}, " of the expansion set"),
         set_(std::move(set)),
-        kind_(kind),
-        parameters_(expanded_parameters(source_->parameters(), set_.size())) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    const std::optional<std::uint64_t> b = source_->block_count();
-    if (!b) {
-      return std::nullopt;
-    }
-    return checked_add(*b, checked_multiply(set_.size(), (set_.size() + 1) / 2));
-  }
-
-  bool next(std::span<Element> block) override {
-    for (;;) {
-      if (edge_ < factor_.size()) {
-        write_block(set_[begun_ - 1].elements, factor_[edge_++], source_->parameters().v, block);
-        return true;
-      }
-      if (begun_ < set_.size() && set_[begun_].position == position_) {
-        factor_ = factor(kind_, static_cast<std::uint32_t>(set_.size() + 1),
-                         static_cast<std::uint32_t>(begun_));
-        edge_ = 0;
-        ++begun_;
-        continue;
-      }
-      if (source_->next(block)) {
-        ++position_;
-        return true;
-      }
-      if (begun_ < set_.size()) {
-        throw BadInput(fmt::format("position {} of the expansion set is past the last block, {}",
-                                   set_[begun_].position, position_));
-      }
-      return false;
-    }
-  }
-
-  bool rewind() override {
-    if (!source_->rewind()) {
-      return false;
-    }
-    begun_ = 0;
-    position_ = 0;
-    edge_ = 0;
-    factor_.clear();
-    return true;
-  }
+        factors_(std::move(factors)) {}
 
  private:
-  std::unique_ptr<BlockSource> source_;
+  [[nodiscard]] std::uint64_t position(std::uint64_t i) const override { return set_[i].position; }
+
+  [[nodiscard]] Insertion insertion(std::uint64_t i, const Place&) override {
+    const std::uint64_t v = parameters().v - set_.size() - 1;
+    Insertion result{set_[i].elements, {}};
+    for (const auto [a, b] : factors_(static_cast<std::uint32_t>(i))) {
+      result.others.push_back(static_cast<Element>(v + a));
+      result.others.push_back(static_cast<Element>(v + b));
+    }
+    return result;
+  }
+
   ExpansionSet set_;
-  FactorizationKind kind_;
-  Parameters parameters_;
-  std::size_t begun_ = 0;       // subsets whose blocks were begun
-  std::uint64_t position_ = 0;  // blocks read from the source
-  OneFactor factor_;            // of the subset begun last
-  std::size_t edge_ = 0;
+  Factors factors_;
 };
 
 }  // namespace
@@ -228,7 +175,7 @@ std::vector<std::string> expanded_labels(std::vector<std::string> labels, std::u
 
 Design expand(const Design& design, const ExpansionSet& set,
               const OneFactorization& factorization) {
-  const Parameters larger = expanded_parameters(design.parameters(), set.size());
+  (void)expanded_parameters(design.parameters(), set.size());
   if (const auto defect = expansion_set_defect(design, set)) {
     throw BadInput(fmt::format("not an expansion set: {}", *defect));
   }
@@ -239,22 +186,9 @@ Design expand(const Design& design, const ExpansionSet& set,
   if (const auto defect = factorization_defect(factorization)) {
     throw BadInput(fmt::format("not a 1-factorization: {}", *defect));
   }
-  Design result(larger);
-  result.reserve(design.block_count() + set.size() * (set.size() + 1) / 2);
-  Block block(static_cast<std::size_t>(larger.k));
-  std::size_t begun = 0;
-  for (std::size_t position = 0; position <= design.block_count(); ++position) {
-    if (position > 0) {
-      result.append(design.block(position - 1));
-    }
-    if (begun < set.size() && set[begun].position == position) {
-      for (const Edge edge : factorization.factors[begun]) {
-        write_block(set[begun].elements, edge, design.v(), block);
-        result.append(block);
-      }
-      ++begun;
-    }
-  }
+  ExpandedSource source(std::make_unique<DesignSource>(design), set,
+                        [&](std::uint32_t i) { return factorization.factors[i]; });
+  Design result = read_all(source);
   result.set_labels(expanded_labels(design.labels(), set.size() + 1));
   return result;
 }
@@ -266,7 +200,12 @@ std::unique_ptr<BlockSource> expand(std::unique_ptr<BlockSource> source, Expansi
   if (const auto defect = shape_defect(p, set, nullptr)) {
     throw BadInput(fmt::format("not an expansion set: {}", *defect));
   }
-  return std::make_unique<ExpandedSource>(std::move(source), std::move(set), kind);
+  const auto order = static_cast<std::uint32_t>(set.size() + 1);
+  return std::make_unique<ExpandedSource>(
+      std::move(source), std::move(set), [kind, order](std::uint32_t i) {
+        return kind == FactorizationKind::circle ? circle_factor(order, i)
+                                                 : doubled_factor(order, i);
+      });
 }
 
 }  // namespace changeover

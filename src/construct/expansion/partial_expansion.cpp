@@ -16,14 +16,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
+#include "construct/expansion/inserter.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 
 namespace changeover {
@@ -56,10 +57,6 @@ void check_fit(const Parameters& p, std::uint64_t w) {
 // Near-1-factors: m = 2 and w odd, w > 1.
 bool has_unmatched(const Parameters& p, std::uint64_t w) {
   return p.change == 2 && w > 2 && w % 2 != 0;
-}
-
-bool holds_all(std::span<const Element> block, const Block& elements) {
-  return intersection(block, elements).size() == elements.size();
 }
 
 bool is_in(std::span<const Element> block, Element x) {
@@ -195,221 +192,139 @@ std::optional<std::string> sweep_defect(const UnchangedSubset& subset, Element l
                      left_out);
 }
 
-class PartiallyExpandedSource final : public BlockSource {
+class PartiallyExpandedSource final : public detail::InsertingSource {
  public:
   PartiallyExpandedSource(std::unique_ptr<BlockSource> source, UnchangedCover cover,
                           std::uint64_t w, FactorizationKind kind)
-      : source_(std::move(source)),
-        cover_(std::move(cover)),
-        w_(w),
-        kind_(kind),
-        small_(source_->parameters()),
-        parameters_(small_) {
-    parameters_.v += w;
-    const Block rest =
-        small_.change == 1 ? detail::left_out_elements(small_.v, cover_.subsets) : Block{};
-    if (!rest.empty()) {
-      left_out_ = rest.front();
-    }
-    added_ = blocks_added(small_, cover_.subsets.size(), w, left_out_.has_value());
-    sweeps_ = detail::takes_sweep(small_, cover_.subsets.size(), w);
-  }
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    const std::optional<std::uint64_t> b = source_->block_count();
-    return b ? std::optional(checked_add(*b, added_)) : std::nullopt;
-  }
-
-  bool next(std::span<Element> block) override {
-    for (;;) {
-      if (given_ < inserted_.size()) {
-        const auto from = inserted_.begin() + static_cast<std::ptrdiff_t>(given_);
-        std::copy_n(from, block.size(), block.begin());
-        given_ += block.size();
-        return true;
-      }
-      if (!started_) {
-        started_ = true;
-        read_ahead();
-        first_ = ahead_;
-      }
-      if (begun_ < cover_.subsets.size() && cover_.subsets[begun_].position == position_) {
-        insert(begun_++);
-        continue;
-      }
-      if (!ahead_.empty()) {
-        std::copy(ahead_.begin(), ahead_.end(), block.begin());
-        std::swap(before_, ahead_);
-        ++position_;
-        read_ahead();
-        return true;
-      }
-      if (begun_ < cover_.subsets.size()) {
-        throw BadInput(fmt::format("position {} of the cover is past the last block, {}",
-                                   cover_.subsets[begun_].position, position_));
-      }
-      return false;
-    }
-  }
-
-  bool rewind() override {
-    if (!source_->rewind()) {
-      return false;
-    }
-    started_ = false;
-    before_.clear();
-    position_ = 0;
-    begun_ = 0;
-    inserted_.clear();
-    given_ = 0;
-    return true;
-  }
+      : PartiallyExpandedSource(source->parameters(), left_out_by(source->parameters(), cover), w,
+                                std::move(source), std::move(cover), kind) {}
 
  private:
-  void read_ahead() {
-    ahead_.resize(static_cast<std::size_t>(small_.k));
-    if (!source_->next(ahead_)) {
-      ahead_.clear();
+  PartiallyExpandedSource(const Parameters& small, std::optional<Element> left_out, std::uint64_t w,
+                          std::unique_ptr<BlockSource>&& source, UnchangedCover&& cover,
+                          FactorizationKind kind)
+      : InsertingSource(std::move(source), with_more(small, w),
+                        {cover.subsets.size(),
+                         blocks_added(small, cover.subsets.size(), w, left_out.has_value())},
+                        " of the cover"),
+        small_(small),
+        left_out_(left_out),
+        w_(w),
+        cover_(std::move(cover)),
+        kind_(kind),
+        sweeps_(detail::takes_sweep(small, cover_.subsets.size(), w)) {}
+
+  // The element that is left out, m = 1.
+  static std::optional<Element> left_out_by(const Parameters& p, const UnchangedCover& cover) {
+    const Block rest = p.change == 1 ? detail::left_out_elements(p.v, cover.subsets) : Block{};
+    return rest.empty() ? std::nullopt : std::optional(rest.front());
+  }
+
+  static Parameters with_more(Parameters p, std::uint64_t w) {
+    p.v += w;
+    return p;
+  }
+
+  [[nodiscard]] std::uint64_t position(std::uint64_t i) const override {
+    return cover_.subsets[i].position;
+  }
+
+  [[nodiscard]] Insertion insertion(std::uint64_t index, const Place& place) override {
+    const UnchangedSubset& subset = cover_.subsets[index];
+    const Block* beside = cover_.beside.empty() ? nullptr : &cover_.beside[index];
+    auto defect = subset.position == 0 && small_.kind == Kind::circular
+                      ? std::optional(std::string("a circular design has no position 0"))
+                      : place_defect(small_, subset, beside, place.before, place.after, w_);
+    const bool is_sweep = index == cover_.sweep;
+    if (!defect && left_out_ && is_sweep) {
+      defect = sweep_defect(subset, *left_out_, place.before);
     }
+    if (defect) {
+      throw BadInput(fmt::format("not a cover by unchanged subsets: {}", *defect));
+    }
+    if (w_ <= small_.change) {
+      return {subset.elements, all_new(subset.elements, beside, place)};
+    }
+    if (small_.change == 2) {
+      return sweeps_ && is_sweep ? Insertion{{}, double_sweep(subset.elements, place)}
+                                 : Insertion{subset.elements, factor(index, beside, place.before)};
+    }
+    return is_sweep ? Insertion{{}, detail::sweep(subset.elements, left_out_, new_elements())}
+                    : Insertion{subset.elements, new_elements()};
   }
 
   [[nodiscard]] Element new_element(std::uint64_t i) const {
     return static_cast<Element>(small_.v + i);
   }
 
-  void insert_block(const Block& kept, std::initializer_list<Element> others) {
-    inserted_.insert(inserted_.end(), kept.begin(), kept.end());
-    inserted_.insert(inserted_.end(), others.begin(), others.end());
-  }
-
-  // The blocks at the position of a subset.
-  void insert(std::size_t index) {
-    inserted_.clear();
-    given_ = 0;
-    const UnchangedSubset& subset = cover_.subsets[index];
-    const bool wraps = ahead_.empty() && small_.kind == Kind::circular;
-    const std::span<const Element> after = wraps ? first_ : ahead_;
-    const Block* beside = cover_.beside.empty() ? nullptr : &cover_.beside[index];
-    auto defect = position_ == 0 && small_.kind == Kind::circular
-                      ? std::optional(std::string("a circular design has no position 0"))
-                      : place_defect(small_, subset, beside, before_, after, w_);
-    if (!defect && left_out_ && index == cover_.sweep) {
-      defect = sweep_defect(subset, *left_out_, before_);
-    }
-    if (defect) {
-      throw BadInput(fmt::format("not a cover by unchanged subsets: {}", *defect));
-    }
-    if (w_ <= small_.change) {
-      insert_all_new(subset.elements, beside, after);
-    } else if (small_.change == 2 && sweeps_ && index == cover_.sweep) {
-      insert_double_sweep(subset.elements, after);
-    } else if (small_.change == 2) {
-      insert_factor(index, beside);
-    } else {
-      insert_stream(index);
-    }
-  }
-
-  // U ∪ X and what comes beside.
-  void insert_all_new(const Block& kept, const Block* beside, std::span<const Element> after) {
-    insert_block(kept, {});
-    for (std::uint64_t i = 0; i < w_; ++i) {
-      inserted_.push_back(new_element(i));
-    }
-    if (beside != nullptr) {
-      inserted_.insert(inserted_.end(), beside->begin(), beside->end());
-    }
-    for (Element y = 0; inserted_.size() < small_.k; ++y) {
-      if (!is_in(before_, y) && !is_in(after, y) && !is_in(inserted_, y)) {
-        inserted_.push_back(y);
-      }
-    }
-  }
-
-  // U ∪ e for the edges of a 1-factor or near-1-factor.
-  void insert_factor(std::size_t index, const Block* beside) {
-    const Block& kept = cover_.subsets[index].elements;
-    const auto order = static_cast<std::uint32_t>(w_ + w_ % 2);
-    const auto which = static_cast<std::uint32_t>(index % (order - 1));
-    std::optional<std::uint32_t> unmatched;
-    for (const auto [a, b] : kind_ == FactorizationKind::circle ? circle_factor(order, which)
-                                                                : doubled_factor(order, which)) {
-      if (b == w_) {
-        unmatched = a;
-      } else {
-        insert_block(kept, {new_element(a), new_element(b)});
-      }
-    }
-    if (!unmatched) {
-      return;
-    }
-    const Element x = new_element(*unmatched);
-    Element y = 0;
-    if (beside != nullptr && !beside->empty()) {
-      y = beside->front();
-    } else {
-      while (is_in(before_, y) || is_in(kept, y)) {
-        ++y;
-      }
-    }
-    insert_block(kept, {x, y});
-    if (!is_in(before_, y)) {
-      std::rotate(inserted_.begin(), inserted_.end() - static_cast<std::ptrdiff_t>(small_.k),
-                  inserted_.end());
-    }
-  }
-
-  // With w odd an old element of neither block makes the number even.
-  void insert_double_sweep(const Block& kept, std::span<const Element> after) {
-    Block added = new_elements();
-    for (Element y = 0; added.size() % 2 != 0; ++y) {
-      if (!is_in(before_, y) && !is_in(after, y)) {
-        added.push_back(y);
-      }
-    }
-    inserted_ = detail::double_sweep(kept, added);
-  }
-
   [[nodiscard]] Block new_elements() const {
-    Block added;
-    for (std::uint64_t i = 0; i < w_; ++i) {
-      added.push_back(new_element(i));
-    }
+    Block added(static_cast<std::size_t>(w_));
+    std::iota(added.begin(), added.end(), new_element(0));
     return added;
   }
 
-  // U ∪ {x} for all new x, or the sweep.
-  void insert_stream(std::size_t index) {
-    const Block& kept = cover_.subsets[index].elements;
-    if (index != cover_.sweep) {
-      for (std::uint64_t i = 0; i < w_; ++i) {
-        insert_block(kept, {new_element(i)});
-      }
-      return;
+  // X and what comes beside.
+  [[nodiscard]] Block all_new(const Block& kept, const Block* beside, const Place& place) const {
+    Block others = new_elements();
+    if (beside != nullptr) {
+      others.insert(others.end(), beside->begin(), beside->end());
     }
-    inserted_ = detail::sweep(kept, left_out_, new_elements());
+    for (Element y = 0; others.size() < small_.change; ++y) {
+      if (!is_in(place.before, y) && !is_in(place.after, y) && !is_in(kept, y) &&
+          !is_in(others, y)) {
+        others.push_back(y);
+      }
+    }
+    return others;
   }
 
-  std::unique_ptr<BlockSource> source_;
-  UnchangedCover cover_;
-  std::uint64_t w_;
-  FactorizationKind kind_;
-  Parameters small_;
-  Parameters parameters_;
-  std::optional<Element> left_out_;  // m = 1 only
-  std::uint64_t added_ = 0;
-  bool sweeps_ = false;
+  // The edges of a 1-factor or near-1-factor.
+  [[nodiscard]] Block factor(std::uint64_t index, const Block* beside,
+                             std::span<const Element> before) const {
+    const Block& kept = cover_.subsets[index].elements;
+    const auto order = static_cast<std::uint32_t>(w_ + w_ % 2);
+    const auto which = static_cast<std::uint32_t>(index % (order - 1));
+    Block edges;
+    std::optional<Element> unmatched;
+    for (const auto [a, b] : kind_ == FactorizationKind::circle ? circle_factor(order, which)
+                                                                : doubled_factor(order, which)) {
+      if (b == w_) {
+        unmatched = new_element(a);
+      } else {
+        edges.insert(edges.end(), {new_element(a), new_element(b)});
+      }
+    }
+    if (unmatched) {
+      Element y = 0;
+      if (beside != nullptr && !beside->empty()) {
+        y = beside->front();
+      } else {
+        while (is_in(before, y) || is_in(kept, y)) {
+          ++y;
+        }
+      }
+      edges.insert(is_in(before, y) ? edges.end() : edges.begin(), {*unmatched, y});
+    }
+    return edges;
+  }
 
-  bool started_ = false;
-  Block first_;                 // of the source
-  Block before_;                // the last block that was handed on; empty before the first
-  Block ahead_;                 // the next one; empty after the last
-  std::uint64_t position_ = 0;  // blocks handed on
-  std::size_t begun_ = 0;       // subsets whose blocks were made
-  std::vector<Element> inserted_;
-  std::size_t given_ = 0;  // elements of them that were handed on
+  // With w odd an old element of neither block makes the number even.
+  [[nodiscard]] Block double_sweep(const Block& kept, const Place& place) const {
+    Block added = new_elements();
+    for (Element y = 0; added.size() % 2 != 0; ++y) {
+      if (!is_in(place.before, y) && !is_in(place.after, y)) {
+        added.push_back(y);
+      }
+    }
+    return detail::double_sweep(kept, added);
+  }
+
+  Parameters small_;
+  std::optional<Element> left_out_;
+  std::uint64_t w_;
+  UnchangedCover cover_;
+  FactorizationKind kind_;
+  bool sweeps_;
 };
 
 void throw_if(const std::optional<std::string>& defect) {

@@ -6,9 +6,9 @@
 #include <span>
 #include <utility>
 
-#include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "construct/expansion/inserter.hpp"
 
 namespace changeover {
 namespace {
@@ -54,57 +54,22 @@ std::optional<std::string> shape_defect(const Parameters& p, const ExpansionSet&
   return std::nullopt;
 }
 
-bool holds_all(std::span<const Element> block, const Block& elements) {
-  return intersection(block, elements).size() == elements.size();
-}
-
-class ExpandedSource final : public BlockSource {
+// U ∪ {x} for each subset U, x being the new element.
+class ExpandedSource final : public detail::InsertingSource {
  public:
   ExpandedSource(std::unique_ptr<BlockSource> source, ExpansionSet set)
-      : source_(std::move(source)),
-        set_(std::move(set)),
-        parameters_(expanded_parameters(source_->parameters())) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    const std::optional<std::uint64_t> b = source_->block_count();
-    return b ? std::optional(checked_add(*b, set_.size())) : std::nullopt;
-  }
-
-  bool next(std::span<Element> block) override {
-    if (inserted_ < set_.size() && set_[inserted_].position == position_) {
-      const auto end = std::ranges::copy(set_[inserted_].elements, block.begin()).out;
-      *end = static_cast<Element>(parameters_.v - 1);
-      ++inserted_;
-      return true;
-    }
-    if (source_->next(block)) {
-      ++position_;
-      return true;
-    }
-    if (inserted_ < set_.size()) {
-      throw BadInput(fmt::format("position {} is past the last block, {}", set_[inserted_].position,
-                                 position_));
-    }
-    return false;
-  }
-
-  bool rewind() override {
-    if (!source_->rewind()) {
-      return false;
-    }
-    inserted_ = 0;
-    position_ = 0;
-    return true;
-  }
+      : InsertingSource(std::move(source), expanded_parameters(source->parameters()),
+                        {set.size(), set.size()}),
+        set_(std::move(set)) {}
 
  private:
-  std::unique_ptr<BlockSource> source_;
+  [[nodiscard]] std::uint64_t position(std::uint64_t i) const override { return set_[i].position; }
+
+  [[nodiscard]] Insertion insertion(std::uint64_t i, const Place&) override {
+    return {set_[i].elements, {static_cast<Element>(parameters().v - 1)}};
+  }
+
   ExpansionSet set_;
-  Parameters parameters_;
-  std::size_t inserted_ = 0;
-  std::uint64_t position_ = 0;  // blocks read from the source
 };
 
 // The end block without the first element that the other subsets hold.
@@ -153,16 +118,12 @@ std::optional<std::string> single_change_expansion_defect(const Design& design,
 }
 
 Design expand_single_change(const Design& design, const ExpansionSet& set) {
-  const Parameters larger = expanded_parameters(design.parameters());
+  (void)expanded_parameters(design.parameters());
   if (const auto defect = single_change_expansion_defect(design, set)) {
     throw BadInput(fmt::format("one element cannot be added: {}", *defect));
   }
   ExpandedSource source(std::make_unique<DesignSource>(design), set);
-  Design result(larger);
-  result.reserve(design.block_count() + set.size());
-  for (Block block(static_cast<std::size_t>(larger.k)); source.next(block);) {
-    result.append(block);
-  }
+  Design result = read_all(source);
   result.set_labels(expanded_labels(design.labels(), 1));
   return result;
 }

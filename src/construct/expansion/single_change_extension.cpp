@@ -15,6 +15,8 @@
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "construct/entry.hpp"
+#include "construct/expansion/inserter.hpp"
 
 namespace changeover {
 namespace {
@@ -116,11 +118,8 @@ const Script& script(std::uint64_t k) {
 
 std::optional<Block> end_of(const Design& design) {
   const std::uint64_t k = design.k();
-  std::vector<Block> last;
-  for (std::size_t i = design.block_count() - static_cast<std::size_t>(k - 1);
-       i < design.block_count(); ++i) {
-    last.emplace_back(design.block(i).begin(), design.block(i).end());
-  }
+  std::vector<Block> last = design.blocks();
+  last.erase(last.begin(), last.end() - static_cast<std::ptrdiff_t>(k - 1));
   const bool circular = design.parameters().kind == Kind::circular;
   const Block common = circular ? intersection(last.back(), design.block(0)) : last.back();
   if (circular && common.size() != k - 1) {
@@ -155,104 +154,88 @@ Parameters extended_parameters(const Design& design, std::uint64_t rounds) {
   return p;
 }
 
-class ExtendedSource final : public BlockSource {
+// The last k − 2 blocks, of the design and of each round, are taken away before a further round.
+std::size_t lasting_blocks(const Design& design, std::uint64_t rounds) {
+  return design.block_count() - (rounds > 0 ? static_cast<std::size_t>(design.k() - 2) : 0);
+}
+
+std::unique_ptr<BlockSource> start_of(const Design& design, std::uint64_t rounds) {
+  std::vector<Block> blocks = design.blocks();
+  blocks.resize(lasting_blocks(design, rounds));
+  return std::make_unique<BlockListSource>(design.parameters(), std::move(blocks));
+}
+
+// All rounds follow the start of the design; an insertion is a step of the script.
+class ExtendedSource final : public detail::InsertingSource {
  public:
-  ExtendedSource(const Design& design, std::uint64_t rounds)
-      : design_(design),
+  ExtendedSource(const Design& design, std::uint64_t rounds, const Parameters& larger)
+      : InsertingSource(start_of(design, rounds), larger,
+                        {rounds * lasting_steps(design.k()) + (rounds > 0 ? design.k() - 2 : 0),
+                         size_after(design, rounds).b - lasting_blocks(design, rounds)}),
         rounds_(rounds),
-        parameters_(extended_parameters(design, rounds)),
-        script_(script(design.k())) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    return size_after(design_, rounds_).b;
-  }
-
-  bool next(std::span<Element> block) override {
-    const std::size_t taken_away = static_cast<std::size_t>(design_.k() - 2);
-    if (index_ + (rounds_ > 0 ? taken_away : 0) < design_.block_count()) {
-      std::ranges::copy(design_.block(index_++), block.begin());
-      return true;
-    }
-    while (begun_ <= rounds_ && rounds_ > 0) {
-      if (begun_ > 0) {
-        const bool last_round = begun_ == rounds_;
-        if (step_ + (last_round ? 0 : taken_away) < script_.steps.size()) {
-          if (next_of_step(block)) {
-            return true;
-          }
-          continue;
-        }
-        if (last_round) {
-          return false;
-        }
-      }
-      begin_round();
-    }
-    return false;
-  }
-
-  bool rewind() override {
-    index_ = 0;
-    begun_ = 0;
-    step_ = 0;
-    return true;
-  }
+        script_(script(design.k())),
+        end_(*end_of(design)),
+        small_v_(design.v()),
+        start_(lasting_blocks(design, rounds)) {}
 
  private:
-  void begin_round() {
-    const auto old = static_cast<std::size_t>(old_roles(design_.k()));
-    if (begun_ == 0) {
-      elements_ = *end_of(design_);
-      v_ = design_.v();
-    } else {
-      Block kept(old);
-      for (std::size_t role = 0; role < old; ++role) {
-        kept[role] = elements_[script_.next[role]];
-      }
-      elements_ = std::move(kept);
-      v_ += old;
+  // Of further elements, how many are named at once.
+  static constexpr std::size_t most_at_once = 1024;
+
+  static std::uint64_t lasting_steps(std::uint64_t k) { return script(k).steps.size() - (k - 2); }
+
+  [[nodiscard]] std::uint64_t position(std::uint64_t) const override { return start_; }
+
+  [[nodiscard]] Insertion insertion(std::uint64_t i, const Place&) override {
+    const std::uint64_t lasting = lasting_steps(parameters().k);
+    const std::uint64_t round = std::min(i / lasting, rounds_ - 1);
+    const auto index = static_cast<std::size_t>(i - round * lasting);
+    if (index == 0) {  // which is one block
+      begin_round(round);
     }
-    ++begun_;
-    step_ = 0;
+    const Script::Step& step = script_.steps[index];
+    Block block(step.roles.size());
+    std::ranges::transform(step.roles, block.begin(),
+                           [this](Role role) { return elements_[role]; });
+    if (!step.all_further) {
+      return {{}, std::move(block)};
+    }
+    kept_ = std::move(block);
+    Insertion result{kept_, {}};
+    const auto old = elements_.begin() + static_cast<std::ptrdiff_t>(end_.size());
+    for (; further_ < v_ && result.others.size() < most_at_once; ++further_) {
+      if (std::find(elements_.begin(), old, static_cast<Element>(further_)) == old) {
+        result.others.push_back(static_cast<Element>(further_));
+      }
+    }
+    result.unfinished = further_ < v_;
+    further_ = result.unfinished ? further_ : 0;
+    return result;
+  }
+
+  void begin_round(std::uint64_t round) {
+    Block old = end_;
+    if (round > 0) {
+      std::ranges::transform(script_.next, old.begin(),
+                             [this](Role role) { return elements_[role]; });
+    }
+    v_ = small_v_ + round * old.size();
     further_ = 0;
-    for (std::size_t i = 0; i < old; ++i) {
+    elements_ = std::move(old);
+    for (std::size_t i = 0; i < end_.size(); ++i) {
       elements_.push_back(static_cast<Element>(v_ + i));
     }
   }
 
-  // The next block of the step, false if there is no more in it.
-  bool next_of_step(std::span<Element> block) {
-    const Script::Step& step = script_.steps[step_];
-    if (step.all_further) {
-      const auto old = elements_.begin() + static_cast<std::ptrdiff_t>(old_roles(design_.k()));
-      while (further_ < v_ &&
-             std::find(elements_.begin(), old, static_cast<Element>(further_)) != old) {
-        ++further_;
-      }
-      if (further_ == v_) {
-        further_ = 0;
-        ++step_;
-        return false;
-      }
-      block.back() = static_cast<Element>(further_++);
-    }
-    std::ranges::transform(step.roles, block.begin(),
-                           [this](Role role) { return elements_[role]; });
-    step_ += step.all_further ? 0U : 1U;
-    return true;
-  }
-
-  Design design_;
   std::uint64_t rounds_;
-  Parameters parameters_;
   const Script& script_;
-  std::size_t index_ = 0;      // blocks read from the design
-  std::uint64_t begun_ = 0;    // rounds begun
-  std::size_t step_ = 0;       // of the script
-  std::uint64_t further_ = 0;  // where to look for the next further element
+  Block end_;  // the elements by their roles at the end of the design
+  std::uint64_t small_v_;
+  std::uint64_t start_;        // blocks that stay of the design
   std::uint64_t v_ = 0;        // elements before this round
   Block elements_;             // by role
+  Block kept_;                 // beside further elements
+  std::uint64_t further_ = 0;  // where to look for the next of them
 };
 
 // Of a design whose end may be taken away; see the header.
@@ -315,7 +298,8 @@ std::optional<std::string> single_change_extension_defect(const Design& design) 
 }
 
 std::unique_ptr<BlockSource> extend_single_change(const Design& design, std::uint64_t rounds) {
-  return std::make_unique<ExtendedSource>(design, rounds);
+  const Parameters larger = extended_parameters(design, rounds);
+  return std::make_unique<ExtendedSource>(design, rounds, larger);
 }
 
 std::optional<ExpansionSet> extended_expansion_set(const Design& design, std::uint64_t rounds) {

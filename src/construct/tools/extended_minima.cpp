@@ -41,16 +41,7 @@ const ListedMinimum* ExtendedMinima::listed_for(const Parameters& p) const {
   return best;
 }
 
-const ListedMinimum& ExtendedMinima::required_list(const Recipe& recipe) const {
-  const Parameters& p = recipe.parameters;
-  const ListedMinimum* listed = listed_for(p);
-  require_recipe(
-      recipe, *this,
-      listed == nullptr ? std::nullopt : std::optional(Recipe{std::string(name()), p, {}, {}, {}}));
-  return *listed;
-}
-
-std::optional<Offer> ExtendedMinima::offer(const Parameters& p, const Registry&) const {
+std::optional<Promise> ExtendedMinima::promise(const Parameters& p) const {
   const ListedMinimum* listed = listed_for(p);
   if (listed == nullptr) {
     return std::nullopt;
@@ -66,41 +57,41 @@ std::optional<Offer> ExtendedMinima::offer(const Parameters& p, const Registry&)
   const bool tight = (b - first) * (k_ - 1) == pairs;
   const bool economical = b == ceil_div(pairs, k_ - 1) + first;
   const bool expansion_set = listed->expansion_set && p.v <= largest_expansion_set;
-  return Offer{Recipe{std::string(name()), p, {}, {}, {}}, b, tight, economical, expansion_set};
+  return Promise{b, tight, economical, expansion_set};
 }
 
-std::unique_ptr<BlockSource> ExtendedMinima::build(const Recipe& recipe, const Registry&) const {
-  const ListedMinimum& listed = required_list(recipe);
-  const std::uint64_t rounds = rounds_to(recipe.parameters, listed);
+std::unique_ptr<BlockSource> ExtendedMinima::blocks(const Parameters& p) const {
+  const ListedMinimum& listed = *listed_for(p);
+  const std::uint64_t rounds = rounds_to(p, listed);
   if (rounds == 0) {
-    return std::make_unique<BlockListSource>(recipe.parameters, short_blocks(listed.blocks));
+    return std::make_unique<BlockListSource>(p, short_blocks(listed.blocks));
   }
-  return extend_single_change(design_of(recipe.parameters, listed), rounds);
+  return extend_single_change(design_of(p, listed), rounds);
 }
 
 std::optional<std::vector<UnchangedSubset>> ExtendedMinima::expansion_set(const Recipe& recipe,
                                                                           const Registry&) const {
-  const ListedMinimum& listed = required_list(recipe);
-  if (!listed.expansion_set || recipe.parameters.v > largest_expansion_set) {
+  const Parameters& p = required(recipe);
+  const ListedMinimum& listed = *listed_for(p);
+  if (!listed.expansion_set || p.v > largest_expansion_set) {
     return std::nullopt;
   }
-  return extended_expansion_set(design_of(recipe.parameters, listed),
-                                rounds_to(recipe.parameters, listed));
+  return extended_expansion_set(design_of(p, listed), rounds_to(p, listed));
 }
 
-std::string ExtendedMinima::explain(const Recipe& recipe) const {
-  const ListedMinimum& listed = required_list(recipe);
-  const std::uint64_t rounds = rounds_to(recipe.parameters, listed);
+std::string ExtendedMinima::explanation(const Parameters& p) const {
+  const ListedMinimum& listed = *listed_for(p);
+  const std::uint64_t rounds = rounds_to(p, listed);
   const std::uint64_t count = listed_count(listed, k_);
   if (rounds == 0) {
     return fmt::format("A list of {} blocks.", count);
   }
-  Parameters p = recipe.parameters;
-  p.v = listed.v;
+  Parameters smaller = p;
+  smaller.v = listed.v;
   return fmt::format(
       "Extend a listed {} of {} blocks {} by {} elements: two sets of {} new elements are held "
       "beside almost every old one.",
-      changeover::name(p), count, rounds == 1 ? "once" : fmt::format("{} times", rounds),
+      changeover::name(smaller), count, rounds == 1 ? "once" : fmt::format("{} times", rounds),
       2 * (k_ - 1), k_ - 1);
 }
 

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "changeover/construct/registry.hpp"
+#include "construct/entry.hpp"
 
 namespace changeover::detail {
 
@@ -23,23 +23,22 @@ struct ListedMinimum {
 
 /// A construction with one recipe for each v and kind: the listed design of the largest v′ ≤ v, v′
 /// ≡ v (mod 2(k−1)), extended as often as needed. Promises are read off the list.
-class ExtendedMinima : public Construction {
+class ExtendedMinima : public Family {
  public:
-  std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override;
-  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry& registry) const override;
   std::optional<std::vector<UnchangedSubset>> expansion_set(
       const Recipe& recipe, const Registry& registry) const override;
-  std::string explain(const Recipe& recipe) const override;
 
  protected:
   /// @param linear, circular by increasing v; views of static storage
-  ExtendedMinima(std::uint64_t k, std::span<const ListedMinimum> linear,
-                 std::span<const ListedMinimum> circular)
-      : k_(k), linear_(linear), circular_(circular) {}
+  ExtendedMinima(const Description& description, std::uint64_t k,
+                 std::span<const ListedMinimum> linear, std::span<const ListedMinimum> circular)
+      : Family(description), k_(k), linear_(linear), circular_(circular) {}
 
  private:
   [[nodiscard]] const ListedMinimum* listed_for(const Parameters& p) const;
-  [[nodiscard]] const ListedMinimum& required_list(const Recipe& recipe) const;
+  [[nodiscard]] std::optional<Promise> promise(const Parameters& p) const override;
+  [[nodiscard]] std::unique_ptr<BlockSource> blocks(const Parameters& p) const override;
+  [[nodiscard]] std::string explanation(const Parameters& p) const override;
 
   std::uint64_t k_;
   std::span<const ListedMinimum> linear_;

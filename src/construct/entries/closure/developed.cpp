@@ -106,21 +106,16 @@ class PermutedSource final : public BlockSource {
   std::uint64_t add_ = 0;  // power · shift, modulo n
 };
 
-class Developed final : public Construction {
- public:
-  std::string_view name() const override { return "developed"; }
-  std::string_view summary() const override {
-    return "base blocks that the recipe lists, developed under n-cycles and f fixed points";
-  }
-  std::string_view preconditions() const override {
-    return "circular, v = sn+f, c base blocks; shift is a unit of Z_n";
-  }
-  std::string_view guarantee() const override { return "cn blocks; whether a design: verify"; }
-  Citation citation() const override { return {}; }
+constexpr Description description{
+    .name = "developed",
+    .summary = "base blocks that the recipe lists, developed under n-cycles and f fixed points",
+    .preconditions = "circular, v = sn+f, c base blocks; shift is a unit of Z_n",
+    .guarantee = "cn blocks; whether a design: verify",
+};
 
-  std::optional<Offer> offer(const Parameters&, const Registry&) const override {
-    return std::nullopt;
-  }
+class Developed final : public Entry {
+ public:
+  Developed() : Entry(description) {}
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
     const Permutation pi = permutation_of(recipe, *this);

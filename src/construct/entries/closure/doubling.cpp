@@ -28,44 +28,18 @@ std::optional<Recipe> recipe_for(const Construction& construction, const Paramet
   return recipe;
 }
 
-class DoubledSource final : public BlockSource {
- public:
-  DoubledSource(const Parameters& parameters, std::unique_ptr<BlockSource> source)
-      : parameters_(parameters),
-        source_(std::move(source)),
-        half_(static_cast<std::size_t>(parameters.k / 2)) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    return source_->block_count();
-  }
-  bool next(std::span<Element> block) override {
-    if (!source_->next(half_)) {
-      return false;
-    }
-    for (std::size_t i = 0; i < half_.size(); ++i) {
-      block[2 * i] = 2 * half_[i];
-      block[2 * i + 1] = 2 * half_[i] + 1;
-    }
-    return true;
-  }
-  bool rewind() override { return source_->rewind(); }
-
- private:
-  Parameters parameters_;
-  std::unique_ptr<BlockSource> source_;
-  Block half_;
+constexpr Description description{
+    .name = "doubling",
+    .summary = "every element of a tight circular SCCD(k-1,k/2) replaced by two",
+    .preconditions = "circular, m = 2, v = 2k-2, k even",
+    .guarantee = "a tight circular DCCD(2k-2,k,k-1)",
+    .cited = "ChafeeStevens2025",
+    .place = "Theorem 3",
 };
 
-class Doubling final : public Construction {
+class Doubling final : public Entry {
  public:
-  std::string_view name() const override { return "doubling"; }
-  std::string_view summary() const override {
-    return "every element of a tight circular SCCD(k-1,k/2) replaced by two";
-  }
-  std::string_view preconditions() const override { return "circular, m = 2, v = 2k-2, k even"; }
-  std::string_view guarantee() const override { return "a tight circular DCCD(2k-2,k,k-1)"; }
-  Citation citation() const override { return {"ChafeeStevens2025", "Theorem 3"}; }
+  Doubling() : Entry(description) {}
 
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     std::optional<Recipe> recipe = recipe_for(*this, p);
@@ -81,8 +55,7 @@ class Doubling final : public Construction {
     if (recipe.inputs.empty()) {
       return std::make_unique<BlockListSource>(recipe.parameters, std::vector<Block>{{0, 1}});
     }
-    return std::make_unique<DoubledSource>(recipe.parameters,
-                                           registry.build(recipe.inputs.front()));
+    return blown_up(recipe.parameters, registry.build(recipe.inputs.front()), 2);
   }
 
   // v = 2(k−2) + 2, so k−2 divides v only for k = 4 (k = 3 is odd): a partition of Z_6 into the

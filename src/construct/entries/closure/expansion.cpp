@@ -30,19 +30,18 @@ std::optional<Parameters> input_parameters(const Parameters& p) {
   return smaller;
 }
 
-class Expansion final : public Construction {
+constexpr Description description{
+    .name = "expansion",
+    .summary = "1-factors of a complete graph inserted at the positions of an expansion set",
+    .preconditions = "m = 2, v = l(k-1)+1 with l odd, and a DCCD(l(k-2),k) with an expansion set",
+    .guarantee = "l(l+1)/2 blocks more; tight, economical and circular if the smaller design is",
+    .cited = "ChafeeStevens2025",
+    .place = "Theorem 2",
+};
+
+class Expansion final : public Entry {
  public:
-  std::string_view name() const override { return "expansion"; }
-  std::string_view summary() const override {
-    return "1-factors of a complete graph inserted at the positions of an expansion set";
-  }
-  std::string_view preconditions() const override {
-    return "m = 2, v = l(k-1)+1 with l odd, and a DCCD(l(k-2),k) with an expansion set";
-  }
-  std::string_view guarantee() const override {
-    return "l(l+1)/2 blocks more; tight, economical and circular if the smaller design is";
-  }
-  Citation citation() const override { return {"ChafeeStevens2025", "Theorem 2"}; }
+  Expansion() : Entry(description) {}
 
   bool asks_registry() const override { return true; }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "changeover/construct/closure.hpp"
-#include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/checked.hpp"
 #include "changeover/core/error.hpp"
@@ -16,52 +15,25 @@
 namespace changeover {
 namespace {
 
-class FixSource final : public BlockSource {
- public:
-  FixSource(const Parameters& parameters, std::unique_ptr<BlockSource> source)
-      : parameters_(parameters), source_(std::move(source)) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    return source_->block_count();
-  }
-  bool next(std::span<Element> block) override {
-    const auto old = static_cast<std::size_t>(source_->parameters().k);
-    auto element = static_cast<Element>(source_->parameters().v);
-    for (Element& place : block.subspan(old)) {
-      place = element++;
-    }
-    return source_->next(block.first(old));
-  }
-  bool rewind() override { return source_->rewind(); }
-
- private:
-  Parameters parameters_;
-  std::unique_ptr<BlockSource> source_;
+constexpr Description description{
+    .name = "fix",
+    .summary = "f new elements in every block of a design",
+    .preconditions = "a design on (v-f,k-f) of the same kind and m, as input; f >= 1",
+    .guarantee = "as many blocks as the input",
 };
 
-class Fix final : public Construction {
+class Fix final : public Rule {
  public:
-  std::string_view name() const override { return "fix"; }
-  std::string_view summary() const override { return "f new elements in every block of a design"; }
-  std::string_view preconditions() const override {
-    return "a design on (v-f,k-f) of the same kind and m, as input; f >= 1";
-  }
-  std::string_view guarantee() const override { return "as many blocks as the input"; }
-  Citation citation() const override { return {}; }
-
-  std::optional<Offer> offer(const Parameters&, const Registry&) const override {
-    return std::nullopt;
-  }
+  Fix() : Rule(description) {}
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
-    (void)fixed(recipe);
-    return std::make_unique<FixSource>(recipe.parameters, registry.build(recipe.inputs.front()));
+    (void)number(recipe);
+    return with_fixed(recipe.parameters, registry.build(recipe.inputs.front()));
   }
 
   std::string explain(const Recipe& recipe) const override {
-    const std::uint64_t f = fixed(recipe);
+    const std::uint64_t f = number(recipe);
     const Parameters& input = recipe.inputs.front().parameters;
     const std::uint64_t last = recipe.parameters.v - 1;
     const std::string added = f == 1   ? fmt::format("element {}", last)
@@ -71,35 +43,18 @@ class Fix final : public Construction {
   }
 
   std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
-    const std::uint64_t f = fixed(recipe);
-    const Recipe& input = recipe.inputs.front();
-    return expanded_labels(registry.construction_of(input).labels(input, registry), f);
+    (void)number(recipe);
+    return labels_with_new(recipe, registry);
   }
 
- private:
-  // The number f of new elements, when the recipe fits; the input may be any of the right
-  // parameters.
-  std::uint64_t fixed(const Recipe& recipe) const {
-    const Parameters& p = recipe.parameters;
-    try {
-      check(p);
-    } catch (const ImpossibleParameters& fault) {
-      throw BadInput(fmt::format("fix: {}", fault.what()));
-    }
-    const bool one = recipe.inputs.size() == 1;
-    const std::uint64_t f = one && recipe.inputs.front().parameters.v < p.v
-                                ? p.v - recipe.inputs.front().parameters.v
-                                : 0;
-    Parameters smaller = p;
-    smaller.v -= f;
-    smaller.k -= f;  // may wrap round, and is then no block size of the input either
-    if (f == 0 || f >= p.k || recipe.inputs.front().parameters != smaller) {
-      throw BadInput(fmt::format(
-          "fix to {} takes one input with f >= 1 elements fewer in all and in a block, else alike",
-          changeover::name(p)));
-    }
-    require_recipe(recipe, *this, fix_recipe(recipe.inputs.front(), f));
-    return f;
+ protected:
+  std::uint64_t number_between(const Parameters& small, const Parameters& large) const override {
+    const std::uint64_t f = small.v < large.v ? large.v - small.v : 0;
+    return f < large.k && small.k == large.k - f && small.change == large.change ? f : 0;
+  }
+  Recipe with(const Recipe& input, std::uint64_t f) const override { return fix_recipe(input, f); }
+  std::string_view needs() const override {
+    return "with f >= 1 elements fewer in all and in a block, else alike";
   }
 };
 

@@ -147,21 +147,18 @@ IntervalDevelopedSource::Points points_of(const Recipe& recipe, const Registry& 
 
 constexpr std::string_view own_name = "partial-expansion";
 
-class PartialExpander final : public Construction {
+constexpr Description description{
+    .name = own_name,
+    .summary = "w new elements inserted at positions whose unchanged subsets cover all elements",
+    .preconditions = "circular, m = 2 and v > 4k-5, or m = 1 and v > 2k-1, and some smaller v",
+    .guarantee = "l ceil(w/2) blocks more for m = 2 and l positions; often economical",
+    .cited = "ChafeeStevens2025",
+    .place = "after Theorem 2: any w, and subsets that overlap",
+};
+
+class PartialExpander final : public Rule {
  public:
-  std::string_view name() const override { return own_name; }
-  std::string_view summary() const override {
-    return "w new elements inserted at positions whose unchanged subsets cover all elements";
-  }
-  std::string_view preconditions() const override {
-    return "circular, m = 2 and v > 4k-5, or m = 1 and v > 2k-1, and some smaller v";
-  }
-  std::string_view guarantee() const override {
-    return "l ceil(w/2) blocks more for m = 2 and l positions; often economical";
-  }
-  Citation citation() const override {
-    return {"ChafeeStevens2025", "after Theorem 2: any w, and subsets that overlap"};
-  }
+  PartialExpander() : Rule(description) {}
 
   bool asks_registry() const override { return true; }
 
@@ -234,9 +231,7 @@ class PartialExpander final : public Construction {
 
   std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
     require_fit(recipe);
-    const Recipe& input = recipe.inputs.front();
-    return expanded_labels(registry.construction_of(input).labels(input, registry),
-                           recipe.parameters.v - input.parameters.v);
+    return labels_with_new(recipe, registry);
   }
 
  private:
@@ -290,13 +285,8 @@ class PartialExpander final : public Construction {
     const std::uint64_t pairs = binomial(p.v, 2);
     const std::uint64_t each = newly_covered_at_most(p);
     const bool economical = b == ceil_div(pairs, each);
-    Recipe recipe{std::string(name()),
-                  p,
-                  {{"w", static_cast<std::int64_t>(w)}},
-                  {std::move(input.recipe)},
-                  {}};
-    return Offer{std::move(recipe), b, input.tight && economical && pairs % each == 0, economical,
-                 false};
+    return Offer{with(input.recipe, w), b, input.tight && economical && pairs % each == 0,
+                 economical, false};
   }
 
   std::optional<Offer> of_family(const Parameters& p, Family family,
@@ -399,34 +389,28 @@ class PartialExpander final : public Construction {
     return interval_cover_for_one_more(p, c, before, points_of(smallest, registry));
   }
 
-  // The input may be any recipe of the right parameters; everything else is determined.
   void require_fit(const Recipe& recipe) const {
-    const Parameters& p = recipe.parameters;
+    const std::uint64_t w = number(recipe);
     try {
-      check(p);
-    } catch (const ImpossibleParameters& fault) {
-      throw BadInput(fmt::format("partial-expansion: {}", fault.what()));
-    }
-    const bool one = recipe.inputs.size() == 1;
-    const std::uint64_t w = one && recipe.inputs.front().parameters.v < p.v
-                                ? p.v - recipe.inputs.front().parameters.v
-                                : 0;
-    Parameters smaller = p;
-    smaller.v -= w;
-    if (w == 0 || smaller.v < p.k || recipe.inputs.front().parameters != smaller) {
-      throw BadInput(fmt::format(
-          "partial-expansion to {} takes one input with fewer elements that is else alike",
-          changeover::name(p)));
-    }
-    require_recipe(
-        recipe, *this,
-        Recipe{std::string(name()), p, {{"w", static_cast<std::int64_t>(w)}}, recipe.inputs, {}});
-    try {
-      (void)least_positions(smaller, w);
+      (void)least_positions(recipe.inputs.front().parameters, w);
     } catch (const ImpossibleParameters& fault) {
       throw BadInput(fmt::format("partial-expansion: {}", fault.what()));
     }
   }
+
+ protected:
+  std::uint64_t number_between(const Parameters& small, const Parameters& large) const override {
+    return small.v < large.v && large.k <= small.v && small.k == large.k &&
+                   small.change == large.change
+               ? large.v - small.v
+               : 0;
+  }
+  Recipe with(const Recipe& input, std::uint64_t w) const override {
+    Parameters p = input.parameters;
+    p.v += w;
+    return recipe_of(p, {{"w", static_cast<std::int64_t>(w)}}, {input});
+  }
+  std::string_view needs() const override { return "with fewer elements that is else alike"; }
 };
 
 }  // namespace

@@ -39,19 +39,17 @@ std::optional<Offer> best_with_expansion_set(const Parameters& p, const Registry
   return best;
 }
 
-class SingleChangeExpansion final : public Construction {
+constexpr Description description{
+    .name = "single-change-expansion",
+    .summary = "a new element beside every unchanged subset of an expansion set",
+    .preconditions = "m = 1, k-1 divides v-1, and an SCCD(v-1,k) with an expansion set",
+    .guarantee = "(v-1)/(k-1) blocks more; tight and circular if the smaller design is",
+    .cited = "PreeceEtAl1995",
+};
+
+class SingleChangeExpansion final : public Entry {
  public:
-  std::string_view name() const override { return "single-change-expansion"; }
-  std::string_view summary() const override {
-    return "a new element beside every unchanged subset of an expansion set";
-  }
-  std::string_view preconditions() const override {
-    return "m = 1, k-1 divides v-1, and an SCCD(v-1,k) with an expansion set";
-  }
-  std::string_view guarantee() const override {
-    return "(v-1)/(k-1) blocks more; tight and circular if the smaller design is";
-  }
-  Citation citation() const override { return {"PreeceEtAl1995", ""}; }
+  SingleChangeExpansion() : Entry(description) {}
 
   bool asks_registry() const override { return true; }
 

@@ -1,5 +1,7 @@
 // Unfix: take away an element that is in every block, the converse of fix. The steps change what they
 // changed and the other pairs are where they were, so a design on (v+1, k+1) becomes one on (v, k).
+// Whether an element is in every block is known only when they are there, so nothing is offered; see
+// construct/planner.hpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,64 +15,32 @@
 namespace changeover {
 namespace {
 
-class UnfixSource final : public BlockSource {
- public:
-  UnfixSource(const Parameters& parameters, std::unique_ptr<BlockSource> source, Element fixed)
-      : parameters_(parameters),
-        source_(std::move(source)),
-        fixed_(fixed),
-        larger_(static_cast<std::size_t>(parameters.k) + 1) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    return source_->block_count();
-  }
-  bool next(std::span<Element> block) override {
-    if (!source_->next(larger_)) {
-      return false;
-    }
-    std::size_t at = 0;
-    for (const Element x : larger_) {
-      if (x != fixed_ && at < block.size()) {
-        block[at++] = x > fixed_ ? x - 1 : x;
-      }
-    }
-    if (at != block.size() || std::find(larger_.begin(), larger_.end(), fixed_) == larger_.end()) {
-      throw BadInput(fmt::format("unfix: element {} is not in every block", fixed_));
-    }
-    return true;
-  }
-  bool rewind() override { return source_->rewind(); }
-
- private:
-  Parameters parameters_;
-  std::unique_ptr<BlockSource> source_;
-  Element fixed_;
-  Block larger_;
+constexpr Description description{
+    .name = "unfix",
+    .summary = "take away an element that is in every block",
+    .preconditions = "a design on (v+1, k+1), m <= k, with a fixed element",
+    .guarantee = "as many blocks",
 };
 
-class Unfix final : public Construction {
+class Unfix final : public Entry {
  public:
-  std::string_view name() const override { return "unfix"; }
-  std::string_view summary() const override {
-    return "take away an element that is in every block";
-  }
-  std::string_view preconditions() const override {
-    return "a design on (v+1, k+1), m <= k, with a fixed element";
-  }
-  std::string_view guarantee() const override { return "as many blocks"; }
-  Citation citation() const override { return {}; }
-
-  // Whether an element is in every block is known only when they are there; see construct/planner.hpp.
-  std::optional<Offer> offer(const Parameters&, const Registry&) const override {
-    return std::nullopt;
-  }
+  Unfix() : Entry(description) {}
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
-    const Element fixed = taken(recipe);
-    return std::make_unique<UnfixSource>(recipe.parameters, registry.build(recipe.inputs.front()),
-                                         fixed);
+    const auto without = [fixed = taken(recipe)](std::span<const Element> from,
+                                                 std::span<Element> to) {
+      std::size_t at = 0;
+      for (const Element x : from) {
+        if (x != fixed && at < to.size()) {
+          to[at++] = x > fixed ? x - 1 : x;
+        }
+      }
+      if (at != to.size() || std::find(from.begin(), from.end(), fixed) == from.end()) {
+        throw BadInput(fmt::format("unfix: element {} is not in every block", fixed));
+      }
+    };
+    return mapped(recipe.parameters, registry.build(recipe.inputs.front()), without);
   }
 
   std::string explain(const Recipe& recipe) const override {

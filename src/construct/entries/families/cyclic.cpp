@@ -10,23 +10,19 @@
 namespace changeover {
 namespace {
 
+constexpr Description description{
+    .name = "cyclic",
+    .summary = "c base blocks {0,...,k-3,x,y} over Z_v from a pairing of 2c numbers, developed",
+    .preconditions = "circular, m = 2, k >= 3, v = c(4k-6)+1 with c >= 1",
+    .guarantee =
+        "a tight circular DCCD(c(4k-6)+1,k,cv); an expansion set if k-2 | 2c+1 and v <= 2^20",
+    .cited = "ChafeeStevens2025",
+    .place = "Theorem 10, here for all c: docs/theorems.md, Theorem 1",
+};
+
 class Cyclic final : public IntervalFamily {
  public:
-  Cyclic() : IntervalFamily(2) {}
-
-  std::string_view name() const override { return "cyclic"; }
-  std::string_view summary() const override {
-    return "c base blocks {0,...,k-3,x,y} over Z_v from a pairing of 2c numbers, developed";
-  }
-  std::string_view preconditions() const override {
-    return "circular, m = 2, k >= 3, v = c(4k-6)+1 with c >= 1";
-  }
-  std::string_view guarantee() const override {
-    return "a tight circular DCCD(c(4k-6)+1,k,cv); an expansion set if k-2 | 2c+1 and v <= 2^20";
-  }
-  Citation citation() const override {
-    return {"ChafeeStevens2025", "Theorem 10, here for all c: docs/theorems.md, Theorem 1"};
-  }
+  Cyclic() : IntervalFamily(description, 2) {}
 
  protected:
   std::uint64_t base_block_count(const Parameters& p) const override {

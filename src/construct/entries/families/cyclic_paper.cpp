@@ -32,7 +32,7 @@ constexpr std::array<Extra, 4> table_4{
 constexpr std::array<Extra, 5> table_5{
     {{{2, 0}, {6, 3}}, {{3, 0}, {9, 4}}, {{4, 2}, {7, 4}}, {{5, 3}, {8, 4}}, {{1, 0}, {10, 5}}}};
 
-std::span<const Extra> extras(std::int64_t c) {
+std::span<const Extra> extras(std::uint64_t c) {
   switch (c) {
     case 1:
       return table_1;
@@ -49,47 +49,37 @@ std::span<const Extra> extras(std::int64_t c) {
 
 std::uint64_t value(Multiple x, std::uint64_t n) { return x.p * n + x.q; }
 
-std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
-  if (!asks_for_pairs(p, 2) || p.kind != Kind::circular || p.k < 3 ||
-      (p.v - 1) % (4 * p.k - 6) != 0) {
-    return std::nullopt;
+// c, of parameters that are served.
+std::uint64_t count(const Parameters& p) { return (p.v - 1) / (4 * p.k - 6); }
+
+BaseBlocks base(const Parameters& p) {
+  const std::uint64_t n = p.k - 2;
+  BaseBlocks result{p, {}};
+  for (const Extra& extra : extras(count(p))) {
+    Block block(static_cast<std::size_t>(n));
+    std::iota(block.begin(), block.end(), Element{0});
+    block.push_back(static_cast<Element>(value(extra.first, n)));
+    block.push_back(static_cast<Element>(value(extra.second, n)));
+    result.blocks.push_back(std::move(block));
   }
-  const std::uint64_t c = (p.v - 1) / (4 * p.k - 6);
-  if (c < 1 || c > 5) {
-    return std::nullopt;
-  }
-  return Recipe{std::string(construction.name()), p, {{"c", static_cast<std::int64_t>(c)}}, {}, {}};
+  return result;
 }
 
 // k−2 divides v = c(4(k−2)+2)+1 exactly if it divides 2c+1.
 bool has_expansion_set(const Parameters& p) { return p.v % (p.k - 2) == 0; }
 
-class CyclicPaper final : public Construction {
+constexpr Description description{
+    .name = "cyclic-paper",
+    .summary = "c base blocks {0,...,k-3,x,y} over Z_v, developed",
+    .preconditions = "circular, m = 2, k >= 3, v = c(4k-6)+1 with 1 <= c <= 5",
+    .guarantee = "a tight circular DCCD(c(4k-6)+1,k,cv), with an expansion set if k-2 divides 2c+1",
+    .cited = "ChafeeStevens2025",
+    .place = "Theorem 10",
+};
+
+class CyclicPaper final : public Family {
  public:
-  std::string_view name() const override { return "cyclic-paper"; }
-  std::string_view summary() const override {
-    return "c base blocks {0,...,k-3,x,y} over Z_v, developed";
-  }
-  std::string_view preconditions() const override {
-    return "circular, m = 2, k >= 3, v = c(4k-6)+1 with 1 <= c <= 5";
-  }
-  std::string_view guarantee() const override {
-    return "a tight circular DCCD(c(4k-6)+1,k,cv), with an expansion set if k-2 divides 2c+1";
-  }
-  Citation citation() const override { return {"ChafeeStevens2025", "Theorem 10"}; }
-
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
-    std::optional<Recipe> recipe = recipe_for(*this, p);
-    if (!recipe) {
-      return std::nullopt;
-    }
-    const std::uint64_t b = (p.v - 1) / (4 * p.k - 6) * p.v;
-    return Offer{*std::move(recipe), b, true, true, has_expansion_set(p)};
-  }
-
-  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-    return std::make_unique<DevelopedSource>(*base_blocks(recipe));
-  }
+  CyclicPaper() : Family(description) {}
 
   // Block number jc+i+1 is B_i + j. At position p = jc+i, 1 ≤ i ≤ c−1, B_{i−1}+j and B_i+j meet in
   // A+j; at p = jc, j ≥ 1, B_{c−1}+(j−1) and B_0+j meet in A+j, and for j = v, the end, A+v = A.
@@ -98,46 +88,50 @@ class CyclicPaper final : public Construction {
   // U_0 in the paper).
   std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,
                                                             const Registry&) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    const Parameters& p = recipe.parameters;
+    const Parameters& p = required(recipe);
     if (!has_expansion_set(p)) {
       return std::nullopt;
     }
     const std::uint64_t n = p.k - 2;
-    const auto c = static_cast<std::uint64_t>(recipe.arguments.at("c"));
     std::vector<UnchangedSubset> set;
     for (std::uint64_t i = 1; i <= p.v / n; ++i) {
       Block interval(static_cast<std::size_t>(n));
       std::iota(interval.begin(), interval.end(), static_cast<Element>(i * n % p.v));
-      set.push_back({static_cast<std::size_t>(i * c * n), std::move(interval)});
+      set.push_back({static_cast<std::size_t>(i * count(p) * n), std::move(interval)});
     }
     return set;
   }
 
   std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    const std::uint64_t n = recipe.parameters.k - 2;
-    BaseBlocks base{recipe.parameters, {}};
-    for (const Extra& extra : extras(recipe.arguments.at("c"))) {
-      Block block(static_cast<std::size_t>(n));
-      std::iota(block.begin(), block.end(), Element{0});
-      block.push_back(static_cast<Element>(value(extra.first, n)));
-      block.push_back(static_cast<Element>(value(extra.second, n)));
-      base.blocks.push_back(std::move(block));
-    }
-    return base;
+    return base(required(recipe));
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    const std::uint64_t n = recipe.parameters.k - 2;
+ protected:
+  Recipe recipe_for(const Parameters& p) const override {
+    return recipe_of(p, {{"c", static_cast<std::int64_t>(count(p))}});
+  }
+
+  std::optional<Promise> promise(const Parameters& p) const override {
+    if (!asks_for_pairs(p, 2) || p.kind != Kind::circular || p.k < 3 ||
+        (p.v - 1) % (4 * p.k - 6) != 0 || count(p) < 1 || count(p) > 5) {
+      return std::nullopt;
+    }
+    return Promise{count(p) * p.v, true, true, has_expansion_set(p)};
+  }
+
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    return std::make_unique<DevelopedSource>(base(p));
+  }
+
+  std::string explanation(const Parameters& p) const override {
+    const std::uint64_t n = p.k - 2;
     std::string blocks;
-    for (const Extra& extra : extras(recipe.arguments.at("c"))) {
+    for (const Extra& extra : extras(count(p))) {
       blocks += fmt::format("{}{{{},{},{}}}", blocks.empty() ? "" : ", ", first_elements(n),
                             value(extra.first, n), value(extra.second, n));
     }
-    return fmt::format("Develop the base block{} {} over Z_{}.",
-                       recipe.arguments.at("c") == 1 ? "" : "s", blocks, recipe.parameters.v);
+    return fmt::format("Develop the base block{} {} over Z_{}.", count(p) == 1 ? "" : "s", blocks,
+                       p.v);
   }
 };
 

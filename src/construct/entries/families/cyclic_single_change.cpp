@@ -10,21 +10,18 @@
 namespace changeover {
 namespace {
 
+constexpr Description description{
+    .name = "cyclic-single-change",
+    .summary = "c base blocks {0,...,k-2,j(k-1)} over Z_v, 1 <= j <= c, developed",
+    .preconditions = "circular, m = 1, k >= 2, v = 2c(k-1)+1 with c >= 1",
+    .guarantee =
+        "a tight circular SCCD(2c(k-1)+1,k,cv), with an expansion set if k = 2 and v <= 2^20",
+    .cited = "ChafeeStevens2023",
+};
+
 class CyclicSingleChange final : public IntervalFamily {
  public:
-  CyclicSingleChange() : IntervalFamily(1) {}
-
-  std::string_view name() const override { return "cyclic-single-change"; }
-  std::string_view summary() const override {
-    return "c base blocks {0,...,k-2,j(k-1)} over Z_v, 1 <= j <= c, developed";
-  }
-  std::string_view preconditions() const override {
-    return "circular, m = 1, k >= 2, v = 2c(k-1)+1 with c >= 1";
-  }
-  std::string_view guarantee() const override {
-    return "a tight circular SCCD(2c(k-1)+1,k,cv), with an expansion set if k = 2 and v <= 2^20";
-  }
-  Citation citation() const override { return {"ChafeeStevens2023", ""}; }
+  CyclicSingleChange() : IntervalFamily(description, 1) {}
 
  protected:
   // v ≡ 1 modulo k−1, so k = 2 is all that has an expansion set.

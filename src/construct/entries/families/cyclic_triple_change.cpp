@@ -128,21 +128,18 @@ Element point(std::uint64_t v, std::uint64_t k, int p) {
   return static_cast<Element>(x < 0 ? x + static_cast<std::int64_t>(v) : x);
 }
 
+constexpr Description description{
+    .name = "cyclic-triple-change",
+    .summary = "c base blocks {0,...,k-4,x,y,z} over Z_v from c triples of integers, developed",
+    .preconditions =
+        "circular, m = 3, k >= 4, v = 6c(k-2)+1 with c = 1, 4, 5, 8, 9, 12, 13, 16, 17",
+    .guarantee = "a tight circular 3-change design with cv blocks",
+    .place = "docs/theorems.md, Theorem 4",
+};
+
 class CyclicTripleChange final : public IntervalFamily {
  public:
-  CyclicTripleChange() : IntervalFamily(3) {}
-
-  std::string_view name() const override { return "cyclic-triple-change"; }
-  std::string_view summary() const override {
-    return "c base blocks {0,...,k-4,x,y,z} over Z_v from c triples of integers, developed";
-  }
-  std::string_view preconditions() const override {
-    return "circular, m = 3, k >= 4, v = 6c(k-2)+1 with c = 1, 4, 5, 8, 9, 12, 13, 16, 17";
-  }
-  std::string_view guarantee() const override {
-    return "a tight circular 3-change design with cv blocks";
-  }
-  Citation citation() const override { return {"", "docs/theorems.md, Theorem 4"}; }
+  CyclicTripleChange() : IntervalFamily(description, 3) {}
 
  protected:
   std::uint64_t base_block_count(const Parameters& p) const override {

@@ -149,34 +149,35 @@ class Walk {
   std::vector<Block> blocks_;
 };
 
-class DisjointWalk final : public Construction {
- public:
-  std::string_view name() const override { return "disjoint-walk"; }
-  std::string_view summary() const override { return "a greedy walk through disjoint blocks"; }
-  std::string_view preconditions() const override { return "k = m, 2k + 1 <= v <= 128"; }
-  std::string_view guarantee() const override { return "that it works; b is counted by walking"; }
-  Citation citation() const override { return {}; }
+constexpr Description description{
+    .name = "disjoint-walk",
+    .summary = "a greedy walk through disjoint blocks",
+    .preconditions = "k = m, 2k + 1 <= v <= 128",
+    .guarantee = "that it works; b is counted by walking",
+};
 
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
+class DisjointWalk final : public Family {
+ public:
+  DisjointWalk() : Family(description) {}
+
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
     constexpr std::uint64_t largest_v = 128;
     if (!asks_for_pairs(p, p.change) || p.change != p.k || p.v < 2 * p.k + 1 || p.v > largest_v) {
       return std::nullopt;
     }
-    return Offer{{std::string(name()), p, {}, {}, {}}, Walk(p).run().size(), false, false, false};
+    return Promise{Walk(p).run().size()};
   }
 
-  std::unique_ptr<BlockSource> build(const Recipe& recipe,
-                                     const Registry& registry) const override {
-    const std::optional<Offer> expected = offer(recipe.parameters, registry);
-    require_recipe(recipe, *this, expected ? std::optional(expected->recipe) : std::nullopt);
-    return std::make_unique<BlockListSource>(recipe.parameters, Walk(recipe.parameters).run());
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    return std::make_unique<BlockListSource>(p, Walk(p).run());
   }
 
-  std::string explain(const Recipe& recipe) const override {
+  std::string explanation(const Parameters& p) const override {
     return fmt::format(
         "From {{0,…,{}}} go from block to disjoint block, each time to one that covers many new "
         "pairs.",
-        recipe.parameters.k - 1);
+        p.k - 1);
   }
 };
 

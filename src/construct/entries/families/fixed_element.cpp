@@ -21,38 +21,18 @@ bool serves(const Parameters& p) {
   return asks_for_pairs(p, 2) && p.kind == Kind::circular && p.k % 2 != 0 && p.v == 2 * p.k - 3;
 }
 
-class FixedSource final : public BlockSource {
- public:
-  FixedSource(const Parameters& parameters, std::unique_ptr<BlockSource> source)
-      : parameters_(parameters), source_(std::move(source)) {}
-
-  [[nodiscard]] const Parameters& parameters() const override { return parameters_; }
-  [[nodiscard]] std::optional<std::uint64_t> block_count() const override {
-    return source_->block_count();
-  }
-  bool next(std::span<Element> block) override {
-    const std::size_t old = block.size() - 1;
-    block[old] = static_cast<Element>(parameters_.v - 1);
-    return source_->next(block.first(old));
-  }
-  bool rewind() override { return source_->rewind(); }
-
- private:
-  Parameters parameters_;
-  std::unique_ptr<BlockSource> source_;
+constexpr Description description{
+    .name = "fixed-element",
+    .summary = "a new element in every block of a tight circular DCCD(2k-4,k-1,k-2)",
+    .preconditions = "circular, m = 2, v = 2k-3, k odd, k >= 3",
+    .guarantee = "a tight circular DCCD(2k-3,k,k-2)",
+    .cited = "ChafeeStevens2025",
+    .place = "Theorem 8",
 };
 
-class FixedElement final : public Construction {
+class FixedElement final : public Entry {
  public:
-  std::string_view name() const override { return "fixed-element"; }
-  std::string_view summary() const override {
-    return "a new element in every block of a tight circular DCCD(2k-4,k-1,k-2)";
-  }
-  std::string_view preconditions() const override {
-    return "circular, m = 2, v = 2k-3, k odd, k >= 3";
-  }
-  std::string_view guarantee() const override { return "a tight circular DCCD(2k-3,k,k-2)"; }
-  Citation citation() const override { return {"ChafeeStevens2025", "Theorem 8"}; }
+  FixedElement() : Entry(description) {}
 
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     const Construction* construction = registry.find(smaller);
@@ -63,15 +43,14 @@ class FixedElement final : public Construction {
     if (!input) {
       return std::nullopt;
     }
-    Recipe recipe{std::string(name()), p, {}, {std::move(input->recipe)}, {}};
-    return Offer{std::move(recipe), p.k - 2, true, true, false};
+    return Offer{recipe_of(p, {}, {std::move(input->recipe)}), p.k - 2, true, true, false};
   }
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const std::optional<Offer> offered = offer(recipe.parameters, registry);
     require_recipe(recipe, *this, offered ? std::optional(offered->recipe) : std::nullopt);
-    return std::make_unique<FixedSource>(recipe.parameters, registry.build(recipe.inputs.front()));
+    return with_fixed(recipe.parameters, registry.build(recipe.inputs.front()));
   }
 
   std::string explain(const Recipe& recipe) const override {

@@ -312,19 +312,16 @@ class HoldAndStreamSource final : public BlockSource {
   bool finished_ = false;
 };
 
-class HoldAndStream final : public Construction {
+constexpr Description description{
+    .name = "hold-and-stream",
+    .summary = "hold k - m elements, let the others pass in groups of m, repeat on the rest",
+    .preconditions = "m < k, k + m <= v <= 20000, v^2 / (k - m) <= 2^27",
+    .guarantee = "always there; for m = 1 about 5 to 21 % over the counting bound",
+};
+
+class HoldAndStream final : public Entry {
  public:
-  std::string_view name() const override { return "hold-and-stream"; }
-  std::string_view summary() const override {
-    return "hold k - m elements, let the others pass in groups of m, repeat on the rest";
-  }
-  std::string_view preconditions() const override {
-    return "m < k, k + m <= v <= 20000, v^2 / (k - m) <= 2^27";
-  }
-  std::string_view guarantee() const override {
-    return "always there; for m = 1 about 5 to 21 % over the counting bound";
-  }
-  Citation citation() const override { return {}; }
+  HoldAndStream() : Entry(description) {}
 
   bool asks_registry() const override { return true; }
 

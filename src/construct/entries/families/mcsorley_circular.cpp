@@ -14,46 +14,42 @@
 namespace changeover {
 namespace {
 
-std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
-  if (!asks_for_pairs(p, 1) || p.kind != Kind::circular || p.v != 2 * p.k - 1) {
-    return std::nullopt;
-  }
-  return Recipe{std::string(construction.name()), p, {}, {}, {}};
+BaseBlocks base(const Parameters& p) {
+  Block block(static_cast<std::size_t>(p.k));
+  std::iota(block.begin(), block.end(), Element{0});
+  return {p, {std::move(block)}};
 }
 
-class McSorleyCircular final : public Construction {
+constexpr Description description{
+    .name = "mcsorley-circular",
+    .summary = "k consecutive residues modulo 2k-1, developed",
+    .preconditions = "circular, m = 1, v = 2k-1, k >= 2",
+    .guarantee = "a tight circular SCCD(2k-1,k,2k-1)",
+    .cited = "McSorley1999",
+};
+
+class McSorleyCircular final : public Family {
  public:
-  std::string_view name() const override { return "mcsorley-circular"; }
-  std::string_view summary() const override {
-    return "k consecutive residues modulo 2k-1, developed";
-  }
-  std::string_view preconditions() const override { return "circular, m = 1, v = 2k-1, k >= 2"; }
-  std::string_view guarantee() const override { return "a tight circular SCCD(2k-1,k,2k-1)"; }
-  Citation citation() const override { return {"McSorley1999", ""}; }
-
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
-    std::optional<Recipe> recipe = recipe_for(*this, p);
-    if (!recipe) {
-      return std::nullopt;
-    }
-    return Offer{*std::move(recipe), p.v, true, true, false};
-  }
-
-  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-    return std::make_unique<DevelopedSource>(*base_blocks(recipe));
-  }
+  McSorleyCircular() : Family(description) {}
 
   std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    Block base(static_cast<std::size_t>(recipe.parameters.k));
-    std::iota(base.begin(), base.end(), Element{0});
-    return BaseBlocks{recipe.parameters, {std::move(base)}};
+    return base(required(recipe));
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    return fmt::format("Develop the base block {{{}}} over Z_{}.",
-                       first_elements(recipe.parameters.k), recipe.parameters.v);
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
+    if (!asks_for_pairs(p, 1) || p.kind != Kind::circular || p.v != 2 * p.k - 1) {
+      return std::nullopt;
+    }
+    return Promise{p.v, true, true};
+  }
+
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    return std::make_unique<DevelopedSource>(base(p));
+  }
+
+  std::string explanation(const Parameters& p) const override {
+    return fmt::format("Develop the base block {{{}}} over Z_{}.", first_elements(p.k), p.v);
   }
 };
 

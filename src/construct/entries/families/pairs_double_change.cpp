@@ -20,13 +20,6 @@ namespace {
 constexpr std::string_view path_of_5 = "01 23 04 12 34 02 13 24 03 14";
 constexpr std::string_view walk_of_5 = "01 23 01 24 03 14 02 13 04 12 34";
 
-std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
-  if (!asks_for_pairs(p, 2) || p.k != 2 || p.v < 5) {
-    return std::nullopt;
-  }
-  return Recipe{std::string(construction.name()), p, {}, {}, {}};
-}
-
 bool needs_one_more(const Parameters& p) { return p.v == 5 && p.kind == Kind::circular; }
 
 // v ≥ 6.
@@ -76,30 +69,29 @@ class FactorsSource final : public BlockSource {
   std::uint64_t edge_ = 0;
 };
 
-class PairsDoubleChange final : public Construction {
- public:
-  std::string_view name() const override { return "pairs-double-change"; }
-  std::string_view summary() const override {
-    return "the edges of a complete graph, 1-factor after 1-factor, consecutive edges disjoint";
-  }
-  std::string_view preconditions() const override { return "m = 2, k = 2, v >= 5"; }
-  std::string_view guarantee() const override {
-    return "a minimum DCCD(v,2): v(v-1)/2 blocks and tight, but 11 blocks if circular and v = 5";
-  }
-  Citation citation() const override { return {"Lindbloom2011", ""}; }
+constexpr Description description{
+    .name = "pairs-double-change",
+    .summary = "the edges of a complete graph, 1-factor after 1-factor, consecutive edges disjoint",
+    .preconditions = "m = 2, k = 2, v >= 5",
+    .guarantee =
+        "a minimum DCCD(v,2): v(v-1)/2 blocks and tight, but 11 blocks if circular and v = 5",
+    .cited = "Lindbloom2011",
+};
 
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
-    std::optional<Recipe> recipe = recipe_for(*this, p);
-    if (!recipe) {
+class PairsDoubleChange final : public Family {
+ public:
+  PairsDoubleChange() : Family(description) {}
+
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
+    if (!asks_for_pairs(p, 2) || p.k != 2 || p.v < 5) {
       return std::nullopt;
     }
     const bool tight = !needs_one_more(p);
-    return Offer{*std::move(recipe), p.v * (p.v - 1) / 2 + (tight ? 0 : 1), tight, tight, false};
+    return Promise{p.v * (p.v - 1) / 2 + (tight ? 0 : 1), tight, tight};
   }
 
-  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-    const Parameters& p = recipe.parameters;
-    require_recipe(recipe, *this, recipe_for(*this, p));
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
     if (p.v == 5) {
       const std::string_view list = p.kind == Kind::circular ? walk_of_5 : path_of_5;
       return std::make_unique<BlockListSource>(p, detail::short_blocks(list));
@@ -107,9 +99,7 @@ class PairsDoubleChange final : public Construction {
     return std::make_unique<FactorsSource>(p);
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    const Parameters& p = recipe.parameters;
-    require_recipe(recipe, *this, recipe_for(*this, p));
+  std::string explanation(const Parameters& p) const override {
     if (p.v == 5) {
       return p.kind == Kind::circular
                  ? "A closed walk of length 11 through the Petersen graph, whose vertices are the "

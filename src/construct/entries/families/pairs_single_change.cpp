@@ -18,13 +18,6 @@ namespace {
 // The largest v whose expansion set, v subsets, is written down.
 constexpr std::uint64_t largest_expansion_set = std::uint64_t{1} << 20;
 
-std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
-  if (!asks_for_pairs(p, 1) || p.k != 2 || p.v < 3) {
-    return std::nullopt;
-  }
-  return Recipe{std::string(construction.name()), p, {}, {}, {}};
-}
-
 class RunsOfEdgesSource final : public BlockSource {
  public:
   explicit RunsOfEdgesSource(const Parameters& parameters) : parameters_(parameters) {}
@@ -68,35 +61,22 @@ class RunsOfEdgesSource final : public BlockSource {
   std::uint64_t edge_ = 0;
 };
 
-class PairsSingleChange final : public Construction {
+constexpr Description description{
+    .name = "pairs-single-change",
+    .summary =
+        "the edges of a complete graph, vertex after vertex, consecutive edges share a vertex",
+    .preconditions = "m = 1, k = 2, v >= 3",
+    .guarantee = "a tight SCCD(v,2,v(v-1)/2), with an expansion set if v <= 2^20",
+    .cited = "WallisYucasZhang1993",
+};
+
+class PairsSingleChange final : public Family {
  public:
-  std::string_view name() const override { return "pairs-single-change"; }
-  std::string_view summary() const override {
-    return "the edges of a complete graph, vertex after vertex, consecutive edges share a vertex";
-  }
-  std::string_view preconditions() const override { return "m = 1, k = 2, v >= 3"; }
-  std::string_view guarantee() const override {
-    return "a tight SCCD(v,2,v(v-1)/2), with an expansion set if v <= 2^20";
-  }
-  Citation citation() const override { return {"WallisYucasZhang1993", ""}; }
-
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
-    std::optional<Recipe> recipe = recipe_for(*this, p);
-    if (!recipe) {
-      return std::nullopt;
-    }
-    return Offer{*std::move(recipe), p.v * (p.v - 1) / 2, true, true, p.v <= largest_expansion_set};
-  }
-
-  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    return std::make_unique<RunsOfEdgesSource>(recipe.parameters);
-  }
+  PairsSingleChange() : Family(description) {}
 
   std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,
                                                             const Registry&) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    const std::uint64_t v = recipe.parameters.v;
+    const std::uint64_t v = required(recipe).v;
     if (v > largest_expansion_set) {
       return std::nullopt;
     }
@@ -118,9 +98,20 @@ class PairsSingleChange final : public Construction {
     return set;
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    const std::uint64_t v = recipe.parameters.v;
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
+    if (!asks_for_pairs(p, 1) || p.k != 2 || p.v < 3) {
+      return std::nullopt;
+    }
+    return Promise{p.v * (p.v - 1) / 2, true, true, p.v <= largest_expansion_set};
+  }
+
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    return std::make_unique<RunsOfEdgesSource>(p);
+  }
+
+  std::string explanation(const Parameters& p) const override {
+    const std::uint64_t v = p.v;
     return fmt::format(
         "For x = 0,…,{}, the edges {{x,y}} with y > x; y = {} comes first and y = {} last if x is "
         "even, the other way round if x is odd.",

@@ -63,19 +63,18 @@ constexpr std::array<ListedMinimum, 8> circular{{
      true},
 }};
 
+constexpr Description description{
+    .name = "quadruples-single-change",
+    .summary = "a small minimum SCCD(v,4) extended by six elements again and again",
+    .preconditions = "m = 1, k = 4, v >= 5",
+    .guarantee =
+        "a minimum SCCD(v,4); an expansion set if 3 | v <= 2^20, v >= 12 or circular with v = 9",
+    .cited = "ChafeeStevens2023",
+};
+
 class QuadruplesSingleChange final : public detail::ExtendedMinima {
  public:
-  QuadruplesSingleChange() : ExtendedMinima(4, linear, circular) {}
-
-  std::string_view name() const override { return "quadruples-single-change"; }
-  std::string_view summary() const override {
-    return "a small minimum SCCD(v,4) extended by six elements again and again";
-  }
-  std::string_view preconditions() const override { return "m = 1, k = 4, v >= 5"; }
-  std::string_view guarantee() const override {
-    return "a minimum SCCD(v,4); an expansion set if 3 | v <= 2^20, v >= 12 or circular with v = 9";
-  }
-  Citation citation() const override { return {"ChafeeStevens2023", ""}; }
+  QuadruplesSingleChange() : ExtendedMinima(description, 4, linear, circular) {}
 };
 
 }  // namespace

@@ -14,14 +14,6 @@
 namespace changeover {
 namespace {
 
-std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
-  if (!asks_for_pairs(p, 2) || p.kind != Kind::circular || p.k % 2 == 0 || p.k < 5 ||
-      p.v != 2 * p.k - 2) {
-    return std::nullopt;
-  }
-  return Recipe{std::string(construction.name()), p, {}, {}, {}};
-}
-
 // Elements in the order ∞_s, 0_s, …, (k−3)_s, ∞_l, 0_l, …, (k−3)_l.
 class RunsSource final : public BlockSource {
  public:
@@ -69,36 +61,46 @@ class RunsSource final : public BlockSource {
   std::uint64_t index_ = 0;
 };
 
-class ShortLongRuns final : public Construction {
- public:
-  std::string_view name() const override { return "short-long-runs"; }
-  std::string_view summary() const override {
-    return "elements that stay for one short or one long run, and two that come twice";
-  }
-  std::string_view preconditions() const override {
-    return "circular, m = 2, v = 2k-2, k odd, k >= 5";
-  }
-  std::string_view guarantee() const override {
-    return "a minimum circular DCCD(2k-2,k,k), one block above the counting bound";
-  }
-  Citation citation() const override { return {"ChafeeStevens2025", "Theorem 4"}; }
+constexpr Description description{
+    .name = "short-long-runs",
+    .summary = "elements that stay for one short or one long run, and two that come twice",
+    .preconditions = "circular, m = 2, v = 2k-2, k odd, k >= 5",
+    .guarantee = "a minimum circular DCCD(2k-2,k,k), one block above the counting bound",
+    .cited = "ChafeeStevens2025",
+    .place = "Theorem 4",
+};
 
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
-    std::optional<Recipe> recipe = recipe_for(*this, p);
-    if (!recipe) {
+class ShortLongRuns final : public Family {
+ public:
+  ShortLongRuns() : Family(description) {}
+
+  std::vector<std::string> labels(const Recipe& recipe, const Registry&) const override {
+    const std::uint64_t k = required(recipe).k;
+    std::vector<std::string> labels;
+    for (const char* run : {"s", "l"}) {
+      labels.push_back(fmt::format("∞_{}", run));
+      for (std::uint64_t i = 0; i + 2 < k; ++i) {
+        labels.push_back(fmt::format("{}_{}", i, run));
+      }
+    }
+    return labels;
+  }
+
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
+    if (!asks_for_pairs(p, 2) || p.kind != Kind::circular || p.k % 2 == 0 || p.k < 5 ||
+        p.v != 2 * p.k - 2) {
       return std::nullopt;
     }
-    return Offer{*std::move(recipe), p.k, false, false, false};
+    return Promise{p.k};
   }
 
-  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    return std::make_unique<RunsSource>(recipe.parameters);
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    return std::make_unique<RunsSource>(p);
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    const std::uint64_t k = recipe.parameters.k;
+  std::string explanation(const Parameters& p) const override {
+    const std::uint64_t k = p.k;
     const std::uint64_t h = (k + 1) / 2;
     return fmt::format(
         "Number the blocks from 0 modulo {0}. For i = 0,…,{1}, put i_s into {2} blocks from block "
@@ -106,18 +108,6 @@ class ShortLongRuns final : public Construction {
         "and "
         "∞_l into blocks 0 and {3}.",
         k, k - 3, h, h - 1, h + 1, k - 1);
-  }
-
-  std::vector<std::string> labels(const Recipe& recipe, const Registry&) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    std::vector<std::string> labels;
-    for (const char* run : {"s", "l"}) {
-      labels.push_back(fmt::format("∞_{}", run));
-      for (std::uint64_t i = 0; i + 2 < recipe.parameters.k; ++i) {
-        labels.push_back(fmt::format("{}_{}", i, run));
-      }
-    }
-    return labels;
   }
 };
 

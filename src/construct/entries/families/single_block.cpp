@@ -10,33 +10,33 @@
 namespace changeover {
 namespace {
 
-class SingleBlock final : public Construction {
- public:
-  std::string_view name() const override { return "single-block"; }
-  std::string_view summary() const override { return "one block that holds all elements"; }
-  std::string_view preconditions() const override { return "v = k, any m, linear or circular"; }
-  std::string_view guarantee() const override { return "b = 1, tight"; }
-  Citation citation() const override { return {}; }
+constexpr Description description{
+    .name = "single-block",
+    .summary = "one block that holds all elements",
+    .preconditions = "v = k, any m, linear or circular",
+    .guarantee = "b = 1, tight",
+};
 
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
+class SingleBlock final : public Family {
+ public:
+  SingleBlock() : Family(description) {}
+
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
     if (p.v != p.k || !asks_for_pairs(p, p.change)) {
       return std::nullopt;
     }
-    return Offer{{std::string(name()), p, {}, {}, {}}, 1, true, true, false};
+    return Promise{1, true, true};
   }
 
-  std::unique_ptr<BlockSource> build(const Recipe& recipe,
-                                     const Registry& registry) const override {
-    const std::optional<Offer> expected = offer(recipe.parameters, registry);
-    require_recipe(recipe, *this, expected ? std::optional(expected->recipe) : std::nullopt);
-    Block block(static_cast<std::size_t>(recipe.parameters.k));
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    Block block(static_cast<std::size_t>(p.k));
     std::iota(block.begin(), block.end(), 0U);
-    return std::make_unique<BlockListSource>(recipe.parameters,
-                                             std::vector<Block>{std::move(block)});
+    return std::make_unique<BlockListSource>(p, std::vector<Block>{std::move(block)});
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    return fmt::format("All {} elements in one block.", recipe.parameters.k);
+  std::string explanation(const Parameters& p) const override {
+    return fmt::format("All {} elements in one block.", p.k);
   }
 };
 

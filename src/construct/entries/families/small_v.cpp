@@ -373,19 +373,16 @@ std::uint64_t fixed_elements(const Recipe& recipe) {
   }
 }
 
-class SmallV final : public Construction {
+constexpr Description description{
+    .name = own_name,
+    .summary = "designs of 2*ceil((v-k)/m)+1 blocks, the fewest that there can be",
+    .preconditions = "k+m <= v <= 2k-m; linear also v <= 2k if v > k+2m; a few more up to v = 2k",
+    .guarantee = "a minimum design, by the end-to-end bound",
+};
+
+class SmallV final : public Entry {
  public:
-  std::string_view name() const override { return own_name; }
-  std::string_view summary() const override {
-    return "designs of 2*ceil((v-k)/m)+1 blocks, the fewest that there can be";
-  }
-  std::string_view preconditions() const override {
-    return "k+m <= v <= 2k-m; linear also v <= 2k if v > k+2m; a few more up to v = 2k";
-  }
-  std::string_view guarantee() const override {
-    return "a minimum design, by the end-to-end bound";
-  }
-  Citation citation() const override { return {}; }
+  SmallV() : Entry(description) {}
 
   std::optional<Offer> offer(const Parameters& p, const Registry& registry) const override {
     std::optional<Recipe> recipe = recipe_for(p);

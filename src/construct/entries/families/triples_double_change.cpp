@@ -57,13 +57,6 @@ constexpr std::array<std::string_view, 7> lists{
 // ⌈v/3·⌈(v−1)/2⌉⌉ for v ≥ 6.
 std::uint64_t block_count_for(std::uint64_t v) { return v == 5 ? 5 : ceil_div(v * (v / 2), 3); }
 
-std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
-  if (!asks_for_pairs(p, 2) || p.k != 3 || p.v < 5) {
-    return std::nullopt;
-  }
-  return Recipe{std::string(construction.name()), p, {}, {}, {}};
-}
-
 // v ≥ 12, so that n ≥ 4.
 class TriplesSource final : public BlockSource {
  public:
@@ -229,31 +222,30 @@ class TriplesSource final : public BlockSource {
   std::uint64_t omega_ = 0;  // triples with ω so far
 };
 
-class TriplesDoubleChange final : public Construction {
- public:
-  std::string_view name() const override { return "triples-double-change"; }
-  std::string_view summary() const override {
-    return "a minimum covering by triples, ordered so that consecutive ones share one element";
-  }
-  std::string_view preconditions() const override { return "m = 2, k = 3, v >= 5"; }
-  std::string_view guarantee() const override {
-    return "a minimum DCCD(v,3), circular too; tight if v = 1, 3 mod 6 (Steiner triple systems)";
-  }
-  Citation citation() const override { return {"GangodaGamachchige2017", ""}; }
+constexpr Description description{
+    .name = "triples-double-change",
+    .summary = "a minimum covering by triples, ordered so that consecutive ones share one element",
+    .preconditions = "m = 2, k = 3, v >= 5",
+    .guarantee =
+        "a minimum DCCD(v,3), circular too; tight if v = 1, 3 mod 6 (Steiner triple systems)",
+    .cited = "GangodaGamachchige2017",
+};
 
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
-    std::optional<Recipe> recipe = recipe_for(*this, p);
-    if (!recipe) {
+class TriplesDoubleChange final : public Family {
+ public:
+  TriplesDoubleChange() : Family(description) {}
+
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
+    if (!asks_for_pairs(p, 2) || p.k != 3 || p.v < 5) {
       return std::nullopt;
     }
     const std::uint64_t b = block_count_for(p.v);
     const bool tight = p.v % 6 == 1 || p.v % 6 == 3;
-    return Offer{*std::move(recipe), b, tight, b == ceil_div(p.v * (p.v - 1) / 2, 3), false};
+    return Promise{b, tight, b == ceil_div(p.v * (p.v - 1) / 2, 3)};
   }
 
-  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-    const Parameters& p = recipe.parameters;
-    require_recipe(recipe, *this, recipe_for(*this, p));
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
     if (p.v <= largest_listed) {
       return std::make_unique<BlockListSource>(
           p, detail::short_blocks(lists[static_cast<std::size_t>(p.v - 5)]));
@@ -261,9 +253,7 @@ class TriplesDoubleChange final : public Construction {
     return std::make_unique<TriplesSource>(p);
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    const Parameters& p = recipe.parameters;
-    require_recipe(recipe, *this, recipe_for(*this, p));
+  std::string explanation(const Parameters& p) const override {
     if (p.v <= largest_listed) {
       return fmt::format("A list of {} triples.", block_count_for(p.v));
     }

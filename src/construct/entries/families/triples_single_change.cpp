@@ -27,19 +27,17 @@ constexpr std::array<ListedMinimum, 5> circular{{
     {8, "012 023 024 025 056 356 345 134 347 467 267 167 157 017", true},
 }};
 
+constexpr Description description{
+    .name = "triples-single-change",
+    .summary = "a small minimum SCCD(v,3) extended by four elements again and again",
+    .preconditions = "m = 1, k = 3, v >= 4",
+    .guarantee = "an economical SCCD(v,3), with an expansion set if v is even, 6 <= v <= 2^20",
+    .cited = "WallisYucasZhang1993",
+};
+
 class TriplesSingleChange final : public detail::ExtendedMinima {
  public:
-  TriplesSingleChange() : ExtendedMinima(3, linear, circular) {}
-
-  std::string_view name() const override { return "triples-single-change"; }
-  std::string_view summary() const override {
-    return "a small minimum SCCD(v,3) extended by four elements again and again";
-  }
-  std::string_view preconditions() const override { return "m = 1, k = 3, v >= 4"; }
-  std::string_view guarantee() const override {
-    return "an economical SCCD(v,3), with an expansion set if v is even, 6 <= v <= 2^20";
-  }
-  Citation citation() const override { return {"WallisYucasZhang1993", ""}; }
+  TriplesSingleChange() : ExtendedMinima(description, 3, linear, circular) {}
 };
 
 }  // namespace

@@ -38,17 +38,16 @@ bool is_tight(const Parameters& p, std::uint64_t b) {
   return first + later * newly_covered_at_most(p) == binomial(p.v, 2);
 }
 
-class Found final : public Construction {
+constexpr Description description{
+    .name = "found",
+    .summary = "a design that a search found, from the library's collection",
+    .preconditions = "some parameters; see the collection",
+    .guarantee = "as many blocks as the collection says, verified by the tests",
+};
+
+class Found final : public Entry {
  public:
-  std::string_view name() const override { return "found"; }
-  std::string_view summary() const override {
-    return "a design that a search found, from the library's collection";
-  }
-  std::string_view preconditions() const override { return "some parameters; see the collection"; }
-  std::string_view guarantee() const override {
-    return "as many blocks as the collection says, verified by the tests";
-  }
-  Citation citation() const override { return {}; }
+  Found() : Entry(description) {}
 
   std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
     const auto found = found_designs().find(p);

@@ -16,19 +16,16 @@ namespace {
 // So that building never hangs; the same set is found wherever the search does not end here.
 constexpr std::uint64_t search_nodes = 10'000'000;
 
-class Literal final : public Construction {
- public:
-  std::string_view name() const override { return "literal"; }
-  std::string_view summary() const override { return "the blocks that the recipe lists"; }
-  std::string_view preconditions() const override {
-    return "any parameters, with a list of blocks";
-  }
-  std::string_view guarantee() const override { return "none: verify the list"; }
-  Citation citation() const override { return {}; }
+constexpr Description description{
+    .name = "literal",
+    .summary = "the blocks that the recipe lists",
+    .preconditions = "any parameters, with a list of blocks",
+    .guarantee = "none: verify the list",
+};
 
-  std::optional<Offer> offer(const Parameters&, const Registry&) const override {
-    return std::nullopt;
-  }
+class Literal final : public Entry {
+ public:
+  Literal() : Entry(description) {}
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
     require_recipe(
@@ -63,13 +60,7 @@ class Literal final : public Construction {
 }  // namespace
 
 Recipe literal_recipe(const Design& design, std::string provenance) {
-  Recipe recipe{"literal", design.parameters(), {}, {}, {}, std::move(provenance)};
-  recipe.blocks.reserve(design.block_count());
-  for (std::size_t i = 0; i < design.block_count(); ++i) {
-    const auto block = design.block(i);
-    recipe.blocks.emplace_back(block.begin(), block.end());
-  }
-  return recipe;
+  return {"literal", design.parameters(), {}, {}, design.blocks(), std::move(provenance)};
 }
 
 const Construction& literal_construction() {

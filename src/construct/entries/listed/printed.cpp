@@ -50,62 +50,59 @@ const Printed* printed(const Parameters& p) {
   return nullptr;
 }
 
-std::optional<Recipe> recipe_for(const Construction& construction, const Parameters& p) {
-  const Printed* design = printed(p);
-  if (design == nullptr) {
-    return std::nullopt;
-  }
-  return Recipe{std::string(construction.name()), p, {}, {}, design->blocks};
-}
-
 bool has_expansion_set(const Parameters& p) { return p.v == 7 && p.kind == Kind::linear; }
 
-class PrintedTables final : public Construction {
+constexpr Description description{
+    .name = "printed",
+    .summary = "a design printed in the literature",
+    .preconditions = "m = 2, (v,k) = (7,3) or (9,3)",
+    .guarantee = "a tight DCCD(7,3,7) or DCCD(9,3,12), linear or circular",
+    .cited = "ChafeeStevens2025",
+    .place = "Tables 1 and 2",
+};
+
+class PrintedTables final : public Family {
  public:
-  std::string_view name() const override { return "printed"; }
-  std::string_view summary() const override { return "a design printed in the literature"; }
-  std::string_view preconditions() const override { return "m = 2, (v,k) = (7,3) or (9,3)"; }
-  std::string_view guarantee() const override {
-    return "a tight DCCD(7,3,7) or DCCD(9,3,12), linear or circular";
-  }
-  Citation citation() const override { return {"ChafeeStevens2025", "Tables 1 and 2"}; }
-
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
-    std::optional<Recipe> recipe = recipe_for(*this, p);
-    if (!recipe) {
-      return std::nullopt;
-    }
-    const std::uint64_t b = recipe->blocks.size();
-    return Offer{*std::move(recipe), b, true, true, has_expansion_set(p)};
-  }
-
-  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    return std::make_unique<BlockListSource>(recipe.parameters, recipe.blocks);
-  }
+  PrintedTables() : Family(description) {}
 
   // The set that the paper marks. Element 6 could be taken at position 4 as well.
   std::optional<std::vector<UnchangedSubset>> expansion_set(const Recipe& recipe,
                                                             const Registry&) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    if (!has_expansion_set(recipe.parameters)) {
+    if (!has_expansion_set(required(recipe))) {
       return std::nullopt;
     }
     return std::vector<UnchangedSubset>{{0, {2}}, {1, {0}}, {2, {4}}, {3, {3}},
                                         {5, {6}}, {6, {5}}, {7, {1}}};
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    return std::string(printed(recipe.parameters)->origin);
-  }
-
   std::vector<std::string> labels(const Recipe& recipe, const Registry&) const override {
-    require_recipe(recipe, *this, recipe_for(*this, recipe.parameters));
-    if (recipe.parameters.v == 9) {
+    if (required(recipe).v == 9) {
       return {"1", "2", "3", "4", "5", "6", "7", "8", "9"};
     }
     return {};
+  }
+
+ protected:
+  Recipe recipe_for(const Parameters& p) const override {
+    Recipe recipe = recipe_of(p);
+    recipe.blocks = printed(p)->blocks;
+    return recipe;
+  }
+
+  std::optional<Promise> promise(const Parameters& p) const override {
+    const Printed* design = printed(p);
+    if (design == nullptr) {
+      return std::nullopt;
+    }
+    return Promise{design->blocks.size(), true, true, has_expansion_set(p)};
+  }
+
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    return std::make_unique<BlockListSource>(p, printed(p)->blocks);
+  }
+
+  std::string explanation(const Parameters& p) const override {
+    return std::string(printed(p)->origin);
   }
 };
 
