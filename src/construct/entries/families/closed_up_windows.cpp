@@ -115,38 +115,35 @@ class ClosedUp final : public SwapPlan {
   std::uint64_t r_;
 };
 
-class ClosedUpWindows final : public Construction {
- public:
-  std::string_view name() const override { return "closed-up-windows"; }
-  std::string_view summary() const override {
-    return "a tight circular design without some neighbours, both ends reworked until no block is "
-           "lost";
-  }
-  std::string_view preconditions() const override {
-    return "linear, m = 1, k >= 5, 3k <= v <= 4k-5";
-  }
-  std::string_view guarantee() const override { return "b = 3v-4k+1, minimum"; }
-  Citation citation() const override { return {"", "docs/theorems.md, Theorem 6"}; }
+constexpr Description description{
+    .name = "closed-up-windows",
+    .summary =
+        "a tight circular design without some neighbours, both ends reworked until no block is "
+        "lost",
+    .preconditions = "linear, m = 1, k >= 5, 3k <= v <= 4k-5",
+    .guarantee = "b = 3v-4k+1, minimum",
+    .place = "docs/theorems.md, Theorem 6",
+};
 
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
+class ClosedUpWindows final : public Family {
+ public:
+  ClosedUpWindows() : Family(description) {}
+
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 1) || p.kind != Kind::linear || p.k < 5 || p.v < 3 * p.k ||
         p.v + 5 > 4 * p.k) {
       return std::nullopt;
     }
-    return Offer{{std::string(name()), p, {}, {}, {}}, 3 * p.v - 4 * p.k + 1, false, false, false};
+    return Promise{.b = 3 * p.v - 4 * p.k + 1};
   }
 
-  std::unique_ptr<BlockSource> build(const Recipe& recipe,
-                                     const Registry& registry) const override {
-    const std::optional<Offer> expected = offer(recipe.parameters, registry);
-    require_recipe(recipe, *this, expected ? std::optional(expected->recipe) : std::nullopt);
-    const Parameters& p = recipe.parameters;
-    return std::make_unique<SwapSource>(p, expected->b,
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    return std::make_unique<SwapSource>(p, 3 * p.v - 4 * p.k + 1,
                                         std::make_unique<ClosedUp>(p.k, 4 * p.k - 3 - p.v));
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    const Parameters& p = recipe.parameters;
+  std::string explanation(const Parameters& p) const override {
     return fmt::format(
         "A window of {} elements slides once over Z_{} without 0,...,{}; visitors stay where "
         "windows "

@@ -186,38 +186,39 @@ std::optional<Gap> gap_of(const Parameters& p) {
 
 bool is_windows_and_one(const Parameters& p) { return p.k >= 4 && p.v == 3 * p.k - 1; }
 
-class VisitedWindows final : public Construction {
- public:
-  std::string_view name() const override { return "visited-windows"; }
-  std::string_view summary() const override {
-    return "a window slides over a cycle, and new elements visit windows that cover it";
+std::uint64_t blocks_of(const Parameters& p, const Gap& gap) {
+  if (is_windows_and_one(p)) {
+    return 5 * p.k - 2;
   }
-  std::string_view preconditions() const override {
-    return "linear, m = 1, k >= 3, v = 2c(k-1)+1+w with c >= 1 and 1 <= w < 2(k-1)";
-  }
-  std::string_view guarantee() const override {
-    return "b = c(2c(k-1)+1) + (2c+1)w - 1 if w < k, and w-k+1 more if not; minimum, 3v-4k+1, for "
-           "2k <= v <= "
-           "3k-2, and for v = 3k-1, k >= 4";
-  }
-  Citation citation() const override { return {"", "docs/theorems.md, Theorem 6"}; }
+  const std::uint64_t u = 2 * gap.c * (p.k - 1) + 1;
+  const std::uint64_t more = gap.w < p.k ? 0 : gap.w - (p.k - 1);
+  return checked_add(checked_multiply(gap.c, u), checked_multiply(2 * gap.c + 1, gap.w) - 1 + more);
+}
 
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
+constexpr Description description{
+    .name = "visited-windows",
+    .summary = "a window slides over a cycle, and new elements visit windows that cover it",
+    .preconditions = "linear, m = 1, k >= 3, v = 2c(k-1)+1+w with c >= 1 and 1 <= w < 2(k-1)",
+    .guarantee =
+        "b = c(2c(k-1)+1) + (2c+1)w - 1 if w < k, and w-k+1 more if not; minimum, 3v-4k+1, "
+        "for 2k <= v <= 3k-2, and for v = 3k-1, k >= 4",
+    .place = "docs/theorems.md, Theorem 6",
+};
+
+class VisitedWindows final : public Family {
+ public:
+  VisitedWindows() : Family(description) {}
+
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
     if (!asks_for_pairs(p, 1) || p.kind != Kind::linear || p.k < 3) {
       return std::nullopt;
     }
     const auto gap = gap_of(p);
-    if (!gap) {
-      return std::nullopt;
-    }
-    return Offer{{std::string(name()), p, {}, {}, {}}, blocks(p, *gap), false, false, false};
+    return gap ? std::optional(Promise{.b = blocks_of(p, *gap)}) : std::nullopt;
   }
 
-  std::unique_ptr<BlockSource> build(const Recipe& recipe,
-                                     const Registry& registry) const override {
-    const std::optional<Offer> expected = offer(recipe.parameters, registry);
-    require_recipe(recipe, *this, expected ? std::optional(expected->recipe) : std::nullopt);
-    const Parameters& p = recipe.parameters;
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
     const Gap gap = gap_of(p).value();
     std::unique_ptr<SwapPlan> plan;
     if (is_windows_and_one(p)) {
@@ -225,35 +226,23 @@ class VisitedWindows final : public Construction {
     } else {
       plan = std::make_unique<Windows>(gap.c, p.k, gap.w);
     }
-    return std::make_unique<SwapSource>(p, expected->b, std::move(plan));
+    return std::make_unique<SwapSource>(p, blocks_of(p, gap), std::move(plan));
   }
 
-  std::string explain(const Recipe& recipe) const override {
-    const Parameters& p = recipe.parameters;
+  std::string explanation(const Parameters& p) const override {
     const std::uint64_t u = 2 * gap_of(p).value().c * (p.k - 1) + 1;
     if (is_windows_and_one(p)) {
       return fmt::format(
-          "A window of {} elements slides over Z_{}; {} new elements meet its beginning, then "
+          "A window of {0} elements slides over Z_{1}; {0} new elements meet its beginning, then "
           "visit one "
           "window, and one more visits another and stands in at both ends.",
-          p.k - 1, u, p.k - 1);
+          p.k - 1, u);
     }
     return fmt::format(
         "A window of {0} elements slides over Z_{1}; {2} new elements meet each other and "
         "0,...,{0} at the "
         "start, then visit windows that hold all others.",
         p.k - 1, u, p.v - u);
-  }
-
- private:
-  static std::uint64_t blocks(const Parameters& p, const Gap& gap) {
-    if (is_windows_and_one(p)) {
-      return 5 * p.k - 2;
-    }
-    const std::uint64_t u = 2 * gap.c * (p.k - 1) + 1;
-    const std::uint64_t more = gap.w < p.k ? 0 : gap.w - (p.k - 1);
-    return checked_add(checked_multiply(gap.c, u),
-                       checked_multiply(2 * gap.c + 1, gap.w) - 1 + more);
   }
 };
 
