@@ -1,6 +1,7 @@
 #include "bounds/degree_program.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "changeover/run/scope.hpp"
 
@@ -11,6 +12,8 @@ using Number = std::int64_t;
 
 Number ceil_div_signed(Number a, Number b) { return a >= 0 ? (a + b - 1) / b : -(-a / b); }
 
+using Counts = std::vector<Number>;
+
 struct Program {
   Number n = 0;  // elements that are not in every block
   Number i_sum = 0;
@@ -19,43 +22,63 @@ struct Program {
   Number degree = 0;  // i_x(k−1) + m(r_x − i_x) ≥ degree
   Number k = 0;
   Number m = 0;
+  Number fixed = 0;  // elements that are in every block
+  Number cut =
+      0;  // stays that cutting a circular design open adds, but for those of fixed elements
 
   [[nodiscard]] Number least_r(Number i) const {
     return std::max(i, ceil_div_signed(degree - i * (k - 1 - m), m));
   }
   [[nodiscard]] bool allowed(Number i) const { return i >= 1 && least_r(i) <= r_most - i; }
 
-  /// The least Σ r_x with `left` elements at the values i, …, last and Σ i_x = sum; −1 if impossible.
-  [[nodiscard]] Number least_sum(Number i, Number last, Number left, Number sum) const {
-    if (left == 0) {
-      return sum == 0 ? 0 : -1;
-    }
-    if (i > last || sum < i * left || sum > last * left) {
-      return -1;
-    }
-    if (i == last) {
-      return allowed(i) ? left * least_r(i) : -1;
-    }
-    if (i + 1 == last) {  // two unknowns, two equations
-      const Number upper = sum - i * left;
-      const Number lower = left - upper;
-      if ((upper > 0 && !allowed(last)) || (lower > 0 && !allowed(i))) {
-        return -1;
+  /// Whether the inequality of stays holds for every s, with counts[j] elements of i_x = low + j.
+  [[nodiscard]] bool stays_fit(Number low, const Counts& counts) const {
+    const auto values = static_cast<Number>(counts.size());
+    // Beyond these s every element counts, and the left side grows more slowly than the right one.
+    const Number last = std::max(low + values, (n + fixed) / (2 * k) + 1);
+    for (Number s = 1; s <= last; ++s) {
+      Number sum = fixed * s - cut;
+      for (Number j = 0; j < values; ++j) {
+        sum += counts[static_cast<std::size_t>(j)] * std::max<Number>(0, s + 1 - low - j);
       }
-      return upper * least_r(last) + lower * least_r(i);
+      if (sum > (s * s - s + 1) * k) {
+        return false;
+      }
     }
-    Number best = -1;
-    const Number most = allowed(i) ? left : 0;
-    for (Number count = 0; count <= most; ++count) {
-      if (i + 2 < last) {
+    return true;
+  }
+
+  /// Whether `left` elements can have the values low + j, …, low + m with Σ i_x = sum and Σ r_x ≤ r, where
+  /// counts[0], …, counts[j−1] elements have the lower values.
+  [[nodiscard]] bool possible(Number low, Number j, Number left, Number sum, Number r,
+                              Counts& counts) const {
+    const Number i = low + j;
+    if (r < 0 || sum < i * left || sum > (low + m) * left) {
+      return false;
+    }
+    Number least = 0;
+    Number most = left;
+    if (j == m) {
+      least = left;
+    } else if (j + 1 == m) {  // two unknowns, two equations
+      least = most = left - (sum - i * left);
+    }
+    if (!allowed(i)) {
+      most = 0;
+    }
+    for (Number count = least; count <= most; ++count) {
+      if (j + 2 < m) {
         stop_if_asked();
       }
-      const Number rest = least_sum(i + 1, last, left - count, sum - count * i);
-      if (rest >= 0 && (best < 0 || rest + count * least_r(i) < best)) {
-        best = rest + count * least_r(i);
+      counts[static_cast<std::size_t>(j)] = count;
+      if (j == m) {
+        return count * least_r(i) <= r && stays_fit(low, counts);
+      }
+      if (possible(low, j + 1, left - count, sum - count * i, r - count * least_r(i), counts)) {
+        return true;
       }
     }
-    return best;
+    return false;
   }
 
   [[nodiscard]] bool feasible() const {
@@ -65,8 +88,8 @@ struct Program {
     const Number middle = i_sum / n;
     for (Number low = std::max<Number>(1, middle - m); low <= middle; ++low) {
       stop_if_asked();
-      const Number least = least_sum(low, low + m, n, i_sum);
-      if (least >= 0 && least <= r_sum) {
+      Counts counts(static_cast<std::size_t>(m + 1), 0);
+      if (possible(low, 0, n, i_sum, r_sum, counts)) {
         return true;
       }
     }
@@ -78,7 +101,7 @@ bool counts_exist(const Parameters& p, Number b) {
   const auto v = static_cast<Number>(p.v);
   const auto k = static_cast<Number>(p.k);
   const auto m = static_cast<Number>(p.change);
-  Program program{.n = v, .i_sum = 0, .r_sum = 0, .r_most = 0, .degree = v - 1, .k = k, .m = m};
+  Program program{.n = v, .degree = v - 1, .k = k, .m = m};
   if (p.kind == Kind::linear) {
     program.i_sum = k + m * (b - 1);
     program.r_sum = k * b;
@@ -90,6 +113,8 @@ bool counts_exist(const Parameters& p, Number b) {
     program.i_sum = m * b;
     program.r_sum = (k - f) * b;
     program.r_most = b;
+    program.fixed = f;
+    program.cut = k - m - f;
     if ((f == 0 || m * b >= v - f) && program.feasible()) {
       return true;
     }

@@ -17,13 +17,9 @@ struct Row {
   std::uint64_t k, v, blocks;
 };
 
-constexpr std::array<Row, 51> rows{{
-    {1, Kind::linear, 4, 9, 12},    {1, Kind::linear, 4, 10, 15},   {1, Kind::linear, 5, 11, 14},
-    {1, Kind::linear, 5, 12, 17},   {1, Kind::linear, 5, 13, 19},   {1, Kind::linear, 6, 13, 16},
-    {1, Kind::linear, 6, 15, 20},   {1, Kind::linear, 6, 16, 23},   {1, Kind::circular, 6, 15, 22},
-    {1, Kind::circular, 6, 16, 25}, {1, Kind::circular, 7, 16, 21}, {2, Kind::linear, 3, 5, 5},
-    {2, Kind::linear, 4, 12, 14},   {2, Kind::linear, 5, 9, 6},     {2, Kind::linear, 5, 11, 9},
-    {2, Kind::linear, 5, 13, 12},   {2, Kind::linear, 6, 13, 10},   {2, Kind::linear, 7, 15, 10},
+constexpr std::array<Row, 39> rows{{
+    {2, Kind::linear, 3, 5, 5},     {2, Kind::linear, 4, 12, 14},   {2, Kind::linear, 5, 9, 6},
+    {2, Kind::linear, 5, 11, 9},    {2, Kind::linear, 5, 13, 12},   {2, Kind::linear, 6, 13, 10},
     {2, Kind::circular, 2, 5, 11},  {2, Kind::circular, 3, 5, 5},   {2, Kind::circular, 5, 11, 9},
     {2, Kind::circular, 7, 14, 10}, {3, Kind::linear, 3, 7, 10},    {3, Kind::linear, 3, 8, 12},
     {3, Kind::linear, 3, 9, 14},    {3, Kind::linear, 4, 7, 7},     {3, Kind::linear, 4, 9, 8},

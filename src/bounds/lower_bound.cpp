@@ -7,6 +7,7 @@
 
 #include "bounds/degree_program.hpp"
 #include "bounds/known_minima.hpp"
+#include "bounds/stays.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
@@ -138,6 +139,33 @@ void circular_bounds(const Parameters& p, std::vector<Bound>& bounds) {
   }
 }
 
+// "3*n1 + 2*n2 + n3", and its end where s is large.
+std::string weighted_stays(std::uint64_t s) {
+  constexpr std::uint64_t most_terms = 4;
+  std::string text;
+  for (std::uint64_t j = 1; j <= s; ++j) {
+    if (s > most_terms && j == most_terms - 1) {
+      text += fmt::format(" + ... + n{}", s);
+      break;
+    }
+    text += fmt::format("{}{}n{}", j == 1 ? "" : " + ",
+                        j == s ? std::string() : fmt::format("{}*", s + 1 - j), j);
+  }
+  return text;
+}
+
+Bound stays(const Parameters& p) {
+  const Introductions least = least_introductions(p.v, p.k, p.strength);
+  const std::uint64_t n = most_meetings(least.s, p.strength);
+  const std::uint64_t b =
+      least.count > p.k ? ceil_div(least.count - p.k, p.change) + 1 : std::uint64_t{1};
+  return {
+      b, "stays",
+      fmt::format("{0} <= {1}k = {2} where n_j elements are introduced j times (docs/theorems.md, "
+                  "Theorem 5), so k + m(b-1) >= {3}v - {1}k = {4}: b >= {5}",
+                  weighted_stays(least.s), n, n * p.k, least.s + 1, least.count, b)};
+}
+
 }  // namespace
 
 std::vector<Bound> lower_bounds(const Parameters& p) {
@@ -165,6 +193,7 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
                    "ceil(({1}-{2})/{0}) = {3} blocks and some y in none of the last {3}: b >= "
                    "2*{3} + 1 = {4}",
                    p.change, p.v, p.k, reach, 2 * reach + 1)});
+  bounds.push_back(stays(p));
   const auto largest =
       std::max_element(bounds.begin(), bounds.end(),
                        [](const Bound& a, const Bound& b) { return a.blocks < b.blocks; });
@@ -173,9 +202,10 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
   if (program && *program > known) {
     bounds.push_back(
         {*program, "degree program",
-         fmt::format("no whole numbers i_x, r_x have the sums of {} or fewer blocks and "
-                     "i_x(k-1) + m(r_x-i_x) >= v-1 = {} for every x: b >= {}",
-                     *program - 1, p.v - 1, *program)});
+         fmt::format(
+             "no whole numbers i_x, r_x have the sums of {} or fewer blocks and "
+             "i_x(k-1) + m(r_x-i_x) >= v-1 = {} for every x and the stays of Theorem 5: b >= {}",
+             *program - 1, p.v - 1, *program)});
   }
   if (const auto searched = excluded_below(p)) {
     bounds.push_back(

@@ -16,6 +16,17 @@
 namespace changeover {
 namespace {
 
+// Beyond that rules are not put on top of each other one by one: recipes have a limited depth.
+constexpr std::size_t deepest_chain = max_recipe_depth / 2;
+
+std::size_t depth(const Recipe& recipe) {
+  std::size_t deepest = 0;
+  for (const Recipe& input : recipe.inputs) {
+    deepest = std::max(deepest, depth(input));
+  }
+  return deepest + 1;
+}
+
 Offer offer_of(Recipe recipe, std::uint64_t b) {
   Offer offer{std::move(recipe), b, false, false, false};
   offer.economical = b == counting_bound(offer.recipe.parameters);
@@ -98,6 +109,7 @@ class Relaxation {
         }
       }
     }
+    offer_from_other_change_numbers();
     std::uint64_t settled = 0;
     while (!queue_.empty()) {
       const Entry entry = queue_.top();
@@ -182,9 +194,87 @@ class Relaxation {
     }
     Parameters smaller = p;
     --smaller.v;
+    if (p.change == 1 && p.kind == Kind::linear && depth(offer.recipe) < deepest_chain &&
+        improvable(smaller, offer.b - 1)) {
+      if (auto made = close_up_recipe(offer.recipe, design)) {
+        improve(smaller, offer_of(std::move(made->recipe), made->b));
+      }
+    }
     if (improvable(smaller, offer.b)) {
       if (auto recipe = truncate_recipe(offer.recipe, design)) {
         improve(smaller, offer_of(*std::move(recipe), offer.b));
+      }
+    }
+  }
+
+  // Rules that lead from one change number to another: m from a proper divisor by blowing up, from 1 by
+  // coarsening; 1 from 2 by interpolating, which looks no further, so that this ends.
+  void offer_from_other_change_numbers() {
+    const PlanRange& range = plan_.range();
+    const std::uint64_t m = range.change;
+    if (range.alone) {
+      return;
+    }
+    const auto each_best = [&](PlanRange other, const auto& take) {
+      other.k_from = std::max<std::uint64_t>(2, other.k_from);
+      other.v_from = std::max(other.v_from, other.k_from + 1);
+      if (other.v_from > other.v_to || other.k_from > other.k_to) {
+        return;
+      }
+      const Plan plan = plan_range(registry_, other);
+      for (const PlannedCell& cell : plan.cells()) {
+        if (cell.best) {
+          take(*cell.best);
+        }
+      }
+    };
+    if (m == 1) {
+      PlanRange coarse = range;
+      coarse.change = 2;
+      coarse.alone = true;
+      each_best(coarse, [&](const Offer& offer) {
+        const std::uint64_t b = interpolated_count(offer.recipe.parameters, 1, offer.b);
+        Parameters p = offer.recipe.parameters;
+        p.change = 1;
+        if (improvable(p, b)) {
+          improve(p, offer_of(interpolate_recipe(offer.recipe, 1), b));
+        }
+      });
+    }
+    for (std::uint64_t s = 2; s <= m; ++s) {
+      if (m % s == 0) {
+        each_best({.v_from = ceil_div(range.v_from, s),
+                   .v_to = range.v_to / s,
+                   .k_from = ceil_div(range.k_from, s),
+                   .k_to = range.k_to / s,
+                   .change = m / s},
+                  [&](const Offer& offer) {
+                    Recipe recipe = blow_up_recipe(offer.recipe, s);
+                    const Parameters p = recipe.parameters;
+                    improve(p, offer_of(std::move(recipe), offer.b));
+                  });
+      }
+    }
+    if (m >= 2 && range.k_to > m) {
+      each_best({.v_from = range.v_from,
+                 .v_to = range.v_to,
+                 .k_from = range.k_from > m ? range.k_from - m + 1 : 2,
+                 .k_to = range.k_to - m + 1,
+                 .change = 1},
+                [&](const Offer& offer) { coarsen(offer, m); });
+    }
+  }
+
+  void coarsen(const Offer& offer, std::uint64_t m) {
+    Parameters p = offer.recipe.parameters;
+    if (p.kind != Kind::linear) {
+      return;
+    }
+    p.k += m - 1;
+    p.change = m;
+    if (p.k < p.v && improvable(p, ceil_div(offer.b, m))) {
+      if (auto made = coarsen_recipe(offer.recipe, registry_.build_design(offer.recipe), m)) {
+        improve(p, offer_of(std::move(made->recipe), made->b));
       }
     }
   }

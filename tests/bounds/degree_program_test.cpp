@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "core/checked.hpp"
@@ -10,40 +11,68 @@
 namespace changeover {
 namespace {
 
-// The program by brute force: sums of (i, r) reachable with v elements, one after another.
-bool counts_exist(const Parameters& p, std::uint64_t b) {
-  const auto possible = [&](std::uint64_t f) {
-    const bool linear = p.kind == Kind::linear;
-    const std::uint64_t n = p.v - f;
-    const std::uint64_t i_sum = linear ? p.k + p.change * (b - 1) : p.change * b;
-    const std::uint64_t r_sum = (p.k - f) * b;
-    std::vector<std::vector<bool>> reached(i_sum + 1, std::vector<bool>(r_sum + 1, false));
-    reached[0][0] = true;
-    for (std::uint64_t x = 0; x < n; ++x) {
-      std::vector<std::vector<bool>> next(i_sum + 1, std::vector<bool>(r_sum + 1, false));
-      for (std::uint64_t i = 1; i <= b; ++i) {
-        for (std::uint64_t r = i; r <= b && r + i <= b + (linear ? 1 : 0); ++r) {
-          if (i * (p.k - 1) + p.change * (r - i) < p.v - 1) {
-            continue;
-          }
-          for (std::uint64_t a = i; a <= i_sum; ++a) {
-            for (std::uint64_t c = r; c <= r_sum; ++c) {
-              if (reached[a - i][c - r]) {
-                next[a][c] = true;
-              }
-            }
-          }
-        }
+// The program by brute force: every way to choose i_1 ≤ i_2 ≤ … with the right sum.
+struct Numbers {
+  std::uint64_t n = 0, r_sum = 0, r_most = 0;
+  std::uint64_t fixed = 0, cut = 0;
+  Parameters p;
+
+  [[nodiscard]] bool good(const std::vector<std::uint64_t>& i) const {
+    std::uint64_t least = 0;
+    std::uint64_t most = 0;
+    for (const std::uint64_t x : i) {
+      std::uint64_t r = x;
+      while (x * (p.k - 1) + p.change * (r - x) < p.v - 1) {
+        ++r;
       }
-      reached = next;
+      if (r + x > r_most) {
+        return false;
+      }
+      least += r;
+      most += r_most - x;
     }
-    return static_cast<bool>(reached[i_sum][r_sum]);
-  };
+    for (std::uint64_t s = 1; s <= p.v; ++s) {
+      std::uint64_t sum = fixed * s;
+      for (const std::uint64_t x : i) {
+        sum += x < s + 1 ? s + 1 - x : 0;
+      }
+      if (sum > (s * s - s + 1) * p.k + cut) {
+        return false;
+      }
+    }
+    return least <= r_sum && r_sum <= most;
+  }
+
+  [[nodiscard]] bool exist(std::vector<std::uint64_t>& i, std::uint64_t sum) const {
+    if (i.size() == n) {
+      return sum == 0 && good(i);
+    }
+    for (std::uint64_t x = i.empty() ? 1 : i.back(); x * (n - i.size()) <= sum; ++x) {
+      i.push_back(x);
+      const bool found = exist(i, sum - x);
+      i.pop_back();
+      if (found) {
+        return true;
+      }
+    }
+    return false;
+  }
+};
+
+bool counts_exist(const Parameters& p, std::uint64_t b) {
+  std::vector<std::uint64_t> i;
   if (p.kind == Kind::linear) {
-    return possible(0);
+    return Numbers{.n = p.v, .r_sum = p.k * b, .r_most = b + 1, .p = p}.exist(
+        i, p.k + p.change * (b - 1));
   }
   for (std::uint64_t f = 0; f + p.change <= p.k; ++f) {
-    if ((f == 0 || p.change * b >= p.v - f) && possible(f)) {
+    const Numbers numbers{.n = p.v - f,
+                          .r_sum = (p.k - f) * b,
+                          .r_most = b,
+                          .fixed = f,
+                          .cut = p.k - p.change - f,
+                          .p = p};
+    if ((f == 0 || p.change * b >= p.v - f) && numbers.exist(i, p.change * b)) {
       return true;
     }
   }

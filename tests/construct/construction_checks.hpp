@@ -16,6 +16,7 @@
 #include "changeover/verify/difference.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
+#include "stays.hpp"
 
 namespace changeover::test {
 
@@ -170,6 +171,9 @@ inline void expect_as_promised(const Offer& offer) {
   const Design design = standard().build_design(recipe);
   EXPECT_EQ(blocks_of(*source), design.blocks());
   EXPECT_EQ(design.recipe, recipe);
+  if (p.v > p.k) {
+    EXPECT_EQ(broken_inequality_of_stays(p.v, p.k, p.strength, design.blocks()), std::nullopt);
+  }
   if (p.v <= 12 && offer.b <= 40) {
     const NaiveVerdict naive = naive_verdict(design);
     EXPECT_TRUE(naive.valid);

@@ -13,9 +13,11 @@
 //   degree    i_x(k−1) + m(r_x − i_x) = v − 1 + e_x forces every excess e_x up to the least residue of
 //             −(v−1) modulo gcd(k−1, m); for m = 2, k odd, v even it gives linear
 //             C(k,2) + (b−1)(2k−3) ≥ v²/2. It is taken into the counting bound.
+//   stays     b ≥ ⌈((s+1)v − (s²−s+2)k)/m⌉ + 1 for every s ≥ 1: 2(v−k), 3v−4k, 4v−8k, … introductions after
+//             the first block [docs/theorems.md, Theorem 5]; for strength t also b ≥ ⌈t(v−k)/m⌉ + 1.
 //   degree program  the least b for which whole numbers i_x, r_x with the right sums satisfy
-//             i_x(k−1) + m(r_x − i_x) ≥ v − 1 at every x (m ≤ 3, v ≤ 2000); for k = 3, m = 2 this is
-//             ⌈v/3·⌈(v−1)/2⌉⌉, the covering bound of Fort and Hedlund.
+//             i_x(k−1) + m(r_x − i_x) ≥ v − 1 at every x and the inequality of stays for every s (m ≤ 3,
+//             v ≤ 2000); for k = 3, m = 2 this is ⌈v/3·⌈(v−1)/2⌉⌉, the covering bound of Fort and Hedlund.
 //   checked proofs  for some small parameters fewer blocks were excluded by SAT, each number of blocks
 //             with a DRAT proof that was checked; the reason names the command that writes the proofs
 //             anew. This is the one bound here that is not a proof on paper.
@@ -36,7 +38,7 @@ namespace changeover {
 /// A number of blocks that no design with certain parameters can go below.
 struct Bound {
   std::uint64_t blocks = 0;
-  std::string name;    ///< "counting", "degree", "degree program", "end to end",
+  std::string name;    ///< "counting", "degree", "degree program", "end to end", "stays",
                        ///< "checked proofs", "trivial"
   std::string reason;  ///< one line of plain mathematics with the numbers filled in
 

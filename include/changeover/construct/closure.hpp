@@ -84,5 +84,29 @@ struct BestCut {
 /// The consecutive `blocks` of this design that leave fewest pairs uncovered, as a linear list: at least
 /// one block, at most all. For other strengths the first ones. O(bk² + v²).
 [[nodiscard]] Design best_part(const Design& design, std::size_t blocks);
+/// A recipe that a rule made, and how many blocks it has.
+struct Made {
+  Recipe recipe;
+  std::uint64_t b = 0;
+};
+
+/// *Close up*: delete the element of a linear single-change design after which fewest blocks are left when each
+/// stay begins as soon as another one has ended; of a few with the most stays. One block fewer for each stay of
+/// it, or better. `design` is what the input builds. nullopt if it is no such design or v ≤ k + 1. O(bk).
+[[nodiscard]] std::optional<Made> close_up_recipe(const Recipe& input, const Design& design);
+
+/// *Coarsen*: g consecutive blocks of a linear single-change design on (v,k) in one, a linear g-change design
+/// on (v, k+g−1). `design` is what the input builds. nullopt if that cannot be done. O(gbk).
+[[nodiscard]] std::optional<Made> coarsen_recipe(const Recipe& input, const Design& design,
+                                                 std::uint64_t g);
+
+/// *Interpolate*: each step of an M-change design in M/m steps of m. The input itself if m = M.
+/// @throws BadInput if m does not divide M.
+[[nodiscard]] Recipe interpolate_recipe(const Recipe& input, std::uint64_t m);
+
+/// How many blocks that has, for an input with parameters p and b blocks. @throws ImpossibleParameters if they
+/// exceed 64 bits.
+[[nodiscard]] std::uint64_t interpolated_count(const Parameters& p, std::uint64_t m,
+                                               std::uint64_t b);
 
 }  // namespace changeover

@@ -11,7 +11,12 @@
 //   fix       (v,k) → (v+1, k+1)
 //   unfix     (v+1,k+1) → (v,k), where an element is in every block
 //   truncate  (v+1,k) → (v,k), where some element can go
+//   close up  (v+1,k) → (v,k), linear and m = 1, with fewer blocks
 //   drop      blocks that are not needed go, after a cut above all
+// and before them those that lead from one change number to another:
+//   blow up      (v/s,k/s,m/s) → (v,k,m)
+//   coarsen      (v,k−m+1,1) → (v,k,m), linear
+//   interpolate  (v,k,2) → (v,k,1)
 // The last three look at blocks, so the designs of the cells in question are built. Every cell's design is
 // built and verified in the end; one that does not keep its promise is an InternalError.
 //
@@ -40,6 +45,7 @@ struct PlanRange {
   std::uint64_t k_from = 0;
   std::uint64_t k_to = 0;
   std::uint64_t change = 2;
+  bool alone = false;  ///< without the rules that lead from other change numbers
 };
 
 /// What is known of one set of parameters.
@@ -57,6 +63,8 @@ class Plan {
  public:
   /// Cells with bounds and without recipes; see plan_range().
   explicit Plan(const PlanRange& range);
+
+  [[nodiscard]] const PlanRange& range() const { return range_; }
 
   /// All cells, by kind (circular first), k, v.
   [[nodiscard]] const std::vector<PlannedCell>& cells() const { return cells_; }

@@ -14,7 +14,8 @@
 //
 // *The bound on the makespan.* A worker that loads ℓ items brings at most C(ℓ,2) pairs together if ℓ ≤ C, and
 // C(C,2) + (ℓ−C)(C−1) otherwise. W workers with at most ℓ loads bring all C(P,2) together only if W times that
-// is enough, and all items are loaded somewhere: ℓ ≥ ⌈P/W⌉.
+// is enough, and all items are loaded somewhere: ℓ ≥ ⌈P/W⌉. And whatever several workers load, end to end, is a list
+// of sets in which all pairs meet: W·ℓ ≥ (s+1)P − (s²−s+1)C for every s [docs/theorems.md, Theorem 5].
 //
 // *Verified.* For P ≤ 65,535 all workers' steps are read, and the pairs that met with any of them are all
 // pairs. Above that the stretches are those of an order that is certified by its structure.

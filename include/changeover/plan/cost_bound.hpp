@@ -16,7 +16,7 @@
 //      one if it has only pairs with mounted parts), and a test holds K: T ≥ ⌈Σ_x ⌈d_x/(K−1)⌉ / K⌉. If all
 //      pairs are needed this is the bound of Schönheim [Schonheim1964].
 //  (3) *Introductions.* Each part with a needed pair that is not in S is introduced at least once.
-//  (4) If all pairs of n > K parts of F are needed and no other: I + |S| ≥ K − 1 + b for the least number
+//  (4) If all pairs of n > K parts of F are needed and no other, and |S| ≤ K: I + |S| ≥ K − 1 + b for the least number
 //      b of blocks of a linear SCCD(n,K) (bounds/lower_bound.hpp). For put S before the list and restrict
 //      it to the n parts. While some set-up B_i has fewer than K of them, add to it a part of B_{i−1} or
 //      of B_{i+1} that it lacks: this introduces nothing that was not introduced before. If it lacks none,
@@ -33,7 +33,11 @@
 //      the most if the steps after the first are as equal as can be. So introductions beyond the first
 //      of each part must make up for Σ_x d_x − Y; an introduction of x makes up for K − 1 at most, for
 //      d_x in all. The cheapest way, if parts of an introduction could be had, bounds their cost.
-// The bound is the least of T·test + (the larger of (5) and (6)) over T ≥ (2) and I ≥ I(T), (3), (4). With
+//  (7) *Stays.* Among parts of F of which every two must meet, at most K come once only, and so on for two, three,
+//      … times [docs/theorems.md, Theorem 5]; with the price of each part this is a linear program with a
+//      solution in closed form (src/plan/search/stays_cost.hpp). The parts at the start count as a set-up; if
+//      they are more than K, they count instead of K.
+// The bound is the least of T·test + (the largest of (5), (6) and (7)) over T ≥ (2) and I ≥ I(T), (3), (4). With
 // forbidden pairs, pairs that need not meet, a start or tests already done, (4) falls away unless its
 // condition holds as it stands; the others stay true. (6) is left out of large jobs, where it takes long.
 #pragma once

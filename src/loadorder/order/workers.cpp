@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
+#include "bounds/stays.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_check.hpp"
@@ -152,6 +153,12 @@ LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uin
     } else {
       low = middle + 1;
     }
+  }
+  const Introductions all = least_introductions(items, std::min(items, room));
+  if (const std::uint64_t each = ceil_div(all.count, workers); each > low) {
+    return {each, fmt::format("all {} workers together load at least {}P - {}C = {} items "
+                              "(docs/theorems.md, Theorem 5): one of them at least {}",
+                              workers, all.s + 1, most_meetings(all.s, 2), all.count, each)};
   }
   return {low,
           fmt::format("one of {} workers brings at least {} of {} pairs together; {} loads are "

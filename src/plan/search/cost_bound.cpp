@@ -11,6 +11,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "plan/search/stays_cost.hpp"
 
 namespace changeover {
 namespace {
@@ -234,6 +235,42 @@ class DegreeCosts {
   std::vector<Offer> offers_;
 };
 
+// (7): parts of which every two must meet, as many as come together by taking those with most pairs first.
+std::vector<Element> all_meeting(const Job& job, const Numbers& n) {
+  if (n.pairs == choose_two(n.parts.size())) {
+    return n.parts;
+  }
+  std::vector<Element> by_degree = n.parts;
+  std::stable_sort(by_degree.begin(), by_degree.end(),
+                   [&](Element x, Element y) { return n.inner[x] > n.inner[y]; });
+  std::vector<Element> together;
+  for (const Element x : by_degree) {
+    if (std::all_of(together.begin(), together.end(),
+                    [&](Element y) { return job.needed.contains(x, y); })) {
+      together.push_back(x);
+    }
+  }
+  return together;
+}
+
+// (7): of all introductions of parts of F.
+StaysCost least_by_stays(const Job& job, const Numbers& n) {
+  std::vector<Amount> prices;
+  std::uint64_t at_start = 0;  // more than K if parts that will stay mounted are not there yet
+  for (const Element x : all_meeting(job, n)) {
+    prices.push_back(job.change_costs[x]);
+    at_start += n.at_start[x] ? 1U : 0U;
+  }
+  StaysCost least = stays_cost(std::move(prices), std::max(n.room, at_start));
+  for (const Element x : n.parts) {
+    if (!n.at_start[x]) {
+      ++least.extra;
+      least.cost += job.change_costs[x];
+    }
+  }
+  return least;
+}
+
 struct Least {
   std::uint64_t number = 0;
   std::string why;
@@ -260,19 +297,16 @@ Least least_tests(const Numbers& n) {
   return tests;
 }
 
-Least least_introductions(const Job& job, const Numbers& n, std::uint64_t once) {
+Least least_introductions(const Numbers& n, std::uint64_t once, std::uint64_t by_stays) {
   Least least{0, "none is needed"};
   least.at_least(once, "each part once");
+  least.at_least(by_stays, "at most K parts come once, and on: docs/theorems.md, Theorem 5");
   const std::uint64_t v = n.parts.size();
-  std::vector<bool> is_part(job.names.size());
-  for (const Element x : n.parts) {
-    is_part[x] = true;
-  }
   std::uint64_t start = 0;
   for (const Element x : n.parts) {
     start += n.at_start[x] ? 1U : 0U;
   }
-  if (n.pairs == choose_two(v) && n.room >= 2 && v > n.room) {
+  if (n.pairs == choose_two(v) && n.room >= 2 && v > n.room && start <= n.room) {
     const Parameters p{.v = v, .k = n.room, .change = 1, .kind = Kind::linear};
     std::uint64_t b = 0;
     try {
@@ -294,9 +328,10 @@ struct Cheapest {
   std::uint64_t introductions = 0;
 };
 
-// The least over all numbers that (1) to (4) allow. @throws Stopped
+// The least over all numbers that (1) to (4) allow; `seven` is (7). @throws Stopped
 Cheapest cheapest_numbers(const Job& job, const Numbers& n, const IntroductionCosts& costs,
-                          std::uint64_t least_tests, std::uint64_t least_introductions) {
+                          Amount seven, std::uint64_t least_tests,
+                          std::uint64_t least_introductions) {
   std::optional<DegreeCosts> degrees;
   constexpr std::uint64_t most_parts = 150;
   if (n.room >= 2 && n.parts.size() <= most_parts) {
@@ -319,15 +354,16 @@ Cheapest cheapest_numbers(const Job& job, const Numbers& n, const IntroductionCo
     for (; i <= most; ++i) {
       stop_if_asked();
       const auto five = costs(i);
-      if (!five || (best && job.test_cost * t + *five + n.mounting >= best->cost)) {
+      if (!five ||
+          (best && job.test_cost * t + std::max(*five, seven) + n.mounting >= best->cost)) {
         break;  // More introductions cost no less.
       }
       const Amount six = degrees ? (*degrees)(t, i) : Amount{};
-      const Amount total = job.test_cost * t + std::max(*five, six) + n.mounting;
+      const Amount total = job.test_cost * t + std::max({*five, six, seven}) + n.mounting;
       if (!best || total < best->cost) {
         best = Cheapest{total, t, i};
       }
-      if (six <= *five) {
+      if (six <= std::max(*five, seven)) {
         break;
       }
     }
@@ -353,7 +389,8 @@ CostBound cost_bound(const Job& job) {
   }
   const IntroductionCosts costs(job, n);
   const Least tests = least_tests(n);
-  const Least introductions = least_introductions(job, n, costs.once());
+  const StaysCost stays = least_by_stays(job, n);
+  const Least introductions = least_introductions(n, costs.once(), stays.extra);
 
   Cheapest cheapest;
   bound.tests = tests.number;
@@ -362,10 +399,10 @@ CostBound cost_bound(const Job& job) {
       fmt::format("at least {} tests ({}), at least {} changes ({})", tests.number, tests.why,
                   bound.introductions, introductions.why);
   try {
-    cheapest = cheapest_numbers(job, n, costs, tests.number, introductions.number);
+    cheapest = cheapest_numbers(job, n, costs, stays.cost, tests.number, introductions.number);
   } catch (const Stopped&) {
-    bound.cost =
-        job.test_cost * tests.number + costs(introductions.number).value_or(Amount{}) + n.mounting;
+    bound.cost = job.test_cost * tests.number +
+                 std::max(costs(introductions.number).value_or(Amount{}), stays.cost) + n.mounting;
     bound.reason = least;
     return bound;
   }

@@ -1,0 +1,81 @@
+// Close up: one element fewer, and at least as many blocks fewer as the element has stays. See
+// construct/tools/close_up.hpp for the rule and why it loses no pair.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/error.hpp"
+#include "construct/entry.hpp"
+#include "construct/tools/close_up.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr Description description{
+    .name = "close-up",
+    .summary = "delete an element of a single-change design and close the gaps between stays",
+    .preconditions = "a linear single-change design on v+1 > k+1 elements, as input",
+    .guarantee = "a block fewer for each stay of the element, or better",
+    .place = "src/construct/tools/close_up.hpp",
+};
+
+class CloseUp final : public Entry {
+ public:
+  CloseUp() : Entry(description) {}
+
+  std::unique_ptr<BlockSource> build(const Recipe& recipe,
+                                     const Registry& registry) const override {
+    const Element x = deleted(recipe);
+    const auto closed = closed_up(registry.build_design(recipe.inputs.front()), x);
+    return std::make_unique<BlockListSource>(recipe.parameters, closed.value().blocks());
+  }
+
+  std::string explain(const Recipe& recipe) const override {
+    return fmt::format(
+        "Delete element {} of the {} and let each stay begin as soon as another one has ended; the "
+        "last element "
+        "takes its name.",
+        deleted(recipe), changeover::name(recipe.inputs.front().parameters));
+  }
+
+ private:
+  Element deleted(const Recipe& recipe) const {
+    Parameters larger = recipe.parameters;
+    ++larger.v;
+    const auto given = recipe.arguments.find("element");
+    if (given == recipe.arguments.end() || given->second < 0 ||
+        static_cast<std::uint64_t>(given->second) >= larger.v || larger.v <= larger.k + 1 ||
+        larger.change != 1 || larger.kind != Kind::linear || larger.strength != 2) {
+      throw BadInput(
+          fmt::format("close-up to {} takes a linear single-change design on one element more "
+                      "and the number of the element to delete",
+                      changeover::name(recipe.parameters)));
+    }
+    require_input(recipe, larger, {{"element", given->second}});
+    return static_cast<Element>(given->second);
+  }
+};
+
+}  // namespace
+
+std::optional<Made> close_up_recipe(const Recipe& input, const Design& design) {
+  constexpr std::size_t most_tries = 4;
+  const Parameters& p = input.parameters;
+  if (p.kind != Kind::linear || p.change != 1 || p.strength != 2 || p.v <= p.k + 1) {
+    return std::nullopt;
+  }
+  const auto x = best_to_close_up(design, most_tries);
+  if (!x) {
+    return std::nullopt;
+  }
+  Parameters smaller = p;
+  --smaller.v;
+  return Made{{"close-up", smaller, {{"element", *x}}, {input}, {}},
+              closed_up(design, *x)->block_count()};
+}
+
+const Construction& close_up_construction() { return only<CloseUp>(); }
+
+}  // namespace changeover

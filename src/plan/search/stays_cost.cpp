@@ -1,0 +1,27 @@
+#include "plan/search/stays_cost.hpp"
+
+#include <algorithm>
+
+namespace changeover {
+
+StaysCost stays_cost(std::vector<Amount> prices, std::uint64_t room) {
+  StaysCost least;
+  if (room == 0) {
+    return least;
+  }
+  std::sort(prices.begin(), prices.end());
+  std::vector<Amount> cheapest{Amount{}};  // by number: of so many of them
+  for (const Amount price : prices) {
+    cheapest.push_back(cheapest.back() + price);
+  }
+  const std::uint64_t n = prices.size();
+  std::uint64_t taken = room;
+  for (std::uint64_t s = 1; taken < n; ++s) {
+    least.extra += n - taken;
+    least.cost += cheapest[static_cast<std::size_t>(n - taken)];
+    taken = 2 * s * room;
+  }
+  return least;
+}
+
+}  // namespace changeover

@@ -1,0 +1,31 @@
+// What the introductions of parts that must all meet each other cost at least: the bound of stays, with prices.
+//
+//     StaysCost least = stays_cost({prices of the parts}, 4);
+//     least.extra;                  // introductions beyond the first of each part
+//     least.cost;                   // of these
+//
+// Let Q be n parts of which every two must meet, K the room for them, i_x the stays of x in the list of set-ups, the
+// one at the start first. For every s, Σ max(0, s+1−i_x) ≤ (s²−s+1)K over Q [docs/theorems.md, Theorem 5]. With
+// Y_j the number of x with more than j stays this is Y_1 + … + Y_s ≥ s·n − (s²−s+1)K. The Y_j parts with more
+// than j stays cost, once each, at least what the Y_j cheapest do, f(Y_j), and f is convex. Of all Y_1 ≥ Y_2 ≥ …
+// with these partial sums Σ f(Y_j) is least where each partial sum is: Y_1 = n − K, and Y_s = n − 2(s−1)K
+// for s > 1 while that is positive.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "changeover/plan/job.hpp"
+
+namespace changeover {
+
+struct StaysCost {
+  std::uint64_t extra = 0;
+  Amount cost;
+};
+
+/// For parts with these prices and this room. O(n log n + n/room).
+/// @throws ImpossibleParameters if a cost overflows.
+[[nodiscard]] StaysCost stays_cost(std::vector<Amount> prices, std::uint64_t room);
+
+}  // namespace changeover
