@@ -94,11 +94,11 @@ TEST_F(SearchExamples, MinimaTable) {
 
 TEST_F(SearchExamples, MinimumSearch) {
   RunControl control({.time = std::chrono::minutes(5)});
-  MinimumResult result = find_minimum({.v = 10, .k = 4, .change = 1}, {}, control);
+  MinimumResult result = find_minimum({.v = 12, .k = 4}, {}, control);
   EXPECT_TRUE(result.settled());
-  EXPECT_EQ(result.start.blocks, 14U);
-  EXPECT_EQ(result.lower, 15U);
-  EXPECT_EQ(result.upper(), 15U);
+  EXPECT_EQ(result.start.blocks, 13U);
+  EXPECT_EQ(result.lower, 14U);
+  EXPECT_EQ(result.upper(), 14U);
 }
 
 // The blocks of the affine plane of order 3, a Steiner triple system.

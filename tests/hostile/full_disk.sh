@@ -116,9 +116,9 @@ await
 documented "$code" || fault "ulimit -f 1; changeover search 41 6 --checkpoint state: exit code $code ${said:0:200}"
 delivered || fault "ulimit -f 1; changeover search 41 6 --checkpoint state: the design was lost"
 nothing_left "ulimit -f 1; changeover search 41 6 --checkpoint state" .
-start 1 'search 10 4 -m 1 --exact --proof proofs --time 3s --format text'
+start 1 'search 13 6 --linear --exact --proof proofs --time 3s --format text'
 await
-refused "ulimit -f 1; changeover search 10 4 -m 1 --exact --proof proofs"
+refused "ulimit -f 1; changeover search 13 6 --linear --exact --proof proofs"
 nothing_left "ulimit -f 1; changeover search --exact --proof proofs" .
 clear_folder
 

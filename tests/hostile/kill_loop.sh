@@ -94,7 +94,7 @@ for ((round = 0; round < rounds; ++round)); do
       whole_design next || fault "$tried, then --checkpoint again: no design"
       ((RANDOM % 4 > 0)) || rm -f state
     elif [[ $command == *--proof* ]]; then
-      run 15 "$CHANGEOVER" search 9 4 -m 1 --exact --proof proofs --format text -o next
+      run 15 "$CHANGEOVER" search 12 4 --linear --exact --proof proofs --format text -o next
       [[ $code == 10 ]] || fault "$tried, then --proof again: exit code $code ${said:0:200}"
       for file in proofs/*; do
         [[ -s $file ]] || fault "$tried: $file is empty"

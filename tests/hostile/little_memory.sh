@@ -39,7 +39,7 @@ commands=(
   'design 1001 10 --format text' 'design 253 13 --json' 'design 61 4 --format svg' 'verify large.txt --json'
   'verify large.txt -t 3' 'bounds 2000 40' 'explain 900 7' 'table --k 3..9 --v 5..60 --json'
   'search 41 6 --time 200ms --format text' 'search 41 6 --time 200ms --threads 64 --format text'
-  'search 30 5 --exact --time 300ms --threads 8 --format text' 'search 10 4 -m 1 --exact --proof proofs --time 1s'
+  'search 30 5 --exact --time 300ms --threads 8 --format text' 'search 13 6 --linear --exact --proof proofs --time 1s'
   'search 40 5 --base-blocks --time 200ms --threads 32 --format text' 'search --order part.txt --time 200ms --threads 16'
   'search --extend part.txt --time 200ms --threads 16 --format text' 'search 24 5 --checkpoint state --time 200ms'
   'classify 9 4 12 -m 1 --circular --threads 16' 'same large.txt large.txt' 'expand part.txt -w 0'

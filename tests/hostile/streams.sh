@@ -110,7 +110,7 @@ for command in 'design 13 4 --format text' 'search 9 4 -m 1 --format text' 'tabl
 done
 for streams in '>&-' '2>&-' '<&- >&- 2>&-' '2>/dev/full'; do
   rm -rf proofs
-  with "$streams" 'search 9 4 -m 1 --exact --proof proofs'
+  with "$streams" 'search 12 4 --linear --exact --proof proofs'
   complain_unless_documented
   [[ $said != 'changeover: :'* ]] || fault "$tried: names nothing: $said"
   [[ -z $(find proofs -empty -type f 2>/dev/null) ]] || fault "$tried: an empty proof"

@@ -187,17 +187,17 @@ const std::vector<Case>& cases() {
        "no new elements can"},
       // the verbs that search
       {"$changeover search --order fano.txt --quiet", 10, "15 elements introduced"},
-      {"$changeover search 9 4 -m 1 --exact --quiet", 10, "The minimum is 12 blocks"},
+      {"$changeover search 9 5 --linear --exact --quiet", 10, "The minimum is 6 blocks"},
       {"$changeover search 8 4 -m 1 --quiet", 10, "minimum"},
       {"$changeover search 16 4 --base-blocks --tight --quiet", 10, "tight"},
       {"$changeover search --order fano.txt -m 2 --circular --quiet", 10, "tight"},
       {"$changeover search 4 2 --quiet", 20, "No linear DCCD(4,2) exists"},
       {"$changeover search 4 2 --json --quiet", 20, "\"found\":false"},
       {"$changeover search 8 5 --blocks 3 --quiet", 20, "with 3 blocks"},
-      {"$changeover search 9 4 -m 1 --exact --blocks 11 --quiet", 20, "none; "},
+      {"$changeover search 9 5 --linear --exact --blocks 5 --quiet", 20, "none; "},
       {"$changeover search --order fano.txt -m 1", 20, "No linear order"},
       {"$changeover search 30 5 --exact --time 1s --quiet", 30, "at least 64"},
-      {"$changeover search 15 5 -m 1 --blocks 25 --time 100ms --quiet", 30, "time limit"},
+      {"$changeover search 70 4 --circular --blocks 485 --time 100ms --quiet", 30, "time limit"},
       {"$changeover classify 12 5 19 -m 1 --time 100ms --quiet", 30, "NOT ALL"},
       {"$changeover classify 9 4 -m 1 --circular --quiet", 0, "16 standard forms"},
       {"$changeover same good.txt good.txt", 0, "the same: "},
@@ -229,7 +229,7 @@ const std::vector<Case>& cases() {
       {"$changeover plan ragged.json --at-once 3 --test-cost 1 --change-cost 1", 4, "ragged.json"},
       {"$changeover search 9 4 --checkpoint nowhere/x --time 1s --quiet", 4, "nowhere"},
       {"$changeover search 30 6 -o nowhere/out.txt", 4, "nowhere"},
-      {"$changeover search 9 4 -m 1 --exact --proof /dev/null/x --quiet", 4, "/dev/null"},
+      {"$changeover search 9 5 --linear --exact --proof /dev/null/x --quiet", 4, "/dev/null"},
   };
   return all;
 }

@@ -6,24 +6,24 @@ namespace {
 
 TEST(Search, WhatItProvesIsPartOfTheVerdict) {
   const TemporaryFolder folder;
-  expect({{"$changeover search 9 4 -m 1 --exact --quiet", 10,
-           "12 blocks: minimum (its 12 blocks are the lower bound: proved by this search)"},
+  expect({{"$changeover search 9 5 --linear --exact --quiet", 10,
+           "6 blocks: minimum (its 6 blocks are the lower bound: proved by this search)"},
           {"$changeover search 6 4 -t 3 --exact --quiet", 10,
            "6 blocks: minimum (its 6 blocks are the lower bound: proved by this search)"},
-          {"$changeover search 9 4 -m 1 --exact --json --quiet", 10,
-           "\"verdict\":{\"valid\":true,\"tight\":false,\"economical\":false,\"b\":12,\"lower_"
-           "bound\":12,"
+          {"$changeover search 9 5 --linear --exact --json --quiet", 10,
+           "\"verdict\":{\"valid\":true,\"tight\":false,\"economical\":false,\"b\":6,\"lower_"
+           "bound\":6,"
            "\"minimum\":\"proved\"},\"bound\":{\"name\":\"proved by this search\""}},
          folder);
 }
 
 TEST(Search, ATableThatItDidNotProveIsNamed) {
   const TemporaryFolder folder;
-  expect({{"$changeover search 9 4 -m 1 --exact --blocks 12 --quiet", 10,
-           "minimum (its 12 blocks are the lower bound: tables of checked proofs, not this "
+  expect({{"$changeover search 9 5 --linear --exact --blocks 6 --quiet", 10,
+           "minimum (its 6 blocks are the lower bound: tables of checked proofs, not this "
            "search)"},
-          {"$changeover search 9 4 -m 1 --exact --blocks 13 --quiet", 10,
-           "over the lower bound 12 (tables of checked proofs, not this search)"}},
+          {"$changeover search 9 5 --linear --exact --blocks 7 --quiet", 10,
+           "over the lower bound 6 (tables of checked proofs, not this search)"}},
          folder);
 }
 
@@ -39,11 +39,11 @@ TEST(Search, AFormulaThatIsTooLargeIsRefused) {
 
 TEST(Search, FindsTheMinimumAndKeepsTheProofs) {
   const TemporaryFolder folder;
-  expect({{"$changeover search 9 4 --change 1 --exact --proof proofs --json --threads 1", 10,
-           "\"minimum\":12,\"proof\":\""}},
+  expect({{"$changeover search 9 5 --linear --exact --proof proofs --json --threads 1", 10,
+           "\"minimum\":6,\"proof\":\""}},
          folder);
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "proofs/linear-m1-v9-k4-b11.drat"));
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "proofs/linear-m1-v9-k4-b11.cnf"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "proofs/linear-m2-v9-k5-b5.drat"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "proofs/linear-m2-v9-k5-b5.cnf"));
 }
 
 TEST(Search, WhatItFindsCanBeStoredAndVerified) {
@@ -102,9 +102,9 @@ TEST(Search, FourProcessesShareAProof) {
     GTEST_SKIP() << "mpirun is not installed, or starts nothing here";
   }
   const Outcome outcome =
-      run(mpirun + "-n 4 $changeover search 9 4 --change 1 --exact --json --quiet", folder.path());
+      run(mpirun + "-n 4 $changeover search 9 5 --linear --exact --json --quiet", folder.path());
   EXPECT_EQ(outcome.code, 10) << outcome.err;
-  EXPECT_EQ(count(outcome.out, "\"minimum\":12"), 1U) << outcome.out;
+  EXPECT_EQ(count(outcome.out, "\"minimum\":6"), 1U) << outcome.out;
 }
 
 TEST(Search, FourProcessesStopWhenOneHasFound) {

@@ -239,7 +239,7 @@ void add_search(Program& program) {
   verb.never_with({"--strength"}, {"--order"});
   verb.never_with({"--seed"}, {"--exact"});
   verb.examples({"changeover search 20 5                           local search for 60 seconds",
-                 "changeover search 9 4 --change 1 --exact         the minimum, with proof",
+                 "changeover search 9 5 --linear --exact           the minimum, with proof",
                  "changeover search 8 5 --blocks 9 --exact --proof proofs",
                  "changeover search 28 6 --base-blocks --tight     from base blocks",
                  "changeover search --order blocks.txt --change 2 an order with 2 changes a step",

@@ -1,7 +1,7 @@
 // Load orders: after all steps every pair of P items has been in memory together, with room for C.
 //
 //     LoadOrder order = plan_load_order(64, 16);
-//     order.facts().loads;                    // facts().bound.loads = 143 are needed
+//     order.facts().loads;                    // facts().bound.loads = 144 are needed
 //     LoadStep step;
 //     while (order.next(step)) {              // one by one; nothing is kept
 //       std::cout << step.number << ": " << step.load.size() << '\n';

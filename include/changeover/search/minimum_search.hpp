@@ -1,9 +1,9 @@
 // The least number of blocks: every smaller one excluded by a proof, and a design.
 //
 //     RunControl control({.time = std::chrono::minutes(5)});
-//     MinimumResult result = find_minimum({.v = 10, .k = 4, .change = 1}, {}, control);
+//     MinimumResult result = find_minimum({.v = 12, .k = 4}, {}, control);
 //     result.settled();                     // true
-//     result.lower;  result.upper();         // 15, 15: bounds on paper give 14, which a checked proof excludes
+//     result.lower;  result.upper();         // 14, 14: bounds on paper give 13, which a checked proof excludes
 //
 // The walk starts from the largest bound that is a proof on paper (bounds/lower_bound.hpp; minima known
 // by exhaustive search are not used: they are what is settled here), and goes up one block at a time. It ends at

@@ -410,7 +410,8 @@ TEST(SearchBaseBlocks, SaysThatAllShapesAreExcluded) {
   EXPECT_FALSE(result.found());
   EXPECT_EQ(result.why_stopped, WhyStopped::exhausted);
   EXPECT_EQ(describe(result), "No shape of base blocks passes the counting conditions.");
-  const BaseBlockResult none = search(circular(21, 9), tight());
+  const BaseBlockResult none =
+      search({.v = 25, .k = 7, .change = 3, .kind = Kind::circular}, tight());
   EXPECT_EQ(none.why_stopped, WhyStopped::exhausted);
   EXPECT_NE(describe(none).find("the SAT solver says"), std::string::npos);
 }
