@@ -159,11 +159,12 @@ Bound stays(const Parameters& p) {
   const std::uint64_t n = most_meetings(least.s, p.strength);
   const std::uint64_t b =
       least.count > p.k ? ceil_div(least.count - p.k, p.change) + 1 : std::uint64_t{1};
+  const std::string times = n == 1 ? std::string() : std::to_string(n);
   return {
       b, "stays",
       fmt::format("{0} <= {1}k = {2} where n_j elements are introduced j times (docs/theorems.md, "
                   "Theorem 5), so k + m(b-1) >= {3}v - {1}k = {4}: b >= {5}",
-                  weighted_stays(least.s), n, n * p.k, least.s + 1, least.count, b)};
+                  weighted_stays(least.s), times, n * p.k, least.s + 1, least.count, b)};
 }
 
 }  // namespace
