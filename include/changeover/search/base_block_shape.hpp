@@ -12,9 +12,11 @@
 // Every shift is 1: for a unit u, π^u is π with other names for the residues, so nothing is lost.
 //
 // What a tight design (every pair newly covered exactly once, b > 1) forces, for any automorphism that
-// moves every block c on:
-//   - No power of π but the identity fixes two elements: their pair would be newly covered in one of c
-//     consecutive blocks and again n blocks later. So all cycles have length n but for f ≤ 1 fixed points.
+// moves every block c on. Let n = b/c: π^n fixes every block, but may swap *twins*, elements that are in the same
+// blocks, as the cube of (0 2 4 1 3 5) does for {0,1,2,3}, {2,3,4,5}, {4,5,0,1}. π maps classes of twins to classes of
+// twins; let it do so in the order of their elements. It still moves every block c on, and π^n is the identity.
+//   - No π^j, 0 < j < n, fixes two elements: their pair would be newly covered in some block and again
+//     jc blocks later. So all cycles have length n but for f ≤ 1 fixed points.
 //   - n is odd: for even n the pair {x, π^{n/2}(x)} is moved onto itself n/2·c blocks later.
 //   - i introductions and r occurrences of an element satisfy i(k−1) + m(r−i) = v−1; for a fixed
 //     element, which is introduced nj times and is in nr blocks, n(j(k−1) + m(r−j)) = v−1. Each run of
