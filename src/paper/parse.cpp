@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "changeover/core/error.hpp"
+#include "core/lines.hpp"
 #include "paper/printed.hpp"
 
 namespace changeover {
@@ -72,10 +73,9 @@ PrintedUnchanged unchanged_in(std::string_view token) {
 
 std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> lines;
-  std::istringstream stream{std::string(text)};
-  for (std::string line; std::getline(stream, line);) {
-    if (!words(line).empty()) {
-      lines.push_back(line);
+  for (Lines each(text); each.next();) {
+    if (!words(each.line()).empty()) {
+      lines.emplace_back(each.line());
     }
   }
   return lines;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "changeover/core/error.hpp"
+#include "core/lines.hpp"
 
 namespace changeover {
 namespace {
@@ -18,12 +19,8 @@ class Reader {
   explicit Reader(const FoundFile& file) : file_(file) {}
 
   FoundDesign read() {
-    std::string_view rest = file_.text;
-    while (!rest.empty()) {
-      ++line_;
-      const std::size_t end = rest.find('\n');
-      take(rest.substr(0, end));
-      rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    while (lines_.next()) {
+      take(lines_.line());
     }
     Recipe& recipe = design_.recipe;
     if (recipe.parameters.v == 0 || recipe.provenance.empty() || recipe.blocks.empty()) {
@@ -37,7 +34,8 @@ class Reader {
 
  private:
   [[noreturn]] void fail(std::string_view what) const {
-    throw InternalError(fmt::format("found design {}, line {}: {}", file_.name, line_, what));
+    throw InternalError(
+        fmt::format("found design {}, line {}: {}", file_.name, lines_.number(), what));
   }
 
   static std::optional<std::string_view> after(std::string_view line, std::string_view prefix) {
@@ -122,7 +120,7 @@ class Reader {
   }
 
   FoundFile file_;
-  std::size_t line_ = 0;
+  Lines lines_{file_.text};
   FoundDesign design_;
   bool developed_ = false;
 };

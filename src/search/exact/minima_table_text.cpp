@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/search/minima_table.hpp"
+#include "core/lines.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover {
@@ -204,14 +205,10 @@ std::vector<MinimaRow> read_minima(Input& input) {
   constexpr std::size_t most_bytes = std::size_t{1} << 26;
   const std::string text = read_to_end(input, most_bytes);
   std::vector<MinimaRow> rows;
-  std::size_t line = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view content = std::string_view(text).substr(begin, end - begin);
-    begin = end + 1;
-    RowReader reader(input.name(), ++line, content);
-    if (line == 1) {
-      if (content != head) {
+  for (Lines lines(text); lines.next();) {
+    RowReader reader(input.name(), lines.number(), lines.line());
+    if (lines.number() == 1) {
+      if (lines.line() != head) {
         throw BadInput(fmt::format("{}:1: expected the line '{}'", input.name(), head));
       }
       continue;

@@ -20,6 +20,7 @@
 #include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/lines.hpp"
 #include "search/local/segment_orbits.hpp"
 
 namespace changeover {
@@ -39,18 +40,14 @@ std::uint64_t fnv1a(std::string_view bytes) {
 }
 
 // One line after another, and one word of a line after another.
-class Lines {
+class Words {
  public:
-  Lines(std::string_view text, std::string path) : rest_(text), path_(std::move(path)) {}
+  Words(std::string_view text, std::string path) : lines_(text), path_(std::move(path)) {}
 
   [[nodiscard]] bool next() {
-    if (rest_.empty()) {
-      return false;
-    }
-    const std::size_t end = rest_.find('\n');
-    line_ = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    return true;
+    const bool more = lines_.next();
+    line_ = more ? lines_.line() : line_;
+    return more;
   }
 
   [[nodiscard]] std::string_view line() const { return line_; }
@@ -88,12 +85,12 @@ class Lines {
   }
 
  private:
-  std::string_view rest_;
-  std::string_view line_;
+  Lines lines_;
+  std::string_view line_;  // what is left of it
   std::string path_;
 };
 
-SearchArm read_arm(Lines& lines, const Parameters& p) {
+SearchArm read_arm(Words& lines, const Parameters& p) {
   SearchArm arm;
   arm.method = static_cast<SearchArm::Method>(
       lines.number<unsigned>(0, static_cast<unsigned>(SearchArm::Method::imposed)));
@@ -114,7 +111,7 @@ SearchArm read_arm(Lines& lines, const Parameters& p) {
 }
 
 // It is shown to the user: words, nothing that a terminal would obey.
-std::string read_how(Lines& lines) {
+std::string read_how(Words& lines) {
   const std::string_view how = lines.line();
   const bool words =
       std::all_of(how.begin(), how.end(), [](char c) { return c >= ' ' && c <= '~'; });
@@ -124,7 +121,7 @@ std::string read_how(Lines& lines) {
   return std::string(how);
 }
 
-Block read_block(Lines& lines, const Parameters& p) {
+Block read_block(Words& lines, const Parameters& p) {
   Block block;
   while (!lines.line().empty()) {
     block.push_back(lines.number<Element>());
@@ -174,7 +171,7 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
   if (!text.starts_with("changeover-checkpoint ")) {
     throw BadInput(fmt::format("{}: this is not a checkpoint; name another file", path));
   }
-  Lines lines(text, path);
+  Words lines(text, path);
   if (!lines.next() || lines.line() != first_line) {
     throw BadInput(fmt::format("{}: the checkpoint is of another version ({}); name another file",
                                path, lines.line()));
