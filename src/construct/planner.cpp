@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -18,6 +19,12 @@ namespace {
 
 // Beyond that rules are not put on top of each other one by one: recipes have a limited depth.
 constexpr std::size_t deepest_chain = max_recipe_depth / 2;
+
+std::uint64_t saturated_add(std::uint64_t a, std::uint64_t b) {
+  return a > std::numeric_limits<std::uint64_t>::max() - b
+             ? std::numeric_limits<std::uint64_t>::max()
+             : a + b;
+}
 
 std::size_t depth(const Recipe& recipe) {
   std::size_t deepest = 0;
@@ -55,6 +62,8 @@ Plan::Plan(const PlanRange& range) : range_(range) {
           cell.impossible = "a block has at most v elements";
         } else if (range.change > k) {
           cell.impossible = "a block has at least m elements";
+        } else if (v - k < range.difference_from || v - k > range.difference_to) {
+          cell.impossible = "v - k is not among those that are planned";
         } else {
           cell.impossible = impossibility(cell.parameters);
           if (!cell.impossible) {
@@ -247,7 +256,9 @@ class Relaxation {
                    .v_to = range.v_to / s,
                    .k_from = ceil_div(range.k_from, s),
                    .k_to = range.k_to / s,
-                   .change = m / s},
+                   .change = m / s,
+                   .difference_from = ceil_div(range.difference_from, s),
+                   .difference_to = range.difference_to / s},
                   [&](const Offer& offer) {
                     Recipe recipe = blow_up_recipe(offer.recipe, s);
                     const Parameters p = recipe.parameters;
@@ -260,7 +271,9 @@ class Relaxation {
                  .v_to = range.v_to,
                  .k_from = range.k_from > m ? range.k_from - m + 1 : 2,
                  .k_to = range.k_to - m + 1,
-                 .change = 1},
+                 .change = 1,
+                 .difference_from = range.difference_from + (m - 1),
+                 .difference_to = saturated_add(range.difference_to, m - 1)},
                 [&](const Offer& offer) { coarsen(offer, m); });
     }
   }
@@ -334,13 +347,19 @@ std::optional<Offer> best_known(const Registry& registry, const Parameters& p) {
       (best && best->b == lower_bound(p).blocks)) {
     return best;
   }
-  // Rules come from nearby: fix from (v−1, k−1), truncate from more elements, unfix from (v+1, k+1).
+  // Rules come from nearby: fix from (v−i, k−i), unfix from (v+1, k+1), truncate and close up from more elements.
   constexpr std::uint64_t above = 8;
-  const Plan plan = plan_range(registry, {.v_from = p.v - std::min<std::uint64_t>(p.v - p.k, 2),
-                                          .v_to = p.v + above,
-                                          .k_from = std::max<std::uint64_t>(2, p.k - 1),
-                                          .k_to = p.k + 1,
-                                          .change = p.change});
+  constexpr std::uint64_t fixed = 24;
+  const std::uint64_t below = std::min(p.k - 2, fixed);
+  const std::uint64_t difference = p.v - p.k;
+  const Plan plan =
+      plan_range(registry, {.v_from = p.v - below - std::min<std::uint64_t>(difference, 2),
+                            .v_to = p.v + above,
+                            .k_from = p.k - below,
+                            .k_to = p.k + 1,
+                            .change = p.change,
+                            .difference_from = difference - std::min<std::uint64_t>(difference, 2),
+                            .difference_to = difference + above});
   const std::optional<Offer>& planned = plan.at(p).best;
   return planned && (!best || planned->b < best->b) ? planned : best;
 }

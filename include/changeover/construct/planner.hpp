@@ -24,6 +24,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,9 @@ struct PlanRange {
   std::uint64_t k_to = 0;
   std::uint64_t change = 2;
   bool alone = false;  ///< without the rules that lead from other change numbers
+  /// Only cells with such v − k are planned: fix and unfix keep it. Others count as impossible.
+  std::uint64_t difference_from = 0;
+  std::uint64_t difference_to = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// What is known of one set of parameters.
