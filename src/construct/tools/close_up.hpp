@@ -3,11 +3,11 @@
 //     closed_up(design, 7)->block_count();      // design.block_count() − (stays of 7), or fewer
 //
 // Take the stays of a linear single-change design in the order in which they begin, without those of some elements.
-// The first k make a block; each further one enters for an element whose own stay has ended, of those the one that comes
-// back last, and if its element is still there, no block is made at all. Such an element there always is: whoever's
+// The first k different elements make a block; after that each stay's element enters for one whose own stay has ended, of
+// those the one that comes back last; if it is still there, no block is made at all. Such an element there always is: whoever's
 // stay has not ended was in a block with the one that enters, so these are at most k−1. And nothing is
 // lost: who was together in a block still is, since the later of the two stays begins while the earlier one lasts. Other elements stay
-// longer than they did, so the stays of those elements and more are saved.
+// longer than they did, so the stays of those elements are saved, and sometimes more.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,7 @@
 // With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1, for j = 0, …, u−1.
 // Cut at 0, an element below K has c+1 stays and any other has c; so without 0, …, r−1, closed up
 // (construct/tools/close_up.hpp), there are at most cu − (c+1)r blocks if r ≤ K. Where an element's next stay comes while it is still
-// there, a block more is saved: that happens r−K times if r > K, and never else, so that cu − (c+1)r is the number for all
+// there, a block more is saved: that happens r−K times if r > K, and never otherwise, so that cu − (c+1)r is the number for all
 // r < 2K. This count was checked for every k and c that is served.
 #include <fmt/format.h>
 
