@@ -5,8 +5,7 @@
 //     cell.best->b;  cell.bound.blocks;  cell.status();
 //
 // The registry's constructions promise what they give without building it. On top of them the planner
-// applies the closure rules that act on designs, in the order of the number of blocks, since no rule
-// gives fewer blocks than its input has but *drop*, which keeps v and k:
+// applies the closure rules that act on designs, fewest blocks first; a cell that becomes better is looked at again:
 //   cut       a circular design is a linear one
 //   fix       (v,k) → (v+1, k+1)
 //   unfix     (v+1,k+1) → (v,k), where an element is in every block
@@ -17,7 +16,7 @@
 //   blow up      (v/s,k/s,m/s) → (v,k,m)
 //   coarsen      (v,k−m+1,1) → (v,k,m), linear
 //   interpolate  (v,k,2) → (v,k,1)
-// The last three look at blocks, so the designs of the cells in question are built. Every cell's design is
+// Most of them look at blocks, so the designs of the cells in question are built. Every cell's design is
 // built and verified in the end; one that does not keep its promise is an InternalError.
 //
 // Bound by: building and verifying, about a millisecond a cell for v ≤ 100.
