@@ -167,6 +167,26 @@ Bound stays(const Parameters& p) {
                   weighted_stays(least.s), times, n * p.k, least.s + 1, least.count, b)};
 }
 
+// In p = ceil((v-k)/m) blocks in a row at most k + m(p-1) < v elements are seen. Were there t*p blocks or
+// fewer, cut into t such runs, an element that each run lacks would make t elements that never meet.
+Bound end_to_end(const Parameters& p) {
+  const std::uint64_t reach = ceil_div(p.v - p.k, p.change);
+  const std::uint64_t b = checked_add(checked_multiply(p.strength, reach), 1);
+  if (p.strength == 2) {
+    return {b, "end to end",
+            fmt::format("at most {0} elements enter a step, so some x is in none of the first "
+                        "ceil(({1}-{2})/{0}) = {3} blocks and some y in none of the last {3}: b >= "
+                        "2*{3} + 1 = {4}",
+                        p.change, p.v, p.k, reach, b)};
+  }
+  return {
+      b, "end to end",
+      fmt::format("at most {0} elements enter a step, so ceil(({1}-{2})/{0}) = {3} blocks in a row "
+                  "lack some element, and {4} runs of {3} lack {4} that never meet: b >= "
+                  "{4}*{3} + 1 = {5}",
+                  p.change, p.v, p.k, reach, p.strength, b)};
+}
+
 }  // namespace
 
 std::vector<Bound> lower_bounds(const Parameters& p) {
@@ -187,13 +207,7 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
       }
     }
   }
-  const std::uint64_t reach = ceil_div(p.v - p.k, p.change);
-  bounds.push_back(
-      {2 * reach + 1, "end to end",
-       fmt::format("at most {0} elements enter a step, so some x is in none of the first "
-                   "ceil(({1}-{2})/{0}) = {3} blocks and some y in none of the last {3}: b >= "
-                   "2*{3} + 1 = {4}",
-                   p.change, p.v, p.k, reach, 2 * reach + 1)});
+  bounds.push_back(end_to_end(p));
   bounds.push_back(stays(p));
   const auto largest =
       std::max_element(bounds.begin(), bounds.end(),

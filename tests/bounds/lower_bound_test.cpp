@@ -72,8 +72,10 @@ TEST(LowerBound, ReachesFromEndToEnd) {
   for (std::uint64_t m = 1; m <= 4; ++m) {
     for (std::uint64_t k = m + 1; k <= 12; ++k) {
       for (std::uint64_t v = k + m; v <= 2 * k; ++v) {
-        EXPECT_EQ(bound_named({.v = v, .k = k, .change = m}, "end to end"),
-                  2 * ceil_div(v - k, m) + 1);
+        for (std::uint32_t t = 2; t <= std::min<std::uint64_t>(k, 4); ++t) {
+          EXPECT_EQ(bound_named({.v = v, .k = k, .change = m, .strength = t}, "end to end"),
+                    t * ceil_div(v - k, m) + 1);
+        }
       }
     }
   }

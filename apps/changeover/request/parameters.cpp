@@ -33,6 +33,10 @@ void ParameterRequest::add_to(Verb& verb, bool required, const std::string& line
   add_kind_to(verb, kind, "the last and the first block are consecutive too", linear);
 }
 
+void ParameterRequest::add_strength_to(Verb& verb) {
+  verb.option("-t,--strength", strength, "T", "cover every T-subset of the elements (default 2)");
+}
+
 Parameters ParameterRequest::of_kind(Kind one) const {
   if (!v || !k) {
     throw UsageError{"give V and K, the number of elements and of those in a block"};

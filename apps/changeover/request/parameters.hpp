@@ -33,6 +33,9 @@ struct ParameterRequest {
   /// V K [--change M] [--circular | --linear], V and K required. `linear` as in add_kind_to().
   void add_to(Verb& verb, bool required = true, const std::string& linear = "they need not be");
 
+  /// [--strength T].
+  void add_strength_to(Verb& verb);
+
   /// What is asked of one kind. @throws UsageError, ImpossibleParameters.
   [[nodiscard]] Parameters of_kind(Kind one) const;
   /// The same, of the named kind or else `usual`.

@@ -74,7 +74,7 @@ std::string json(const Known& answer) {
   const Parameters& p = answer.parameters;
   JsonWriter json;
   json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind));
+  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
   json.key("lower_bound");
   answer.impossible ? json.null() : json.value(answer.bounds.front().blocks);
   json.key("reason").value(answer.impossible ? *answer.impossible : answer.bounds.front().reason);
@@ -110,8 +110,10 @@ void add_bounds(Program& program) {
   auto [verb, request] =
       program.add("bounds", "lower bounds with their reasons, and the best design known", run);
   request.asked.add_to(verb);
+  request.asked.add_strength_to(verb);
   request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover bounds 20 5", "changeover bounds 8 5 --circular --json",
+                 "changeover bounds 10 7 --change 1 --strength 3   every three elements meet",
                  "JSON is about one kind: if none is named, the one with the fewest blocks known"});
 }
 

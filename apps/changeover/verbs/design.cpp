@@ -68,6 +68,7 @@ void add_design(Program& program) {
   auto [verb, request] =
       program.add("design", "the best design that a construction gives, verified", run);
   request.asked.add_to(verb);
+  request.asked.add_strength_to(verb);
   verb.option("--construction", request.construction, "NAME", "use this construction only");
   verb.flag("--leaving", request.leaving, "mark leaving elements too, in tables and LaTeX");
   request.output.add_to(verb, design_formats());

@@ -119,6 +119,7 @@ void add_explain(Program& program) {
   auto [verb, request] =
       program.add("explain", "how a design is built: the tree of constructions", run);
   request.asked.add_to(verb);
+  request.asked.add_strength_to(verb);
   verb.option("--construction", request.construction, "NAME", "explain this construction's design");
   request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover explain 253 13", "changeover explain 8 5 --json"});

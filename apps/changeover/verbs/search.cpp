@@ -204,8 +204,7 @@ void add_search(Program& program) {
   auto [verb, request] =
       program.add("search", "designs with fewer blocks, or a proof that there are none", run);
   request.asked.add_to(verb, false, "they need not be (default)");
-  verb.option("-t,--strength", request.asked.strength, "T",
-              "cover every T-subset of the elements (default 2)");
+  request.asked.add_strength_to(verb);
   verb.option("-b,--blocks", request.blocks, "B",
               "the number of blocks wanted (default: as few as possible)");
   verb.flag("--exact", request.exact,

@@ -22,7 +22,8 @@
 //             with a DRAT proof that was checked; the reason names the command that writes the proofs
 //             anew. This is the one bound here that is not a proof on paper.
 //   end to end  b ≥ 2⌈(v−k)/m⌉ + 1: with p = ⌈(v−k)/m⌉, some x is in none of the first p blocks and some
-//             y in none of the last p, so b ≤ 2p would leave {x,y} uncovered.
+//             y in none of the last p, so b ≤ 2p would leave {x,y} uncovered. For strength t likewise
+//             b ≥ tp + 1 [docs/theorems.md, Theorem 7].
 //
 // Deliberately not done here: the search itself.
 #pragma once
