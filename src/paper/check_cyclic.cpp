@@ -165,7 +165,17 @@ PaperItem check_theorem(const PaperContext& context) {
       });
       DevelopedSource source(printed);
       const Design design = read_all(source);
-      expect_design(check, design, {.b = row.c * row.c * (4 * k - 6) + row.c, .tight = true});
+      const Values values{{'c', row.c}, {'k', k}};
+      const PrintedDesign& family = context.paper.cyclic_family;
+      check.expect(
+          count_of(family.v, values) == design.v(),
+          [&] {
+            return PaperFinding{fmt::format("{}: v = {} = {}", where, family.v,
+                                            value_of(family.v, values).to_string()),
+                                fmt::format("v = {}", design.v()), "developed"};
+          },
+          0);
+      expect_design(check, design, {.b = count_of(family.b, values), .tight = true});
       // "the elements introduced in B_{i,j} are B_{i,j} \ (A+j)": what is kept is A+j.
       const std::vector<UnchangedSubset> between = unchanged_subsets(design);
       check.expect(std::all_of(between.begin(), between.end(),
@@ -194,27 +204,28 @@ PaperItem check_theorem(const PaperContext& context) {
   return std::move(check).finish();
 }
 
-// The intervals of differences that the proof lists for c = 1 and c = 2, with 2c(2k−3)+1 = v.
-struct Interval {
-  std::uint64_t from, to;
-};
-
+// The intervals of differences that the proof lists for c = 1 and c = 2.
 PaperItem check_proof(const PaperContext& context) {
   Check check("Theorem 10", "the proof: the differences listed for c = 1 and c = 2", "differences");
   for (const PrintedBaseBlocks& row : context.paper.cyclic) {
-    if (row.c > 2) {
+    const auto listed =
+        std::find_if(context.paper.differences.begin(), context.paper.differences.end(),
+                     [&](const PrintedDifferences& differences) { return differences.c == row.c; });
+    if (listed == context.paper.differences.end()) {
       continue;
     }
     for (std::uint64_t k = 3; k <= context.options.largest_k; ++k) {
-      const std::vector<std::vector<Interval>> listed =
-          row.c == 1
-              ? std::vector<std::vector<Interval>>{{{k - 1, k - 1}, {1, k - 2}, {k, 2 * k - 3}}}
-              : std::vector<std::vector<Interval>>{
-                    {{3 * k - 4, 3 * k - 4}, {k - 1, 2 * k - 4}, {3 * k - 3, 4 * k - 6}},
-                    {{2 * k - 3, 2 * k - 3}, {1, k - 2}, {2 * k - 2, 3 * k - 5}}};
       const std::uint64_t v = cyclic_parameters(row.c, k).v;
+      check.expect(
+          count_of(listed->v, {{'k', k}}) == v,
+          [&] {
+            return PaperFinding{
+                fmt::format("c = {}: the differences in Z_v, v = {}", row.c, listed->v),
+                fmt::format("v = {} for k = {}", v, k), "Theorem 10"};
+          },
+          0);
       const std::vector<Block> blocks = base_blocks(row, k);
-      for (std::size_t i = 0; i < blocks.size() && i < listed.size(); ++i) {
+      for (std::size_t i = 0; i < blocks.size() && i < listed->blocks.size(); ++i) {
         std::multiset<std::uint64_t> differences;
         const Block& block = blocks[i];
         for (std::size_t x = 0; x < block.size(); ++x) {
@@ -224,8 +235,9 @@ PaperItem check_proof(const PaperContext& context) {
           }
         }
         std::multiset<std::uint64_t> printed;
-        for (const Interval& interval : listed[i]) {
-          for (std::uint64_t d = interval.from; d <= interval.to; ++d) {
+        for (const auto& [from, to] : listed->blocks[i]) {
+          const std::uint64_t last = count_of(to, {{'k', k}});
+          for (std::uint64_t d = count_of(from, {{'k', k}}); d <= last; ++d) {
             printed.insert(d);
           }
         }
@@ -287,6 +299,101 @@ PaperItem check_order_of_base_blocks(const Paper& paper) {
   return std::move(check).finish();
 }
 
+// "We believe that this method will work to construct tight circular DCCDs for larger c."
+PaperItem check_larger_c(const PaperContext& context) {
+  Check check("Section 3.2", "\"we believe that this method will work ... for larger c\"",
+              "designs");
+  check.of_a_statement();
+  const Construction* construction = context.registry.find("cyclic");
+  if (construction == nullptr) {
+    check.lacks("cyclic");
+    return std::move(check).finish();
+  }
+  constexpr std::uint64_t largest_c = 60;
+  constexpr std::uint64_t largest_k = 12;
+  for (std::uint64_t c = context.paper.cyclic_up_to + 1; c <= largest_c; ++c) {
+    for (std::uint64_t k = 3; k <= largest_k; ++k) {
+      const Parameters p = cyclic_parameters(c, k);
+      const auto offer = construction->offer(p, context.registry);
+      const auto base = offer ? construction->base_blocks(offer->recipe) : std::nullopt;
+      // The method: c base blocks A ∪ {x,y}, A = {0,…,k−3}, developed over Z_v.
+      const bool of_the_method =
+          base && base->blocks.size() == c &&
+          std::all_of(base->blocks.begin(), base->blocks.end(), [&](const Block& block) {
+            const Block in_order = sorted(block);
+            for (Element a = 0; a + 2 < k; ++a) {
+              if (in_order[a] != a) {
+                return false;
+              }
+            }
+            return true;
+          });
+      check.expect(of_the_method && base->parameters.v == p.v, [&] {
+        return PaperFinding{"the method works", fmt::format("not for c = {}, k = {}", c, k),
+                            "no such base blocks"};
+      });
+      if (of_the_method) {
+        const DifferenceVerdict verdict = verify_differences(*base);
+        check.expect(
+            verdict.valid() && verdict.tight && verdict.b == c * p.v,
+            [&] {
+              return PaperFinding{"the method works", fmt::format("not for c = {}, k = {}", c, k),
+                                  in_words(base->blocks)};
+            },
+            0);
+      }
+    }
+  }
+  check.note(
+      fmt::format("proved for every c >= 1 and k >= 3: docs/theorems.md, Theorem 1; here its base "
+                  "blocks for c = {}, ..., {} and k <= {}, by differences",
+                  context.paper.cyclic_up_to + 1, largest_c, largest_k));
+  return std::move(check).finish();
+}
+
+// "Every pair of distinct elements has difference ±d for some 1 ≤ d ≤ (v−1)/2."
+PaperItem check_half_differences() {
+  constexpr std::uint64_t largest_v = 60;
+  Check check("Section 3.2", "in Z_v every pair has a difference ±d with 1 <= d <= (v-1)/2",
+              "values of v");
+  std::uint64_t even = 0;
+  std::uint64_t wrong = 0;
+  for (std::uint64_t v = 3; v <= largest_v; ++v) {
+    std::uint64_t without = 0;  // the least difference of that kind
+    for (std::uint64_t d = v - 1; d >= 1; --d) {
+      without = 2 * std::min(d, v - d) <= v - 1 ? without : d;
+    }
+    check.expect(without == 0 || wrong > 0, [&] {
+      return PaperFinding{
+          "every pair", fmt::format("{{0,{0}}} in Z_{1} has the difference {0} = -{0}", without, v),
+          "a proviso is missing: v is odd, as it is in all that follows"};
+    });
+    even += without != 0 && v % 2 == 0 ? 1U : 0U;
+    wrong += without != 0 ? 1U : 0U;
+  }
+  check.note(fmt::format("false for {} v <= {}, {} of them even", wrong, largest_v, even));
+  return std::move(check).finish();
+}
+
+// "All differences from 1, 2, …, 12 (mod 13) are covered in these two blocks."
+PaperItem check_differences_of_example(const Paper& paper) {
+  Check check("Example 12",
+              "all differences 1, ..., 12 (mod 13) are covered in its two base blocks",
+              "differences");
+  const std::vector<Block> base = blocks_in(paper.base_blocks_in_example);
+  const DifferenceVerdict verdict = verify_differences({cyclic_parameters(2, 3), base});
+  check.expect(
+      verdict.valid() && verdict.uncovered == 0,
+      [&] {
+        return PaperFinding{
+            "all differences are covered",
+            fmt::format("{} are not, {} steps are wrong", verdict.uncovered, verdict.bad_steps),
+            in_words(base)};
+      },
+      12);
+  return std::move(check).finish();
+}
+
 void add_developed(std::vector<PaperItem>& items, const Paper& paper, std::string_view place,
                    const std::vector<Block>& base, const std::string& how) {
   const PrintedTable& table = table_at(paper, place);
@@ -324,6 +431,7 @@ std::vector<PaperItem> check_cyclic(const PaperContext& context) {
       }
     }
   };
+  items.push_back(check_half_differences());
   add_circles("Figure 3", "Table 8");
   add_developed(items, paper, "Table 8", row_of(paper, 1, 4),
                 "developed from the row c = 1 of Table 9 (Example 9)");
@@ -332,9 +440,11 @@ std::vector<PaperItem> check_cyclic(const PaperContext& context) {
   add_developed(items, paper, "Table 10", row_of(paper, 2, 4),
                 "developed from the row c = 2 of Table 9 (Example 11)");
   items.push_back(check_order_of_base_blocks(paper));
+  items.push_back(check_differences_of_example(paper));
   add_circles("Figure 4", "Table 11");
   add_developed(items, paper, "Table 11", blocks_in(paper.base_blocks_in_example),
                 "developed from the base blocks of Example 12 in its order");
+  items.push_back(check_larger_c(context));
   return items;
 }
 

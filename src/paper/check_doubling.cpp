@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/expansion.hpp"
+#include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
 #include "paper/checking.hpp"
@@ -15,20 +17,6 @@
 
 namespace changeover {
 namespace {
-
-const PrintedFamily& family_at(const Paper& paper, std::string_view place) {
-  for (const PrintedFamily& family : paper.families) {
-    if (family.place == place) {
-      return family;
-    }
-  }
-  throw BadInput(fmt::format("the print lacks the family of {}", place));
-}
-
-std::uint64_t at(std::int64_t slope, std::int64_t constant, std::uint64_t k) {
-  return static_cast<std::uint64_t>(
-      std::max<std::int64_t>(0, slope * static_cast<std::int64_t>(k) + constant));
-}
 
 // Every member of a family up to the limit: built by the construction, verified, minimum.
 PaperItem check_family(const PaperContext& context, std::string_view place,
@@ -46,8 +34,8 @@ PaperItem check_family(const PaperContext& context, std::string_view place,
     }
     largest = k;
     const Parameters p{
-        .v = at(family.v_k, family.v_0, k), .k = k, .change = 2, .kind = Kind::circular};
-    const Claim claim{.b = at(family.b_k, family.b_0, k), .tight = tight};
+        .v = count_of(family.design.v, {{'k', k}}), .k = k, .change = 2, .kind = Kind::circular};
+    const Claim claim{.b = count_of(family.design.b, {{'k', k}}), .tight = tight};
     const std::optional<Design> design = construct(context.registry, construction, p);
     if (!design) {
       check.expect(false, [&] {
@@ -61,7 +49,7 @@ PaperItem check_family(const PaperContext& context, std::string_view place,
   }
   check.note(fmt::format("{} k up to {}: verified, and b is the lower bound{}",
                          family.even ? "even" : "odd", largest,
-                         at(family.v_k, family.v_0, family.smallest_k) == family.smallest_k
+                         count_of(family.design.v, {{'k', family.smallest_k}}) == family.smallest_k
                              ? fmt::format(" (k = {}: a single block)", family.smallest_k)
                              : ""));
   return std::move(check).finish();
@@ -70,23 +58,35 @@ PaperItem check_family(const PaperContext& context, std::string_view place,
 PaperItem check_nonexistence(const PaperContext& context) {
   const PrintedFamily& family = family_at(context.paper, "Theorem 3");
   Check check("Theorem 3", "no tight circular DCCD(2k-2,k,k-1) exists for odd k", "parameters");
+  std::set<std::string> reasons;  // bounds that are enough for every k
   for (std::uint64_t k = family.smallest_k; k <= context.options.largest_k; ++k) {
     if ((k % 2 == 0) == family.even) {
       continue;
     }
     const Parameters p{
-        .v = at(family.v_k, family.v_0, k), .k = k, .change = 2, .kind = Kind::circular};
-    const std::uint64_t b = at(family.b_k, family.b_0, k);
+        .v = count_of(family.design.v, {{'k', k}}), .k = k, .change = 2, .kind = Kind::circular};
+    const std::uint64_t b = count_of(family.design.b, {{'k', k}});
     const auto impossible = impossibility(p);
-    const Bound bound = lower_bound(p);
+    const std::vector<Bound> bounds = lower_bounds(p);
+    const Bound& bound = bounds.front();
+    if (!impossible) {
+      std::set<std::string> enough;
+      for (const Bound& each : bounds) {
+        if (each.blocks > b && (k == 5 || reasons.contains(each.name))) {
+          enough.insert(each.name);
+        }
+      }
+      reasons = std::move(enough);
+    }
     check.expect(impossible || bound.blocks > b, [&] {
       return PaperFinding{fmt::format("no circular {}", dccd(p.v, k, b)),
                           fmt::format("the lower bound is only {}", bound.blocks), bound.reason};
     });
   }
-  check.note(
-      "for k = 3 there is no room to change two elements; from k = 5 on by the degree "
-      "identity of the proof, which makes the lower bound k");
+  check.note(fmt::format(
+      "for k = 3 there is no room to change two elements; from k = 5 on every bound of these "
+      "asks for more than k-1 blocks: {}",
+      fmt::join(reasons, ", ")));
   return std::move(check).finish();
 }
 
@@ -107,7 +107,7 @@ PaperItem check_minimum(const PaperContext& context) {
     const PrintedFamily& family = family_at(context.paper, k % 2 == 0 ? "Theorem 3" : "Theorem 4");
     for (const Kind kind : {Kind::circular, Kind::linear}) {
       design->set_kind(kind);
-      expect_design(check, *design, {.b = at(family.b_k, family.b_0, k), .tight = false});
+      expect_design(check, *design, {.b = count_of(family.design.b, {{'k', k}}), .tight = false});
     }
   }
   check.note(fmt::format(
@@ -118,28 +118,31 @@ PaperItem check_minimum(const PaperContext& context) {
 }
 
 PaperItem check_single_change(const PaperContext& context) {
+  const PrintedDesign& printed = context.paper.cited.single;
   Check check("Section 3.2",
               "cited: {0,...,k-1} is the base block of a tight circular SCCD(2k-1,k,2k-1)",
               "designs");
   for (std::uint64_t k = 2; k <= context.options.largest_k; ++k) {
-    const Parameters p{.v = 2 * k - 1, .k = k, .change = 1, .kind = Kind::circular};
-    const std::optional<Design> design = construct(context.registry, "mcsorley-circular", p);
-    if (!design) {
-      check.lacks("mcsorley-circular");
-      return std::move(check).finish();
-    }
-    expect_design(check, *design, {.b = 2 * k - 1, .tight = true});
+    Block base(static_cast<std::size_t>(k));
+    std::iota(base.begin(), base.end(), Element{0});
+    DevelopedSource source(
+        {{.v = count_of(printed.v, {{'k', k}}), .k = k, .change = 1, .kind = Kind::circular},
+         {base}});
+    expect_design(check, read_all(source), {.b = count_of(printed.b, {{'k', k}}), .tight = true});
   }
   return std::move(check).finish();
 }
 
-PaperItem check_cyclic_single_change() {
+PaperItem check_cyclic_single_change(const Paper& paper) {
+  const PrintedDesign& printed = paper.cited.single_cyclic;
   Check check("Section 3.2",
               "cited: tight circular SCCD(2c(k-1)+1,k,2c^2(k-1)+c) for all k >= 2, c >= 1",
               "designs");
   for (std::uint64_t k = 2; k <= 20; ++k) {
     for (std::uint64_t c = 1; c <= 10; ++c) {
-      BaseBlocks base{{.v = 2 * c * (k - 1) + 1, .k = k, .change = 1, .kind = Kind::circular}, {}};
+      const Values values{{'c', c}, {'k', k}};
+      BaseBlocks base{
+          {.v = count_of(printed.v, values), .k = k, .change = 1, .kind = Kind::circular}, {}};
       for (std::uint64_t i = 1; i <= c; ++i) {
         Block block;
         for (Element x = 0; x + 1 < k; ++x) {
@@ -150,11 +153,12 @@ PaperItem check_cyclic_single_change() {
         base.blocks.push_back(std::move(block));
       }
       const DifferenceVerdict verdict = verify_differences(base);
-      check.expect(verdict.valid() && verdict.tight && verdict.b == 2 * c * c * (k - 1) + c, [&] {
-        return PaperFinding{"a tight circular SCCD",
-                            fmt::format("{} blocks, tight: {}", verdict.b, verdict.tight),
-                            fmt::format("k = {}, c = {}", k, c)};
-      });
+      check.expect(
+          verdict.valid() && verdict.tight && verdict.b == count_of(printed.b, values), [&] {
+            return PaperFinding{"a tight circular SCCD",
+                                fmt::format("{} blocks, tight: {}", verdict.b, verdict.tight),
+                                fmt::format("k = {}, c = {}", k, c)};
+          });
     }
   }
   check.note(
@@ -250,8 +254,51 @@ PaperItem check_runs(const PaperContext& context) {
   return std::move(check).finish();
 }
 
+// "As every element in a tight circular DCCD(2k−2,k,k−1) is introduced exactly once", the step to Theorem 8.
+PaperItem check_introduced_once(const PaperContext& context) {
+  Check check("Section 3.2",
+              "every element of a tight circular DCCD(2k-2,k,k-1) is introduced exactly once",
+              "designs");
+  std::vector<Design> designs =
+      enumerate({.v = 6, .k = 4, .change = 2, .kind = Kind::circular}, 3, {.keep = 100'000})
+          .designs;
+  const std::size_t all_of_four = designs.size();
+  for (std::uint64_t k = 6; k <= context.options.largest_k; k += 2) {
+    if (auto design = construct(context.registry, "doubling",
+                                {.v = 2 * k - 2, .k = k, .change = 2, .kind = Kind::circular})) {
+      designs.push_back(*std::move(design));
+    }
+  }
+  for (const Design& design : designs) {
+    const Verdict verdict = verify(design);
+    check.expect(
+        verdict.tight() && std::all_of(verdict.elements.begin(), verdict.elements.end(),
+                                       [](const ElementCount& x) { return x.introductions == 1; }),
+        [&] {
+          return PaperFinding{"every element is introduced once",
+                              fmt::format("not so in the {}", name(design.parameters())),
+                              in_words(verdict)};
+        });
+  }
+  check.note(fmt::format(
+      "all {} with k = 4 that begin with {{0,1,2,3}}, and one for each even k <= {}; for "
+      "all of them by the count of introductions in the proof of Theorem 3",
+      all_of_four, context.options.largest_k));
+  return std::move(check).finish();
+}
+
 PaperItem check_expansion_iff_4(const PaperContext& context) {
   Check check("Proposition 7", claim_at(context.paper, "Proposition 7"), "designs");
+  for (std::uint64_t k = 3; k <= context.options.largest_k; ++k) {
+    const bool divides = (2 * k - 2) % (k - 2) == 0;
+    check.expect(
+        divides == (k == 3 || k == 4),
+        [&] {
+          return PaperFinding{"k-2 divides v if and only if k = 3 or 4", fmt::format("k = {}", k),
+                              "computed"};
+        },
+        0);
+  }
   for (std::uint64_t k = 4; k <= context.options.largest_k; k += 2) {
     const std::optional<Design> design =
         construct(context.registry, "doubling",
@@ -316,9 +363,12 @@ void add_table(std::vector<PaperItem>& items, const PaperContext& context, std::
 }  // namespace
 
 std::vector<PaperItem> check_doubling(const PaperContext& context) {
-  std::vector<PaperItem> items{check_single_change(context), check_cyclic_single_change(),
-                               check_family(context, "Theorem 3", "doubling", true),
-                               check_nonexistence(context)};
+  std::vector<PaperItem> items{
+      check_single_change(context), check_cyclic_single_change(context.paper),
+      check_family(context, "Theorem 3", "doubling", true), check_nonexistence(context)};
+  for (PaperItem& item : check_proof_for_odd_k(context)) {
+    items.push_back(std::move(item));
+  }
   add_table(items, context, "Table 4 (left)", "mcsorley-circular", "developed from {0,1} over Z_3");
   add_table(items, context, "Table 4 (right)", "doubling", "by Theorem 3 from the left one");
   items.push_back(check_family(context, "Theorem 4", "short-long-runs", false));
@@ -341,6 +391,7 @@ std::vector<PaperItem> check_doubling(const PaperContext& context) {
     items.push_back(std::move(check).finish());
   }
   items.push_back(check_marks(table_7));
+  items.push_back(check_introduced_once(context));
   items.push_back(check_family(context, "Theorem 8", "fixed-element", true));
   return items;
 }

@@ -37,18 +37,59 @@ std::vector<WithSet> designs_with_sets(const PaperContext& context) {
   return designs;
 }
 
-const PrintedRecursion& printed_recursion(const Paper& paper) {
-  for (const PrintedRecursion& printed : paper.recursion) {
-    if (printed.place == "Theorem 2") {
-      return printed;
+// "Preece et al. use expansion sets to construct a SCCD(v+1,k,b) from a SCCD(v,k,b)."
+PaperItem check_single_change(const PaperContext& context) {
+  constexpr std::uint64_t largest_v = 30;
+  Check check("Section 3.1", "cited: expansion sets make a SCCD(v+1,k,b) of a SCCD(v,k,b)",
+              "designs");
+  const Construction* construction = context.registry.find("single-change-expansion");
+  if (construction == nullptr) {
+    check.lacks("single-change-expansion");
+    return std::move(check).finish();
+  }
+  const PrintedDesign& printed = context.paper.single_recursion;
+  bool told = false;
+  std::size_t made = 0;
+  for (std::uint64_t k = 3; k <= 6; ++k) {
+    for (std::uint64_t v = k + 2; v <= largest_v; ++v) {
+      for (const Kind kind : {Kind::linear, Kind::circular}) {
+        const Parameters p{.v = v, .k = k, .change = 1, .kind = kind};
+        const auto offer = construction->offer(p, context.registry);
+        if (!offer || offer->recipe.inputs.size() != 1) {
+          continue;
+        }
+        ++made;
+        const Verdict small = verify(context.registry.build_design(offer->recipe.inputs.front()));
+        const Verdict larger = verify(context.registry.build_design(offer->recipe));
+        const Values values{{'v', small.parameters.v}, {'k', k}, {'b', small.b}};
+        const bool right = small.valid() && larger.valid() &&
+                           value_of(printed.v, values).count() == v &&
+                           value_of(printed.b, values).count() == larger.b;
+        check.expect(right || told, [&] {
+          return PaperFinding{
+              fmt::format("a SCCD({},{},{}) from a SCCD({},{},{})", v, k,
+                          count_of(printed.b, values), small.parameters.v, k, small.b),
+              fmt::format("{} blocks: {} more", larger.b, larger.b - small.b),
+              "one block more for each of the v/(k-1) members of the expansion set; the paper writes b for two "
+              "numbers"};
+        });
+        told |= !right;
+      }
     }
   }
-  throw BadInput("the print lacks the parameters of Theorem 2");
+  check.expect(
+      made > 0,
+      [] {
+        return PaperFinding{"such designs", "none was made", "single-change-expansion"};
+      },
+      0);
+  check.note(fmt::format("k <= 6, v <= {}, linear and circular; all are valid", largest_v));
+  return std::move(check).finish();
 }
 
 PaperItem check_theorem(const PaperContext& context, const std::vector<WithSet>& designs) {
   Check check("Theorem 2", claim_at(context.paper, "Theorem 2"), "designs");
-  const PrintedRecursion& printed = printed_recursion(context.paper);
+  const PrintedDesign& printed = formulas_at(context.paper.recursion, "Theorem 2");
   std::size_t tight = 0;
   std::size_t economical = 0;
   for (const WithSet& with_set : designs) {
@@ -76,8 +117,9 @@ PaperItem check_theorem(const PaperContext& context, const std::vector<WithSet>&
       }
       const Design larger = expand(design, set, factors);
       const Verdict after = verify(larger);
-      const std::uint64_t v = design.v() + subsets + printed.added_elements;
-      const std::uint64_t b = before.b + subsets * (subsets + printed.added_edges) / 2;
+      const Values values{{'v', design.v()}, {'k', design.k()}, {'b', before.b}};
+      const std::uint64_t v = count_of(printed.v, values);
+      const std::uint64_t b = count_of(printed.b, values);
       check.expect(
           larger.v() == v && after.b == b && after.valid() &&
               after.parameters.kind == before.parameters.kind && before.tight() == after.tight() &&
@@ -179,9 +221,27 @@ PaperItem check_never_again(const std::vector<WithSet>& designs) {
   return std::move(check).finish();
 }
 
+// "Every new element is always removed one block after it is introduced."
+PaperItem check_removed_at_once(const std::vector<WithSet>& designs) {
+  Check check("Section 3.1", "a new element is removed one block after it is introduced",
+              "designs");
+  for_each_expanded(designs, [&](const Design& design, const Design& larger) {
+    const Verdict verdict = verify(larger);
+    check.expect(std::all_of(verdict.elements.begin() + static_cast<std::ptrdiff_t>(design.v()),
+                             verdict.elements.end(),
+                             [](const ElementCount& x) { return x.introductions == x.blocks; }),
+                 [&] {
+                   return PaperFinding{"removed one block later", "one stays for two blocks",
+                                       name(larger.parameters())};
+                 });
+  });
+  return std::move(check).finish();
+}
+
 PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& designs) {
   Check check("Section 3.1", "a new element of Theorem 2 is never in an unchanged subset",
               "designs");
+  check.of_a_statement();
   for_each_expanded(designs, [&](const Design& design, const Design& larger) {
     const std::vector<UnchangedSubset> between = unchanged_subsets(larger);
     check.expect(
@@ -221,11 +281,13 @@ PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& des
 std::vector<PaperItem> check_recursion(const PaperContext& context) {
   const PrintedTable& table = table_at(context.paper, "Table 3");
   const std::vector<WithSet> designs = designs_with_sets(context);
-  return {check_theorem(context, designs),
+  return {check_single_change(context),
+          check_theorem(context, designs),
           check_table_3(context.paper, table),
           check_marks(table),
           check_colours(context.paper, table),
           check_kind(table),
+          check_removed_at_once(designs),
           check_never_again(designs),
           check_new_elements(context.paper, designs)};
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
@@ -36,6 +37,12 @@ std::string with_marks(const PrintedBlock& block) {
   return braces(cells);
 }
 
+bool is_made_from(const Recipe& recipe, std::string_view construction) {
+  return recipe.construction == construction ||
+         std::any_of(recipe.inputs.begin(), recipe.inputs.end(),
+                     [&](const Recipe& input) { return is_made_from(input, construction); });
+}
+
 // A table whose columns are not k-subsets of its elements.
 PaperItem unreadable(const PrintedTable& table, const BadInput& fault) {
   Check check(table.place, table.caption, "tables");
@@ -45,26 +52,39 @@ PaperItem unreadable(const PrintedTable& table, const BadInput& fault) {
   return std::move(check).finish();
 }
 
-// The print itself: is it the design that its caption names?
+// The kinds that a caption names, or both if it names none.
+std::vector<Kind> kinds_of(const PrintedTable& table) {
+  return table.kinds.empty() ? std::vector{Kind::linear, Kind::circular} : table.kinds;
+}
+
+// The print itself: is it the design that its caption names? If the caption names no kind, one must do.
 void expect_caption(Check& check, const PrintedTable& table) {
-  for (const Kind kind : table.kinds) {
-    const Verdict verdict = verify(printed_design(table, kind));
-    check.expect(
-        verdict.valid() && verdict.b == table.b && (!table.tight || verdict.tight()),
-        [&] {
-          return PaperFinding{table.caption,
-                              fmt::format("read as {}: {}", to_string(kind), in_words(verdict)),
-                              "verified block by block"};
-        },
-        0);
-    if (verdict.valid()) {
-      const std::uint64_t bound = printed_bound(table.parameters.v, table.parameters.k, kind);
-      if (table.parameters.change == 2 && verdict.b == bound && !verdict.tight()) {
-        check.note(
-            fmt::format("as {}: valid, economical, excess {}", to_string(kind), verdict.excess));
-      }
+  std::vector<std::string> wrong;
+  const std::vector<Kind> kinds = kinds_of(table);
+  for (const Kind kind : kinds) {
+    const Design design = printed_design(table, kind);
+    const Verdict verdict = verify(design);
+    const Bound bound = lower_bound(design.parameters());
+    if (!verdict.valid() || verdict.b != table.b || (table.tight && !verdict.tight()) ||
+        (table.minimum && verdict.b != bound.blocks)) {
+      wrong.push_back(fmt::format("read as {}: {}; the lower bound is {}", to_string(kind),
+                                  in_words(verdict), bound.blocks));
+      continue;
+    }
+    if (verdict.b == bound.blocks && !verdict.tight()) {
+      check.note(fmt::format("as {}: minimum by the bound \"{}\", excess {}", to_string(kind),
+                             bound.name, verdict.excess));
+    } else if (table.kinds.empty()) {
+      check.note(fmt::format("as {}: tight", to_string(kind)));
     }
   }
+  check.expect(
+      table.kinds.empty() ? wrong.size() < kinds.size() : wrong.empty(),
+      [&] {
+        return PaperFinding{table.caption, fmt::format("{}", fmt::join(wrong, "; ")),
+                            "verified block by block"};
+      },
+      0);
 }
 
 // The pairs {0,x} that a highlighted table claims to show: x is highlighted where it is covered.
@@ -201,19 +221,130 @@ PaperItem check_marks(const PrintedTable& table) try {
 }
 
 PaperItem check_kind(const PrintedTable& table) try {
-  Check check(table.place, "the kind that it is shown as", "readings");
-  const Verdict circular = verify(printed_design(table, Kind::circular));
-  check.expect(!circular.valid(), [&] {
-    return PaperFinding{
-        "every element of the first block is marked as introduced, as in a linear design",
-        fmt::format("it is circular as it stands: {}", in_words(circular)),
-        "the last block and the first differ in exactly two elements. Not an error: it is more "
-        "than "
-        "the table shows"};
-  });
+  Check check(table.place, "the kind that its caption names", "readings");
+  std::vector<Kind> valid;
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    if (verify(printed_design(table, kind)).valid()) {
+      valid.push_back(kind);
+    }
+  }
+  const auto listed = [](const std::vector<Kind>& kinds) {
+    std::string text;
+    for (const Kind kind : kinds) {
+      text += (text.empty() ? "" : " and ") + std::string(to_string(kind));
+    }
+    return text.empty() ? std::string("none") : text;
+  };
+  check.expect(
+      table.kinds.empty() ? !valid.empty() : table.kinds == valid,
+      [&] {
+        return PaperFinding{fmt::format("called {}", listed(table.kinds)),
+                            fmt::format("as it stands it is {}", listed(valid)),
+                            "what the last block and the first have in common decides it"};
+      },
+      2);
+  check.note(
+      table.kinds.empty()
+          ? fmt::format("it names none, which by Section 1 leaves it open: the list is {}; the "
+                        "asterisks of its first block are those of a linear one",
+                        listed(valid))
+          : fmt::format("the list is {}, and only that", listed(valid)));
   return std::move(check).finish();
 } catch (const BadInput& fault) {
   return unreadable(table, fault);
+}
+
+PaperItem check_each_block(const PrintedTable& table) try {
+  Check check(
+      table.place,
+      fmt::format("{}: {} blocks, each found anew from all the others", table.caption, table.b),
+      "cells");
+  expect_caption(check, table);
+  const ParsedTable parsed = parse(table);
+  const Kind kind = kinds_of(table).front();
+  const Design printed = printed_design(table, kind);
+  const std::vector<Block> blocks = printed.blocks();
+  std::size_t undetermined = 0;
+  std::size_t without = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    std::vector<Names> fitting;
+    std::vector<bool> chosen(printed.v(), false);
+    std::fill_n(chosen.begin(), printed.k(), true);
+    do {
+      std::vector<Block> changed = blocks;
+      changed[i].clear();
+      for (Element x = 0; x < printed.v(); ++x) {
+        if (chosen[x]) {
+          changed[i].push_back(x);
+        }
+      }
+      if (verify(Design(printed.parameters(), changed)).valid()) {
+        fitting.push_back(names_of(changed[i], printed));
+      }
+    } while (std::prev_permutation(chosen.begin(), chosen.end()));
+    if (fitting.size() != 1) {  // more than one: the others do not determine it
+      (fitting.empty() ? without : undetermined) += 1;
+      continue;
+    }
+    check.expect(
+        fitting.front() == names_of(blocks[i], printed),
+        [&] {
+          return PaperFinding{fmt::format("{} = {}", block_name(parsed, i),
+                                          in_braces(names_of(blocks[i], printed))),
+                              in_braces(fitting.front()), "no other block makes the rest a design"};
+        },
+        printed.k());
+  }
+  if (undetermined > 0) {
+    check.note(fmt::format("{} blocks are not determined by the others", undetermined));
+  }
+  if (without > 0) {
+    check.note(fmt::format("at {} places no block makes the rest a design", without));
+  }
+  return std::move(check).finish();
+} catch (const BadInput& fault) {
+  return unreadable(table, fault);
+}
+
+PaperItem check_least(const PaperContext& context, const PrintedTable& table) {
+  Check check(
+      table.place,
+      fmt::format("{} blocks: the least that there can be, and built without the print", table.b),
+      "bounds and designs");
+  if (context.registry.constructions().empty()) {
+    check.lacks("printed");
+    return std::move(check).finish();
+  }
+  for (const Kind kind : kinds_of(table)) {
+    Parameters p = table.parameters;
+    p.kind = kind;
+    const Bound bound = lower_bound(p);
+    check.expect(table.b == bound.blocks, [&] {
+      return PaperFinding{
+          fmt::format("{} blocks", table.b),
+          fmt::format("the lower bound for a {} one is {}", to_string(kind), bound.blocks),
+          bound.reason};
+    });
+    const std::vector<Offer> offers = context.registry.offers(p);
+    const auto ours = std::find_if(offers.begin(), offers.end(), [](const Offer& offer) {
+      return !is_made_from(offer.recipe, "printed");
+    });
+    if (ours == offers.end()) {
+      check.note(fmt::format("no construction but the print gives a {} one", to_string(kind)));
+      continue;
+    }
+    const Verdict verdict = verify(context.registry.build_design(ours->recipe));
+    check.expect(verdict.valid() && verdict.b == table.b, [&] {
+      return PaperFinding{
+          fmt::format("{} blocks", table.b),
+          fmt::format("{}: {}", verdict.b < table.b ? "better known now" : "not reached",
+                      in_words(verdict)),
+          ours->recipe.construction};
+    });
+    check.note(fmt::format("a {} one by {}, {}", to_string(kind), ours->recipe.construction,
+                           in_words(verdict)));
+  }
+  return std::move(check).finish();
 }
 
 }  // namespace changeover

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/core/pair_set.hpp"
 #include "changeover/core/transitions.hpp"
 #include "core/checked.hpp"
 
@@ -16,6 +19,7 @@ constexpr std::size_t most_findings = 40;
 
 constexpr std::uint64_t largest_v_to_try = 24;
 constexpr std::uint64_t largest_k_to_try = 8;
+constexpr std::uint64_t most_fixed_to_try = 8;
 constexpr std::string_view constructions_to_try[] = {"cyclic-paper", "doubling", "fixed-element",
                                                      "printed", "short-long-runs"};
 
@@ -35,8 +39,13 @@ void Check::add(PaperFinding finding) {
   }
 }
 
+Check& Check::of_a_statement() {
+  failed_ = PaperStatus::refuted;
+  return *this;
+}
+
 void Check::lacks(std::string_view construction) {
-  item_.status = PaperStatus::out_of_scope;
+  item_.status = PaperStatus::not_checkable;
   note(fmt::format("the construction \"{}\" that it takes is not in this registry", construction));
 }
 
@@ -45,16 +54,16 @@ PaperItem Check::finish() && {
     note(fmt::format("and {} more of the kind", untold_));
   }
   if (!item_.findings.empty()) {
-    item_.status = PaperStatus::differs;
+    item_.status = failed_;
   }
   return std::move(item_);
 }
 
-PaperItem out_of_scope(std::string place, std::string what, std::string reason) {
+PaperItem not_checkable(std::string place, std::string what, std::string reason) {
   PaperItem item;
   item.place = std::move(place);
   item.what = std::move(what);
-  item.status = PaperStatus::out_of_scope;
+  item.status = PaperStatus::not_checkable;
   item.notes.push_back(std::move(reason));
   return item;
 }
@@ -112,11 +121,55 @@ std::string in_words(const Verdict& verdict) {
   return words;
 }
 
-std::uint64_t printed_bound(std::uint64_t v, std::uint64_t k, Kind kind) {
-  const std::uint64_t pairs = binomial(v, 2);
-  const std::uint64_t most = 2 * k - 3;
-  return kind == Kind::circular ? ceil_div(pairs, most)
-                                : ceil_div(pairs - binomial(k, 2), most) + 1;
+std::uint64_t count_of(std::string_view formula, const Values& values) {
+  return value_of(formula, values).count().value_or(0);
+}
+
+Fraction printed_bound(const Paper& paper, std::uint64_t v, std::uint64_t k, Kind kind) {
+  return value_of(kind == Kind::circular ? paper.circular_bound : paper.linear_bound,
+                  {{'v', v}, {'k', k}});
+}
+
+Fraction counted_bound(std::uint64_t v, std::uint64_t k, Kind kind) {
+  std::int64_t all = 0;
+  std::int64_t first = 0;  // in {0,…,k−1}
+  std::int64_t step = 0;   // in {2,…,k+1} and not in {0,…,k−1}
+  for (std::uint64_t y = 0; y < std::max(v, k + 2); ++y) {
+    for (std::uint64_t x = 0; x < y; ++x) {
+      all += y < v ? 1 : 0;
+      first += y < k ? 1 : 0;
+      step += x >= 2 && y >= k && y < k + 2 ? 1 : 0;
+    }
+  }
+  const std::int64_t numerator = kind == Kind::circular ? all : all - first + step;
+  const std::int64_t divisor = std::gcd(numerator, step);
+  return {numerator / divisor, step / divisor};
+}
+
+std::vector<std::uint64_t> times_covered(const Design& design) {
+  std::vector<std::uint64_t> times(static_cast<std::size_t>(binomial(design.v(), 2)));
+  DesignSource source(design);
+  for (Transitions steps(source); steps.next();) {
+    const Block entering(steps.introduced().begin(), steps.introduced().end());
+    const Block kept = difference(steps.block(), entering);
+    for (std::size_t i = 0; i < entering.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        ++times[PairSet::rank(entering[j], entering[i])];
+      }
+      for (const Element x : kept) {
+        ++times[PairSet::rank(x, entering[i])];
+      }
+    }
+  }
+  return times;
+}
+
+std::string all_blocks(const Design& design) {
+  std::string text;
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    text += (i == 0 ? "" : ", ") + braces(design.block(i));
+  }
+  return text;
 }
 
 std::optional<Design> construct(const Registry& registry, std::string_view construction,
@@ -130,6 +183,18 @@ std::optional<Design> construct(const Registry& registry, std::string_view const
     return std::nullopt;
   }
   return registry.build_design(offer->recipe);
+}
+
+std::optional<Design> best_design(const Registry& registry, const Parameters& parameters) {
+  std::optional<Offer> best = registry.best(parameters);
+  if (!best || best->b > lower_bound(parameters).blocks) {
+    best = best_known(registry, parameters);
+  }
+  if (!best) {
+    return std::nullopt;
+  }
+  Design design = registry.build_design(best->recipe);
+  return verify(design).valid() ? std::optional(std::move(design)) : std::nullopt;
 }
 
 Design with_fixed_elements(const Design& design, std::uint64_t count) {
@@ -167,7 +232,7 @@ std::vector<Design> designs_to_try(const Registry& registry, Kind kind) {
           add(*std::move(design));
           continue;
         }
-        for (std::uint64_t fixed = 1; fixed <= 3; ++fixed) {
+        for (std::uint64_t fixed = 1; fixed <= most_fixed_to_try; ++fixed) {
           add(with_fixed_elements(*design, fixed));
         }
         add(*std::move(design));

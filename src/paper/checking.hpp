@@ -18,6 +18,7 @@
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "paper/formula.hpp"
 #include "paper/report.hpp"
 
 namespace changeover {
@@ -39,7 +40,10 @@ class Check {
 
   void note(std::string remark) { item_.notes.push_back(std::move(remark)); }
 
-  /// Makes the item out of scope: a construction that it needs is not in the registry.
+  /// What fails is not the print but the statement: a finding is a counterexample.
+  Check& of_a_statement();
+
+  /// Makes the item not checkable: a construction that it needs is not in the registry.
   void lacks(std::string_view construction);
 
   [[nodiscard]] PaperItem finish() &&;
@@ -48,11 +52,12 @@ class Check {
   void add(PaperFinding finding);
 
   PaperItem item_;
+  PaperStatus failed_ = PaperStatus::differs;
   std::uint64_t untold_ = 0;  // findings beyond those that are listed
 };
 
 /// A claim that is not checked, and why.
-[[nodiscard]] PaperItem out_of_scope(std::string place, std::string what, std::string reason);
+[[nodiscard]] PaperItem not_checkable(std::string place, std::string what, std::string reason);
 
 /// "{0,1,4}", elements by number or by the names of the design.
 [[nodiscard]] std::string braces(std::span<const Element> block);
@@ -68,8 +73,21 @@ class Check {
 /// "valid, tight, 35 blocks", or what is wrong with it.
 [[nodiscard]] std::string in_words(const Verdict& verdict);
 
-/// ⌈g₁⌉ or ⌈g₂⌉ of Theorem 1, as printed.
-[[nodiscard]] std::uint64_t printed_bound(std::uint64_t v, std::uint64_t k, Kind kind);
+/// The formula's value, 0 if that is no whole number.
+[[nodiscard]] std::uint64_t count_of(std::string_view formula, const Values& values);
+
+/// g₁ or g₂ of Theorem 1, as printed.
+[[nodiscard]] Fraction printed_bound(const Paper& paper, std::uint64_t v, std::uint64_t k,
+                                     Kind kind);
+
+/// g₁ or g₂ from pairs that are counted one by one: all, those of a first block, those that a step newly covers.
+[[nodiscard]] Fraction counted_bound(std::uint64_t v, std::uint64_t k, Kind kind);
+
+/// How often each pair is covered in the paper's sense, by PairSet::rank(), counted block by block.
+[[nodiscard]] std::vector<std::uint64_t> times_covered(const Design& design);
+
+/// All blocks, in braces.
+[[nodiscard]] std::string all_blocks(const Design& design);
 
 /// The design that a construction of the registry makes for these parameters; nullopt if the
 /// registry has no such construction or it offers nothing.
@@ -77,11 +95,16 @@ class Check {
                                               std::string_view construction,
                                               const Parameters& parameters);
 
+/// The design with fewest blocks that the registry knows for these parameters, verified; nullopt if it knows none. The
+/// closure rules are asked only if what the constructions offer is above the lower bound.
+[[nodiscard]] std::optional<Design> best_design(const Registry& registry,
+                                                const Parameters& parameters);
+
 /// The design with `count` new elements in every block.
 [[nodiscard]] Design with_fixed_elements(const Design& design, std::uint64_t count);
 
 /// Verified designs to try general statements on, with 3 ≤ k ≤ 8 and v ≤ 24: those of the paper's
-/// own constructions and tables; circular ones also with up to three elements added to every block,
+/// own constructions and tables; circular ones also with up to eight elements added to every block,
 /// linear ones being all circular ones read as linear too. In order of their parameters.
 [[nodiscard]] std::vector<Design> designs_to_try(const Registry& registry, Kind kind);
 

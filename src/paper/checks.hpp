@@ -25,11 +25,20 @@ struct PaperContext {
 /// Abstract and Section 1: counts of designs, the recursion's parameters, the example of costs.
 [[nodiscard]] std::vector<PaperItem> check_introduction(const PaperContext& context);
 
-/// Section 2.1: Table 1, and claims that are cited.
+/// Section 2.1: Table 1.
 [[nodiscard]] std::vector<PaperItem> check_history(const PaperContext& context);
+
+/// Section 2.1, the rest: what the paper cites from other works.
+[[nodiscard]] std::vector<PaperItem> check_cited(const PaperContext& context);
 
 /// Section 2.2: Theorem 1, Table 2, Figures 1 and 2.
 [[nodiscard]] std::vector<PaperItem> check_preliminaries(const PaperContext& context);
+
+/// Section 2.2: what is said of tight and economical designs.
+[[nodiscard]] std::vector<PaperItem> check_tightness(const PaperContext& context);
+
+/// Theorem 3: the part of its proof that leans on it. Among the items of check_doubling().
+[[nodiscard]] std::vector<PaperItem> check_proof_for_odd_k(const PaperContext& context);
 
 /// Section 3.1: Theorem 2, Table 3.
 [[nodiscard]] std::vector<PaperItem> check_recursion(const PaperContext& context);
@@ -55,7 +64,16 @@ struct PaperContext {
 /// Marks of a table: every asterisk, caret and highlight compared with the blocks.
 [[nodiscard]] PaperItem check_marks(const PrintedTable& table);
 
-/// The kind that a table is shown as: whether one that is shown as linear is circular as it stands.
+/// The kind that a caption names: all of them if it names some, and only those; one at least if it names none.
 [[nodiscard]] PaperItem check_kind(const PrintedTable& table);
+
+/// The blocks of a table from each other: each block again from all the others alone, by trying every k-subset.
+[[nodiscard]] PaperItem check_each_block(const PrintedTable& table);
+
+/// The number of blocks of a table against the lower bound, and against designs that are built without the print.
+[[nodiscard]] PaperItem check_least(const PaperContext& context, const PrintedTable& table);
+
+/// The parameters that a place writes once more, against designs of the statement that they belong to.
+[[nodiscard]] PaperItem check_again(const PaperContext& context, std::string_view place);
 
 }  // namespace changeover

@@ -81,33 +81,6 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-// "k-2", "4(k-2)" or "4(k-2)+2", or a number.
-std::optional<std::uint64_t> value_of(std::string_view term, std::uint64_t k) {
-  if (const auto number = number_in(term)) {
-    return number;
-  }
-  if (term == "k-2") {
-    return k - 2;
-  }
-  const std::size_t bracket = term.find("(k-2)");
-  if (bracket == std::string_view::npos) {
-    return std::nullopt;
-  }
-  const auto factor = number_in(term.substr(0, bracket));
-  const std::string_view rest = term.substr(bracket + 5);
-  if (!factor) {
-    return std::nullopt;
-  }
-  if (rest.empty()) {
-    return *factor * (k - 2);
-  }
-  const auto added = rest.front() == '+' ? number_in(rest.substr(1)) : std::nullopt;
-  if (!added) {
-    return std::nullopt;
-  }
-  return *factor * (k - 2) + *added;
-}
-
 std::size_t index_of(const std::vector<std::string>& names, std::string_view name,
                      std::string_view place) {
   const auto found = std::find(names.begin(), names.end(), name);
@@ -244,7 +217,7 @@ std::vector<Block> base_blocks(const PrintedBaseBlocks& row, std::uint64_t k) {
     std::string spaced = terms;
     std::replace(spaced.begin(), spaced.end(), ',', ' ');
     for (const std::string& term : words(spaced)) {
-      const auto value = value_of(term, k);
+      const auto value = value_of(term, {{'k', k}}).count();
       if (!value || *value >= max_elements_in_memory) {
         throw BadInput(fmt::format("{}: cannot read \"{}\"", row.place, term));
       }
@@ -254,22 +227,41 @@ std::vector<Block> base_blocks(const PrintedBaseBlocks& row, std::uint64_t k) {
   return blocks;
 }
 
-const PrintedTable& table_at(const Paper& paper, std::string_view place) {
-  for (const PrintedTable& table : paper.tables) {
-    if (table.place == place) {
-      return table;
-    }
+namespace {
+
+template <typename Item, typename Place>
+const Item& item_at(const std::vector<Item>& items, std::string_view place, std::string_view what,
+                    const Place& place_of) {
+  const auto found = std::find_if(items.begin(), items.end(),
+                                  [&](const Item& item) { return place_of(item) == place; });
+  if (found == items.end()) {
+    throw BadInput(fmt::format("the paper has no {} \"{}\"", what, place));
   }
-  throw BadInput(fmt::format("the paper has no table of blocks \"{}\"", place));
+  return *found;
+}
+
+}  // namespace
+
+const PrintedTable& table_at(const Paper& paper, std::string_view place) {
+  return item_at(paper.tables, place, "table of blocks",
+                 [](const PrintedTable& table) { return table.place; });
+}
+
+const PrintedFamily& family_at(const Paper& paper, std::string_view place) {
+  return item_at(paper.families, place, "family",
+                 [](const PrintedFamily& family) { return family.design.place; });
+}
+
+const PrintedDesign& formulas_at(const std::vector<PrintedDesign>& designs,
+                                 std::string_view place) {
+  return item_at(designs, place, "formulas at",
+                 [](const PrintedDesign& design) { return design.place; });
 }
 
 const std::string& claim_at(const Paper& paper, std::string_view place) {
-  for (const PrintedStatement& statement : paper.statements) {
-    if (statement.place == place) {
-      return statement.claim;
-    }
-  }
-  throw BadInput(fmt::format("the paper has no statement \"{}\"", place));
+  return item_at(paper.statements, place, "statement",
+                 [](const PrintedStatement& statement) { return statement.place; })
+      .claim;
 }
 
 }  // namespace changeover

@@ -121,30 +121,31 @@ Paper make_paper() {
   paper.six_base_blocks = {"Table 12", 6, {"4,19", "6,22", "8,25", "10,48", "12,32", "2,28"}};
   paper.cyclic_up_to = 5;
   paper.families = {
-      {.place = "Theorem 3",
-       .v_k = 2,
-       .v_0 = -2,
-       .b_k = 1,
-       .b_0 = -1,
-       .smallest_k = 2,
-       .even = true},
-      {.place = "Theorem 4",
-       .v_k = 2,
-       .v_0 = -2,
-       .b_k = 1,
-       .b_0 = 0,
-       .smallest_k = 5,
-       .even = false},
-      {.place = "Theorem 8",
-       .v_k = 2,
-       .v_0 = -3,
-       .b_k = 1,
-       .b_0 = -2,
-       .smallest_k = 3,
-       .even = false},
+      {.design = {"Theorem 3", "2k-2", "k-1"}, .smallest_k = 2, .even = true},
+      {.design = {"Theorem 4", "2k-2", "k"}, .smallest_k = 5, .even = false},
+      {.design = {"Theorem 8", "2k-3", "k-2"}, .smallest_k = 3, .even = false},
   };
-  paper.expanded = {
-      .v_ck = 4, .v_c = -2, .v_l = 1, .v_0 = 2, .b_ckk = 4, .b_cc = 2, .b_cl = 4, .b_c = 3};
+  paper.cyclic_family = {"Theorem 10", "c(4k-6)+1", "c^2(4k-6)+c"};
+  paper.differences = {
+      {1, "4k-5", {{{"k-1", "k-1"}, {"1", "k-2"}, {"k", "2k-3"}}}},
+      {2,
+       "8k-11",
+       {{{"3k-4", "3k-4"}, {"k-1", "2k-4"}, {"3k-3", "4k-6"}},
+        {{"2k-3", "2k-3"}, {"1", "k-2"}, {"2k-2", "3k-5"}}}},
+  };
+  paper.expanded = {"Corollary 14", "4ck -2c + l +2", "4kc^2 +2c^2 + 4cl+3c  + (l^2+l)/2"};
+  paper.expansion_order = {R"(\frac{v}{k-2})", R"(\frac{4ck-6c+1}{k-2})", R"(4c+\frac{2c+1}{k-2})"};
+  paper.again = {
+      {{"Abstract", "2k-2", "k-1"}, "Theorem 3"},
+      {{"Abstract", "2k-3", "k-2"}, "Theorem 8"},
+      {{"Abstract", "c(4k-6)+1", "c^2(4k-6)+c"}, "Theorem 10"},
+      {{"Section 4", "2k-2", "k-1"}, "Theorem 3"},
+      {{"Section 4", "2k-3", "k-2"}, "Theorem 8"},
+      {{"Section 4", "2k-2", "k"}, "Theorem 4"},
+      {{"Section 4", "c(4k-6)+1", "c^2(4k-6)+c"}, "Theorem 10"},
+  };
+  paper.linear_bound = R"(\frac{\binom{v}{2}-\binom{k}{2}}{2k-3}+1)";
+  paper.circular_bound = R"(\frac{\binom{v}{2}}{2k-3})";
   paper.eleven = {{15, 3, 35},    {21, 5, 30},   {27, 3, 117},   {55, 7, 135},
                   {39, 3, 247},   {105, 9, 364}, {67, 3, 489},   {77, 5, 418},
                   {161, 11, 640}, {63, 3, 651},  {253, 13, 1386}};
@@ -167,7 +168,12 @@ Paper make_paper() {
 )";
   paper.costs = {{.test = 1, .change = 5, .covering = 177, .single = 118, .twice = 137},
                  {.test = 10, .change = 1, .covering = 153, .single = 200, .twice = 145}};
-  paper.recursion = {{"Abstract", 1, 1}, {"Theorem 2", 1, 1}, {"Section 4", 1, 1}};
+  paper.recursion = {
+      {"Abstract", R"(v+\frac{v+k-2}{k-2})", R"(b+\frac{v}{k-2}\frac{v+k-2}{2k-4})"},
+      {"Theorem 2", R"(v+\frac{v}{k-2}+1)", R"(b+\frac{1}{2}\frac{v}{k-2}(\frac{v}{k-2}+1))"},
+      {"Section 4", R"(v+\frac{v}{k-2}+1)", R"(b+\frac{v}{k-2}\frac{v+k-2}{2k-4})"},
+  };
+  paper.single_recursion = {"Section 3.1", "v+1", "b"};
   paper.covered = {
       .table = "Table 7", .x = "0", .y = "1", .covered = {"B7"}, .not_covered = {"B8", "B9", "B1"}};
   paper.unchanged = {.between = {"0", "4", "3", "6", "6", "5"},
@@ -180,7 +186,21 @@ Paper make_paper() {
 0 2 7
 )";
   paper.range_short_by = 1;
-  paper.added_for_k4 = 0;
+  paper.cited = {.linear_b = R"(\ceiling{\frac{v(v-1)-k(k-1)}{4(k-2)+2}}+1)",
+                 .circular_b = R"(\ceiling{\frac{v(v-1)}{4(k-2)+2}})",
+                 .k4_b = R"(\ceiling{(v^2-v-12)/10})",
+                 .minimum_v = "3k-5",
+                 .minimum_b = "2k-4",
+                 .prime_power_b = "(2v-2)/3",
+                 .prime_power_v = "3k-5",
+                 .no_fixed_from = "3k-6",
+                 .fixed_at = "2k-3",
+                 .pairs_b = "v(v-1)/2",
+                 .single = {"Section 3.2", "2k-1", "2k-1"},
+                 .single_cyclic = {"Section 3.2", "2c(k-1)+1", "2c^2 (k - 1) + c"},
+                 .k4_from = 6,
+                 .k4_to = 14,
+                 .circular_single_to = "2k-1"};
   return paper;
 }
 

@@ -25,11 +25,13 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
+#include "paper/formula.hpp"
 
 namespace changeover {
 
@@ -39,8 +41,9 @@ struct PrintedTable {
   std::string caption;      ///< with the paper's macros written out
   Parameters parameters;    ///< kind: which convention the asterisks of its first block follow
   std::uint64_t b = 0;      ///< blocks, by the caption
-  std::vector<Kind> kinds;  ///< what caption and text call it
+  std::vector<Kind> kinds;  ///< what caption and text call it; empty if they name no kind
   bool tight = false;       ///< the caption says so
+  bool minimum = false;     ///< the caption says so
   bool leaving = false;     ///< it marks leaving elements too
   std::vector<std::string> elements = {};  ///< names by number; empty if they are 0, …, v−1
   std::string layout;
@@ -102,7 +105,7 @@ struct PrintedCircle {
 };
 
 /// Base blocks A ∪ {…}, A = {0, …, k−3}, over Z_v with v = c(4k−6)+1: the two further elements of
-/// each, written "2(k-2),5(k-2)+2" or as numbers.
+/// each, two formulas in k: "2(k-2),5(k-2)+2".
 struct PrintedBaseBlocks {
   std::string place;
   std::uint64_t c = 0;
@@ -113,25 +116,51 @@ struct PrintedBaseBlocks {
 /// @throws BadInput if an entry cannot be read.
 [[nodiscard]] std::vector<Block> base_blocks(const PrintedBaseBlocks& row, std::uint64_t k);
 
-/// A family DCCD(v, k, b) with v = v_k·k + v_0 and b = b_k·k + b_0.
-struct PrintedFamily {
+/// Formulas of v and b, in the LaTeX of the print (formula.hpp).
+struct PrintedDesign {
   std::string place;
-  std::int64_t v_k = 0, v_0 = 0, b_k = 0, b_0 = 0;
+  std::string v, b;
+};
+
+/// A family DCCD(v, k, b) with one v for each k.
+struct PrintedFamily {
+  PrintedDesign design;
   std::uint64_t smallest_k = 0;
   bool even = false;  ///< for even k; otherwise for odd k
+};
+
+/// The parameters of a numbered statement as they are written once more, in the abstract or in Section 4.
+struct PrintedAgain {
+  PrintedDesign design;
+  std::string statement;  ///< "Theorem 3"
+};
+
+/// The differences ±d that a proof lists for c base blocks, for each of them the intervals of d, ends as formulas.
+struct PrintedDifferences {
+  std::uint64_t c = 0;
+  std::string v;  ///< "this is all the differences in Z_v"
+  std::vector<std::vector<std::pair<std::string, std::string>>> blocks;
+};
+
+/// Formulas that are cited from other works: numbers of blocks, and of elements.
+struct PrintedCited {
+  std::string linear_b, circular_b;  ///< of minimum designs, with a \ceiling
+  std::string k4_b;                  ///< of minimum DCCD(v,4,b)
+  std::string minimum_v, minimum_b;  ///< "linear DCCD(…,k,…) are minimum"
+  std::string prime_power_b;         ///< of minimum linear designs that exist only if …
+  std::string prime_power_v;         ///< … v is at least this
+  std::string no_fixed_from;         ///< no fixed elements in linear designs from this v on
+  std::string fixed_at;  ///< fixed elements in circular designs if and only if v is this
+  std::string pairs_b;   ///< of minimum DCCD(v,2,b)
+  PrintedDesign single, single_cyclic;   ///< circular SCCDs of Section 3.2
+  std::uint64_t k4_from = 0, k4_to = 0;  ///< v of the minimum DCCD(v,4,b) that are constructed
+  std::string circular_single_to;        ///< minimum circular SCCDs are known up to this v
 };
 
 struct PrintedTriple {
   std::uint64_t v = 0, k = 0, b = 0;
 
   bool operator==(const PrintedTriple&) const = default;
-};
-
-/// What the recursion is said to give, ℓ = v/(k−2): v* = v + ℓ + added_elements and
-/// b* = b + ℓ(ℓ + added_edges)/2, after clearing the fractions of the three places that say it.
-struct PrintedRecursion {
-  std::string place;
-  std::uint64_t added_elements = 0, added_edges = 0;
 };
 
 /// "The pair {x,y} is covered in this block and not in those."
@@ -154,13 +183,6 @@ struct PrintedCosts {
   std::uint64_t covering = 0, single = 0, twice = 0;  ///< the covering as listed, SCCD, DCCD
 };
 
-/// Coefficients of the corollary after the proposition on expansion sets: with l = (2c+1)/(k−2),
-/// v = v_ck·ck + v_c·c + v_l·l + v_0 and b = b_ckk·kc² + b_cc·c² + b_cl·cl + b_c·c + (l² + l)/2.
-struct PrintedExpansionFamily {
-  std::int64_t v_ck = 0, v_c = 0, v_l = 0, v_0 = 0;
-  std::int64_t b_ckk = 0, b_cc = 0, b_cl = 0, b_c = 0;
-};
-
 /// A numbered statement, shortened to what it claims.
 struct PrintedStatement {
   std::string place;  ///< "Theorem 2"
@@ -176,22 +198,28 @@ struct Paper {
   PrintedBaseBlocks six_base_blocks;                 ///< Table 12, with c = 6 and k = 4
   std::uint64_t cyclic_up_to = 0;                    ///< c of Theorem 10
   std::vector<PrintedFamily> families;               ///< Theorems 3, 4 and 8
-  PrintedExpansionFamily expanded;                   ///< Corollary 14
-  std::vector<PrintedTriple> eleven;                 ///< Corollary 15
-  std::uint64_t count_in_abstract = 0;               ///< "twelve additional minimum DCCD"
-  std::uint64_t count_in_corollary = 0;              ///< "the following eleven"
-  std::uint64_t count_in_conclusion = 0;             ///< "eleven additional"
-  std::string covering;                              ///< blocks of the introduction, one a line
+  PrintedDesign cyclic_family;                       ///< Theorem 10
+  std::vector<PrintedDifferences> differences;       ///< the proof of Theorem 10
+  PrintedDesign expanded;                            ///< Corollary 14, with l = (2c+1)/(k−2)
+  std::vector<std::string>
+      expansion_order;              ///< the proofs: how many subsets are in the expansion set
+  std::vector<PrintedAgain> again;  ///< abstract and Section 4
+  std::string linear_bound, circular_bound;  ///< g₁ and g₂ of Theorem 1
+  std::vector<PrintedTriple> eleven;         ///< Corollary 15
+  std::uint64_t count_in_abstract = 0;       ///< "twelve additional minimum DCCD"
+  std::uint64_t count_in_corollary = 0;      ///< "the following eleven"
+  std::uint64_t count_in_conclusion = 0;     ///< "eleven additional"
+  std::string covering;                      ///< blocks of the introduction, one a line
   std::vector<PrintedCosts> costs;
-  std::vector<PrintedRecursion> recursion;  ///< abstract, Theorem 2, Section 4
-  PrintedCovered covered;                   ///< the example of Section 1
-  PrintedUnchangedText unchanged;           ///< Section 2.2
+  std::vector<PrintedDesign> recursion;  ///< v* and b*: abstract, Theorem 2, Section 4
+  PrintedDesign single_recursion;        ///< Section 3.1: what is cited of single-change designs
+  PrintedCovered covered;                ///< the example of Section 1
+  PrintedUnchangedText unchanged;        ///< Section 2.2
   /// Base blocks of Example 12, "taken from Theorem 10 for c = 2, k = 3", one a line.
   std::string base_blocks_in_example;
   /// The proof of Proposition 13 lets 0 ≤ j < v/(k−2) − this.
   std::uint64_t range_short_by = 0;
-  /// Cited: no fixed elements in minimum DCCD(v, 4, ⌈(v²−v−12)/10⌉ + this).
-  std::uint64_t added_for_k4 = 0;
+  PrintedCited cited;  ///< Sections 2.1 and 3.2
 };
 
 /// The tables of blocks, in the order of the print.
@@ -202,6 +230,13 @@ struct Paper {
 
 /// The table of that place. @throws BadInput if there is none.
 [[nodiscard]] const PrintedTable& table_at(const Paper& paper, std::string_view place);
+
+/// The family of that theorem. @throws BadInput if there is none.
+[[nodiscard]] const PrintedFamily& family_at(const Paper& paper, std::string_view place);
+
+/// The formulas of that place among some. @throws BadInput if there are none.
+[[nodiscard]] const PrintedDesign& formulas_at(const std::vector<PrintedDesign>& designs,
+                                               std::string_view place);
 
 /// The claim of that numbered statement. @throws BadInput if there is none.
 [[nodiscard]] const std::string& claim_at(const Paper& paper, std::string_view place);

@@ -20,9 +20,10 @@ std::string counted(const PaperItem& item) {
 }
 
 std::string summary(const PaperReport& report) {
-  return fmt::format("{} items: {} reproduced, {} differ, {} out of scope", report.items.size(),
-                     report.count(PaperStatus::reproduced), report.count(PaperStatus::differs),
-                     report.count(PaperStatus::out_of_scope));
+  return fmt::format("{} items: {} reproduced, {} differ, {} refuted, {} not checkable",
+                     report.items.size(), report.count(PaperStatus::reproduced),
+                     report.count(PaperStatus::differs), report.count(PaperStatus::refuted),
+                     report.count(PaperStatus::not_checkable));
 }
 
 // Characters on a terminal, all of width one here.
@@ -64,6 +65,25 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
+// The items of one status with all that was found of them, under a heading.
+void append_findings(std::string& out, const PaperReport& report, PaperStatus status,
+                     std::string_view heading) {
+  out += fmt::format("\n## {}\n", heading);
+  for (const PaperItem& item : report.items) {
+    if (item.status != status) {
+      continue;
+    }
+    out += fmt::format("\n### {}: {}\n\n", item.place, escaped(item.what));
+    for (const PaperFinding& finding : item.findings) {
+      out += fmt::format("- printed: {}  \n  true: {}  \n  why: {}\n", escaped(finding.printed),
+                         escaped(finding.truth), escaped(finding.why));
+    }
+    for (const std::string& note : item.notes) {
+      out += fmt::format("- {}\n", escaped(note));
+    }
+  }
+}
+
 }  // namespace
 
 std::string_view to_string(PaperStatus status) {
@@ -72,10 +92,12 @@ std::string_view to_string(PaperStatus status) {
       return "reproduced";
     case PaperStatus::differs:
       return "differs";
-    case PaperStatus::out_of_scope:
-      return "out of scope";
+    case PaperStatus::refuted:
+      return "refuted";
+    case PaperStatus::not_checkable:
+      break;
   }
-  return "out of scope";
+  return "not checkable";
 }
 
 std::size_t PaperReport::count(PaperStatus status) const {
@@ -89,8 +111,8 @@ PaperReport run_paper_report(const Registry& registry, const PaperReportOptions&
   const PaperContext context{paper, registry, options};
   PaperReport report;
   for (const auto& section :
-       {check_introduction, check_history, check_preliminaries, check_recursion, check_doubling,
-        check_cyclic, check_corollaries, check_conclusion}) {
+       {check_introduction, check_history, check_cited, check_preliminaries, check_tightness,
+        check_recursion, check_doubling, check_cyclic, check_corollaries, check_conclusion}) {
     std::vector<PaperItem> items = section(context);
     std::move(items.begin(), items.end(), std::back_inserter(report.items));
   }
@@ -119,30 +141,20 @@ std::string render_text(const PaperReport& report) {
 std::string render_markdown(const PaperReport& report) {
   std::string out =
       "# The source paper, rebuilt\n\n"
-      "Each claim of [ChafeeStevens2025] and what the library finds of it. *Reproduced*: rebuilt "
-      "or\n"
-      "recomputed, equal in every comparison. *Differs*: print and computation part. *Out of "
-      "scope*:\n"
-      "cited from other works, or a question.\n\n";
-  out += summary(report) + ".\n\n## Where the print differs\n";
-  for (const PaperItem& item : report.items) {
-    if (item.status != PaperStatus::differs) {
-      continue;
-    }
-    out += fmt::format("\n### {}: {}\n\n", item.place, escaped(item.what));
-    for (const PaperFinding& finding : item.findings) {
-      out += fmt::format("- printed: {}  \n  true: {}  \n  why: {}\n", escaped(finding.printed),
-                         escaped(finding.truth), escaped(finding.why));
-    }
-    for (const std::string& note : item.notes) {
-      out += fmt::format("- {}\n", escaped(note));
-    }
-  }
+      "Each statement of [ChafeeStevens2025], its own and those that it cites, and what the library finds\n"
+      "of it. *Reproduced*: rebuilt or recomputed, equal in every comparison. *Differs*: print and\n"
+      "computation part, or a proof leaves something out. *Refuted*: a statement that is false, with a\n"
+      "counterexample that was built and verified. *Not checkable*: no statement that a program could\n"
+      "decide, or one for which the paper names too little. \"For all k\" is checked up to a limit that\n"
+      "is named; where this is a proof, it is said. This page is written by `changeover paper`.\n\n";
+  out += summary(report) + ".\n";
+  append_findings(out, report, PaperStatus::refuted, "What is refuted");
+  append_findings(out, report, PaperStatus::differs, "Where the print differs");
   out +=
       "\n## Every item\n\n| place | claim | status | compared | remarks |\n|---|---|---|---|---|\n";
   for (const PaperItem& item : report.items) {
     std::string notes;
-    if (item.status != PaperStatus::differs) {
+    if (item.findings.empty()) {
       for (const std::string& note : item.notes) {
         notes += (notes.empty() ? "" : "; ") + escaped(note);
       }
@@ -155,10 +167,11 @@ std::string render_markdown(const PaperReport& report) {
 
 std::string render_json(const PaperReport& report) {
   JsonWriter json;
-  json.begin_object().key("format").value("changeover-paper/1");
+  json.begin_object().key("format").value("changeover-paper/2");
   json.key("reproduced").value(report.count(PaperStatus::reproduced));
   json.key("differs").value(report.count(PaperStatus::differs));
-  json.key("out_of_scope").value(report.count(PaperStatus::out_of_scope));
+  json.key("refuted").value(report.count(PaperStatus::refuted));
+  json.key("not_checkable").value(report.count(PaperStatus::not_checkable));
   json.key("items").begin_array();
   for (const PaperItem& item : report.items) {
     json.begin_object().key("place").value(item.place).key("what").value(item.what);

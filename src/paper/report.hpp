@@ -9,12 +9,14 @@
 //   reproduced    rebuilt, or recomputed, and equal in every cell that was compared
 //   differs       the print says one thing and the computation another; each finding says both,
 //                 and why
-//   out of scope  a claim of the literature that the paper cites and does not prove, or a matter
-//                 that would need a search; the reason is given
+//   refuted       a mathematical statement that is false: each finding is a counterexample, built and
+//                 verified, or a bound that excludes what is said to exist
+//   not checkable no statement that a program could decide, or one for which the paper names too little;
+//                 the reason is given
 // Nothing is hard-coded: a misprint is found because a comparison fails, and every comparison can
 // fail (the print is an argument). "For all k" is checked for every k up to a limit, not proved.
 //
-// Deterministic: the same text every time, no times and no machine in it. Under a second.
+// Deterministic: the same text every time, no times and no machine in it. A few seconds.
 #pragma once
 
 #include <cstddef>
@@ -28,9 +30,9 @@
 
 namespace changeover {
 
-enum class PaperStatus : std::uint8_t { reproduced, differs, out_of_scope };
+enum class PaperStatus : std::uint8_t { reproduced, differs, refuted, not_checkable };
 
-/// "reproduced", "differs", "out of scope".
+/// "reproduced", "differs", "refuted", "not checkable".
 [[nodiscard]] std::string_view to_string(PaperStatus status);
 
 /// Where print and computation part.
@@ -48,8 +50,8 @@ struct PaperItem {
   PaperStatus status = PaperStatus::reproduced;
   std::uint64_t checked = 0;           ///< how many comparisons were made
   std::string unit;                    ///< of what: "blocks", "cells", "designs"
-  std::vector<PaperFinding> findings;  ///< of an item that differs
-  std::vector<std::string> notes;      ///< remarks, and reasons why an item is out of scope
+  std::vector<PaperFinding> findings;  ///< of an item that differs or is refuted
+  std::vector<std::string> notes;      ///< remarks, and reasons why an item is not checkable
 
   bool operator==(const PaperItem&) const = default;
 };
@@ -78,8 +80,8 @@ struct PaperReportOptions {
 /// The same as a Markdown page.
 [[nodiscard]] std::string render_markdown(const PaperReport& report);
 
-/// {"format":"changeover-paper/1","reproduced":n,"differs":n,"out_of_scope":n,"items":[{"place",
-/// "what","status","checked","unit","findings":[{"printed","truth","why"}],"notes":[…]}]}. One line.
+/// {"format":"changeover-paper/2","reproduced":n,"differs":n,"refuted":n,"not_checkable":n,"items":[{"place","what",
+///"status","checked","unit","findings":[{"printed","truth","why"}],"notes":[…]}]}. One line.
 [[nodiscard]] std::string render_json(const PaperReport& report);
 
 }  // namespace changeover

@@ -12,7 +12,8 @@ PrintedTable table_1() {
           .caption = "A minimum DCCD(9,3,12)",
           .parameters = {.v = 9, .k = 3, .change = 2, .kind = linear},
           .b = 12,
-          .kinds = {linear},
+          .kinds = {},
+          .minimum = true,
           .elements = {"1", "2", "3", "4", "5", "6", "7", "8", "9"},
           .layout = R"(
 1* 1  1  1  4* 3* 2* 3* 8* 8  8  2*
@@ -99,6 +100,7 @@ PrintedTable table_5() {
           .parameters = {.v = 8, .k = 5, .change = 2, .kind = circular},
           .b = 5,
           .kinds = {circular},
+          .minimum = true,
           .leaving = true,
           .elements = {"∞_s", "0_s", "1_s", "2_s", "∞_l", "0_l", "1_l", "2_l"},
           .layout = R"(
@@ -117,6 +119,7 @@ PrintedTable table_6() {
           .parameters = {.v = 12, .k = 7, .change = 2, .kind = circular},
           .b = 7,
           .kinds = {circular},
+          .minimum = true,
           .leaving = true,
           .elements = {"∞_s", "0_s", "1_s", "2_s", "3_s", "4_s", "∞_l", "0_l", "1_l", "2_l", "3_l",
                        "4_l"},

@@ -124,9 +124,37 @@ TEST(PrintedPaper, base_blocks_are_read_for_any_k) {
   EXPECT_EQ(base_blocks(row, 4), (std::vector<Block>{{0, 1, 4, 12}, {0, 1, 2, 7}}));
   EXPECT_EQ(base_blocks(row, 3), (std::vector<Block>{{0, 2, 7}, {0, 1, 4}}));
   EXPECT_EQ(base_blocks({"Table 12", 6, {"4,19"}}, 4), (std::vector<Block>{{0, 1, 4, 19}}));
-  EXPECT_THROW((void)base_blocks({"x", 1, {"3(k-1)"}}, 4), BadInput);
-  EXPECT_THROW((void)base_blocks({"x", 1, {"(k-2)+1"}}, 4), BadInput);
-  EXPECT_THROW((void)base_blocks({"x", 1, {"2(k-2)-1"}}, 4), BadInput);
+  EXPECT_THROW((void)base_blocks({"x", 1, {"3(l-1)"}}, 4), BadInput);
+  EXPECT_THROW((void)base_blocks({"x", 1, {"k-7"}}, 4), BadInput);
+  EXPECT_THROW((void)base_blocks({"x", 1, {"k/3"}}, 4), BadInput);
+}
+
+// A claim is for people; what is evaluated is the formula. They must say the same.
+TEST(PrintedPaper, claims_show_the_formulas_that_are_evaluated) {
+  const Paper& paper = printed_paper();
+  std::vector<PrintedDesign> designs{paper.cyclic_family};
+  for (const PrintedFamily& family : paper.families) {
+    designs.push_back(family.design);
+  }
+  for (const PrintedDesign& design : designs) {
+    const std::string& claim = claim_at(paper, design.place);
+    EXPECT_NE(claim.find("DCCD(" + design.v + ",k," + design.b + ")"), std::string::npos) << claim;
+  }
+  const auto without_blanks = [](std::string text) {
+    std::erase(text, ' ');
+    return text;
+  };
+  EXPECT_NE(without_blanks(claim_at(paper, "Corollary 14"))
+                .find(without_blanks("DCCD(" + paper.expanded.v + ",k," + paper.expanded.b + ")")),
+            std::string::npos);
+}
+
+TEST(PrintedPaper, places_that_are_not_there_are_refused) {
+  const Paper& paper = printed_paper();
+  EXPECT_EQ(family_at(paper, "Theorem 8").design.v, "2k-3");
+  EXPECT_EQ(formulas_at(paper.recursion, "Theorem 2").v, "v+\\frac{v}{k-2}+1");
+  EXPECT_THROW((void)family_at(paper, "Theorem 5"), BadInput);
+  EXPECT_THROW((void)formulas_at(paper.recursion, "Theorem 5"), BadInput);
 }
 
 TEST(PrintedPaper, figures_are_read_by_names) {

@@ -1,0 +1,53 @@
+#include "paper/formula.hpp"
+
+#include <gtest/gtest.h>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+Fraction at(std::string_view formula, const Values& values = {}) {
+  return value_of(formula, values);
+}
+
+TEST(Formula, evaluates_as_it_is_read) {
+  EXPECT_EQ(at("2+3"), (Fraction{5, 1}));
+  EXPECT_EQ(at("7-2-1"), (Fraction{4, 1}));
+  EXPECT_EQ(at("-3+1"), (Fraction{-2, 1}));
+  EXPECT_EQ(at("2(3+4)"), (Fraction{14, 1}));
+  EXPECT_EQ(at("v(v-1)/2", {{'v', 6}}), (Fraction{15, 1}));
+  EXPECT_EQ(at("2c^2 (k - 1) + c", {{'c', 3}, {'k', 4}}), (Fraction{57, 1}));
+  EXPECT_EQ(at("(l^2+l)/2", {{'l', 5}}), (Fraction{15, 1}));
+  EXPECT_EQ(at("(2v-2)/3", {{'v', 6}}), (Fraction{10, 3}));
+  EXPECT_EQ(at(R"(\frac{1}{2}\frac{v}{k-2}(\frac{v}{k-2}+1))", {{'v', 7}, {'k', 3}}),
+            (Fraction{28, 1}));
+  EXPECT_EQ(at(R"(\frac{\binom{v}{2}-\binom{k}{2}}{2k-3}+1)", {{'v', 8}, {'k', 6}}),
+            (Fraction{22, 9}));
+  EXPECT_EQ(at(R"(\ceiling{(v^2-v-12)/10}+1)", {{'v', 7}}), (Fraction{4, 1}));
+  EXPECT_EQ(at(R"(\ceiling{-3/2})"), (Fraction{-1, 1}));
+}
+
+TEST(Formula, says_what_a_fraction_is) {
+  EXPECT_EQ((Fraction{28, 9}).to_string(), "28/9");
+  EXPECT_EQ((Fraction{-4, 1}).to_string(), "-4");
+  EXPECT_EQ((Fraction{28, 9}).ceiling(), 4);
+  EXPECT_EQ((Fraction{27, 9}).ceiling(), 3);
+  EXPECT_FALSE((Fraction{28, 9}).count());
+  EXPECT_FALSE((Fraction{-1, 1}).count());
+  EXPECT_EQ((Fraction{3, 1}).count(), 3U);
+}
+
+TEST(Formula, refuses_what_it_cannot_read) {
+  for (const std::string_view wrong :
+       {"", "v", "2+", "(2", "2)", R"(\frac{1})", R"(\frac{1}{0})", "1/0", R"(\binom{1/2}{2})",
+        R"(\sqrt{2})", "2;3", "2^(1/2)", "2^99", "1_2"}) {
+    EXPECT_THROW((void)at(wrong), BadInput) << wrong;
+  }
+  EXPECT_THROW((void)at(std::string(1000, '(')), BadInput);
+  EXPECT_THROW((void)at("99999999999999999999"), ImpossibleParameters);
+  EXPECT_THROW((void)at("v^9", {{'v', 1U << 31}}), ImpossibleParameters);
+}
+
+}  // namespace
+}  // namespace changeover
