@@ -21,8 +21,7 @@ std::vector<CyclicWithSet> designs_with_sets(const PaperContext& context) {
 PaperItem check_expansion_sets(const PaperContext& context,
                                const std::vector<CyclicWithSet>& designs) {
   Check check("Proposition 13", claim_at(context.paper, "Proposition 13"), "expansion sets");
-  if (context.registry.find("cyclic-paper") == nullptr) {
-    check.lacks("cyclic-paper");
+  if (!check.finds(context.registry, "cyclic-paper")) {
     return std::move(check).finish();
   }
   std::uint64_t searched = 0;
@@ -81,8 +80,7 @@ PaperItem check_range(const PaperContext& context, const std::vector<CyclicWithS
 PaperItem check_order(const PaperContext& context, const std::vector<CyclicWithSet>& designs) {
   Check check("Corollary 14", "the proofs: the order of the expansion set, and when it is odd",
               "values");
-  if (context.registry.find("cyclic-paper") == nullptr) {
-    check.lacks("cyclic-paper");
+  if (!check.finds(context.registry, "cyclic-paper")) {
     return std::move(check).finish();
   }
   for (const auto& [c, design, set] : designs) {
@@ -126,8 +124,7 @@ Design expanded(const CyclicWithSet& cyclic) {
 
 PaperItem check_formula(const PaperContext& context, const std::vector<CyclicWithSet>& designs) {
   Check check("Corollary 14", claim_at(context.paper, "Corollary 14"), "designs");
-  if (context.registry.find("cyclic-paper") == nullptr) {
-    check.lacks("cyclic-paper");
+  if (!check.finds(context.registry, "cyclic-paper")) {
     return std::move(check).finish();
   }
   for (const CyclicWithSet& cyclic : designs) {
@@ -152,8 +149,7 @@ PaperItem check_triple(const PaperContext& context, const PrintedTriple& triple,
                        const std::vector<CyclicWithSet>& designs) {
   Check check("Corollary 15", fmt::format("a tight circular {}", in_words(triple)), "designs");
   check.of_a_statement();
-  if (context.registry.find("cyclic-paper") == nullptr) {
-    check.lacks("cyclic-paper");
+  if (!check.finds(context.registry, "cyclic-paper")) {
     return std::move(check).finish();
   }
   const auto is_printed = [&](const PrintedTriple& other) {

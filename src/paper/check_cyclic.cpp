@@ -365,7 +365,8 @@ PaperItem check_half_differences() {
     }
     check.expect(without == 0 || wrong > 0, [&] {
       return PaperFinding{
-          "every pair", fmt::format("{{0,{0}}} in Z_{1} has the difference {0} = -{0}", without, v),
+          "every pair of distinct elements of Z_v",
+          fmt::format("{{0,{0}}} in Z_{1} has the difference {0} = -{0}", without, v),
           "a proviso is missing: v is odd, as it is in all that follows"};
     });
     even += without != 0 && v % 2 == 0 ? 1U : 0U;

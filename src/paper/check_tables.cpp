@@ -311,8 +311,7 @@ PaperItem check_least(const PaperContext& context, const PrintedTable& table) {
       table.place,
       fmt::format("{} blocks: the least that there can be, and built without the print", table.b),
       "bounds and designs");
-  if (context.registry.constructions().empty()) {
-    check.lacks("printed");
+  if (!check.finds(context.registry, "printed")) {
     return std::move(check).finish();
   }
   for (const Kind kind : kinds_of(table)) {

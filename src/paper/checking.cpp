@@ -49,6 +49,14 @@ void Check::lacks(std::string_view construction) {
   note(fmt::format("the construction \"{}\" that it takes is not in this registry", construction));
 }
 
+bool Check::finds(const Registry& registry, std::string_view construction) {
+  const bool found = registry.find(construction) != nullptr;
+  if (!found) {
+    lacks(construction);
+  }
+  return found;
+}
+
 PaperItem Check::finish() && {
   if (untold_ > 0) {
     note(fmt::format("and {} more of the kind", untold_));
