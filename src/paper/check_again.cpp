@@ -14,7 +14,7 @@ struct Member {
 
 void add_member(std::vector<Member>& members, const Registry& registry,
                 std::string_view construction, std::uint64_t v, const Values& values) {
-  const Parameters p{.v = v, .k = values.at('k'), .change = 2, .kind = Kind::circular};
+  const Parameters p = circular(v, values.at('k'));
   if (std::optional<Design> design = construct(registry, construction, p)) {
     members.push_back({values, *std::move(design)});
   }

@@ -12,14 +12,6 @@
 namespace changeover {
 namespace {
 
-Parameters linear(std::uint64_t v, std::uint64_t k) {
-  return {.v = v, .k = k, .change = 2, .kind = Kind::linear};
-}
-
-Parameters circular(std::uint64_t v, std::uint64_t k) {
-  return {.v = v, .k = k, .change = 2, .kind = Kind::circular};
-}
-
 // What is known of the minimum for some parameters: our best design, verified, and the lower bound.
 struct Known {
   std::optional<std::uint64_t> b;
@@ -51,11 +43,14 @@ void expect_minimum(Check& check, const Registry& registry, const Parameters& p)
 // "Minimum SCCDs of block sizes two, three and four."
 PaperItem check_single_change(const PaperContext& context) {
   constexpr std::uint64_t largest_v = 40;
-  Check check("Section 2.1", "cited: all minimum SCCDs are constructed for k = 2, 3, 4", "designs");
+  Check check("Section 2.1",
+              fmt::format("cited: all minimum SCCDs are constructed for k = {}",
+                          fmt::join(context.paper.cited.single_k, ", ")),
+              "designs");
   if (!check.finds(context.registry, "pairs-single-change")) {
     return std::move(check).finish();
   }
-  for (std::uint64_t k = 2; k <= 4; ++k) {
+  for (const std::uint64_t k : context.paper.cited.single_k) {
     for (std::uint64_t v = k + 1; v <= largest_v; ++v) {
       for (const Kind kind : {Kind::linear, Kind::circular}) {
         expect_minimum(check, context.registry, {.v = v, .k = k, .change = 1, .kind = kind});
@@ -68,7 +63,7 @@ PaperItem check_single_change(const PaperContext& context) {
 }
 
 // "v ≥ k+m if b > 1, because we need at least m additional elements to change between blocks."
-PaperItem check_room() {
+PaperItem check_room(const Paper& paper) {
   Check check("Section 2.1", "an m-change design with b > 1 needs v >= k+m", "parameters");
   for (std::uint64_t v = 2; v <= 9; ++v) {
     for (std::uint64_t k = 1; k <= v; ++k) {
@@ -79,8 +74,8 @@ PaperItem check_room() {
           possible |= std::popcount(second) == std::popcount(first) &&
                       static_cast<std::uint64_t>(std::popcount(second & ~first)) == m;
         }
-        check.expect(possible == (v >= k + m), [&] {
-          return PaperFinding{"a next block exactly if v >= k+m",
+        check.expect(possible == (v >= count_of(paper.cited.room_v, {{'k', k}, {'m', m}})), [&] {
+          return PaperFinding{fmt::format("a next block exactly if v >= {}", paper.cited.room_v),
                               fmt::format("not so for v = {}, k = {}, m = {}", v, k, m),
                               "all k-subsets tried"};
         });
@@ -344,8 +339,7 @@ PaperItem check_fixed_elements(const PaperContext& context) {
       "only if v = 2k-3",
       "designs");
   check.of_a_statement();
-  const Enumeration all =
-      enumerate({.v = 7, .k = 5, .change = 2, .kind = Kind::circular}, 3, {.keep = 10'000});
+  const Enumeration all = enumerate(circular(7, 5), 3, {.keep = 10'000});
   for (const Design& design : all.designs) {
     check.expect(!verify(design).fixed.empty(), [&] {
       return PaperFinding{"every circular DCCD(7,5,3) has a fixed element",
@@ -445,7 +439,7 @@ std::vector<PaperItem> check_cited(const PaperContext& context) {
           "Section 2.1",
           "cited: minimum SCCDs are constructed for four classes of v modulo 16 with k = 5",
           "the paper does not say which classes"),
-      check_room(),
+      check_room(context.paper),
       check_pairs_of_elements(context.paper),
       check_dirac(),
       check_triples(context),

@@ -174,7 +174,7 @@ PaperItem check_triple(const PaperContext& context, const PrintedTriple& triple,
           given.l, in_words(given.triple), verdict.tight() ? "verified tight" : "refuted"));
     }
   }
-  const Parameters p{.v = triple.v, .k = triple.k, .change = 2, .kind = Kind::circular};
+  const Parameters p = circular(triple.v, triple.k);
   const Bound bound = lower_bound(p);
   check.expect(false, [&] {
     std::string truth = triple.b < bound.blocks
@@ -220,7 +220,7 @@ PaperItem check_61_4(const PaperContext& context) {
   Check check("Proposition 16",
               fmt::format("{} (Table 12)", claim_at(context.paper, "Proposition 16")),
               "comparisons");
-  const Parameters p{.v = 61, .k = 4, .change = 2, .kind = Kind::circular};
+  const Parameters p = circular(61, 4);
   const Construction* construction = context.registry.find("cyclic-61-4");
   if (construction == nullptr) {
     check.lacks("cyclic-61-4");

@@ -129,7 +129,7 @@ bool same_blocks(const std::vector<Block>& a, const std::vector<Block>& b) {
 }
 
 Parameters cyclic_parameters(std::uint64_t c, std::uint64_t k) {
-  return {.v = c * (4 * k - 6) + 1, .k = k, .change = 2, .kind = Kind::circular};
+  return circular(c * (4 * k - 6) + 1, k);
 }
 
 PaperItem check_theorem(const PaperContext& context) {
@@ -352,16 +352,18 @@ PaperItem check_larger_c(const PaperContext& context) {
 }
 
 // "Every pair of distinct elements has difference ±d for some 1 ≤ d ≤ (v−1)/2."
-PaperItem check_half_differences() {
+PaperItem check_half_differences(const Paper& paper) {
   constexpr std::uint64_t largest_v = 60;
   Check check("Section 3.2", "in Z_v every pair has a difference ±d with 1 <= d <= (v-1)/2",
               "values of v");
   std::uint64_t even = 0;
   std::uint64_t wrong = 0;
   for (std::uint64_t v = 3; v <= largest_v; ++v) {
+    const Fraction largest = value_of(paper.cited.largest_difference, {{'v', v}});
     std::uint64_t without = 0;  // the least difference of that kind
     for (std::uint64_t d = v - 1; d >= 1; --d) {
-      without = 2 * std::min(d, v - d) <= v - 1 ? without : d;
+      const auto least = static_cast<std::int64_t>(std::min(d, v - d));
+      without = least * largest.denominator <= largest.numerator ? without : d;
     }
     check.expect(without == 0 || wrong > 0, [&] {
       return PaperFinding{
@@ -432,7 +434,7 @@ std::vector<PaperItem> check_cyclic(const PaperContext& context) {
       }
     }
   };
-  items.push_back(check_half_differences());
+  items.push_back(check_half_differences(paper));
   add_circles("Figure 3", "Table 8");
   add_developed(items, paper, "Table 8", row_of(paper, 1, 4),
                 "developed from the row c = 1 of Table 9 (Example 9)");

@@ -32,8 +32,7 @@ PaperItem check_family(const PaperContext& context, std::string_view place,
       continue;
     }
     largest = k;
-    const Parameters p{
-        .v = count_of(family.design.v, {{'k', k}}), .k = k, .change = 2, .kind = Kind::circular};
+    const Parameters p = circular(count_of(family.design.v, {{'k', k}}), k);
     const Claim claim{.b = count_of(family.design.b, {{'k', k}}), .tight = tight};
     const std::optional<Design> design = construct(context.registry, construction, p);
     if (!design) {
@@ -62,8 +61,7 @@ PaperItem check_nonexistence(const PaperContext& context) {
     if ((k % 2 == 0) == family.even) {
       continue;
     }
-    const Parameters p{
-        .v = count_of(family.design.v, {{'k', k}}), .k = k, .change = 2, .kind = Kind::circular};
+    const Parameters p = circular(count_of(family.design.v, {{'k', k}}), k);
     const std::uint64_t b = count_of(family.design.b, {{'k', k}});
     const auto impossible = impossibility(p);
     const std::vector<Bound> bounds = lower_bounds(p);
@@ -97,8 +95,7 @@ PaperItem check_minimum(const PaperContext& context) {
   for (std::uint64_t k = 4; k <= context.options.largest_k; ++k) {
     const std::string_view construction = k % 2 == 0 ? "doubling" : "short-long-runs";
     std::optional<Design> design =
-        construct(context.registry, construction,
-                  {.v = 2 * k - 2, .k = k, .change = 2, .kind = Kind::circular});
+        construct(context.registry, construction, circular(2 * k - 2, k));
     if (!design) {
       check.lacks(construction);
       return std::move(check).finish();
@@ -213,8 +210,7 @@ PaperItem check_runs(const PaperContext& context) {
               "blocks");
   for (std::uint64_t k = 5; k <= context.options.largest_k; k += 2) {
     const std::optional<Design> design =
-        construct(context.registry, "short-long-runs",
-                  {.v = 2 * k - 2, .k = k, .change = 2, .kind = Kind::circular});
+        construct(context.registry, "short-long-runs", circular(2 * k - 2, k));
     if (!design) {
       check.lacks("short-long-runs");
       return std::move(check).finish();
@@ -258,13 +254,10 @@ PaperItem check_introduced_once(const PaperContext& context) {
   Check check("Section 3.2",
               "every element of a tight circular DCCD(2k-2,k,k-1) is introduced exactly once",
               "designs");
-  std::vector<Design> designs =
-      enumerate({.v = 6, .k = 4, .change = 2, .kind = Kind::circular}, 3, {.keep = 100'000})
-          .designs;
+  std::vector<Design> designs = enumerate(circular(6, 4), 3, {.keep = 100'000}).designs;
   const std::size_t all_of_four = designs.size();
   for (std::uint64_t k = 6; k <= context.options.largest_k; k += 2) {
-    if (auto design = construct(context.registry, "doubling",
-                                {.v = 2 * k - 2, .k = k, .change = 2, .kind = Kind::circular})) {
+    if (auto design = construct(context.registry, "doubling", circular(2 * k - 2, k))) {
       designs.push_back(*std::move(design));
     }
   }
@@ -300,8 +293,7 @@ PaperItem check_expansion_iff_4(const PaperContext& context) {
   }
   for (std::uint64_t k = 4; k <= context.options.largest_k; k += 2) {
     const std::optional<Design> design =
-        construct(context.registry, "doubling",
-                  {.v = 2 * k - 2, .k = k, .change = 2, .kind = Kind::circular});
+        construct(context.registry, "doubling", circular(2 * k - 2, k));
     if (!design) {
       check.lacks("doubling");
       return std::move(check).finish();
@@ -325,8 +317,7 @@ PaperItem check_expansion_iff_4(const PaperContext& context) {
 
 PaperItem check_unique() {
   Check check("Proposition 7", "the proof: all circular DCCD(6,4,3) are isomorphic", "designs");
-  const Enumeration all =
-      enumerate({.v = 6, .k = 4, .change = 2, .kind = Kind::circular}, 3, {.keep = 100'000});
+  const Enumeration all = enumerate(circular(6, 4), 3, {.keep = 100'000});
   check.expect(
       all.complete && all.found > 0,
       [] {

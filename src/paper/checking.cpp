@@ -230,7 +230,7 @@ std::vector<Design> designs_to_try(const Registry& registry, Kind kind) {
   for (std::uint64_t k = 3; k <= largest_k_to_try; ++k) {
     for (std::uint64_t v = k + 2; v <= largest_v_to_try; ++v) {
       for (const std::string_view construction : constructions_to_try) {
-        const Parameters p{.v = v, .k = k, .change = 2, .kind = Kind::circular};
+        const Parameters p = circular(v, k);
         std::optional<Design> design = construct(registry, construction, p);
         if (!design) {
           continue;
@@ -261,7 +261,7 @@ std::vector<CyclicWithSet> cyclic_with_sets(const Registry& registry, std::uint6
       if ((2 * c + 1) % (k - 2) != 0) {
         continue;
       }
-      const Parameters p{.v = c * (4 * k - 6) + 1, .k = k, .change = 2, .kind = Kind::circular};
+      const Parameters p = circular(c * (4 * k - 6) + 1, k);
       std::optional<Design> design = construct(registry, "cyclic-paper", p);
       if (!design) {
         continue;

@@ -70,6 +70,14 @@ class Check {
 /// A block's name as the paper sets it: "B_{0,9}" for "B0,9", "block 3" for one without a name.
 [[nodiscard]] std::string block_name(const ParsedTable& table, std::size_t index);
 
+/// The parameters of a double-change design.
+[[nodiscard]] inline Parameters linear(std::uint64_t v, std::uint64_t k) {
+  return {.v = v, .k = k, .change = 2, .kind = Kind::linear};
+}
+[[nodiscard]] inline Parameters circular(std::uint64_t v, std::uint64_t k) {
+  return {.v = v, .k = k, .change = 2, .kind = Kind::circular};
+}
+
 /// "DCCD(61,4,366)".
 [[nodiscard]] std::string dccd(std::uint64_t v, std::uint64_t k, std::uint64_t b);
 

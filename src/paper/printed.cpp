@@ -198,6 +198,9 @@ Paper make_paper() {
                  .pairs_b = "v(v-1)/2",
                  .single = {"Section 3.2", "2k-1", "2k-1"},
                  .single_cyclic = {"Section 3.2", "2c(k-1)+1", "2c^2 (k - 1) + c"},
+                 .single_k = {2, 3, 4},
+                 .room_v = "k+m",
+                 .largest_difference = "(v-1)/2",
                  .k4_from = 6,
                  .k4_to = 14,
                  .circular_single_to = "2k-1"};

@@ -152,7 +152,10 @@ struct PrintedCited {
   std::string no_fixed_from;         ///< no fixed elements in linear designs from this v on
   std::string fixed_at;  ///< fixed elements in circular designs if and only if v is this
   std::string pairs_b;   ///< of minimum DCCD(v,2,b)
-  PrintedDesign single, single_cyclic;   ///< circular SCCDs of Section 3.2
+  PrintedDesign single, single_cyclic;  ///< circular SCCDs of Section 3.2
+  std::vector<std::uint64_t> single_k;  ///< block sizes for which all minimum SCCDs are constructed
+  std::string room_v;                   ///< the least v for b > 1, in k and m
+  std::string largest_difference;       ///< d of the differences ±d in Z_v
   std::uint64_t k4_from = 0, k4_to = 0;  ///< v of the minimum DCCD(v,4,b) that are constructed
   std::string circular_single_to;        ///< minimum circular SCCDs are known up to this v
 };

@@ -379,6 +379,9 @@ TEST(FalsifiedPaper, cited) {
   expect_found(section, cited(&PrintedCited::prime_power_b, "2v-9"), "Section 2.1",
                "odd prime power");
   expect_found(section, cited(&PrintedCited::fixed_at, "2k-4"), "Section 2.1", "if and only if");
+  expect_found(section, cited(&PrintedCited::room_v, "k+m+1"), "Section 2.1", "b > 1");
+  expect_found(
+      section, [](Paper& p) { p.cited.single_k.push_back(5); }, "Section 2.1", "minimum SCCDs");
   expect_found(
       section, [](Paper& p) { p.cited.k4_to = 19; }, "Section 2.1", "are constructed for v");
   Paper right = printed_paper();
@@ -541,6 +544,8 @@ TEST(FalsifiedPaper, cyclic) {
       section, [](Paper& p) { replace(p.base_blocks_in_example, "0 2 7", "0 2 6"); }, "Example 12",
       "all differences");
   expect_found(
+      section, [](Paper& p) { p.cited.largest_difference = "(v-3)/2"; }, "Section 3.2", "in Z_v");
+  expect_found(
       section, [](Paper& p) { p.cyclic_up_to = 6; }, "Theorem 10", "(Table 9)");
   expect_found(
       section, [](Paper& p) { p.cyclic.pop_back(); }, "Theorem 10", "(Table 9)");
@@ -574,9 +579,11 @@ TEST(FalsifiedPaper, cyclic) {
   }
   Paper right = printed_paper();
   right.base_blocks_in_example = "0 2 7\n0 1 4\n";
+  right.cited.largest_difference = "v/2";
   const auto items = differing(section, right);
-  EXPECT_TRUE(std::none_of(items.begin(), items.end(),
-                           [](const PaperItem& item) { return item.place == "Example 12"; }));
+  EXPECT_TRUE(std::none_of(items.begin(), items.end(), [](const PaperItem& item) {
+    return item.place == "Example 12" || item.place == "Section 3.2";
+  }));
   EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](const PaperItem& item) {
     return item.place == "Table 11" && item.what.find("DCCD(13,3,26)") != std::string::npos;
   })) << "Table 11 is not in the order of Table 9";

@@ -65,6 +65,8 @@ const std::vector<Case>& cases() {
       {"$changeover table --k 3..5 --v 5..12", 0, "mean of b / lower bound"},
       {"$changeover table --k 3 --v ..9 --linear --json", 0, "\"status\":\"minimum\""},
       {"$changeover constructions", 0, "cyclic-paper"},
+      {"$changeover paper", 0, "10 refuted, 4 not checkable"},
+      {"$changeover paper --json", 0, "\"format\":\"changeover-paper/2\""},
       {"$changeover completion bash", 0, "complete -F"},
       // 1: the claim was refuted
       {"$changeover verify broken-link.txt", 1, "the circle closes"},
