@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <map>
+#include <optional>
 #include <queue>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "construct/needs.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
@@ -20,11 +22,8 @@ namespace {
 // Beyond that rules are not put on top of each other one by one: recipes have a limited depth.
 constexpr std::size_t deepest_chain = max_recipe_depth / 2;
 
-std::uint64_t saturated_add(std::uint64_t a, std::uint64_t b) {
-  return a > std::numeric_limits<std::uint64_t>::max() - b
-             ? std::numeric_limits<std::uint64_t>::max()
-             : a + b;
-}
+// Where nothing serves yet, designs with so many times the bound are looked for.
+constexpr std::uint64_t most_worse = 4;
 
 std::size_t depth(const Recipe& recipe) {
   std::size_t deepest = 0;
@@ -62,8 +61,8 @@ Plan::Plan(const PlanRange& range) : range_(range) {
           cell.impossible = "a block has at most v elements";
         } else if (range.change > k) {
           cell.impossible = "a block has at least m elements";
-        } else if (v - k < range.difference_from || v - k > range.difference_to) {
-          cell.impossible = "v - k is not among those that are planned";
+        } else if (range.only && !range.only->contains(cell.parameters)) {
+          cell.impossible = "it is not among those that are planned";
         } else {
           cell.impossible = impossibility(cell.parameters);
           if (!cell.impossible) {
@@ -119,15 +118,14 @@ class Relaxation {
       }
     }
     offer_from_other_change_numbers();
-    std::uint64_t settled = 0;
-    while (!queue_.empty()) {
-      const Entry entry = queue_.top();
-      queue_.pop();
-      PlannedCell& cell = *plan_.find(entry.parameters);
-      if (cell.best && cell.best->b == entry.b) {  // otherwise it was improved since
-        tell("building and verifying designs", ++settled);
-        settle(cell);
+    settle_all();
+    // A design that partial expansion makes may serve the other rules less well than the one it takes the place
+    // of, so these come first.
+    while (!expansions_.empty()) {
+      for (auto& [p, offer] : std::exchange(expansions_, {})) {
+        improve(p, std::move(offer));
       }
+      settle_all();
     }
   }
 
@@ -150,6 +148,18 @@ class Relaxation {
       return std::pair(b, parameters) > std::pair(other.b, other.parameters);
     }
   };
+
+  void settle_all() {
+    while (!queue_.empty()) {
+      const Entry entry = queue_.top();
+      queue_.pop();
+      PlannedCell& cell = *plan_.find(entry.parameters);
+      if (cell.best && cell.best->b == entry.b) {  // otherwise it was improved since
+        tell("building and verifying designs", ++settled_);
+        settle(cell);
+      }
+    }
+  }
 
   void improve(const Parameters& p, Offer offer) {
     PlannedCell* cell = plan_.find(p);
@@ -214,6 +224,45 @@ class Relaxation {
         improve(smaller, offer_of(*std::move(recipe), offer.b));
       }
     }
+    expand(offer, design);
+  }
+
+  // New elements at the positions of a cover, which is searched for only if the smallest there can be would help.
+  void expand(const Offer& offer, const Design& design) {
+    const Parameters& p = offer.recipe.parameters;
+    if (p.change >= p.k || depth(offer.recipe) >= deepest_chain) {
+      return;
+    }
+    const std::uint64_t b = offer.b;
+    const auto larger = [&p](std::uint64_t w) {
+      Parameters result = p;
+      result.v += w;
+      return result;
+    };
+    const auto helps = [&](std::uint64_t w, std::uint64_t blocks) {
+      const auto other = expansions_.find(larger(w));
+      return improvable(larger(w), blocks) &&
+             (other == expansions_.end() || blocks < other->second.b);
+    };
+    CoverPositions least{{}, b + 1};
+    least.positions.resize(static_cast<std::size_t>(ceil_div(p.v, p.k - p.change)));
+    std::vector<std::uint64_t> helpful;
+    for (std::uint64_t w = 1; p.v + w <= plan_.range().v_to; ++w) {
+      if (new_elements_fit(p, w) && helps(w, b + 1)) {
+        const auto made = partial_expansion_count(p, b, least, w);
+        if (made && helps(w, *made)) {
+          helpful.push_back(w);
+        }
+      }
+    }
+    const auto cover = helpful.empty() ? std::nullopt : cover_positions(design);
+    for (const std::uint64_t w : cover ? helpful : std::vector<std::uint64_t>{}) {
+      const auto made = partial_expansion_count(p, b, *cover, w);
+      if (made && helps(w, *made)) {
+        expansions_.insert_or_assign(
+            larger(w), offer_of(partial_expansion_recipe(offer.recipe, *cover, w), *made));
+      }
+    }
   }
 
   // Rules that lead from one change number to another: m from a proper divisor by blowing up, from 1 by
@@ -224,11 +273,24 @@ class Relaxation {
     if (range.alone) {
       return;
     }
-    const auto each_best = [&](PlanRange other, const auto& take) {
+    // `source` says what makes a design of p with at most b blocks, if the plan is only of some.
+    const auto each_best = [&](PlanRange other, const auto& source, const auto& take) {
       other.k_from = std::max<std::uint64_t>(2, other.k_from);
       other.v_from = std::max(other.v_from, other.k_from + 1);
       if (other.v_from > other.v_to || other.k_from > other.k_to) {
         return;
+      }
+      if (range.only) {
+        Needs goals;
+        for (const auto& [p, b] : *range.only) {
+          if (const std::optional<std::pair<Parameters, std::uint64_t>> goal = source(p, b)) {
+            goals.insert(*goal);
+          }
+        }
+        other = narrowed(other, spread(goals, other));
+        if (other.only->empty()) {
+          return;
+        }
       }
       const Plan plan = plan_range(registry_, other);
       for (const PlannedCell& cell : plan.cells()) {
@@ -237,44 +299,68 @@ class Relaxation {
         }
       }
     };
+    using Goal = std::optional<std::pair<Parameters, std::uint64_t>>;
     if (m == 1) {
-      PlanRange coarse = range;
-      coarse.change = 2;
-      coarse.alone = true;
-      each_best(coarse, [&](const Offer& offer) {
-        const std::uint64_t b = interpolated_count(offer.recipe.parameters, 1, offer.b);
-        Parameters p = offer.recipe.parameters;
-        p.change = 1;
-        if (improvable(p, b)) {
-          improve(p, offer_of(interpolate_recipe(offer.recipe, 1), b));
-        }
-      });
+      each_best(
+          {.v_from = range.v_from,
+           .v_to = range.v_to,
+           .k_from = range.k_from,
+           .k_to = range.k_to,
+           .change = 2,
+           .alone = true},
+          [](Parameters p, std::uint64_t b) -> Goal {
+            p.change = 2;
+            return std::pair(p, b / 2 + 1);
+          },
+          [&](const Offer& offer) {
+            const std::uint64_t b = interpolated_count(offer.recipe.parameters, 1, offer.b);
+            Parameters p = offer.recipe.parameters;
+            p.change = 1;
+            if (improvable(p, b)) {
+              improve(p, offer_of(interpolate_recipe(offer.recipe, 1), b));
+            }
+          });
     }
     for (std::uint64_t s = 2; s <= m; ++s) {
       if (m % s == 0) {
-        each_best({.v_from = ceil_div(range.v_from, s),
-                   .v_to = range.v_to / s,
-                   .k_from = ceil_div(range.k_from, s),
-                   .k_to = range.k_to / s,
-                   .change = m / s,
-                   .difference_from = ceil_div(range.difference_from, s),
-                   .difference_to = range.difference_to / s},
-                  [&](const Offer& offer) {
-                    Recipe recipe = blow_up_recipe(offer.recipe, s);
-                    const Parameters p = recipe.parameters;
-                    improve(p, offer_of(std::move(recipe), offer.b));
-                  });
+        each_best(
+            {.v_from = ceil_div(range.v_from, s),
+             .v_to = range.v_to / s,
+             .k_from = ceil_div(range.k_from, s),
+             .k_to = range.k_to / s,
+             .change = m / s},
+            [s](Parameters p, std::uint64_t b) -> Goal {
+              if (p.v % s != 0 || p.k % s != 0) {
+                return std::nullopt;
+              }
+              p.v /= s;
+              p.k /= s;
+              p.change /= s;
+              return std::pair(p, b);
+            },
+            [&](const Offer& offer) {
+              Recipe recipe = blow_up_recipe(offer.recipe, s);
+              const Parameters p = recipe.parameters;
+              improve(p, offer_of(std::move(recipe), offer.b));
+            });
       }
     }
     if (m >= 2 && range.k_to > m) {
-      each_best({.v_from = range.v_from,
-                 .v_to = range.v_to,
-                 .k_from = range.k_from > m ? range.k_from - m + 1 : 2,
-                 .k_to = range.k_to - m + 1,
-                 .change = 1,
-                 .difference_from = range.difference_from + (m - 1),
-                 .difference_to = saturated_add(range.difference_to, m - 1)},
-                [&](const Offer& offer) { coarsen(offer, m); });
+      each_best(
+          {.v_from = range.v_from,
+           .v_to = range.v_to,
+           .k_from = range.k_from > m ? range.k_from - m + 1 : 2,
+           .k_to = range.k_to - m + 1,
+           .change = 1},
+          [m](Parameters p, std::uint64_t b) -> Goal {
+            if (p.kind != Kind::linear || p.k <= m) {
+              return std::nullopt;
+            }
+            p.k -= m - 1;
+            p.change = 1;
+            return std::pair(p, b * m);
+          },
+          [&](const Offer& offer) { coarsen(offer, m); });
     }
   }
 
@@ -316,6 +402,8 @@ class Relaxation {
   const Registry& registry_;
   Plan& plan_;
   std::priority_queue<Entry> queue_;
+  std::map<Parameters, Offer> expansions_;  // the best ones of the designs that were settled
+  std::uint64_t settled_ = 0;
 };
 
 }  // namespace
@@ -347,19 +435,22 @@ std::optional<Offer> best_known(const Registry& registry, const Parameters& p) {
       (best && best->b == lower_bound(p).blocks)) {
     return best;
   }
-  // Rules come from nearby: fix from (v−i, k−i), unfix from (v+1, k+1), truncate and close up from more elements.
+  // Rules come from nearby: fix from (v−i, k−i), unfix from (v+1, k+1), truncate and close up from more elements,
+  // partial expansion from fewer.
   constexpr std::uint64_t above = 8;
   constexpr std::uint64_t fixed = 24;
-  const std::uint64_t below = std::min(p.k - 2, fixed);
-  const std::uint64_t difference = p.v - p.k;
-  const Plan plan =
-      plan_range(registry, {.v_from = p.v - below - std::min<std::uint64_t>(difference, 2),
-                            .v_to = p.v + above,
-                            .k_from = p.k - below,
-                            .k_to = p.k + 1,
-                            .change = p.change,
-                            .difference_from = difference - std::min<std::uint64_t>(difference, 2),
-                            .difference_to = difference + above});
+  const PlanRange limits{.v_from = 2,
+                         .v_to = p.v + above,
+                         .k_from = p.k - std::min(p.k - 2, fixed),
+                         .k_to = p.k + 1,
+                         .change = p.change};
+  // Some blocks may be dropped in the end.
+  const std::uint64_t enough = best ? best->b - 1 + p.k / 2 : most_worse * lower_bound(p).blocks;
+  const Needs needs = spread({{p, enough}}, limits);
+  if (!needs.contains(p)) {
+    return best;
+  }
+  const Plan plan = plan_range(registry, narrowed(limits, needs));
   const std::optional<Offer>& planned = plan.at(p).best;
   return planned && (!best || planned->b < best->b) ? planned : best;
 }

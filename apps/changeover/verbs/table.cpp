@@ -194,7 +194,9 @@ Answer run(const TableRequest& request) {
   // element less comes with a smaller block only, so few smaller v can matter.
   constexpr std::uint64_t margin = 8;
   const std::uint64_t k_from = std::max<std::uint64_t>(2, k.from - 1);
-  const PlanRange asked{.v_from = v.from - std::min(v.from - 2, k.to - k_from),
+  // And w elements more at once by partial expansion, at most about every k-th; what is better comes from there.
+  const std::uint64_t less = std::max(k.to - k_from, v.from / k.from + margin);
+  const PlanRange asked{.v_from = v.from - std::min(v.from - 2, less),
                         .v_to = std::min(v.to + margin, largest_v_of_a_plan),
                         .k_from = k_from,
                         .k_to = k.to,

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/recipe.hpp"
@@ -84,6 +85,7 @@ struct BestCut {
 /// The consecutive `blocks` of this design that leave fewest pairs uncovered, as a linear list: at least
 /// one block, at most all. For other strengths the first ones. O(bk² + v²).
 [[nodiscard]] Design best_part(const Design& design, std::size_t blocks);
+
 /// A recipe that a rule made, and how many blocks it has.
 struct Made {
   Recipe recipe;
@@ -99,6 +101,30 @@ struct Made {
 /// on (v, k+g−1). `design` is what the input builds. nullopt if that cannot be done. O(gbk).
 [[nodiscard]] std::optional<Made> coarsen_recipe(const Recipe& input, const Design& design,
                                                  std::uint64_t g);
+
+/// A cover of a design by unchanged subsets, as a recipe names it.
+struct CoverPositions {
+  std::vector<Element> positions;  ///< increasing; see UnchangedCover
+  std::uint64_t available = 0;     ///< how many positions the design has
+};
+
+/// A cover that leaves nothing out, of few unchanged subsets: the search for fewer is short. nullopt if some
+/// element is in none, k = m, or v > 2000. `design` must be valid. O(bk) and at most about 200 nodes.
+[[nodiscard]] std::optional<CoverPositions> cover_positions(const Design& design);
+
+/// Whether w new elements can be added by partial expansion to a design with these parameters.
+[[nodiscard]] bool new_elements_fit(const Parameters& p, std::uint64_t w);
+
+/// *Partial expansion*: w new elements by such a cover; see construct/partial_expansion.hpp. They must fit.
+[[nodiscard]] Recipe partial_expansion_recipe(const Recipe& input, const CoverPositions& cover,
+                                              std::uint64_t w);
+
+/// How many blocks that has, for an input with parameters p and b blocks; nullopt if w takes more positions
+/// than there are. @throws ImpossibleParameters if w does not fit.
+[[nodiscard]] std::optional<std::uint64_t> partial_expansion_count(const Parameters& p,
+                                                                   std::uint64_t b,
+                                                                   const CoverPositions& cover,
+                                                                   std::uint64_t w);
 
 /// *Interpolate*: each step of an M-change design in M/m steps of m. The input itself if m = M.
 /// @throws BadInput if m does not divide M.

@@ -11,6 +11,7 @@
 //   unfix     (v+1,k+1) → (v,k), where an element is in every block
 //   truncate  (v+1,k) → (v,k), where some element can go
 //   close up  (v+1,k) → (v,k), linear and m = 1, with fewer blocks
+//   partial expansion  (v,k) → (v+w,k), for every w, where unchanged subsets cover all elements
 //   drop      blocks that are not needed go, after a cut above all
 // and before them those that lead from one change number to another:
 //   blow up      (v/s,k/s,m/s) → (v,k,m)
@@ -23,7 +24,8 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,9 +48,9 @@ struct PlanRange {
   std::uint64_t k_to = 0;
   std::uint64_t change = 2;
   bool alone = false;  ///< without the rules that lead from other change numbers
-  /// Only cells with such v − k are planned: fix and unfix keep it. Others count as impossible.
-  std::uint64_t difference_from = 0;
-  std::uint64_t difference_to = std::numeric_limits<std::uint64_t>::max();
+  /// Only these cells are planned, all if null; each for designs with at most so many blocks. Others count as
+  /// impossible.
+  std::shared_ptr<const std::map<Parameters, std::uint64_t>> only = {};
 };
 
 /// What is known of one set of parameters.

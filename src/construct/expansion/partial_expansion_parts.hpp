@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "changeover/construct/partial_expansion.hpp"
@@ -57,6 +58,12 @@ namespace changeover {
 /// `count`; false if there are too few. Nothing may be said about what comes beside.
 [[nodiscard]] bool add_positions(UnchangedCover& cover, const std::vector<UnchangedSubset>& more,
                                  std::uint64_t count);
+
+/// The cover by the unchanged subsets at these positions: at the ends of a linear design by elements of
+/// its first and last block that no other subset has, and then by its first ones. nullopt if a
+/// position is none of the design, they do not increase, or elements are left over.
+[[nodiscard]] std::optional<UnchangedCover> cover_at(const Design& design,
+                                                     std::span<const Element> positions);
 
 /// Shares out `rest` among places that take `capacity` elements each, where allowed(place, element)
 /// says what may stand: an increasing list for each place. nullopt if a greedy choice with single

@@ -6,6 +6,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/core/transitions.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 #include "core/checked.hpp"
 
@@ -47,6 +48,67 @@ bool add_positions(UnchangedCover& cover, const std::vector<UnchangedSubset>& mo
   subsets.insert(subsets.end(), added.begin(), added.end());
   std::sort(subsets.begin(), subsets.end(), by_position);
   return subsets.size() >= count;
+}
+
+std::optional<UnchangedCover> cover_at(const Design& design, std::span<const Element> positions) {
+  const std::size_t b = design.block_count();
+  const bool linear = design.parameters().kind == Kind::linear;
+  const auto size = static_cast<std::size_t>(design.k() - design.parameters().change);
+  UnchangedCover cover;
+  std::vector<bool> met(static_cast<std::size_t>(design.v()), false);
+  for (const Element position : positions) {
+    const bool end = linear && (position == 0 || position == b);
+    if (position > b || (position == 0 && !linear) || (b == 1 && !linear) ||
+        (!cover.subsets.empty() && position <= cover.subsets.back().position)) {
+      return std::nullopt;
+    }
+    Block elements;
+    if (!end) {
+      elements = intersection(design.block(position - 1), design.block(position % b));
+      std::sort(elements.begin(), elements.end());
+      for (const Element x : elements) {
+        met[x] = true;
+      }
+    }
+    cover.subsets.push_back({position, std::move(elements)});
+  }
+  // What both end blocks hold is left to the first one to take last.
+  std::vector<UnchangedSubset*> ends;
+  for (UnchangedSubset& subset : cover.subsets) {
+    if (linear && (subset.position == 0 || subset.position == b)) {
+      ends.push_back(&subset);
+    }
+  }
+  const auto block_of = [&](const UnchangedSubset& end) {
+    return design.block(end.position == 0 ? 0 : b - 1);
+  };
+  const auto holds = [](std::span<const Element> block, Element x) {
+    return std::find(block.begin(), block.end(), x) != block.end();
+  };
+  for (const bool shared : {false, true}) {
+    for (UnchangedSubset* end : ends) {
+      for (const Element x : block_of(*end)) {
+        const bool in_all = std::all_of(ends.begin(), ends.end(), [&](const UnchangedSubset* each) {
+          return holds(block_of(*each), x);
+        });
+        if (!met[x] && in_all == shared && end->elements.size() < size) {
+          met[x] = true;
+          end->elements.push_back(x);
+        }
+      }
+    }
+  }
+  for (UnchangedSubset* end : ends) {
+    for (const Element x : block_of(*end)) {
+      if (end->elements.size() < size && !holds(end->elements, x)) {
+        end->elements.push_back(x);
+      }
+    }
+    std::sort(end->elements.begin(), end->elements.end());
+  }
+  return std::all_of(met.begin(), met.end(), [](bool once) { return once; })
+             ? std::optional(std::move(cover))
+             : std::nullopt;
 }
 
 std::optional<std::vector<Block>> share_out(

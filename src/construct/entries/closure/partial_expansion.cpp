@@ -16,8 +16,10 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
+#include "changeover/construct/closure.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
@@ -192,6 +194,12 @@ class PartialExpander final : public Rule {
     require_fit(recipe);
     const Recipe& input = recipe.inputs.front();
     const std::uint64_t w = recipe.parameters.v - input.parameters.v;
+    if (!recipe.blocks.empty()) {
+      const Design design = read_all(*registry.build(input));
+      UnchangedCover cover = written_cover(recipe, design);
+      return expand_by(std::make_unique<BlockListSource>(input.parameters, design.blocks()),
+                       std::move(cover), w);
+    }
     std::unique_ptr<BlockSource> source = registry.build(input);
     UnchangedCover cover = cover_of(input, w, *source, registry);
     return expand_by(std::move(source), std::move(cover), w);
@@ -206,7 +214,8 @@ class PartialExpander final : public Rule {
                               : w == 2
                                   ? fmt::format("the new elements {} and {}", input.v, input.v + 1)
                                   : fmt::format("the new elements {},…,{}", input.v, p.v - 1);
-    const auto size = known_size(recipe.inputs.front(), w);
+    const auto size =
+        recipe.blocks.empty() ? known_size(recipe.inputs.front(), w) : written_size(recipe);
     const bool sweeps = size && takes_sweep(input, size->subsets, w);
     std::string how;
     if (w <= p.change) {
@@ -389,8 +398,41 @@ class PartialExpander final : public Rule {
     return interval_cover_for_one_more(p, c, before, points_of(smallest, registry));
   }
 
+  // How many positions a recipe uses that names some, if no further ones are chosen.
+  static std::optional<IntervalCoverSize> written_size(const Recipe& recipe) {
+    const Parameters& p = recipe.inputs.front().parameters;
+    const std::uint64_t named = recipe.blocks.front().size();
+    const std::uint64_t w = recipe.parameters.v - p.v;
+    return best_positions(p, named, std::numeric_limits<std::uint64_t>::max(), w) == named
+               ? std::optional(IntervalCoverSize{named, false})
+               : std::nullopt;
+  }
+
+  // The cover at the positions that the recipe names, and at further ones if w takes them.
+  static UnchangedCover written_cover(const Recipe& recipe, const Design& design) {
+    const std::uint64_t w = recipe.parameters.v - design.v();
+    std::optional<UnchangedCover> cover = cover_at(design, recipe.blocks.front());
+    if (!cover) {
+      throw BadInput(fmt::format(
+          "partial-expansion: the unchanged subsets at the positions named do not cover the {}",
+          changeover::name(design.parameters())));
+    }
+    const auto all = one_subset_a_position(design);
+    const auto count = best_positions(design.parameters(), cover->subsets.size(), all.size(), w);
+    if (!count || !add_positions(*cover, all, *count)) {
+      throw BadInput(fmt::format("partial-expansion: {} new elements take more than {} positions",
+                                 w, all.size()));
+    }
+    return *std::move(cover);
+  }
+
   void require_fit(const Recipe& recipe) const {
-    const std::uint64_t w = number(recipe);
+    Recipe bare = recipe;
+    bare.blocks.clear();
+    const std::uint64_t w = number(bare);
+    if (recipe.blocks.size() > 1 || (recipe.blocks.size() == 1 && recipe.blocks.front().empty())) {
+      throw BadInput("partial-expansion takes one list of positions, or none");
+    }
     try {
       (void)least_positions(recipe.inputs.front().parameters, w);
     } catch (const ImpossibleParameters& fault) {
@@ -413,7 +455,54 @@ class PartialExpander final : public Rule {
   std::string_view needs() const override { return "with fewer elements that is else alike"; }
 };
 
+// Of the search for a cover; a plan makes thousands.
+constexpr std::uint64_t cover_nodes = 200;
+constexpr std::uint64_t most_elements_covered = 2000;
+
 }  // namespace
+
+std::optional<CoverPositions> cover_positions(const Design& design) {
+  const Parameters& p = design.parameters();
+  if (p.strength != 2 || p.change >= p.k || p.v > most_elements_covered || p.v <= p.k ||
+      (p.kind == Kind::circular && design.block_count() < 2)) {
+    return std::nullopt;
+  }
+  CoverOptions options;
+  options.new_elements = p.change;  // then nothing is left out
+  options.limits.nodes = cover_nodes;
+  const std::optional<UnchangedCover> cover = find_cover(design, options);
+  if (!cover) {
+    return std::nullopt;
+  }
+  CoverPositions result;
+  for (const UnchangedSubset& subset : cover->subsets) {
+    result.positions.push_back(static_cast<Element>(subset.position));
+  }
+  result.available = design.block_count() + (p.kind == Kind::linear ? 1 : 0);
+  return result;
+}
+
+bool new_elements_fit(const Parameters& p, std::uint64_t w) {
+  return p.strength == 2 && w > 0 && p.change < p.k && (p.change < 3 || w <= p.change) &&
+         w <= std::numeric_limits<std::uint32_t>::max() - p.v &&
+         (w >= p.change || p.v >= p.k + 2 * p.change - w);
+}
+
+std::optional<std::uint64_t> partial_expansion_count(const Parameters& p, std::uint64_t b,
+                                                     const CoverPositions& cover, std::uint64_t w) {
+  const auto count = best_positions(p, cover.positions.size(), cover.available, w);
+  return count ? std::optional(checked_add(b, blocks_added(p, *count, w))) : std::nullopt;
+}
+
+Recipe partial_expansion_recipe(const Recipe& input, const CoverPositions& cover, std::uint64_t w) {
+  Recipe recipe{std::string(own_name),
+                input.parameters,
+                {{"w", static_cast<std::int64_t>(w)}},
+                {input},
+                {cover.positions}};
+  recipe.parameters.v = checked_add(input.parameters.v, w);
+  return recipe;
+}
 
 const Construction& partial_expansion_construction() { return only<PartialExpander>(); }
 
