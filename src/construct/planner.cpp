@@ -445,7 +445,8 @@ std::optional<Offer> best_known(const Registry& registry, const Parameters& p) {
                          .k_to = p.k + 1,
                          .change = p.change};
   // Some blocks may be dropped in the end.
-  const std::uint64_t enough = best ? best->b - 1 + p.k / 2 : most_worse * lower_bound(p).blocks;
+  const std::uint64_t enough =
+      best ? best->b - 1 + std::min<std::uint64_t>(p.k / 2, 4) : most_worse * lower_bound(p).blocks;
   const Needs needs = spread({{p, enough}}, limits);
   if (!needs.contains(p)) {
     return best;
