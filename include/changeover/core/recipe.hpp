@@ -25,7 +25,7 @@ struct Recipe {
   Parameters parameters;                          ///< of the design that it makes
   std::map<std::string, std::int64_t> arguments;  ///< whole numbers, by name
   std::vector<Recipe> inputs;                     ///< recipes of the designs that it works on
-  std::vector<Block> blocks;                      ///< of a literal recipe, or what its construction says
+  std::vector<Block> blocks;  ///< of a literal recipe, or what its construction says
   std::string provenance =
       {};  ///< where a literal recipe's blocks come from, one line; may be empty
 
