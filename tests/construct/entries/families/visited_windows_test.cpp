@@ -89,6 +89,25 @@ TEST(ClosedUpWindows, AreMinimumFromThreeToFourTimesTheBlockSize) {
   }
 }
 
+TEST(ChainedWindows, HaveOneBlockFewerThanVisitedOnes) {
+  for (std::uint64_t k = 3; k <= 30; ++k) {
+    for (std::uint64_t v = 3 * k; v <= 6 * k; ++v) {
+      const auto offer = offer_of("chained-windows", linear(v, k));
+      ASSERT_EQ(offer.has_value(), k >= 6 && v + 1 >= 4 * k && v + 6 <= 5 * k) << v << ' ' << k;
+      if (offer) {
+        EXPECT_EQ(offer->b + 1, offer_of("visited-windows", linear(v, k))->b);
+        if (k <= 11) {
+          expect_as_promised(*offer);
+        } else {
+          EXPECT_TRUE(verify(*standard().build(offer->recipe)).valid()) << v << ' ' << k;
+        }
+      }
+    }
+  }
+  expect_spoilt_refused(offer_of("chained-windows", linear(36, 9))->recipe);
+  EXPECT_FALSE(offer_of("chained-windows", circular(36, 9)));
+}
+
 TEST(ClosedUpWindows, RefuseSpoiltRecipes) {
   const Recipe recipe = offer_of("closed-up-windows", linear(21, 7))->recipe;
   expect_spoilt_refused(recipe);
