@@ -1,27 +1,26 @@
-// The tight circular SCCD(2cK+1, k), K = k−1, cut open, without r of its elements, closed up: a linear SCCD(2cK+1−r, k).
+// The tight circular SCCD(2cK+1, k), K = k−1, without r of its elements, closed up: a circular SCCD(2cK+1−r, k), and cut open
+// a linear one, with c(2cK+1) − (c+1)r blocks [docs/theorems.md, Theorem 10].
 //
-// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1, for j = 0, …, u−1.
-// Cut at 0, an element below K has c+1 stays and any other has c; so without 0, …, r−1, closed up
-// (construct/tools/close_up.hpp), there are at most cu − (c+1)r blocks if r ≤ K. Where an element's next stay comes while it is still
-// there, a block more is saved: that happens r−K times if r > K, and never otherwise, so that cu − (c+1)r is the number for all
-// r < 2K. This count was checked for every k and c that is served.
+// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1, for j = 0, …, u−1. Let
+// D = {0, …, r−1} be the elements that are left out. Where the place of d in D would begin, at j = d−K, the last visitor d+K stays, so that it
+// need not come again at j = d (if d+K is in D too, then d+2K does so). So each of D saves its own c stays and one of another element.
+//
+// Element x is number x − r. The first block is {u−1, r, …, r+K−1}.
 #include <fmt/format.h>
 
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/design.hpp"
 #include "construct/entry.hpp"
-#include "construct/tools/close_up.hpp"
+#include "construct/tools/swaps.hpp"
+#include "core/checked.hpp"
 
 namespace changeover {
 namespace {
-
-// The count was checked up to these.
-constexpr std::uint64_t largest_k = 48;
-constexpr std::uint64_t largest_c = 6;
 
 struct Deletion {
   std::uint64_t c = 0;
@@ -29,46 +28,86 @@ struct Deletion {
 };
 
 std::optional<Deletion> deletion_of(const Parameters& p) {
-  if (!asks_for_pairs(p, 1) || p.kind != Kind::linear || p.k < 3 || p.k > largest_k ||
-      p.v <= 2 * p.k) {
+  if (!asks_for_pairs(p, 1) || p.k < 3 || p.v <= 2 * p.k) {
     return std::nullopt;
   }
   const std::uint64_t around = 2 * (p.k - 1);
   const Deletion deletion{(p.v - 2) / around + 1, around - 1 - (p.v - 2) % around};
-  return deletion.c < 2 || deletion.c > largest_c || deletion.r == 0 ? std::nullopt
-                                                                     : std::optional(deletion);
-}
-
-std::uint64_t order_of(const Parameters& p, const Deletion& deletion) {
-  return 2 * deletion.c * (p.k - 1) + 1;
-}
-
-Design tight(const Parameters& p, const Deletion& deletion) {
-  const std::uint64_t window = p.k - 1;
-  Parameters large = p;
-  const std::uint64_t u = large.v = order_of(p, deletion);
-  Design design(large);
-  design.reserve(static_cast<std::size_t>(deletion.c * u));
-  Block block(static_cast<std::size_t>(p.k));
-  for (std::uint64_t j = 0; j < u; ++j) {
-    for (std::uint64_t i = 0; i < window; ++i) {
-      block[static_cast<std::size_t>(i)] = static_cast<Element>((j + i) % u);
-    }
-    for (std::uint64_t times = deletion.c; times > 0; --times) {
-      block.back() = static_cast<Element>((j + times * window) % u);
-      design.append(block);
-    }
+  if (deletion.c < 2 || deletion.r == 0 || (deletion.c == 2 && deletion.r >= p.k)) {
+    return std::nullopt;
   }
-  return design;
+  return deletion;
 }
+
+std::uint64_t blocks_of(const Parameters& p, const Deletion& deletion) {
+  const std::uint64_t order = p.v + deletion.r;
+  return checked_multiply(deletion.c, order) - (deletion.c + 1) * deletion.r;
+}
+
+// Leg j makes the blocks with W_j.
+class ClosedUpCycle final : public SwapPlan {
+ public:
+  ClosedUpCycle(std::uint64_t k, const Deletion& deletion)
+      : c_(deletion.c), big_(k - 1), u_(2 * deletion.c * big_ + 1), r_(deletion.r) {}
+
+  [[nodiscard]] Block start() const override {
+    Block block(static_cast<std::size_t>(big_));
+    std::iota(block.begin(), block.end(), Element{0});
+    block.push_back(static_cast<Element>(number(u_ - 1)));
+    return block;
+  }
+
+  bool leg(std::uint64_t j, std::vector<Swap>& swaps) const override {
+    if (j == u_) {
+      return false;
+    }
+    std::uint64_t out = leaving_before(j);
+    const auto enter = [&](std::uint64_t x) {
+      swaps.push_back({.leaves = number(out), .enters = number(x)});
+      out = x;
+    };
+    const bool held = deleted(j);  // whoever stayed for it is there already
+    for (std::uint64_t p = c_; p >= 2; --p) {
+      const std::uint64_t visitor = (j + p * big_) % u_;
+      if (!deleted(visitor) && !(held && p == 2 && deleted(j + big_))) {
+        enter(visitor);
+      }
+    }
+    const std::uint64_t next = (j + big_) % u_;
+    if (!deleted(next) && !held) {
+      enter(next);
+    }
+    if (j == u_ - 1) {
+      swaps.pop_back();  // it leads back to the first block
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool deleted(std::uint64_t x) const { return x < r_; }
+  [[nodiscard]] std::uint64_t number(std::uint64_t x) const { return x - r_; }
+
+  // Who makes room when the window moves to W_j: j−1, or if there is no such element the last visitor of W_{j−1}.
+  [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
+    const std::uint64_t before = (j + u_ - 1) % u_;
+    if (!deleted(before)) {
+      return before;
+    }
+    return before + (deleted(before + big_) ? 3 : 2) * big_;
+  }
+
+  std::uint64_t c_;
+  std::uint64_t big_;  // K
+  std::uint64_t u_;
+  std::uint64_t r_;
+};
 
 constexpr Description description{
     .name = "closed-up-cyclic",
-    .summary =
-        "a tight circular single-change design, cut open, without some neighbours, closed up",
-    .preconditions = "linear, m = 1, 3 <= k <= 48, v = 2c(k-1)+1-r, 2 <= c <= 6, 1 <= r < 2(k-1)",
+    .summary = "a tight circular single-change design without some neighbours, closed up",
+    .preconditions = "m = 1, k >= 3, v = 2c(k-1)+1-r, c >= 2, 1 <= r < 2(k-1); r < k if c = 2",
     .guarantee = "b = c(2c(k-1)+1) - (c+1)r",
-    .place = "src/construct/tools/close_up.hpp",
+    .place = "docs/theorems.md, Theorem 10",
 };
 
 class ClosedUpCyclic final : public Family {
@@ -78,24 +117,21 @@ class ClosedUpCyclic final : public Family {
  protected:
   std::optional<Promise> promise(const Parameters& p) const override {
     const auto deletion = deletion_of(p);
-    if (!deletion) {
-      return std::nullopt;
-    }
-    return Promise{.b = deletion->c * order_of(p, *deletion) - (deletion->c + 1) * deletion->r};
+    return deletion ? std::optional(Promise{.b = blocks_of(p, *deletion)}) : std::nullopt;
   }
 
   std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
     const Deletion deletion = deletion_of(p).value();
-    const auto design = closed_up(tight(p, deletion), 0, deletion.r);
-    return std::make_unique<BlockListSource>(p, design.value().blocks());
+    return std::make_unique<SwapSource>(p, blocks_of(p, deletion),
+                                        std::make_unique<ClosedUpCycle>(p.k, deletion));
   }
 
   std::string explanation(const Parameters& p) const override {
     const Deletion deletion = deletion_of(p).value();
     return fmt::format(
-        "Cut the tight circular SCCD({},{}) of {} windows open, delete {} of its elements, and let each stay begin as "
-        "soon as another one has ended.",
-        order_of(p, deletion), p.k, deletion.c, deletion.r);
+        "Delete {} neighbours of the tight circular SCCD({},{}) of {} windows; in place of each, another element stays "
+        "from its last visit on.",
+        deletion.r, p.v + deletion.r, p.k, deletion.c);
   }
 };
 

@@ -1,4 +1,4 @@
-// A window slides over Z_u, u = 2c(k−1)+1, and is visited: linear single-change designs for every v between
+// A window slides over Z_u, u = 2c(k−1)+1, and is visited: single-change designs for every v between
 // two tight circular ones. With K = k−1 and W_j = {j, …, j+K−1} the tight circular SCCD(u,k) is
 // W_j + (j+pK) for p = c, …, 1 and all j. New elements x_1, …, x_w meet each other and 0, …, K at the start, and visit the
 // windows W_{1+K}, W_{1+2K}, …, W_{1+(2c−1)K}, which hold all others.
@@ -7,6 +7,8 @@
 //   v = u + w, K < w < 2K     w − K more: the x that do not fit go round among themselves;
 //   v = 3k − 1                5k − 2 blocks (c = 1): K elements x and one, y, that visits W_K and stands in for
 //                             0 and 2K at the ends.
+//
+// Those are linear. The first two become circular by one block more, W_0 + K.
 //
 // For c = 1 and w ≤ K, and for v = 3k−1, these are 3v − 4k + 1 blocks: minimum [docs/theorems.md, Theorem 6].
 #include <fmt/format.h>
@@ -34,8 +36,13 @@ void visit(std::uint64_t& out, std::uint64_t visitor, std::vector<Swap>& swaps) 
 
 class Windows final : public SwapPlan {
  public:
-  Windows(std::uint64_t c, std::uint64_t k, std::uint64_t w)
-      : c_(c), big_(k - 1), u_(2 * c * big_ + 1), w_(w), first_(std::min(w, big_)) {}
+  Windows(std::uint64_t c, const Parameters& p, std::uint64_t w)
+      : c_(c),
+        big_(p.k - 1),
+        u_(2 * c * big_ + 1),
+        w_(w),
+        first_(std::min(w, big_)),
+        circular_(p.kind == Kind::circular) {}
 
   [[nodiscard]] Block start() const override {
     Block block{0};
@@ -60,6 +67,9 @@ class Windows final : public SwapPlan {
       std::uint64_t out = last;
       for (std::uint64_t p = 2; p <= c_; ++p) {
         visit(out, p * big_, swaps);
+      }
+      if (circular_) {
+        visit(out, big_, swaps);
       }
       return true;
     }
@@ -113,6 +123,7 @@ class Windows final : public SwapPlan {
   std::uint64_t u_;
   std::uint64_t w_;
   std::uint64_t first_;
+  bool circular_;
 };
 
 // v = 3k − 1: elements 0, …, 2K of Z_{2K+1}, x_0, …, x_{K−1}, y.
@@ -184,7 +195,9 @@ std::optional<Gap> gap_of(const Parameters& p) {
   return gap.w == 0 ? std::nullopt : std::optional(gap);
 }
 
-bool is_windows_and_one(const Parameters& p) { return p.k >= 4 && p.v == 3 * p.k - 1; }
+bool is_windows_and_one(const Parameters& p) {
+  return p.kind == Kind::linear && p.k >= 4 && p.v == 3 * p.k - 1;
+}
 
 std::uint64_t blocks_of(const Parameters& p, const Gap& gap) {
   if (is_windows_and_one(p)) {
@@ -192,15 +205,17 @@ std::uint64_t blocks_of(const Parameters& p, const Gap& gap) {
   }
   const std::uint64_t u = 2 * gap.c * (p.k - 1) + 1;
   const std::uint64_t more = gap.w < p.k ? 0 : gap.w - (p.k - 1);
-  return checked_add(checked_multiply(gap.c, u), checked_multiply(2 * gap.c + 1, gap.w) - 1 + more);
+  const std::uint64_t less = p.kind == Kind::linear ? 1 : 0;
+  return checked_add(checked_multiply(gap.c, u),
+                     checked_multiply(2 * gap.c + 1, gap.w) + more - less);
 }
 
 constexpr Description description{
     .name = "visited-windows",
     .summary = "a window slides over a cycle; new elements visit windows that cover it",
-    .preconditions = "linear, m = 1, k >= 3, v = 2c(k-1)+1+w with c >= 1 and 1 <= w < 2(k-1)",
+    .preconditions = "m = 1, k >= 3, v = 2c(k-1)+1+w with c >= 1 and 1 <= w < 2(k-1)",
     .guarantee =
-        "b = c(2c(k-1)+1) + (2c+1)w - 1, w-k+1 more if w >= k; minimum for 2k <= v < 3k, k > 3",
+        "b = c(2c(k-1)+1) + (2c+1)w, w-k+1 more if w >= k; linear 1 less, minimum for 2k <= v < 3k, k > 3",
     .place = "docs/theorems.md, Theorem 6",
 };
 
@@ -210,7 +225,7 @@ class VisitedWindows final : public Family {
 
  protected:
   std::optional<Promise> promise(const Parameters& p) const override {
-    if (!asks_for_pairs(p, 1) || p.kind != Kind::linear || p.k < 3) {
+    if (!asks_for_pairs(p, 1) || p.k < 3) {
       return std::nullopt;
     }
     const auto gap = gap_of(p);
@@ -223,7 +238,7 @@ class VisitedWindows final : public Family {
     if (is_windows_and_one(p)) {
       plan = std::make_unique<WindowsAndOne>(p.k);
     } else {
-      plan = std::make_unique<Windows>(gap.c, p.k, gap.w);
+      plan = std::make_unique<Windows>(gap.c, p, gap.w);
     }
     return std::make_unique<SwapSource>(p, blocks_of(p, gap), std::move(plan));
   }

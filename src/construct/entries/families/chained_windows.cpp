@@ -1,0 +1,143 @@
+// Linear SCCD(4k−3+w, k) for 2 ≤ w ≤ k−3 and k ≥ 6, one block fewer than visited-windows has: 8(k−1) + 5w [docs/theorems.md, Theorem 11].
+//
+// With K = k−1 and W_j = {j, …, j+K−1} over Z_u, u = 4K+1, the tight design is W_j + (j+2K), W_j + (j+K). In two *chains*, j = K, 2K, 3K
+// and j = K+1, 2K+1, 3K+1, the visitor j+2K stays while the window moves, so that j never meets j+K but j+K meets j+2K. What the chains lose at their
+// beginning is in the first blocks; what they gain at their end saves K−1 and K from coming back there. The new elements
+// x_1, …, x_w meet 0, …, K−1, 2K and each other in the first blocks, and visit W_K, W_{2K+1} and W_{3K+1}.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/construct/registry.hpp"
+#include "construct/entry.hpp"
+#include "construct/tools/swaps.hpp"
+
+namespace changeover {
+namespace {
+
+class Chained final : public SwapPlan {
+ public:
+  Chained(std::uint64_t k, std::uint64_t w) : big_(k - 1), u_(4 * big_ + 1), w_(w) {}
+
+  // 0, 2K, the x, and as many of K−1, K−2, … as there is room for.
+  [[nodiscard]] Block start() const override {
+    Block block{0, static_cast<Element>(2 * big_)};
+    for (std::uint64_t i = 1; i <= w_; ++i) {
+      block.push_back(static_cast<Element>(x(i)));
+    }
+    for (std::uint64_t y = lowest(); y < big_; ++y) {
+      block.push_back(static_cast<Element>(y));
+    }
+    return block;
+  }
+
+  // The blocks before W_2 + (2K+2), then those with W_j for j = 2, …, 4K.
+  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const override {
+    if (index == 0) {
+      begin(swaps);
+      return true;
+    }
+    const std::uint64_t j = index + 1;
+    if (j > 4 * big_) {
+      return false;
+    }
+    std::uint64_t out = in_chain(j - 1) ? (j - 1 + 2 * big_) % u_ : j - 1;
+    const auto visit = [&](std::uint64_t y) {
+      swaps.push_back({.leaves = out, .enters = y});
+      out = y;
+    };
+    if (j == big_ || j == 2 * big_ + 1 || j == 3 * big_ + 1) {
+      for (std::uint64_t i = 1; i <= w_; ++i) {
+        visit(x(i));
+      }
+    }
+    visit((j + 2 * big_) % u_);
+    if (in_chain(j)) {
+      swaps.push_back({.leaves = j, .enters = (j + big_) % u_});
+    } else if (j < 4 * big_) {
+      visit((j + big_) % u_);
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t x(std::uint64_t i) const { return u_ + i - 1; }
+  // Of 2, …, K−1 those from here on are in the first block.
+  [[nodiscard]] std::uint64_t lowest() const { return w_ + 1; }
+  // Whether the visitor j+2K stays while j leaves for j+K; 1 leaves in begin().
+  [[nodiscard]] bool in_chain(std::uint64_t j) const {
+    return j < 3 * big_ + 2 && (j % big_ <= 1) && j > 0;
+  }
+
+  void begin(std::vector<Swap>& swaps) const {
+    const auto step = [&](std::uint64_t leaves, std::uint64_t enters) {
+      swaps.push_back({.leaves = leaves, .enters = enters});
+    };
+    // 2, …, w come, one at a time, and go but for the last; so all of 2, …, K−1 meet 2K and all x.
+    std::vector<std::uint64_t> gone;
+    std::uint64_t out = lowest();
+    for (std::uint64_t y = 2; y < lowest(); ++y) {
+      step(out, y);
+      gone.push_back(out);
+      out = y;
+    }
+    step(0, 1);
+    step(x(1), big_);
+    step(2 * big_, 2 * big_ + 1);
+    step(x(2), big_ + 1);
+    for (std::uint64_t i = 3; i <= w_; ++i) {
+      step(x(i), gone.at(static_cast<std::size_t>(i - 3)));
+    }
+    step(1, gone.back());
+  }
+
+  std::uint64_t big_;  // K
+  std::uint64_t u_;
+  std::uint64_t w_;
+};
+
+bool is_served(const Parameters& p) {
+  return asks_for_pairs(p, 1) && p.kind == Kind::linear && p.k >= 6 && p.v + 1 >= 4 * p.k &&
+         p.v + 6 <= 5 * p.k;
+}
+
+std::uint64_t blocks_of(const Parameters& p) { return 8 * (p.k - 1) + 5 * (p.v + 3 - 4 * p.k); }
+
+constexpr Description description{
+    .name = "chained-windows",
+    .summary = "a window slides over a cycle, and some visitors stay while it moves",
+    .preconditions = "linear, m = 1, k >= 6, v = 4k-3+w with 2 <= w <= k-3",
+    .guarantee = "b = 8(k-1) + 5w",
+    .place = "docs/theorems.md, Theorem 11",
+};
+
+class ChainedWindows final : public Family {
+ public:
+  ChainedWindows() : Family(description) {}
+
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
+    return is_served(p) ? std::optional(Promise{.b = blocks_of(p)}) : std::nullopt;
+  }
+
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    return std::make_unique<SwapSource>(p, blocks_of(p),
+                                        std::make_unique<Chained>(p.k, p.v + 3 - 4 * p.k));
+  }
+
+  std::string explanation(const Parameters& p) const override {
+    return fmt::format(
+        "A window of {} elements slides over Z_{}, visitors stay in two chains while it moves, and {} new elements meet "
+        "its beginning and visit it three times.",
+        p.k - 1, 4 * p.k - 3, p.v + 3 - 4 * p.k);
+  }
+};
+
+}  // namespace
+
+const Construction& chained_windows_construction() { return only<ChainedWindows>(); }
+
+}  // namespace changeover

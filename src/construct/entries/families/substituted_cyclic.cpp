@@ -1,0 +1,132 @@
+// The tight circular SCCD(2cK+1, k), K = k−1, in which r elements are left out and r others take their places in the window: a
+// circular SCCD(2cK+1−r, k), and cut open a linear one, with c(2cK+1) − 2(c−1)r blocks [docs/theorems.md, Theorem 10].
+//
+// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1, for j = 0, …, u−1. In place of d = 0,
+// …, r−1 write d + cK in the windows. That element is then in a window twice, far apart, and meets all others there, those of
+// the windows and those that visit them: it need visit no window itself. So each d saves c−1 visits, and its substitute as many.
+//
+// Element x is number x − r.
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/construct/registry.hpp"
+#include "construct/entry.hpp"
+#include "construct/tools/swaps.hpp"
+#include "core/checked.hpp"
+
+namespace changeover {
+namespace {
+
+struct Deletion {
+  std::uint64_t c = 0;
+  std::uint64_t r = 0;
+};
+
+std::optional<Deletion> deletion_of(const Parameters& p) {
+  if (!asks_for_pairs(p, 1) || p.k < 3 || p.v <= 2 * p.k) {
+    return std::nullopt;
+  }
+  const std::uint64_t around = 2 * (p.k - 1);
+  const Deletion deletion{(p.v - 2) / around + 1, around - 1 - (p.v - 2) % around};
+  return deletion.c < 3 || deletion.r == 0 || deletion.r >= p.k ? std::nullopt
+                                                                : std::optional(deletion);
+}
+
+std::uint64_t blocks_of(const Parameters& p, const Deletion& deletion) {
+  const std::uint64_t order = p.v + deletion.r;
+  return checked_multiply(deletion.c, order) - 2 * (deletion.c - 1) * deletion.r;
+}
+
+// Leg j makes the blocks with W_j.
+class SubstitutedCycle final : public SwapPlan {
+ public:
+  SubstitutedCycle(std::uint64_t k, const Deletion& deletion)
+      : c_(deletion.c), big_(k - 1), u_(2 * deletion.c * big_ + 1), r_(deletion.r) {}
+
+  // W_{−1} + (K−1).
+  [[nodiscard]] Block start() const override {
+    Block block{static_cast<Element>(in_window(u_ - 1))};
+    for (std::uint64_t x = 0; x < big_; ++x) {
+      block.push_back(static_cast<Element>(in_window(x)));
+    }
+    return block;
+  }
+
+  bool leg(std::uint64_t j, std::vector<Swap>& swaps) const override {
+    if (j == u_) {
+      return false;
+    }
+    std::uint64_t out = in_window((j + u_ - 1) % u_);
+    const auto enter = [&](std::uint64_t number) {
+      swaps.push_back({.leaves = out, .enters = number});
+      out = number;
+    };
+    for (std::uint64_t p = c_; p >= 2; --p) {
+      const std::uint64_t visitor = (j + p * big_) % u_;
+      if (visits(visitor)) {
+        enter(visitor - r_);
+      }
+    }
+    if (j < u_ - 1) {  // the last step leads back to the first block
+      enter(in_window((j + big_) % u_));
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t in_window(std::uint64_t x) const {
+    return (x < r_ ? x + c_ * big_ : x) - r_;
+  }
+  [[nodiscard]] bool visits(std::uint64_t x) const {
+    return x >= r_ && (x < c_ * big_ || x >= c_ * big_ + r_);
+  }
+
+  std::uint64_t c_;
+  std::uint64_t big_;  // K
+  std::uint64_t u_;
+  std::uint64_t r_;
+};
+
+constexpr Description description{
+    .name = "substituted-cyclic",
+    .summary =
+        "a tight circular single-change design without some neighbours, others in their places",
+    .preconditions = "m = 1, k >= 3, v = 2c(k-1)+1-r, c >= 3, 1 <= r < k",
+    .guarantee = "b = c(2c(k-1)+1) - 2(c-1)r",
+    .place = "docs/theorems.md, Theorem 10",
+};
+
+class SubstitutedCyclic final : public Family {
+ public:
+  SubstitutedCyclic() : Family(description) {}
+
+ protected:
+  std::optional<Promise> promise(const Parameters& p) const override {
+    const auto deletion = deletion_of(p);
+    return deletion ? std::optional(Promise{.b = blocks_of(p, *deletion)}) : std::nullopt;
+  }
+
+  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
+    const Deletion deletion = deletion_of(p).value();
+    return std::make_unique<SwapSource>(p, blocks_of(p, deletion),
+                                        std::make_unique<SubstitutedCycle>(p.k, deletion));
+  }
+
+  std::string explanation(const Parameters& p) const override {
+    const Deletion deletion = deletion_of(p).value();
+    return fmt::format(
+        "In the tight circular SCCD({0},{1}) of {2} windows let x+{3} take the place of x = 0,…,{4} in the windows, and "
+        "neither of them visit any.",
+        p.v + deletion.r, p.k, deletion.c, deletion.c * (p.k - 1), deletion.r - 1);
+  }
+};
+
+}  // namespace
+
+const Construction& substituted_cyclic_construction() { return only<SubstitutedCyclic>(); }
+
+}  // namespace changeover
