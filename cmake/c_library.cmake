@@ -1,0 +1,34 @@
+# Load orders for programs in C: libchangeover_loadorder.so, which needs nothing else of ours and exports what
+# changeover_loadorder.h declares and no more. Installed with a .pc file, and as the component C of the CMake
+# package, which a project without C++ can ask for.
+add_library(changeover_c SHARED "${PROJECT_SOURCE_DIR}/src/loadorder/c_interface.cpp")
+add_library(changeover::c ALIAS changeover_c)
+set(exports "${PROJECT_SOURCE_DIR}/cmake/c_library.map")
+set_target_properties(changeover_c PROPERTIES
+  EXPORT_NAME c
+  OUTPUT_NAME changeover_loadorder
+  VERSION "${PROJECT_VERSION}"
+  SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
+  LINK_DEPENDS "${exports}")
+target_link_options(changeover_c PRIVATE "LINKER:--version-script=${exports}" LINKER:--gc-sections LINKER:-z,defs)
+target_include_directories(changeover_c INTERFACE
+  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
+  "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+target_link_libraries(changeover_c PRIVATE $<BUILD_INTERFACE:changeover_loadorder>
+  $<BUILD_INTERFACE:changeover_warnings>)
+if(CHANGEOVER_SANITIZE)
+  # A sanitizer's own functions are in the program.
+  target_link_options(changeover_c PRIVATE LINKER:-z,undefs)
+endif()
+
+# Relative to where the file is found, so that a tree can be moved.
+file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+string(REGEX REPLACE "/$" "" up "${up}")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/changeover_loadorder.pc.in"
+               "${PROJECT_BINARY_DIR}/generated/changeover_loadorder.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/generated/changeover_loadorder.pc"
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+install(TARGETS changeover_c EXPORT changeoverCTargets
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+install(EXPORT changeoverCTargets NAMESPACE changeover::
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/changeover")
