@@ -13,7 +13,7 @@ for file in "$@"; do
     printf '%s: no header or no recipe with a provenance; write it by changeover search -f text -o\n' "$file" >&2
     exit 1
   fi
-  name=$(sed 's/.* v=\([0-9]*\) k=\([0-9]*\) change=\([0-9]*\) kind=\([a-z]*\)$/\1_\2_\3_\4/' <<<"$header")
+  name=$(sed 's/.* v=\([0-9]*\) k=\([0-9]*\) change=\([0-9]*\) kind=\([a-z]*\)\( strength=\([0-9]*\)\)\?$/\1_\2_\3_\4_\6/; s/_$//' <<<"$header")
   {
     printf '# %s\n# provenance: %s\n' "$header" "$provenance"
     if [[ $recipe == *'"construction":"developed"'* ]]; then

@@ -227,8 +227,9 @@ std::vector<Bound> lower_bounds(const Parameters& p) {
         {*searched, "checked proofs",
          fmt::format(
              "fewer than {} blocks are excluded by SAT with checked DRAT proofs, written anew "
-             "by: changeover search {} {} --change {} --{} --exact --proof DIR",
-             *searched, p.v, p.k, p.change, to_string(p.kind))});
+             "by: changeover search {} {} --change {} --{}{} --exact --proof DIR",
+             *searched, p.v, p.k, p.change, to_string(p.kind),
+             p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength))});
   }
   std::stable_sort(bounds.begin(), bounds.end(),
                    [](const Bound& a, const Bound& b) { return a.blocks > b.blocks; });

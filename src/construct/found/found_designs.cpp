@@ -54,6 +54,9 @@ class Reader {
                            .k = number(word(words, "k")),
                            .change = number(word(words, "change")),
                            .kind = *kind};
+      if (words.contains("strength")) {
+        recipe.parameters.strength = static_cast<std::uint32_t>(number(word(words, "strength")));
+      }
     } else if (const auto provenance = after(line, "# provenance: ")) {
       recipe.provenance = *provenance;
     } else if (const auto development = after(line, "# developed: ")) {

@@ -5,6 +5,7 @@
 //     0 1 2 3 4
 //     …
 //
+// The strength follows the kind if it is not 2, and in the file's name, as 20_5_2_linear.txt or 6_4_1_linear_3.txt.
 // With a line "# developed: n=7 f=0 shift=1" the blocks are base blocks (entries/developed.cpp).
 #pragma once
 

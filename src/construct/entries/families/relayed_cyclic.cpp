@@ -1,13 +1,12 @@
 // A cyclic design with carriers, who hold t·m places and relieve each other while the base blocks go round.
 //
-// Let a circular m-change design be the development of c base blocks over Z_u, and let t ≥ 2. There are 2t−1 carriers, m
-// elements each; t of them, τ_i, …, τ_{i+t−1} modulo 2t−1, are beside the blocks of the translates y_i, …, y_{i+1}−1,
-// where y_i = ⌊iu/(2t−1)⌋. Before translate y_i its first block is there with the carriers of before, so in one more block τ_{i−1} is
-// relieved by τ_{i+t−1}. That is a circular design on (u + m(2t−1), k + mt) with 2t−1 blocks more, if each carrier
-// meets all of Z_u: it is beside ⌊tu/(2t−1)⌋ translates in a row, or one more, so it does if no two cyclically
-// consecutive points of the base blocks are further apart than that. Proof: docs/theorems.md, Theorem 9.
+// Let a circular m-change design be the development of c base blocks over Z_u, let t ≥ 2 and u ≥ 2t−1. There are 2t−1
+// carriers, m elements each; t of them, τ_i, …, τ_{i+t−1} modulo 2t−1, are beside the blocks of the translates y_i, …,
+// y_{i+1}−1, where y_i = ⌊iu/(2t−1)⌋. Before translate y_i its first block is there with the carriers of before, so in
+// one more block τ_{i−1} is relieved by τ_{i+t−1}. That is a circular design on (u + m(2t−1), k + mt) with 2t−1 blocks more:
+// each carrier is beside half of the translates, and so it meets all of Z_u. Proof: docs/theorems.md, Theorem 9.
 //
-// For c = 2 and m = 1 that is 8K − 3r + 4 blocks with K = k−1 and v = 4K+1−r, r = 2t+1: four more than the bound 3v − 4k + 1.
+// For m = 1 other constructions have fewer blocks; for m = 2 this serves odd v between the tight designs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,9 +29,6 @@ namespace {
 // Those that are developed over Z_v.
 constexpr std::array<std::string_view, 5> cyclic_families{
     "cyclic-single-change", "mcsorley-circular", "cyclic", "cyclic-paper", "cyclic-triple-change"};
-// More base blocks are not looked through for an offer.
-constexpr std::uint64_t most_base_blocks = 1024;
-
 struct Relay {
   std::uint64_t u;  // elements of the cyclic design
   std::uint64_t c;  // its base blocks
@@ -45,22 +41,6 @@ struct Relay {
   [[nodiscard]] std::uint64_t blocks() const { return c * u + carriers(); }
 };
 
-// The widest step between points of the base blocks that follow each other on the circle.
-std::uint64_t widest_gap(const IntervalBaseBlocks& base) {
-  const std::uint64_t u = base.parameters.v;
-  std::vector<std::uint64_t> points(base.points.begin(), base.points.end());
-  points.push_back(base.start);
-  points.push_back((base.start + base.length - 1) % u);  // what is between is dense
-  std::ranges::sort(points);
-  std::uint64_t widest = points.front() + u - points.back();
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const bool inside =
-        points[i - 1] == base.start && points[i] == (base.start + base.length - 1) % u;
-    widest = std::max(widest, inside ? 1 : points[i] - points[i - 1]);
-  }
-  return widest;
-}
-
 Parameters without_carriers(Parameters p, std::uint64_t t) {
   p.v -= p.change * (2 * t - 1);
   p.k -= p.change * t;
@@ -71,7 +51,7 @@ constexpr Description description{
     .name = "relayed-cyclic",
     .summary = "a cyclic design beside carriers, t at a time of 2t-1, who relieve each other",
     .preconditions =
-        "circular; a cyclic design on (v-m(2t-1),k-mt) whose base blocks leave no gap of half",
+        "circular; a cyclic design on (v-m(2t-1),k-mt), t >= 2, with 2t-1 elements or more",
     .guarantee = "2t-1 blocks more than the cyclic design",
     .place = "docs/theorems.md, Theorem 9",
 };
@@ -183,49 +163,16 @@ class RelayedCyclic final : public Entry {
     return p.change * t + p.change < p.k && p.change * (2 * t - 1) + p.k - p.change * t < p.v;
   }
 
-  // Nothing if the carriers would not meet all that the input has.
+  // Nothing if the input is not cyclic, or too small.
   static std::optional<Relay> relay_of(const Recipe& input, std::uint64_t t,
                                        const Registry& registry) {
-    const auto base = interval_of(input, registry);
-    if (!base) {
+    const std::uint64_t u = input.parameters.v;
+    if (std::ranges::find(cyclic_families, input.construction) == cyclic_families.end() ||
+        2 * t - 1 > u) {
       return std::nullopt;
     }
-    const Relay relay{input.parameters.v, base->base_block_count(), input.parameters.change, t};
-    if (relay.carriers() > relay.u || widest_gap(*base) > t * relay.u / relay.carriers()) {
-      return std::nullopt;
-    }
-    return relay;
-  }
-
-  static std::optional<IntervalBaseBlocks> interval_of(const Recipe& input,
-                                                       const Registry& registry) {
-    if (std::ranges::find(cyclic_families, input.construction) == cyclic_families.end()) {
-      return std::nullopt;
-    }
-    const Construction& maker = registry.construction_of(input);
-    if (const auto b = registry.build(input)->block_count();
-        !b || *b / input.parameters.v > most_base_blocks) {
-      return std::nullopt;
-    }
-    if (auto listed = maker.interval_base_blocks(input)) {
-      return listed;
-    }
-    // Base blocks that are written out: what is 0, …, k−m−1 in all of them is the interval.
-    const auto written = maker.base_blocks(input);
-    if (!written) {
-      return std::nullopt;
-    }
-    const std::uint64_t n = input.parameters.k - input.parameters.change;
-    IntervalBaseBlocks base{input.parameters, 0, n, {}};
-    for (const Block& block : written->blocks) {
-      for (const Element x : block) {
-        if (x >= n) {
-          base.points.push_back(x);
-        }
-      }
-    }
-    const bool shared = base.points.size() == input.parameters.change * written->blocks.size();
-    return shared ? std::optional(std::move(base)) : std::nullopt;
+    const auto b = registry.build(input)->block_count();
+    return b ? std::optional(Relay{u, *b / u, input.parameters.change, t}) : std::nullopt;
   }
 
   Relay required(const Recipe& recipe, const Registry& registry) const {
@@ -242,10 +189,10 @@ class RelayedCyclic final : public Entry {
     require_input(recipe, without_carriers(p, t), {{"t", given->second}});
     const auto relay = relay_of(recipe.inputs.front(), t, registry);
     if (!relay) {
-      throw BadInput(fmt::format(
-          "relayed-cyclic: the {} by {} is no cyclic design that {} carriers in turn meet all of",
-          changeover::name(recipe.inputs.front().parameters), recipe.inputs.front().construction,
-          2 * t - 1));
+      throw BadInput(
+          fmt::format("relayed-cyclic: the {} by {} is no cyclic design with {} elements or more",
+                      changeover::name(recipe.inputs.front().parameters),
+                      recipe.inputs.front().construction, 2 * t - 1));
     }
     return *relay;
   }

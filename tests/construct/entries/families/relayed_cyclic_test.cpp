@@ -77,7 +77,6 @@ TEST(RelayedCyclic, RefusesSpoiltRecipes) {
   expect_refused(other, "an input that is not cyclic");
 }
 
-// The carriers need half of the way: one less at a time does not do.
 TEST(RelayedCyclic, HasCarriersThatStayOnce) {
   const auto offer = offer_of("relayed-cyclic", circular(24, 8));
   ASSERT_TRUE(offer);
