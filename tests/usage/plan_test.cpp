@@ -229,6 +229,31 @@ TEST(Plan, SaysInOneLineWhichFileIsAtFault) {
   }
 }
 
+TEST(Plan, TakesNoHeaderForAPart) {
+  const TemporaryFolder folder;
+  spit(folder.file("wines.csv"), "wine,price\nRiesling,9.50\nMerlot,11\nPinot,7\n");
+  spit(folder.file("weine.csv"), "Wein;Preis\nRiesling;9,50\nMerlot;11\nPinot;7\n");
+  spit(folder.file("wines.tsv"), "wine\tprice\nRiesling\t9,50\nMerlot\t11\nPinot\t7\n");
+  spit(folder.file("crates.csv"), "crate\nX1\nX2\nX3\n");
+  spit(folder.file("never.csv"), "part 1;part 2\nMerlot;Pinot\n");
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan " + rest + " -k 2 --test-cost 1" + fast;
+  };
+  expect({{plan("wines.csv"), 0, "3 parts, 2 at a time: 3 tests, 4 changes, cost 37.50"},
+          {plan("wines.csv"), 0, "a header: names in 'wine', change costs in 'price'"},
+          {plan("weine.csv"), 0, "cost 37.50"},
+          {plan("wines.tsv"), 0, "cost 37.50"},
+          {plan("wines.csv --never never.csv"), 0, "2 of 2 needed pairs"},
+          {plan("crates.csv --change-cost 1"), 3, "crates.csv:1:1: 'crate' may be a header"},
+          {plan("crates.csv --change-cost 1 --header"), 0, "3 parts, 2 at a time"},
+          {plan("crates.csv --change-cost 1 --no-header"), 0, "4 parts, 2 at a time"},
+          {plan("crates.csv --header --no-header"), 2, "exclude each other"},
+          {plan("--items 4 --change-cost 1 --header"), 2, "not for --items"},
+          {plan("wines.csv --format csv -o sheet.csv") + " && cat sheet.csv", 0, "step,take_out"},
+          {plan("sheet.csv"), 3, "sheet.csv:1:1: this is a run sheet"}},
+         folder);
+}
+
 TEST(Plan, CtrlCDeliversTheBestSoFar) {
   const TemporaryFolder folder;
   // Once there are two threads, the search is under way.

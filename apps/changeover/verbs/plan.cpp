@@ -29,6 +29,8 @@ struct PlanRequest {
   std::optional<std::uint64_t> steps;
   std::string title;
   bool what_if = false;
+  bool header = false;
+  bool no_header = false;
   RunRequest run;
   OutputRequest output;
 };
@@ -50,8 +52,14 @@ std::optional<Amount> amount(const std::string& option, const std::string& text)
                       : std::optional(from_option(option, [&] { return parse_amount(text); }));
 }
 
+// The job and what is to be said of it.
+struct Asked {
+  Job job;
+  std::vector<std::string> notes;
+};
+
 // The parts and what they cost.
-Job parts_of(const PlanRequest& request) {
+Asked parts_of(const PlanRequest& request) {
   if (request.parts.empty() == !request.items) {
     throw UsageError{"give either a parts list or --items N"};
   }
@@ -68,6 +76,9 @@ Job parts_of(const PlanRequest& request) {
     throw UsageError{"give --test-cost X, what it costs to run one test"};
   }
   if (request.items) {
+    if (request.header || request.no_header) {
+      throw UsageError{"--header and --no-header are for a parts list, not for --items"};
+    }
     if (!change) {
       throw UsageError{"give --change-cost Y, what it costs to mount a part"};
     }
@@ -76,11 +87,13 @@ Job parts_of(const PlanRequest& request) {
       if (job.parts() < 2) {
         throw BadInput("a pair needs two parts");
       }
-      return job;
+      return Asked{std::move(job), {}};
     });
   }
   const auto input = open_input(request.parts);
-  PartList list = read_parts(*input);
+  PartList list = read_parts(*input, request.header      ? Header::given
+                                     : request.no_header ? Header::none
+                                                         : Header::guessed);
   Job job = make_job(list.names.size(), *request.at_once, *test, change.value_or(Amount{}));
   for (std::size_t i = 0; i < list.names.size(); ++i) {
     if (list.change_costs[i]) {
@@ -96,7 +109,11 @@ Job parts_of(const PlanRequest& request) {
     throw BadInput(fmt::format("{}: one part is listed; a pair needs two", input->name()));
   }
   job.names = std::move(list.names);
-  return job;
+  Asked asked{std::move(job), {}};
+  if (!list.note.empty()) {
+    asked.notes.push_back(list.note);
+  }
+  return asked;
 }
 
 // The set-ups that were done.
@@ -116,8 +133,9 @@ std::vector<Block> done_before(const PlanRequest& request, const Job& job) {
   return done;
 }
 
-Job job_of(const PlanRequest& request) {
-  Job job = parts_of(request);
+Asked asked_of(const PlanRequest& request) {
+  Asked asked = parts_of(request);
+  Job& job = asked.job;
   if (!request.never.empty()) {
     job.never = read_pairs(*open_input(request.never), job.names);
     job.needed = all_pairs_but(job.never);
@@ -137,7 +155,7 @@ Job job_of(const PlanRequest& request) {
   job.start = parts("--start", request.start);
   check(job);
   mark_done(job, done_before(request, job));
-  return job;
+  return asked;
 }
 
 std::string plan_text(const SheetDocument& document, const std::string& format, std::size_t width) {
@@ -175,7 +193,8 @@ Answer run(const PlanRequest& request) {
   options.budget = amount("--budget", request.budget);
   // A time that was asked for is used; otherwise as many moves as suit, so that answers repeat.
   options.until_stopped = !request.run.time.empty() && !request.steps && !request.what_if;
-  const Job job = job_of(request);
+  const Asked asked = asked_of(request);
+  const Job& job = asked.job;
   // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
   const auto running = std::make_shared<Running>(request.run, output);
   const RunPlan plan = make_run_plan(job, options, running->control());
@@ -186,9 +205,10 @@ Answer run(const PlanRequest& request) {
     shortage = ranges.shortage;
     answer = text_answer(what_if_text(job, ranges, output.format()), output);
   } else {
-    const auto write = [job, plan, options, title = request.title,
+    const auto write = [asked, plan, options, title = request.title,
                         format = output.format()](OutputFile& out) {
-      SheetDocument document{.job = &job, .plan = &plan, .budget = options.budget};
+      SheetDocument document{.job = &asked.job, .plan = &plan, .budget = options.budget};
+      document.notes = asked.notes;
       document.title = title.empty() ? document.title : title;
       out.write(plan_text(document, format, terminal_width(out)));
     };
@@ -209,6 +229,8 @@ void add_plan(Program& program) {
       program.add("plan", "the cheapest order of tests: a run sheet, from your costs", run);
   verb.positional("PARTS", request.parts, "CSV file: a part a line, with its change cost or not",
                   false);
+  verb.flag("--header", request.header, "the first row of the parts list heads its columns");
+  verb.flag("--no-header", request.no_header, "the first row of the parts list is a part");
   verb.option("--items", request.items, "N", "N parts called 1, …, N instead of a list");
   verb.option("-k,--at-once", request.at_once, "K", "how many parts fit at once");
   verb.option("--test-cost", request.test_cost, "X", "what one test costs, e.g. 12.50");
@@ -228,6 +250,7 @@ void add_plan(Program& program) {
   verb.option("--steps", request.steps, "N", "moves of each local search (default: as suits)");
   request.run.add_to(verb, "60s", request.output);
   request.output.add_to(verb, {"table", "csv", "json", "markdown", "html"});
+  verb.exclude({"--header", "--no-header"});
   verb.only_with({"--done-first"}, {"--done"});
   verb.never_with({"--title", "--budget"}, {"--what-if"});
   verb.examples(

@@ -128,13 +128,14 @@ void mark_done(Job& job, const std::vector<Block>& setups);
 //     Pump A,Motor
 //     2,3
 //
-// Files are rows of fields with commas, or with semicolons if the first row has one before any comma; a
-// field may be quoted; lines that begin with # and blank lines say nothing. Where a part is expected, its
-// name or its number in the parts list counts, from 1; a name wins over a number.
-//   - Parts: a name, and a change cost if there is a second field. A first row is a header if its first
-//     field is name, part, component or item, or if its second is a word without digits; then the columns
-//     for names and for costs (the first one that says "cost") are found by it, and others are ignored.
-//   - Pairs: two parts a row.
+// Files are rows of fields between commas, semicolons or tabs, whichever comes first outside quotes; a field
+// may be quoted; lines that begin with # and blank lines say nothing. Where a part is expected, its name or
+// its number in the parts list counts, from 1; a name wins over a number.
+//   - Parts: a name, and a change cost if there is a second field; with a header also other columns, of
+//     which those for names, costs and slots are found by their words. What is a header is decided by
+//     src/plan/job/part_columns.hpp; a first row that may be a header or a part is refused. Between
+//     semicolons or tabs a cost may have a decimal comma, if no cost of the list has a point.
+//   - Pairs: two parts a row. A first row of two words that head columns and are no parts is a header.
 //   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/sheet_formats.hpp) is taken too: its
 //     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, and its rows in
 //     their order.
@@ -142,15 +143,21 @@ void mark_done(Job& job, const std::vector<Block>& setups);
 // They are read a line at a time: at most 16 MiB a line, 1 GiB and 4,194,304 rows in all.
 // A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`.
 
+/// Whether a parts list has a header.
+enum class Header { guessed, given, none };
+
 struct PartList {
   std::vector<std::string> names;
   std::vector<std::optional<Amount>> change_costs;  ///< by part; nothing where none is given
+  std::vector<std::string>
+      slots;         ///< by part: the name of its slot, or ""; empty without a column for it
+  std::string note;  ///< what was made of the first row, in one line, if that is worth saying
 };
 
 /// The parts in the order of their rows.
-/// @throws BadInput for no part, an empty or repeated name, a cost that is none, too many fields;
-/// MissingResource if reading fails.
-[[nodiscard]] PartList read_parts(Input& input);
+/// @throws BadInput for no part, an empty or repeated name, a cost that is none, too many fields, a first row
+/// of which nobody can say whether it is a header; MissingResource if reading fails.
+[[nodiscard]] PartList read_parts(Input& input, Header header = Header::guessed);
 
 /// The pairs, as elements below names.size(); repetitions are fine. @throws BadInput for unknown parts, a
 /// part with itself, rows that are no pair; MissingResource if reading fails.

@@ -19,12 +19,13 @@
 // JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost}], at_once, test_cost, mounted,
 // start, tests_done, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
 // tests, changes, reason}, budget (or null), steps [{step, take_out, put_in, set_up, new_pairs [[a,b]], cost,
-// cost_so_far}], candidates [{name, how, tests, changes, cost, pairs_tested}]. Costs are exact decimals.
+// cost_so_far}], candidates [{name, how, tests, changes, cost, pairs_tested}], notes [text]. Costs are exact decimals.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "changeover/plan/run_plan.hpp"
 
@@ -36,6 +37,7 @@ struct SheetDocument {
   const RunPlan* plan = nullptr;
   std::optional<Amount> budget = {};
   std::string title = "Run sheet";
+  std::vector<std::string> notes = {};  ///< what else is to be said of the job, a line each
 };
 
 /// For a terminal: lists are broken between parts where a line would be longer than `width`.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <span>
 #include <unordered_map>
@@ -14,20 +13,13 @@
 #include "changeover/core/error.hpp"
 #include "io/read/place.hpp"
 #include "io/write/csv_cell.hpp"
+#include "plan/job/part_columns.hpp"
 #include "plan/job/rows.hpp"
 
 namespace changeover {
 namespace {
 
 constexpr std::size_t longest_name = 255;
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
-    return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  });
-  return result;
-}
 
 // Parts by name or number.
 class PartFinder {
@@ -58,6 +50,10 @@ class PartFinder {
   }
 
   [[nodiscard]] bool is_name(const std::string& word) const { return by_name_.count(word) != 0; }
+  [[nodiscard]] bool is_name_in_any_case(const std::string& word) const {
+    return std::any_of(names_->begin(), names_->end(),
+                       [&](const std::string& name) { return lower(name) == lower(word); });
+  }
   [[nodiscard]] std::size_t size() const { return names_->size(); }
 
   // What to say of a word that is no part: with the name that differs in its case only, if there is one.
@@ -108,39 +104,11 @@ Row at_blanks(const Field& field) {
       break;
     }
     at = std::min(field.text.find_first_of(" \t", start), field.text.size());
-    row.push_back({field.text.substr(start, at - start), field.offset + start});
+    row.push_back({.text = field.text.substr(start, at - start),
+                   .offset = field.offset + start,
+                   .line = field.line});
   }
   return row;
-}
-
-struct PartColumns {
-  std::size_t name = 0;
-  std::optional<std::size_t> cost = 1;
-  bool header = false;
-};
-
-PartColumns columns_of(const Row& first) {
-  constexpr std::array<std::string_view, 4> words{"name", "part", "component", "item"};
-  const auto is_word = [&](const Field& field) {
-    return std::find(words.begin(), words.end(), lower(field.text)) != words.end();
-  };
-  const auto has_digit = [](const std::string& text) {
-    return std::any_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  };
-  PartColumns columns;
-  columns.header = std::any_of(first.begin(), first.end(), is_word) ||
-                   (first.size() > 1 && !first[1].text.empty() && !has_digit(first[1].text));
-  if (columns.header) {
-    const auto name = std::find_if(first.begin(), first.end(), is_word);
-    const auto cost = std::find_if(first.begin(), first.end(), [](const Field& field) {
-      return lower(field.text).find("cost") != std::string::npos;
-    });
-    columns.name = name == first.end() ? 0 : static_cast<std::size_t>(name - first.begin());
-    columns.cost = cost == first.end()
-                       ? std::nullopt
-                       : std::optional(static_cast<std::size_t>(cost - first.begin()));
-  }
-  return columns;
 }
 
 // Which fields of the rows hold a set-up.
@@ -182,53 +150,124 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder) {
   return columns;
 }
 
+// A first row of two words that head columns, neither of which is a part in whatever case.
+bool heads_pairs(const Row& row, const PartFinder& finder) {
+  return row.size() == 2 && std::all_of(row.begin(), row.end(), [&](const Field& field) {
+           return heads_parts(field.text) && !finder.find(field.text) &&
+                  !finder.is_name_in_any_case(field.text);
+         });
+}
+
+void check_name(const RowReader& reader, const Field& name) {
+  if (name.text.size() > longest_name) {
+    reader.fail(name, fmt::format("a name of more than {} bytes; shorten it", longest_name));
+  }
+  if (const auto defect = text_defect(name.text)) {
+    reader.fail(name, fmt::format("the name {}: {}", shown(name.text), *defect));
+  }
+  if (!name.in_quotes && name.text.find_first_of(",;") != std::string::npos) {
+    reader.fail(
+        name, fmt::format("{} has a separator in it, but the rows are split at {}; put the name in "
+                          "quotes, or use one separator everywhere",
+                          shown(name.text),
+                          reader.separator() == ';'   ? "semicolons"
+                          : reader.separator() == ',' ? "commas"
+                                                      : "tabs"));
+  }
+}
+
+// Costs of one list: with a point, or between semicolons or tabs with a comma, but not with both.
+class CostReader {
+ public:
+  explicit CostReader(const RowReader& reader) : reader_(&reader) {}
+
+  Amount read(const Field& field) {
+    std::string text = field.text;
+    const bool comma = reader_->separator() != ',' &&
+                       std::count(text.begin(), text.end(), ',') == 1 &&
+                       text.find('.') == std::string::npos;
+    if (comma) {
+      const std::size_t at = text.find(',');
+      constexpr std::size_t of_thousands = 3;
+      if (text.size() - at - 1 == of_thousands && at >= 1 && at <= of_thousands && text[0] != '0') {
+        reader_->fail(field, fmt::format("{} may be thousands or a fraction; write {}{} or {}.{}0",
+                                         shown(text), text.substr(0, at), text.substr(at + 1),
+                                         text.substr(0, at), text.substr(at + 1)));
+      }
+      text[at] = '.';
+    }
+    const bool point = !comma && text.find('.') != std::string::npos;
+    if ((comma && points_) || (point && commas_)) {
+      reader_->fail(field, "some costs have a decimal comma and some a point; use one of them");
+    }
+    commas_ = commas_ || comma;
+    points_ = points_ || point;
+    try {
+      return parse_amount(text);
+    } catch (const Error& fault) {
+      reader_->fail(
+          field, comma ? fmt::format("{} is not a cost; write it as 12 or 12,50", shown(field.text))
+                       : std::string(fault.what()));
+    }
+  }
+
+ private:
+  const RowReader* reader_;
+  bool commas_ = false;
+  bool points_ = false;
+};
+
 }  // namespace
 
-PartList read_parts(Input& input) {
+PartList read_parts(Input& input, Header header) {
   RowReader reader(input);
+  std::vector<Row> rows;  // at most one more than there can be, and a header
+  while (auto next = rows.size() < max_parts + 2 ? reader.next() : std::nullopt) {
+    rows.push_back(std::move(*next));
+  }
+  if (rows.empty()) {
+    fail(input.name(), {}, "no part is listed; write one a line");
+  }
+  const PartColumns columns = part_columns(rows, header, reader);
+  constexpr std::size_t most_without_header = 2;
+  const std::size_t fields = columns.header ? rows.front().size() : most_without_header;
   PartList parts;
+  parts.note = columns.note.empty() ? "" : fmt::format("{}: {}", input.name(), columns.note);
   std::unordered_set<std::string> seen;
-  PartColumns columns;
-  bool first = true;
-  while (const auto next = reader.next()) {
-    const Row& row = *next;
-    if (std::exchange(first, false)) {
-      columns = columns_of(row);
-      if (columns.header) {
-        continue;
-      }
+  CostReader costs(reader);
+  rows.erase(rows.begin(), rows.begin() + (columns.header ? 1 : 0));
+  for (const Row& row : rows) {
+    if (row.size() > fields && !columns.header) {
+      reader.fail(row[fields],
+                  "a third field; write a name and a change cost, or a header with a word for each "
+                  "column, and quote a name with a comma");
     }
-    if (!columns.header && row.size() > 2) {
-      reader.fail(row[2].offset,
-                  "a third field; write a name and a change cost, and quote a name with a comma");
+    if (row.size() > fields) {
+      reader.fail(row[fields],
+                  fmt::format("more fields than the {} of the header; quote those with "
+                              "a comma",
+                              fields));
     }
     if (columns.name >= row.size() || row[columns.name].text.empty()) {
-      reader.fail(row.front().offset, "a row without a name; name the part");
+      reader.fail(row.front(), "a row without a name; name the part");
     }
     const Field& name = row[columns.name];
-    if (name.text.size() > longest_name) {
-      reader.fail(name.offset,
-                  fmt::format("a name of more than {} bytes; shorten it", longest_name));
-    }
-    if (const auto defect = text_defect(name.text)) {
-      reader.fail(name.offset, fmt::format("the name {}: {}", shown(name.text), *defect));
-    }
+    check_name(reader, name);
     if (!seen.insert(name.text).second) {
-      reader.fail(name.offset,
-                  fmt::format("a second part is called {}; rename one", shown(name.text)));
+      reader.fail(name, fmt::format("a second part is called {}; rename one", shown(name.text)));
     }
     if (parts.names.size() == max_parts) {
-      reader.fail(name.offset,
-                  fmt::format("more than {} parts; plan for fewer at a time", max_parts));
+      reader.fail(name, fmt::format("more than {} parts; plan for fewer at a time", max_parts));
     }
     parts.names.push_back(name.text);
     parts.change_costs.emplace_back();
     if (columns.cost && *columns.cost < row.size() && !row[*columns.cost].text.empty()) {
-      const Field& cost = row[*columns.cost];
-      try {
-        parts.change_costs.back() = parse_amount(cost.text);
-      } catch (const Error& fault) {
-        reader.fail(cost.offset, fault.what());
+      parts.change_costs.back() = costs.read(row[*columns.cost]);
+    }
+    if (columns.slot) {
+      parts.slots.push_back(*columns.slot < row.size() ? row[*columns.slot].text : "");
+      if (!parts.slots.back().empty()) {
+        check_name(reader, row[*columns.slot]);
       }
     }
   }
@@ -242,12 +281,16 @@ PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
   RowReader reader(input);
   const PartFinder finder(names);
   PairSet pairs(names.size());
+  bool first = true;
   while (const auto row = reader.next()) {
+    if (std::exchange(first, false) && heads_pairs(*row, finder)) {
+      continue;
+    }
     const Block pair = find_parts(
         finder, *row, [&](const std::string& word) { return finder.find(word); },
-        [&](const Field& field, const std::string& what) { reader.fail(field.offset, what); });
+        [&](const Field& field, const std::string& what) { reader.fail(field, what); });
     if (pair.size() != 2) {
-      reader.fail(row->front().offset,
+      reader.fail(row->front(),
                   fmt::format("{} here, and a pair has two; write A,B",
                               pair.size() == 1 ? "one part stands" : "more than two stand"));
     }
@@ -265,9 +308,7 @@ std::vector<Block> read_setups(Input& input, const std::vector<std::string>& nam
   bool first = true;
   const auto find = [&](const std::string& word) { return finder.find(word); };
   const auto find_cell = [&](const std::string& cell) { return finder.find_cell(cell); };
-  const auto fail = [&](const Field& field, const std::string& what) {
-    reader.fail(field.offset, what);
-  };
+  const auto fail = [&](const Field& field, const std::string& what) { reader.fail(field, what); };
   while (auto next = reader.next()) {
     Row& row = *next;
     if (std::exchange(first, false)) {

@@ -22,18 +22,45 @@ constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
+// The first separator of a line outside quotes; none if it is a single field.
+std::optional<char> first_separator(std::string_view line) {
+  std::size_t at = std::min(line.find_first_not_of(" \t"), line.size());
+  if (at < line.size() && line[at] == '"') {
+    for (++at; at < line.size() && (line[at] != '"' || line.substr(at).starts_with("\"\"")); ++at) {
+      at += line[at] == '"' ? 1U : 0U;
+    }
+    at = std::min(at + 1, line.size());
+  }
+  at = line.find_first_of(",;\t", at);
+  if (at == std::string_view::npos) {
+    return std::nullopt;
+  }
+  // A tab before another separator, or at the end, is a blank.
+  const std::size_t next = line.find_first_not_of(" \t", at);
+  if (line[at] != '\t') {
+    return line[at];
+  }
+  if (next == std::string_view::npos) {
+    return std::nullopt;
+  }
+  return line[next] == ',' || line[next] == ';' ? line[next] : '\t';
+}
+
 // Reads the fields of one line; a defect if they are malformed.
-std::optional<TextDefect> split(std::string_view line, char separator, Row& row) {
+std::optional<TextDefect> split(std::string_view line, char separator, Row& row,
+                                std::uint64_t number = 1) {
   std::size_t at = 0;
+  const auto is_blank_here = [&](char c) { return c != separator && is_blank(c); };
   const auto skip_blanks = [&] {
-    while (at < line.size() && is_blank(line[at])) {
+    while (at < line.size() && is_blank_here(line[at])) {
       ++at;
     }
   };
   for (;;) {
     skip_blanks();
-    Field field{"", at};
+    Field field{.text = "", .offset = at, .line = number};
     if (at < line.size() && line[at] == '"') {
+      field.in_quotes = true;
       for (++at;; ++at) {
         if (at >= line.size()) {
           return TextDefect{field.offset,
@@ -55,7 +82,7 @@ std::optional<TextDefect> split(std::string_view line, char separator, Row& row)
     } else {
       const std::size_t end = std::min(line.find(separator, at), line.size());
       field.text = line.substr(at, end - at);
-      while (!field.text.empty() && is_blank(field.text.back())) {
+      while (!field.text.empty() && is_blank_here(field.text.back())) {
         field.text.pop_back();
       }
       at = end;
@@ -72,6 +99,10 @@ std::optional<TextDefect> split(std::string_view line, char separator, Row& row)
 
 void RowReader::fail(std::size_t offset, std::string_view what) const {
   changeover::fail(input_->name(), {std::max<std::uint64_t>(1, line_number_), offset + 1}, what);
+}
+
+void RowReader::fail(const Field& field, std::string_view what) const {
+  changeover::fail(input_->name(), {field.line, field.offset + 1}, what);
 }
 
 bool RowReader::next_line() {
@@ -126,11 +157,10 @@ std::optional<Row> RowReader::next() {
       fail(defect->offset, defect->what);
     }
     if (separator_ == '\0') {
-      const std::size_t first = line_.find_first_of(",;");
-      separator_ = first != std::string::npos && line_[first] == ';' ? ';' : ',';
+      separator_ = first_separator(line_).value_or('\0');
     }
     Row row;
-    if (const auto defect = split(line_, separator_, row)) {
+    if (const auto defect = split(line_, separator(), row, line_number_)) {
       fail(defect->offset, defect->what);
     }
     if (++rows_ > most_rows) {

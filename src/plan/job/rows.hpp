@@ -14,6 +14,8 @@ namespace changeover {
 struct Field {
   std::string text;        ///< without quotes and the blanks around it
   std::size_t offset = 0;  ///< of its first byte in the line
+  std::uint64_t line = 1;  ///< where it stands
+  bool in_quotes = false;  ///< it was written in quotes
 };
 using Row = std::vector<Field>;
 
@@ -23,8 +25,8 @@ class RowReader {
   /// The input must outlive this.
   explicit RowReader(Input& input) : input_(&input) {}
 
-  /// The next row but comments and blank ones, split at commas, or at semicolons if one comes first in
-  /// the first row; nothing at the end.
+  /// The next row but comments and blank ones; nothing at the end. Rows are split at what comes first outside
+  /// quotes in the first row that has it: a comma, a semicolon, or a tab with text on both sides.
   /// @throws BadInput with a place for what is no plain text, quotes that do not match and lines or lists
   /// beyond all measure; MissingResource if reading fails; Stopped if the scope of this thread
   /// (run/scope.hpp) wants to stop.
@@ -32,6 +34,11 @@ class RowReader {
 
   /// @throws BadInput with the place of this offset in the line of the last row.
   [[noreturn]] void fail(std::size_t offset, std::string_view what) const;
+  /// @throws BadInput with the place of this field, of whatever row.
+  [[noreturn]] void fail(const Field& field, std::string_view what) const;
+
+  /// What splits the rows: ',', ';' or a tab; a comma as long as no row needs any.
+  [[nodiscard]] char separator() const { return separator_ == '\0' ? ',' : separator_; }
 
  private:
   /// The next line without its end; false at the end of the input.

@@ -117,7 +117,7 @@ std::string sheet_as_json(const SheetDocument& document) {
   for (const Candidate& candidate : plan.candidates) {
     write_candidate(json, money, candidate);
   }
-  json.end_array().end_object();
+  json.end_array().key("notes").value(document.notes).end_object();
   return json.take() + "\n";
 }
 

@@ -85,6 +85,7 @@ std::vector<std::string> summary(const SheetDocument& document) {
                           per_cent_above(cheapest, bound.cost))));
   }
   lines.push_back("because " + bound.reason);
+  lines.insert(lines.end(), document.notes.begin(), document.notes.end());
   return lines;
 }
 
