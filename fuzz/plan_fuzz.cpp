@@ -40,6 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     });
   }
   one_line_at_most([&] { (void)read_pairs(*input_from_text(text), names); });
+  one_line_at_most([&] { (void)read_slots(*input_from_text(text)); });
   one_line_at_most([&] { (void)read_setups(*input_from_text(text), names); });
   return 0;
 }

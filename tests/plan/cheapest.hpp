@@ -39,6 +39,13 @@ inline std::optional<std::uint64_t> least_cost(const Job& job,
     job.never.for_each(1000, [&](Element x, Element y) {
       allowed = allowed && ((parts >> x & 1U) == 0 || (parts >> y & 1U) == 0);
     });
+    for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
+      std::uint64_t there = 0;
+      for (std::size_t x = 0; x < v; ++x) {
+        there += (parts >> x & 1U) != 0 && job.slot_of[x] == s ? 1U : 0U;
+      }
+      allowed = allowed && job.slots[s].least <= there && there <= job.slots[s].most;
+    }
     SetUp setup{parts, 0};
     for (std::size_t i = 0; i < needed.size(); ++i) {
       if ((parts >> needed[i].first & 1U) != 0 && (parts >> needed[i].second & 1U) != 0) {

@@ -52,4 +52,28 @@ inline Job random_job(std::uint64_t seed, std::uint32_t most, bool constraints =
   }
 }
 
+/// The same with slots, some of which need parts and some of which hold few.
+inline Job random_job_with_slots(std::uint64_t seed, std::uint32_t most) {
+  for (std::uint64_t turn = 0;; ++turn) {
+    Job job = random_job(seed + 1'000'000 * turn, most, turn % 2 == 0);
+    Random random(seed, 77 + turn);
+    const std::uint32_t slots = 1 + random.below(3);
+    for (std::uint32_t s = 0; s < slots; ++s) {
+      const std::uint64_t least = random.below(2);
+      job.slots.push_back({"s" + std::to_string(s), least, least + 1 + random.below(2)});
+    }
+    for (Element x = 0; x < job.parts(); ++x) {
+      const std::uint32_t slot = random.below(slots + 1);
+      job.slot_of.push_back(slot == slots ? no_slot : slot);
+    }
+    if (random.below(3) > 0) {
+      job.slots.front().most = std::max<std::uint64_t>(1, job.slots.front().least);
+    }
+    drop_needed(job, cannot_meet(job));
+    if (defects(job).empty() && job.needed.size() > 0) {
+      return job;
+    }
+  }
+}
+
 }  // namespace changeover::test

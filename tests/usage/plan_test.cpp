@@ -254,6 +254,37 @@ TEST(Plan, TakesNoHeaderForAPart) {
          folder);
 }
 
+TEST(Plan, FillsEverySlot) {
+  const TemporaryFolder folder;
+  spit(folder.file("server.csv"),
+       "part,slot,cost\nXeon,CPU,9\nEpyc,CPU,9\nP500,PSU,4\nP700,PSU,4\nd1,disk,1\nd2,disk,1\n"
+       "d3,disk,1\nd4,disk,1\nd5,disk,1\nfan,,2\n");
+  spit(folder.file("slots.csv"), "slot,least,most\nCPU,1,1\nPSU,1,1\ndisk,2,3\n");
+  spit(folder.file("pairs.csv"), "Xeon,Epyc\n");
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan server.csv -k 6 --test-cost 5 " + rest + fast;
+  };
+  expect(
+      {{plan("--slots slots.csv"), 0, "2 pairs cannot meet within the slots and need not: Xeon"},
+       {plan("--slot CPU=1,PSU=1,disk=2..3"), 0, "43 of 43 needed pairs"},
+       {plan("--slot CPU=1,PSU=1,disk=2..3 --json"), 0, "\"slots\":[{\"name\":\"CPU\""},
+       {plan("--slot CPU=1,PSU=1,disk=2..3 --budget 60"), 0, "budget 60"},
+       {plan("--slot CPU=1,PSU=1,disk=2..3 --what-if"), 0, "Your costs are at the factor"},
+       {plan("--slot CPU=1,PSU=1"), 3, "d1 is in slot 'disk', which has no limits"},
+       {plan("--slot CPU=1,PSU=1,disk=2,GPU=1"), 3, "no part is in slot 'GPU'"},
+       {plan("--slot CPU=1,PSU=1,disk=5..6"), 3, "the slots need 7 parts in every set-up"},
+       {plan("--slot CPU=3,PSU=1,disk=1"), 3,
+        "slot 'CPU' needs 3 parts in every set-up, but only 2"},
+       {plan("--slot CPU=1,PSU=1,disk=2 --pairs pairs.csv"), 3, "Xeon and Epyc must meet, but no"},
+       {plan("--slot CPU=1,PSU=1,disk=2..x"), 2, "--slot: 'disk=2..x' is no slot"},
+       {plan(""), 2, "has a column slot; give --slots FILE"},
+       {plan("--slots slots.csv --slot CPU=1"), 2, "exclude each other"},
+       {plan("--slots slots.csv -o slots.csv"), 2, "same file as --slots"},
+       {"$changeover plan --items 4 -k 2 --test-cost 1 --change-cost 1 --slot CPU=1" + fast, 2,
+        "not for --items"}},
+      folder);
+}
+
 TEST(Plan, CtrlCDeliversTheBestSoFar) {
   const TemporaryFolder folder;
   // Once there are two threads, the search is under way.

@@ -21,6 +21,8 @@ struct PlanRequest {
   std::string change_cost;
   std::string pairs;
   std::string never;
+  std::string slots;
+  std::string slot;
   std::string mounted;
   std::string start;
   std::string budget;
@@ -76,6 +78,10 @@ Asked parts_of(const PlanRequest& request) {
     throw UsageError{"give --test-cost X, what it costs to run one test"};
   }
   if (request.items) {
+    if (!request.slots.empty() || !request.slot.empty()) {
+      throw UsageError{
+          "--slots and --slot are for a parts list with a column slot, not for --items"};
+    }
     if (request.header || request.no_header) {
       throw UsageError{"--header and --no-header are for a parts list, not for --items"};
     }
@@ -109,6 +115,19 @@ Asked parts_of(const PlanRequest& request) {
     throw BadInput(fmt::format("{}: one part is listed; a pair needs two", input->name()));
   }
   job.names = std::move(list.names);
+  if (request.slots.empty() && request.slot.empty()) {
+    if (!list.slots.empty()) {
+      throw UsageError{
+          fmt::format("{} has a column slot; give --slots FILE or --slot, as in --slot "
+                      "CPU=1,disk=2..4, or rename the column",
+                      input->name())};
+    }
+  } else {
+    std::vector<Slot> slots = request.slots.empty()
+                                  ? from_option("--slot", [&] { return parse_slots(request.slot); })
+                                  : read_slots(*open_input(request.slots));
+    set_slots(job, list.slots, std::move(slots));
+  }
   Asked asked{std::move(job), {}};
   if (!list.note.empty()) {
     asked.notes.push_back(list.note);
@@ -133,6 +152,24 @@ std::vector<Block> done_before(const PlanRequest& request, const Job& job) {
   return done;
 }
 
+// Pairs that the slots keep apart need not meet; this is said.
+void leave_out(Asked& asked, const PairSet& apart) {
+  Job& job = asked.job;
+  if (apart.size() == 0 || apart.size() == job.needed.size()) {
+    return;  // If no two parts can meet, check() says why.
+  }
+  constexpr std::uint64_t few = 3;
+  std::string examples;
+  apart.for_each(few, [&](Element x, Element y) {
+    examples += fmt::format("{}{} and {}", examples.empty() ? "" : "; ", job.names[std::min(x, y)],
+                            job.names[std::max(x, y)]);
+  });
+  drop_needed(job, apart);
+  asked.notes.push_back(fmt::format("{} cannot meet within the slots and need not: {}{}",
+                                    count_of(apart.size(), "pair"), examples,
+                                    apart.size() > few ? "; …" : ""));
+}
+
 Asked asked_of(const PlanRequest& request) {
   Asked asked = parts_of(request);
   Job& job = asked.job;
@@ -153,6 +190,9 @@ Asked asked_of(const PlanRequest& request) {
   };
   job.mounted = parts("--mounted", request.mounted);
   job.start = parts("--start", request.start);
+  if (request.pairs.empty() && !job.slots.empty()) {
+    leave_out(asked, cannot_meet(job));
+  }
   check(job);
   mark_done(job, done_before(request, job));
   return asked;
@@ -187,6 +227,7 @@ Answer run(const PlanRequest& request) {
   check_inputs(output, {{"the parts list", request.parts},
                         {"--pairs", request.pairs},
                         {"--never", request.never},
+                        {"--slots", request.slots},
                         {"--done", request.done}});
   PlanOptions options;
   options.steps = request.steps.value_or(0);
@@ -238,6 +279,10 @@ void add_plan(Program& program) {
               "what mounting a part costs where the list does not say");
   verb.option("--pairs", request.pairs, "FILE", "pairs that must meet (default: all)");
   verb.option("--never", request.never, "FILE", "pairs that must not be in one set-up");
+  verb.option("--slots", request.slots, "FILE",
+              "how many parts of each slot a set-up has: slot,least,most a line");
+  verb.option("--slot", request.slot, "NAME=N,…",
+              "the same in one line, as in CPU=1,disk=2..4,fan=..2");
   verb.option("--mounted", request.mounted, "A,B", "parts that stay mounted in every set-up");
   verb.option("--start", request.start, "A,B,…", "parts that are mounted before the first test");
   verb.option("--budget", request.budget, "Z", "test as many pairs as this pays for");
@@ -251,11 +296,13 @@ void add_plan(Program& program) {
   request.run.add_to(verb, "60s", request.output);
   request.output.add_to(verb, {"table", "csv", "json", "markdown", "html"});
   verb.exclude({"--header", "--no-header"});
+  verb.exclude({"--slots", "--slot"});
   verb.only_with({"--done-first"}, {"--done"});
   verb.never_with({"--title", "--budget"}, {"--what-if"});
   verb.examples(
       {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --format html -o sheet.html",
+       "changeover plan server.csv -k 8 --test-cost 5 --slot CPU=1,PSU=1,disk=2..4",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --budget 600 --start 1,2,3",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --done sheet.csv --done-first 7",
        "changeover plan --items 20 -k 5 --test-cost 1 --change-cost 1 --what-if"});

@@ -37,7 +37,15 @@
 //      … times [docs/theorems.md, Theorem 5]; with the price of each part this is a linear program with a
 //      solution in closed form (src/plan/search/stays_cost.hpp). The parts at the start count as a set-up; if
 //      they are more than K, they count instead of K.
-// The bound is the least of T·test + (the largest of (5), (6) and (7)) over T ≥ (2) and I ≥ I(T), (3), (4). With
+//  (8) *Steps.* In a cheapest list with fewest introductions and then fewest tests, every set-up after the first
+//      introduces a part with a needed pair; else take it away. So I ≥ T − 1 + e, where e is what the first
+//      one introduces at least: what the slots need and is not at the start, and if nothing is, the parts of F of a pair.
+// *Slots.* K is also at most the sum, over the slots, of the most parts of F with a needed pair that a set-up has of
+// it, and of those in no slot; parts without a needed pair that some slot needs take room, and are mounted once at
+// least. In (2), x meets at most so many parts of a slot a test, and a test holds at most so many; so each slot
+// by itself bounds the tests. In (5), i_x ≤ d_x falls away for parts of slots that need some. All else is true of any
+// list, and so of those that obey the slots.
+// The bound is the least of T·test + (the largest of (5), (6) and (7)) over T ≥ (2) and I ≥ I(T), (3), (4), (8). With
 // forbidden pairs, pairs that need not meet, a start or tests already done, (4) falls away unless its
 // condition holds as it stands; the others stay true. (6) is left out of large jobs, where it takes long.
 #pragma once

@@ -7,8 +7,9 @@
 //     check(job);
 //
 // A *set-up* is a set of at most `at_once` parts that are mounted together and tested once. A list of
-// set-ups does the job if every needed pair is in some set-up, no pair of `never` is in any, and the
-// `mounted` parts are in all. It costs
+// set-ups does the job if every needed pair is in some set-up, no pair of `never` is in any, the
+// `mounted` parts are in all, and every set-up has of each slot no fewer parts than its least and no more than its
+// most; at_once stays the room for all. It costs
 //   (number of set-ups) · test_cost + Σ over all introductions of the change cost of the part,
 // where a part is introduced in a set-up if it was not in the one before; the first set-up introduces all
 // its parts but those of `start`, which are on the bench already. Taking parts out costs nothing. These
@@ -68,6 +69,16 @@ inline Amount& operator+=(Amount& a, Amount b) { return a = a + b; }
 /// The most parts of a job.
 inline constexpr std::uint64_t max_parts = 1000;
 
+/// A kind of parts, of which every set-up has so many: exactly one processor, two to four disks.
+struct Slot {
+  std::string name;
+  std::uint64_t least = 0;
+  std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+};
+
+/// Of a part that is in no slot.
+inline constexpr std::uint32_t no_slot = std::numeric_limits<std::uint32_t>::max();
+
 struct Job {
   std::vector<std::string> names;    ///< of the parts, which are the elements 0, 1, …
   std::uint64_t at_once = 0;         ///< how many parts fit
@@ -75,9 +86,12 @@ struct Job {
   std::vector<Amount> change_costs;  ///< of mounting each part once
   PairSet needed{0};                 ///< pairs that must meet
   PairSet never{0};                  ///< pairs that must not be in one set-up
-  Block mounted;                     ///< parts that are in every set-up
-  Block start;                       ///< parts that are mounted before the first test
-  std::uint64_t tests_done = 0;      ///< tests before the first; only for numbering
+  std::vector<Slot> slots;           ///< none: any parts may be together
+  std::vector<std::uint32_t>
+      slot_of;    ///< by part: the number of its slot, or no_slot; empty without slots
+  Block mounted;  ///< parts that are in every set-up
+  Block start;    ///< parts that are mounted before the first test
+  std::uint64_t tests_done = 0;  ///< tests before the first; only for numbering
 
   [[nodiscard]] std::uint64_t parts() const { return names.size(); }
   /// The most parts that a set-up can have: at_once, however large, but no more than there are.
@@ -98,9 +112,21 @@ struct Job {
 /// All pairs of elements but these. O(v²).
 [[nodiscard]] PairSet all_pairs_but(const PairSet& pairs);
 
+/// Puts parts into slots: `of_parts` are the names of their slots, "" of those in none. @throws BadInput without a
+/// name for each part, and for a part in a slot that is not listed; the job is then as it was.
+void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<Slot> slots);
+
+/// The needed pairs that no set-up can hold, for what the slots need and allow. O(v²) without forbidden pairs. Stopped
+/// if the scope of this thread (run/scope.hpp) wants to stop.
+[[nodiscard]] PairSet cannot_meet(const Job& job);
+
+/// These pairs need not meet any more.
+void drop_needed(Job& job, const PairSet& pairs);
+
 /// Why no list of set-ups can do the job, or why the job is malformed: a line for each reason, at most
 /// ten; none if there is one. The reasons are complete: without one, a set-up for each needed pair, of
-/// this pair and the mounted parts, does the job. O(v²).
+/// this pair, the mounted parts and what the slots need, does the job. With slots and forbidden pairs such a set-up is
+/// looked for among 100,000 choices. O(v²).
 [[nodiscard]] std::vector<std::string> defects(const Job& job);
 
 /// @throws BadInput with the first of defects() and how many more there are.
@@ -168,6 +194,14 @@ struct PartList {
 [[nodiscard]] std::vector<Block> read_setups(
     Input& input, const std::vector<std::string>& names,
     std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
+
+/// Slots with the least and the most parts of each, `slot,least,most` a row; a header of these words is taken for
+/// one, an empty field for no limit. @throws BadInput for other rows and repeated slots; MissingResource if
+/// reading fails.
+[[nodiscard]] std::vector<Slot> read_slots(Input& input);
+
+/// Slots in one line, "CPU=1, disk=2..4, fan=..2". @throws BadInput (without a place).
+[[nodiscard]] std::vector<Slot> parse_slots(std::string_view text);
 
 /// Parts in one line, "Pump A, 3"; fields as in files. @throws BadInput (without a place) for unknown or
 /// repeated parts.

@@ -16,7 +16,8 @@
 // The parts of a set-up have a column each, as many as the largest set-up has parts; what is taken out and put
 // in is a list for people. No cell is a formula to a spreadsheet: a text that would be one begins with an
 // apostrophe (io/write/csv_cell.hpp), which read_setups() takes back; numbers stay numbers.
-// JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost}], at_once, test_cost, mounted,
+// JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot (or null; with slots only)}], at_once,
+// slots [{name, least, most}], test_cost, mounted,
 // start, tests_done, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
 // tests, changes, reason}, budget (or null), steps [{step, take_out, put_in, set_up, new_pairs [[a,b]], cost,
 // cost_so_far}], candidates [{name, how, tests, changes, cost, pairs_tested}], notes [text]. Costs are exact decimals.

@@ -47,6 +47,13 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
       job.never.v() != job.parts()) {
     found.push_back("the number of change costs or the pairs do not fit the number of parts");
   }
+  const bool known_slots =
+      job.slot_of.size() == (job.slots.empty() ? 0 : job.names.size()) &&
+      std::all_of(job.slot_of.begin(), job.slot_of.end(),
+                  [&](std::uint32_t s) { return s < job.slots.size() || s == no_slot; });
+  if (!known_slots) {
+    found.push_back("the slots do not fit the parts");
+  }
   for (const Block* block : {&job.mounted, &job.start}) {
     for (std::size_t i = 0; i < block->size(); ++i) {
       if ((*block)[i] >= job.parts()) {
@@ -55,6 +62,38 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
         found.push_back(fmt::format("{} is mounted twice", job.names[(*block)[i]]));
       }
     }
+  }
+}
+
+// Slots whose numbers cannot be.
+void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
+  std::uint64_t needed = job.mounted.size();
+  for (std::size_t s = 0; s < job.slots.size(); ++s) {
+    const Slot& slot = job.slots[s];
+    const auto members =
+        static_cast<std::uint64_t>(std::count(job.slot_of.begin(), job.slot_of.end(), s));
+    const auto mounted = static_cast<std::uint64_t>(std::count_if(
+        job.mounted.begin(), job.mounted.end(), [&](Element x) { return job.slot_of[x] == s; }));
+    if (slot.least > slot.most) {
+      found.push_back(fmt::format("slot {} has at least {} parts and at most {}", shown(slot.name),
+                                  slot.least, slot.most));
+    } else if (members == 0) {
+      found.push_back(
+          fmt::format("no part is in slot {}; name it as the parts list does", shown(slot.name)));
+    } else if (slot.least > members) {
+      found.push_back(fmt::format("slot {} needs {} parts in every set-up, but only {} are listed",
+                                  shown(slot.name), slot.least, members));
+    } else if (mounted > slot.most) {
+      found.push_back(fmt::format("{} parts of slot {} stay mounted, but at most {} fit it",
+                                  mounted, shown(slot.name), slot.most));
+    } else {
+      needed += slot.least - std::min(slot.least, mounted);
+    }
+  }
+  if (found.empty() && needed > job.at_once) {
+    found.push_back(fmt::format("the slots{} need {} parts in every set-up, but only {} fit",
+                                job.mounted.empty() ? "" : " and what stays mounted", needed,
+                                job.at_once));
   }
 }
 
@@ -75,6 +114,7 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
       }
     }
   }
+  find_impossible_slots(job, found);
   if (!found.empty()) {
     return;
   }
@@ -90,6 +130,7 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
     }
   }
   const std::size_t mounted = job.mounted.size();
+  const PairSet apart = cannot_meet(job);
   job.needed.for_each(all_of_them, [&](Element x, Element y) {
     if (found.size() >= most_defects) {
       return;
@@ -103,6 +144,9 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
           fmt::format("{} must meet, but beside the {} that stay mounted there is no "
                       "room for both",
                       pair_name(job, x, y), mounted));
+    } else if (apart.contains(x, y) && !enemy[x] && !enemy[y]) {
+      found.push_back(fmt::format("{} must meet, but no set-up within the slots can hold both",
+                                  pair_name(job, x, y)));
     } else {
       for (const Element z : {x, y}) {
         if (enemy[z]) {

@@ -128,10 +128,26 @@ class Annealer {
     return s_->is_movable(x) && x != kept ? std::optional(x) : std::nullopt;
   }
 
+  // A movable part of a set-up other than `kept` that could leave for y: of its slot, if that is full.
+  std::optional<Element> someone_for(std::size_t at, Element y, std::optional<Element> kept) {
+    if (!s_->slot_full(at, y)) {
+      return some_part(at, kept);
+    }
+    const auto setup = s_->setup(at);
+    const std::size_t begin = below(setup.size());
+    for (std::size_t i = 0; i < setup.size(); ++i) {
+      const Element x = setup[(begin + i) % setup.size()];
+      if (s_->fitting().slot(x) == s_->fitting().slot(y)) {
+        return s_->is_movable(x) && x != kept ? std::optional(x) : std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
   void exchange() {
     const std::size_t at = below(s_->size());
-    const auto x = some_part(at, std::nullopt);
     const Element y = s_->movable()[below(s_->movable().size())];
+    const auto x = someone_for(at, y, std::nullopt);
     if (x && !s_->holds(at, y)) {
       exchange_around(at, *x, y);
     }
@@ -162,7 +178,7 @@ class Annealer {
       add_around(*at, coming);
       return;
     }
-    if (const auto leaving = some_part(*at, kept); leaving && *leaving != coming) {
+    if (const auto leaving = someone_for(*at, coming, kept); leaving && *leaving != coming) {
       exchange_around(*at, *leaving, coming);
     }
   }
@@ -233,11 +249,12 @@ class Annealer {
       return;
     }
     const auto x = some_part(at, std::nullopt);
-    if (!x || s_->setup(at).size() < 2) {
+    if (!x || s_->setup(at).size() < 2 || !s_->may_leave(at, *x)) {
       return;
     }
-    const Stretch where = stretch(
-        at, below(3), [&](std::size_t i) { return s_->holds(i, *x) && s_->setup(i).size() > 1; });
+    const Stretch where = stretch(at, below(3), [&](std::size_t i) {
+      return s_->holds(i, *x) && s_->setup(i).size() > 1 && s_->may_leave(i, *x);
+    });
     s_->remove(where, *x);
     if (!keep()) {
       s_->add(where, *x);
@@ -284,6 +301,13 @@ class Annealer {
     if (!bring(setup, x) || !bring(setup, y)) {
       return;
     }
+    if (s_->fitting().has_slots()) {
+      const auto whole = s_->fitting().completed(setup, {});
+      if (!whole) {
+        return;
+      }
+      setup = *whole;
+    }
     s_->insert(at, setup);
     if (!keep()) {
       s_->forget(s_->take_out(at));
@@ -298,13 +322,27 @@ class Annealer {
     }
     const Job& job = s_->job();
     std::erase_if(setup, [&](Element z) { return job.never.contains(z, x); });
-    while (setup.size() >= job.room()) {
+    const Fitting& fitting = s_->fitting();
+    const auto in_slot_of = [&](Element z) {
+      return static_cast<std::uint64_t>(
+          std::count_if(setup.begin(), setup.end(),
+                        [&](Element other) { return fitting.slot(other) == fitting.slot(z); }));
+    };
+    const bool slots = fitting.has_slots();
+    const bool slot_full = slots && fitting.slot(x) < fitting.slots() &&
+                           in_slot_of(x) >= fitting.most(fitting.slot(x));
+    const auto may_go = [&](Element z) {
+      return s_->is_movable(z) && !is_protected(z) &&
+             (!slots || fitting.slot(z) == fitting.slot(x) ||
+              (!slot_full && in_slot_of(z) > fitting.least(fitting.slot(z))));
+    };
+    for (bool first = true; (first && slot_full) || setup.size() >= job.room(); first = false) {
       std::size_t most = 32;
       std::size_t victim = below(setup.size());
-      while (most-- > 0 && (!s_->is_movable(setup[victim]) || is_protected(setup[victim]))) {
+      while (most-- > 0 && !may_go(setup[victim])) {
         victim = below(setup.size());
       }
-      if (!s_->is_movable(setup[victim]) || is_protected(setup[victim])) {
+      if (!may_go(setup[victim])) {
         return false;
       }
       setup[victim] = setup.back();

@@ -34,6 +34,10 @@ struct Numbers {
   std::uint64_t start_pairs = 0;      // needed pairs within S
   Amount mounting;                    // of the parts that stay mounted
   std::uint64_t mounted_introductions = 0;
+  std::vector<std::uint32_t> slot_of;  // by part; slots.size() if it has none
+  std::vector<std::uint64_t>
+      most;                 // by slot, the last for no slot: parts of F that a set-up holds at most
+  std::uint64_t first = 0;  // e of (8)
 };
 
 // Colours of a greedy colouring of the graph of pairs that may meet: no clique is larger.
@@ -51,6 +55,60 @@ std::uint64_t clique_bound(const Job& job, const std::vector<Element>& parts) {
     }
   }
   return classes.size();
+}
+
+// How the slots limit the parts of F, and what they need besides.
+void add_slots(const Job& job, const std::vector<bool>& mounted, Numbers& n) {
+  const std::size_t slots = job.slots.size();
+  n.slot_of.assign(job.names.size(), static_cast<std::uint32_t>(slots));
+  for (Element x = 0; x < job.slot_of.size(); ++x) {
+    n.slot_of[x] = job.slot_of[x] == no_slot ? n.slot_of[x] : job.slot_of[x];
+  }
+  std::vector<std::vector<Element>> members(slots + 1);  // of F, with a needed pair
+  for (const Element x : n.parts) {
+    members[n.slot_of[x]].push_back(x);
+  }
+  n.most.push_back(0);
+  n.room = job.room() - job.mounted.size();
+  std::uint64_t all = 0;
+  for (std::size_t s = 0; s <= slots; ++s) {
+    std::uint64_t most = clique_bound(job, members[s]);
+    if (s < slots) {
+      std::uint64_t stay = 0;
+      std::uint64_t on_bench = 0;    // of F, with or without a needed pair
+      std::uint64_t idle_there = 0;  // on the bench, without one
+      std::vector<Amount> idle;      // to be mounted, without one
+      for (Element x = 0; x < job.parts(); ++x) {
+        if (n.slot_of[x] != s) {
+          continue;
+        }
+        stay += mounted[x] ? 1U : 0U;
+        on_bench += !mounted[x] && n.at_start[x] ? 1U : 0U;
+        if (!mounted[x] && n.degree[x] == 0) {
+          idle_there += n.at_start[x] ? 1U : 0U;
+          if (!n.at_start[x]) {
+            idle.push_back(job.change_costs[x]);
+          }
+        }
+      }
+      const Slot& slot = job.slots[s];
+      most = std::min(most, slot.most - std::min(slot.most, stay));
+      const std::uint64_t rest = slot.least - std::min(slot.least, stay);
+      const std::uint64_t by_idle = rest - std::min<std::uint64_t>(rest, members[s].size());
+      n.room -= std::min(n.room, by_idle);
+      std::sort(idle.begin(), idle.end());
+      for (std::uint64_t i = idle_there; i < by_idle; ++i) {
+        n.mounting += idle[static_cast<std::size_t>(i - idle_there)];
+        ++n.mounted_introductions;
+      }
+      const std::uint64_t others = idle.size() + on_bench;
+      n.first += rest - std::min(rest, others);
+    }
+    n.most.insert(n.most.end() - 1, most);
+    all += most;
+  }
+  n.most.pop_back();
+  n.room = std::min(n.room, all);
 }
 
 Numbers numbers_of(const Job& job) {
@@ -89,7 +147,13 @@ Numbers numbers_of(const Job& job) {
       }
     }
   }
-  n.room = std::min(job.room() - job.mounted.size(), clique_bound(job, n.parts));
+  add_slots(job, mounted, n);
+  n.room = std::min(n.room, clique_bound(job, n.parts));
+  if (job.start.empty() && n.pairs == job.needed.size()) {
+    n.first = std::max<std::uint64_t>(n.first, 2);  // Each needed pair is of two parts of F.
+  } else if (job.start.empty()) {
+    n.first = std::max<std::uint64_t>(n.first, 1);
+  }
   return n;
 }
 
@@ -121,7 +185,10 @@ class IntroductionCosts {
       return job.change_costs[x] < job.change_costs[y];
     });
     for (const Element x : by_cost) {
-      std::uint64_t spare = n.degree[x];
+      const std::uint32_t slot = n.slot_of[x];
+      constexpr std::uint64_t any_number = std::uint64_t{1} << 40U;
+      std::uint64_t spare =
+          slot < job.slots.size() && job.slots[slot].least > 0 ? any_number : n.degree[x];
       if (!n.at_start[x]) {
         ++once_;
         base_ += job.change_costs[x];
@@ -283,11 +350,44 @@ struct Least {
   }
 };
 
-Least least_tests(const Numbers& n) {
+Least least_tests(const Job& job, const Numbers& n) {
+  const bool slots = !job.slots.empty();
+  std::vector<std::uint64_t> inner_of_slot(slots ? job.names.size() * n.most.size() : 0, 0);
+  if (slots) {
+    std::vector<bool> mounted(job.names.size());
+    for (const Element m : job.mounted) {
+      mounted[m] = true;
+    }
+    job.needed.for_each(all_of_them, [&](Element x, Element y) {
+      if (!mounted[x] && !mounted[y]) {
+        ++inner_of_slot[x * n.most.size() + n.slot_of[y]];
+        ++inner_of_slot[y * n.most.size() + n.slot_of[x]];
+      }
+    });
+  }
   Least tests{1, "there is something to test"};
   std::uint64_t occurrences = 0;
+  std::vector<std::uint64_t> by_slot(n.most.size(), 0);
   for (const Element x : n.parts) {
-    occurrences += n.inner[x] == 0 ? 1 : ceil_div(n.inner[x], n.room - 1);
+    std::uint64_t times = n.inner[x] == 0 ? 1 : ceil_div(n.inner[x], n.room - 1);
+    if (slots) {
+      for (std::size_t s = 0; s < n.most.size(); ++s) {
+        const std::uint64_t places = n.most[s] - (n.slot_of[x] == s ? 1 : 0);
+        const std::uint64_t partners = inner_of_slot[x * n.most.size() + s];
+        times = partners == 0 ? times : std::max(times, ceil_div(partners, places));
+      }
+      by_slot[n.slot_of[x]] += times;
+    }
+    occurrences += times;
+  }
+  for (std::size_t s = 0; s < by_slot.size(); ++s) {
+    if (by_slot[s] > 0) {
+      tests.at_least(
+          ceil_div(by_slot[s], n.most[s]),
+          fmt::format("the parts {} are in at least {} set-ups in all, {} in each",
+                      s < job.slots.size() ? "of slot " + job.slots[s].name : "of no slot",
+                      by_slot[s], n.most[s]));
+    }
   }
   if (n.room > 0) {
     tests.at_least(ceil_div(occurrences, n.room),
@@ -350,14 +450,19 @@ Cheapest cheapest_numbers(const Job& job, const Numbers& n, const IntroductionCo
       stop_if_asked();
       --*counted;
     }
-    std::uint64_t i = std::max(*counted, least_introductions);
+    std::uint64_t i = std::max({*counted, least_introductions, t - 1 + n.first});
+    const bool at_steps = t - 1 + n.first >= std::max(*counted, least_introductions);
+    bool too_dear = false;  // with the fewest introductions, and so with more tests too
+    bool first = true;
     for (; i <= most; ++i) {
       stop_if_asked();
       const auto five = costs(i);
       if (!five ||
           (best && job.test_cost * t + std::max(*five, seven) + n.mounting >= best->cost)) {
+        too_dear = first;
         break;  // More introductions cost no less.
       }
+      first = false;
       const Amount six = degrees ? (*degrees)(t, i) : Amount{};
       const Amount total = job.test_cost * t + std::max({*five, six, seven}) + n.mounting;
       if (!best || total < best->cost) {
@@ -369,7 +474,7 @@ Cheapest cheapest_numbers(const Job& job, const Numbers& n, const IntroductionCo
     }
     // More tests help only as long as some step that matters has two changes.
     const bool cannot_help = best && job.test_cost * (t + 1) + n.mounting >= best->cost;
-    if (cannot_help || (best && t > i + 1) ||
+    if (cannot_help || (best && at_steps && too_dear) ||
         (best && !degrees && *counted <= least_introductions)) {
       break;
     }
@@ -388,7 +493,7 @@ CostBound cost_bound(const Job& job) {
     return bound;
   }
   const IntroductionCosts costs(job, n);
-  const Least tests = least_tests(n);
+  const Least tests = least_tests(job, n);
   const StaysCost stays = least_by_stays(job, n);
   const Least introductions = least_introductions(n, costs.once(), stays.extra);
 

@@ -148,7 +148,7 @@ std::optional<Start> design_start(const Job& job, const std::vector<Element>& pa
 std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl& control) {
   const std::vector<Element> parts = free_parts(job);
   const std::uint64_t k = job.room() - job.mounted.size();
-  if (job.never.size() > 0 || parts.empty()) {
+  if (job.never.size() > 0 || !job.slots.empty() || parts.empty()) {
     return {};
   }
   if (parts.size() <= k) {

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <limits>
 
+#include "plan/job/fitting.hpp"
 #include "plan/search/listener.hpp"
 #include "plan/search/starts.hpp"
 
@@ -14,6 +15,7 @@ class Greedy {
  public:
   Greedy(const Job& job, RunControl& control)
       : job_(&job),
+        fitting_(job),
         listener_(control),
         parts_(job.names.size()),
         room_(job.room()),
@@ -102,6 +104,36 @@ class Greedy {
     }
   }
 
+  // How many parts of each slot the set-up in work has, and how many it lacks in all.
+  void count_slots(const Block& setup) {
+    in_slot_.assign(fitting_.slots() + 1, 0);
+    lacking_ = 0;
+    for (const Element x : setup) {
+      ++in_slot_[fitting_.slot(x)];
+    }
+    for (std::size_t s = 0; s < fitting_.slots(); ++s) {
+      lacking_ += fitting_.least(s) - std::min(fitting_.least(s), in_slot_[s]);
+    }
+  }
+
+  // Whether y can join a set-up of so many parts, with room left for what its slots lack.
+  [[nodiscard]] bool slots_allow(std::size_t size, Element y) const {
+    if (!fitting_.has_slots()) {
+      return true;
+    }
+    const std::size_t s = fitting_.slot(y);
+    const bool fills = in_slot_[s] < fitting_.least(s);
+    return (s == fitting_.slots() || in_slot_[s] < fitting_.most(s)) &&
+           (fills || size + 1 + lacking_ <= room_);
+  }
+
+  void note_joined(Element y) {
+    if (fitting_.has_slots()) {
+      const std::size_t s = fitting_.slot(y);
+      lacking_ -= in_slot_[s]++ < fitting_.least(s) ? 1U : 0U;
+    }
+  }
+
   // What is kept when room for j more is wanted: the mounted parts and those with most left to meet.
   [[nodiscard]] Block kept(std::uint64_t j) {
     Block candidates = bench_;
@@ -109,9 +141,12 @@ class Greedy {
                      [&](Element x, Element y) { return left_[x] > left_[y]; });
     Block setup = job_->mounted;
     block_around_all(setup);
+    count_slots(setup);
     for (const Element x : candidates) {
-      if (setup.size() + j < room_ && left_[x] > 0 && blocked_[x] == 0) {
+      if (setup.size() + j < room_ && left_[x] > 0 && blocked_[x] == 0 &&
+          slots_allow(setup.size(), x)) {
         setup.push_back(x);
+        note_joined(x);
         block_around(x);
       }
     }
@@ -125,10 +160,22 @@ class Greedy {
     }
   }
 
-  // Adds parts while there is room, always the one that meets most; returns the pairs tested.
+  // Adds parts while there is room, always the one that meets most, and what the slots lack; returns the pairs
+  // tested, none if the slots cannot be filled.
   std::uint64_t fill(Block& setup) {
+    const std::uint64_t pairs = fill_up(setup);
+    if (lacking_ == 0) {
+      return pairs;
+    }
+    const auto whole = fitting_.completed(setup, bench_);
+    setup = whole.value_or(Block{});
+    return whole ? pairs : 0;
+  }
+
+  std::uint64_t fill_up(Block& setup) {
     std::fill(gains_.begin(), gains_.end(), 0U);
     block_around_all(setup);
+    count_slots(setup);
     for (const Element x : setup) {
       if (left_[x] > 0) {
         count_gains_of(x);
@@ -145,7 +192,7 @@ class Greedy {
       std::uint64_t most = 0;
       for (Element y = 0; y < parts_; ++y) {
         const std::uint64_t value = std::uint64_t{gains_[y]} << 32 | left_[y];
-        if (value > most && blocked_[y] == 0 && left_[y] > 0) {
+        if (value > most && blocked_[y] == 0 && left_[y] > 0 && slots_allow(setup.size(), y)) {
           best = y;
           most = value;
         }
@@ -155,6 +202,7 @@ class Greedy {
       }
       pairs += gains_[best];
       setup.push_back(best);
+      note_joined(best);
       block_around(best);
       count_gains_of(best);
     }
@@ -210,6 +258,9 @@ class Greedy {
         setup.push_back(x);
       }
     }
+    if (const auto whole = fitting_.completed(setup, bench_)) {
+      setup = *whole;  // There is one: the job has no defects.
+    }
     if (setup.size() < room_) {
       fill(setup);
     }
@@ -217,6 +268,7 @@ class Greedy {
   }
 
   const Job* job_;
+  Fitting fitting_;
   Listener listener_;
   std::size_t parts_;
   std::uint64_t room_;
@@ -227,8 +279,10 @@ class Greedy {
   Element first_open_ = 0;  // no part before it has a missing pair
   Block bench_;
   std::vector<bool> on_bench_;
-  std::vector<std::uint32_t> gains_;   // by part: missing pairs with the set-up in work
-  std::vector<std::uint8_t> blocked_;  // by part: is in the set-up in work, or must not join it
+  std::vector<std::uint32_t> gains_;    // by part: missing pairs with the set-up in work
+  std::vector<std::uint64_t> in_slot_;  // by slot, in the set-up in work
+  std::uint64_t lacking_ = 0;           // of the slots of the set-up in work
+  std::vector<std::uint8_t> blocked_;   // by part: is in the set-up in work, or must not join it
 };
 
 }  // namespace

@@ -23,8 +23,23 @@ std::optional<Block> with_pair(const Sequence& s, std::span<const Element> besid
       setup.push_back(z);
     }
   }
+  const Fitting& fitting = s.fitting();
+  if (fitting.has_slots()) {
+    const auto whole = fitting.completed(setup, beside);
+    if (!whole) {
+      return std::nullopt;
+    }
+    setup = *whole;
+  }
+  const auto has_place = [&](Element z) {
+    const std::size_t slot = fitting.slot(z);
+    return slot == fitting.slots() ||
+           static_cast<std::uint64_t>(std::count_if(setup.begin(), setup.end(), [&](Element other) {
+             return fitting.slot(other) == slot;
+           })) < fitting.most(slot);
+  };
   for (const Element z : beside) {
-    if (setup.size() < job.room() && !holds(z) &&
+    if (setup.size() < job.room() && !holds(z) && has_place(z) &&
         std::none_of(setup.begin(), setup.end(),
                      [&](Element other) { return job.never.contains(other, z); })) {
       setup.push_back(z);
@@ -115,8 +130,14 @@ void prune(Sequence& sequence, RunControl& control) {
           continue;
         }
         std::size_t last = at;
+        bool to_spare = sequence.may_leave(at, x);
         while (last + 1 < sequence.size() && sequence.holds(last + 1, x)) {
           ++last;
+          to_spare = to_spare && sequence.may_leave(last, x);
+        }
+        if (!to_spare) {
+          at = last;
+          continue;
         }
         const std::size_t missing = sequence.uncovered();
         const std::int64_t cost = sequence.cost();

@@ -39,6 +39,7 @@ Weights Weights::of(const Job& job, std::uint64_t tests) {
 
 Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& setups)
     : job_(&job),
+      fitting_(job),
       weights_(std::move(weights)),
       parts_(job.names.size()),
       room_(static_cast<std::size_t>(job.room())) {
@@ -55,6 +56,9 @@ Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& se
     place_[pair_index(x, y)] = static_cast<std::uint32_t>(uncovered_.size());
     uncovered_.push_back(static_cast<std::uint32_t>(pair_index(x, y)));
   });
+  for (Element x = 0; x < parts_; ++x) {
+    is_movable_[x] = is_movable_[x] || fitting_.least(fitting_.slot(x)) > 0;
+  }
   for (const Element m : job.mounted) {
     is_movable_[m] = false;
   }
@@ -72,6 +76,7 @@ Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& se
     });
   }
   start_.bits.assign(words, 0);
+  start_.of_slot.assign(fitting_.slots(), 0);
   for (const Element x : job.start) {
     put(start_, x);
   }
@@ -84,8 +89,8 @@ Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& se
 std::vector<Block> Sequence::setups() const {
   std::vector<Block> result;
   result.reserve(size());
-  for (const std::uint32_t slot : order_) {
-    result.push_back(slots_[slot].elements);
+  for (const std::uint32_t handle : order_) {
+    result.push_back(places_[handle].elements);
     std::sort(result.back().begin(), result.back().end());
   }
   return result;
@@ -97,15 +102,19 @@ std::pair<Element, Element> Sequence::uncovered_pair(std::size_t index) const {
 }
 
 bool Sequence::may_join(std::size_t at, Element y, Element leaving) const {
+  const Place& place = places_[order_[at]];
+  if (fitting_.has_slots() && (leaving == y || fitting_.slot(leaving) != fitting_.slot(y)) &&
+      (!has_place(place, y) || (leaving != y && !has_to_spare(place, leaving)))) {
+    return false;
+  }
   if (!has_never_) {
     return true;
   }
-  const Slot& slot = slots_[order_[at]];
-  return std::none_of(slot.elements.begin(), slot.elements.end(),
+  return std::none_of(place.elements.begin(), place.elements.end(),
                       [&](Element z) { return z != leaving && bit(never_[y], z); });
 }
 
-std::int64_t Sequence::step(const Slot& from, const Slot& to) const {
+std::int64_t Sequence::step(const Place& from, const Place& to) const {
   if (one_weight_) {
     std::int64_t kept = 0;
     for (std::size_t w = 0; w < to.bits.size(); ++w) {
@@ -123,7 +132,7 @@ std::int64_t Sequence::step(const Slot& from, const Slot& to) const {
 
 std::int64_t Sequence::introductions(Element x, Stretch where) const {
   std::int64_t times = 0;
-  bool before = bit(slot_before(where.first).bits, x);
+  bool before = bit(place_before(where.first).bits, x);
   for (std::size_t at = where.first; at <= std::min(where.last + 1, size() - 1); ++at) {
     const bool now = holds(at, x);
     times += now && !before ? 1 : 0;
@@ -132,18 +141,24 @@ std::int64_t Sequence::introductions(Element x, Stretch where) const {
   return times * static_cast<std::int64_t>(weights_.change[x]);
 }
 
-void Sequence::put(Slot& slot, Element y) {
-  slot.elements.push_back(y);
-  slot.bits[y >> 6] |= std::uint64_t{1} << (y & 63);
-  slot.weight += static_cast<std::int64_t>(weights_.change[y]);
+void Sequence::put(Place& place, Element y) {
+  place.elements.push_back(y);
+  place.bits[y >> 6] |= std::uint64_t{1} << (y & 63);
+  place.weight += static_cast<std::int64_t>(weights_.change[y]);
+  if (const std::size_t s = fitting_.slot(y); s < fitting_.slots()) {
+    ++place.of_slot[s];
+  }
 }
 
-void Sequence::drop(Slot& slot, Element x) {
-  auto found = std::find(slot.elements.begin(), slot.elements.end(), x);
-  *found = slot.elements.back();
-  slot.elements.pop_back();
-  slot.bits[x >> 6] &= ~(std::uint64_t{1} << (x & 63));
-  slot.weight -= static_cast<std::int64_t>(weights_.change[x]);
+void Sequence::drop(Place& place, Element x) {
+  auto found = std::find(place.elements.begin(), place.elements.end(), x);
+  *found = place.elements.back();
+  place.elements.pop_back();
+  place.bits[x >> 6] &= ~(std::uint64_t{1} << (x & 63));
+  place.weight -= static_cast<std::int64_t>(weights_.change[x]);
+  if (const std::size_t s = fitting_.slot(x); s < fitting_.slots()) {
+    --place.of_slot[s];
+  }
 }
 
 void Sequence::cover(Element x, Element y) {
@@ -164,37 +179,37 @@ void Sequence::uncover(Element x, Element y) {
   }
 }
 
-void Sequence::cover_all(const Slot& slot) {
-  for (std::size_t i = 1; i < slot.elements.size(); ++i) {
+void Sequence::cover_all(const Place& place) {
+  for (std::size_t i = 1; i < place.elements.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      cover(slot.elements[i], slot.elements[j]);
+      cover(place.elements[i], place.elements[j]);
     }
   }
-  occupied_ += slot.elements.size();
+  occupied_ += place.elements.size();
 }
 
-void Sequence::uncover_all(const Slot& slot) {
-  for (std::size_t i = 1; i < slot.elements.size(); ++i) {
+void Sequence::uncover_all(const Place& place) {
+  for (std::size_t i = 1; i < place.elements.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      uncover(slot.elements[i], slot.elements[j]);
+      uncover(place.elements[i], place.elements[j]);
     }
   }
-  occupied_ -= slot.elements.size();
+  occupied_ -= place.elements.size();
 }
 
 void Sequence::exchange(Stretch where, Element x, Element y) {
   cost_ -= introductions(x, where) + introductions(y, where);
   for (std::size_t at = where.first; at <= where.last; ++at) {
-    Slot& slot = slots_[order_[at]];
-    const bool has_x = bit(slot.bits, x);
+    Place& place = places_[order_[at]];
+    const bool has_x = bit(place.bits, x);
     const Element leaving = has_x ? x : y;
     const Element coming = has_x ? y : x;
-    drop(slot, leaving);
-    for (const Element z : slot.elements) {
+    drop(place, leaving);
+    for (const Element z : place.elements) {
       uncover(leaving, z);
       cover(coming, z);
     }
-    put(slot, coming);
+    put(place, coming);
   }
   cost_ += introductions(x, where) + introductions(y, where);
 }
@@ -202,11 +217,11 @@ void Sequence::exchange(Stretch where, Element x, Element y) {
 void Sequence::add(Stretch where, Element y) {
   cost_ -= introductions(y, where);
   for (std::size_t at = where.first; at <= where.last; ++at) {
-    Slot& slot = slots_[order_[at]];
-    for (const Element z : slot.elements) {
+    Place& place = places_[order_[at]];
+    for (const Element z : place.elements) {
       cover(y, z);
     }
-    put(slot, y);
+    put(place, y);
     ++occupied_;
   }
   cost_ += introductions(y, where);
@@ -215,9 +230,9 @@ void Sequence::add(Stretch where, Element y) {
 void Sequence::remove(Stretch where, Element y) {
   cost_ -= introductions(y, where);
   for (std::size_t at = where.first; at <= where.last; ++at) {
-    Slot& slot = slots_[order_[at]];
-    drop(slot, y);
-    for (const Element z : slot.elements) {
+    Place& place = places_[order_[at]];
+    drop(place, y);
+    for (const Element z : place.elements) {
       uncover(y, z);
     }
     --occupied_;
@@ -228,7 +243,7 @@ void Sequence::remove(Stretch where, Element y) {
 std::uint32_t Sequence::take_out(std::size_t at) {
   const std::uint32_t handle = order_[at];
   cost_ -= static_cast<std::int64_t>(weights_.test) + step_into(at) + step_into(at + 1);
-  uncover_all(slots_[handle]);
+  uncover_all(places_[handle]);
   order_.erase(order_.begin() + static_cast<std::ptrdiff_t>(at));
   cost_ += step_into(at);
   return handle;
@@ -237,47 +252,48 @@ std::uint32_t Sequence::take_out(std::size_t at) {
 void Sequence::put_back(std::size_t at, std::uint32_t handle) {
   cost_ -= step_into(at);
   order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(at), handle);
-  cover_all(slots_[handle]);
+  cover_all(places_[handle]);
   cost_ += static_cast<std::int64_t>(weights_.test) + step_into(at) + step_into(at + 1);
 }
 
 void Sequence::insert(std::size_t at, std::span<const Element> setup) {
   std::uint32_t handle = 0;
   if (free_.empty()) {
-    handle = static_cast<std::uint32_t>(slots_.size());
-    slots_.emplace_back();
-    slots_.back().elements.reserve(room_);
+    handle = static_cast<std::uint32_t>(places_.size());
+    places_.emplace_back();
+    places_.back().elements.reserve(room_);
   } else {
     handle = free_.back();
     free_.pop_back();
   }
-  Slot& slot = slots_[handle];
-  slot.elements.clear();
-  slot.bits.assign((parts_ + 63) / 64, 0);
-  slot.weight = 0;
+  Place& place = places_[handle];
+  place.elements.clear();
+  place.bits.assign((parts_ + 63) / 64, 0);
+  place.of_slot.assign(fitting_.slots(), 0);
+  place.weight = 0;
   for (const Element x : setup) {
-    put(slot, x);
+    put(place, x);
   }
   put_back(at, handle);
 }
 
 std::int64_t Sequence::rise_of_reverse(Stretch where) const {
-  const Slot& first = slots_[order_[where.first]];
-  const Slot& last = slots_[order_[where.last]];
-  std::int64_t rise = step(slot_before(where.first), last) - step_into(where.first);
+  const Place& first = places_[order_[where.first]];
+  const Place& last = places_[order_[where.last]];
+  std::int64_t rise = step(place_before(where.first), last) - step_into(where.first);
   if (where.last + 1 < size()) {
-    rise += step(first, slots_[order_[where.last + 1]]) - step_into(where.last + 1);
+    rise += step(first, places_[order_[where.last + 1]]) - step_into(where.last + 1);
   }
   return rise + first.weight - last.weight;
 }
 
 std::int64_t Sequence::rise_of_rotate(std::size_t first, std::size_t middle,
                                       std::size_t end) const {
-  const auto slot = [&](std::size_t at) -> const Slot& { return slots_[order_[at]]; };
-  std::int64_t rise = step(slot_before(first), slot(middle)) - step_into(first) +
-                      step(slot(end - 1), slot(first)) - step_into(middle);
+  const auto place = [&](std::size_t at) -> const Place& { return places_[order_[at]]; };
+  std::int64_t rise = step(place_before(first), place(middle)) - step_into(first) +
+                      step(place(end - 1), place(first)) - step_into(middle);
   if (end < size()) {
-    rise += step(slot(middle - 1), slot(end)) - step_into(end);
+    rise += step(place(middle - 1), place(end)) - step_into(end);
   }
   return rise;
 }
@@ -285,7 +301,7 @@ std::int64_t Sequence::rise_of_rotate(std::size_t first, std::size_t middle,
 void Sequence::reverse(Stretch where) {
   // Inside, introductions become leavings: the difference is that of the weights of the two ends.
   cost_ -= step_into(where.first) + step_into(where.last + 1);
-  cost_ += slots_[order_[where.first]].weight - slots_[order_[where.last]].weight;
+  cost_ += places_[order_[where.first]].weight - places_[order_[where.last]].weight;
   std::reverse(order_.begin() + static_cast<std::ptrdiff_t>(where.first),
                order_.begin() + static_cast<std::ptrdiff_t>(where.last) + 1);
   cost_ += step_into(where.first) + step_into(where.last + 1);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
+#include "plan/job/fitting.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -45,25 +46,34 @@ class Sequence {
   [[nodiscard]] const Job& job() const { return *job_; }
   [[nodiscard]] const Weights& weights() const { return weights_; }
 
-  /// Parts that a search may move: not mounted for good, and with a needed pair.
+  /// Parts that a search may move: not mounted for good, and with a needed pair or of a slot that needs some.
   [[nodiscard]] const std::vector<Element>& movable() const { return movable_; }
   [[nodiscard]] bool is_movable(Element x) const { return is_movable_[x]; }
   /// Uncovered needed pair number `index`, index < uncovered().
   [[nodiscard]] std::pair<Element, Element> uncovered_pair(std::size_t index) const;
   [[nodiscard]] std::span<const Element> setup(std::size_t at) const {
-    const Slot& slot = slots_[order_[at]];
-    return {slot.elements.data(), slot.elements.size()};
+    const Place& place = places_[order_[at]];
+    return {place.elements.data(), place.elements.size()};
   }
   [[nodiscard]] bool holds(std::size_t at, Element x) const {
-    return bit(slots_[order_[at]].bits, x);
+    return bit(places_[order_[at]].bits, x);
   }
   [[nodiscard]] bool full(std::size_t at) const {
-    return slots_[order_[at]].elements.size() >= room_;
+    return places_[order_[at]].elements.size() >= room_;
   }
   /// Room left over all set-ups.
   [[nodiscard]] std::uint64_t slack() const { return size() * room_ - occupied_; }
   /// Whether y may be where `leaving` goes; pass y itself if none goes.
   [[nodiscard]] bool may_join(std::size_t at, Element y, Element leaving) const;
+  /// Whether the slot of x has a part to spare here.
+  [[nodiscard]] bool may_leave(std::size_t at, Element x) const {
+    return !fitting_.has_slots() || has_to_spare(places_[order_[at]], x);
+  }
+  /// Whether the slot of y has no place left here.
+  [[nodiscard]] bool slot_full(std::size_t at, Element y) const {
+    return fitting_.has_slots() && !has_place(places_[order_[at]], y);
+  }
+  [[nodiscard]] const Fitting& fitting() const { return fitting_; }
 
   /// Exchanges x and y in a stretch whose set-ups hold exactly one of them, where may_join() allows it. Its
   /// own inverse.
@@ -89,34 +99,44 @@ class Sequence {
 
  private:
   using Bits = std::vector<std::uint64_t>;
-  struct Slot {
+  struct Place {
     Block elements;
     Bits bits;
-    std::int64_t weight = 0;  // of all changes that mount it on an empty bench
+    std::int64_t weight = 0;             // of all changes that mount it on an empty bench
+    std::vector<std::uint32_t> of_slot;  // by slot of the job: its parts here; empty without slots
   };
 
   static bool bit(const Bits& bits, Element x) { return (bits[x >> 6] >> (x & 63) & 1) != 0; }
-  [[nodiscard]] const Slot& slot_before(std::size_t at) const {
-    return at == 0 ? start_ : slots_[order_[at - 1]];
+  [[nodiscard]] bool has_to_spare(const Place& place, Element x) const {
+    const std::size_t s = fitting_.slot(x);
+    return s == fitting_.slots() || place.of_slot[s] > fitting_.least(s);
+  }
+  [[nodiscard]] bool has_place(const Place& place, Element y) const {
+    const std::size_t s = fitting_.slot(y);
+    return s == fitting_.slots() || place.of_slot[s] < fitting_.most(s);
+  }
+  [[nodiscard]] const Place& place_before(std::size_t at) const {
+    return at == 0 ? start_ : places_[order_[at - 1]];
   }
   /// Weight of the introductions from one set-up to the next.
-  [[nodiscard]] std::int64_t step(const Slot& from, const Slot& to) const;
+  [[nodiscard]] std::int64_t step(const Place& from, const Place& to) const;
   [[nodiscard]] std::int64_t step_into(std::size_t at) const {
-    return at >= size() ? 0 : step(slot_before(at), slots_[order_[at]]);
+    return at >= size() ? 0 : step(place_before(at), places_[order_[at]]);
   }
   /// Weight of the introductions of x from position `first` to `last` + 1.
   [[nodiscard]] std::int64_t introductions(Element x, Stretch where) const;
-  void put(Slot& slot, Element y);
-  void drop(Slot& slot, Element x);
+  void put(Place& place, Element y);
+  void drop(Place& place, Element x);
   void cover(Element x, Element y);
   void uncover(Element x, Element y);
-  void cover_all(const Slot& slot);
-  void uncover_all(const Slot& slot);
+  void cover_all(const Place& place);
+  void uncover_all(const Place& place);
   [[nodiscard]] std::size_t pair_index(Element x, Element y) const {
     return x < y ? std::size_t{y} * parts_ + x : std::size_t{x} * parts_ + y;
   }
 
   const Job* job_;
+  Fitting fitting_;
   Weights weights_;
   std::size_t parts_;
   std::size_t room_;
@@ -125,10 +145,10 @@ class Sequence {
   std::vector<Bits> never_;  // by part, if there are forbidden pairs
   std::vector<Element> movable_;
   std::vector<bool> is_movable_;
-  std::vector<Slot> slots_;
+  std::vector<Place> places_;
   std::vector<std::uint32_t> free_;
   std::vector<std::uint32_t> order_;
-  Slot start_;
+  Place start_;
   std::vector<std::uint32_t> count_;  // by pair: set-ups that hold it, and one if it is not needed
   std::vector<std::uint32_t> uncovered_, place_;
   std::int64_t cost_ = 0;

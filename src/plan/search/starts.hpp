@@ -17,7 +17,7 @@ struct Start {
 };
 
 /// Single-, double- and m-change designs over the parts that have needed pairs, relabelled to be cheap;
-/// none if there are forbidden pairs. Each is the best that is known, and for m ≤ 4 what local search with so
+/// none if there are forbidden pairs or slots. Each is the best that is known, and for m ≤ 4 what local search with so
 /// many moves makes of it.
 [[nodiscard]] std::vector<Start> design_starts(const Job& job, std::uint64_t moves,
                                                RunControl& control);

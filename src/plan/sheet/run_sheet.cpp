@@ -92,6 +92,17 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
     if (!without(mounted, step.setup).empty()) {
       sheet.faults.push_back(where() + " lacks a part that stays mounted");
     }
+    for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
+      std::uint64_t there = 0;
+      for (const Element x : step.setup) {
+        there += job.slot_of.at(x) == s ? 1U : 0U;
+      }
+      if (there < job.slots[s].least || there > job.slots[s].most) {
+        sheet.faults.push_back(fmt::format("{} has {} parts of slot {}, not {} to {}", where(),
+                                           there, job.slots[s].name, job.slots[s].least,
+                                           job.slots[s].most));
+      }
+    }
     step.take_out = without(before, step.setup);
     step.put_in = without(step.setup, before);
     // A pair that meets here first has a part that was put in; in the first set-up, any pair may be it.

@@ -85,9 +85,20 @@ std::string sheet_as_json(const SheetDocument& document) {
   json.key("parts").begin_array();
   for (std::size_t i = 0; i < job.names.size(); ++i) {
     json.begin_object().key("name").value(job.names[i]);
-    json.key("change_cost").raw(money(job.change_costs[i])).end_object();
+    json.key("change_cost").raw(money(job.change_costs[i]));
+    if (!job.slots.empty()) {
+      json.key("slot");
+      job.slot_of[i] == no_slot ? json.null() : json.value(job.slots[job.slot_of[i]].name);
+    }
+    json.end_object();
   }
-  json.end_array().key("at_once").value(job.at_once);
+  json.end_array().key("at_once").value(job.at_once).key("slots").begin_array();
+  for (const Slot& slot : job.slots) {
+    json.begin_object().key("name").value(slot.name).key("least").value(slot.least).key("most");
+    slot.most < job.at_once ? json.value(slot.most) : json.value(job.at_once);
+    json.end_object();
+  }
+  json.end_array();
   json.key("test_cost").raw(money(job.test_cost));
   json.key("mounted").value(names_of(job, job.mounted));
   json.key("start").value(names_of(job, job.start));

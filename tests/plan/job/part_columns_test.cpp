@@ -67,7 +67,7 @@ TEST(PartColumns, SeparatorsAndDecimalCommas) {
 }
 
 TEST(PartColumns, ASeparatorMayComeLate) {
-  EXPECT_THAT(parts("A\nB;4,5\n").names, ElementsAre("A", "B"));
+  EXPECT_THAT(parts("A\nB\nC;4,5\n").names, ElementsAre("A", "B", "C"));
   EXPECT_THAT(complaint("Sample\nA;3\nB;4,5\n"), StartsWith("p.csv:2:3: more fields than the 1"));
   EXPECT_THAT(complaint("A,1\nB;2\n"), HasSubstr("'B;2' has a separator in it"));
   EXPECT_THAT(complaint("A;1\nB,2\n"), HasSubstr("'B,2' has a separator in it"));
