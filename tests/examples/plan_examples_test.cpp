@@ -103,8 +103,8 @@ TEST(PlanExamples, SheetFormats) {
   EXPECT_THAT(sheet_as_table(document, 100), HasSubstr("Pump bench"));
   EXPECT_THAT(sheet_as_html(document), HasSubstr("class=\"box\""));
   const std::string example = R"(
-    step,take_out,put_in,slot_1,slot_2,new_pairs,cost,cost_so_far
-    2,Valve 2,"""Motor, small""",Pump A,"Motor, small",1,6,13
+    step,take_out,put_in,slot_1,slot_2,new_pairs,cost,cost_so_far,result
+    2,Valve 2,"""Motor, small""",Pump A,"Motor, small",1,6,13,
 )";
   std::istringstream lines(without_margin(example));
   for (std::string line; std::getline(lines, line);) {

@@ -285,6 +285,30 @@ TEST(Plan, FillsEverySlot) {
       folder);
 }
 
+TEST(Plan, GoesOnWhenPartsDieOrComeAndResultsAreFilledIn) {
+  const TemporaryFolder folder;
+  spit(folder.file("parts.csv"), "A,1\nB,2\nC,3\nD,2\nE,1\nF,2\n");
+  spit(folder.file("died.csv"), "A,1\nB,2\nC,3\nD,2\nF,2\n");
+  spit(folder.file("came.csv"), "A,1\nB,2\nC,3\nD,2\nE,1\nF,2\nG,2\n");
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan " + rest + " -k 3 --test-cost 4" + fast;
+  };
+  expect({{plan("parts.csv --format csv -o sheet.csv") + " && cat sheet.csv", 0,
+           "cost_so_far,result\n1,"},
+          {plan("died.csv --done sheet.csv --done-first 2"), 0,
+           "sheet.csv: no longer in the parts list, and left out: E"},
+          {plan("came.csv --done sheet.csv --done-first 2"), 0, "after 2 tests done"},
+          {"sed -e '2s/$/pass/' -e '3s/$/smoke/' sheet.csv > filled.csv && " +
+               plan("parts.csv --done filled.csv"),
+           0, "tests have a result and are done"},
+          {plan("parts.csv --done filled.csv"), 0, "after 2 tests done"},
+          {plan("parts.csv --done filled.csv --done-first 3"), 0, "after 3 tests done"},
+          {plan("parts.csv --done sheet.csv"), 0, "nothing is left to test"},
+          {"sed 's/,A,/,a,/' sheet.csv > slip.csv; " + plan("parts.csv --done slip.csv"), 3,
+           "did you mean 'A'?"}},
+         folder);
+}
+
 TEST(Plan, CtrlCDeliversTheBestSoFar) {
   const TemporaryFolder folder;
   // Once there are two threads, the search is under way.

@@ -58,6 +58,7 @@ std::optional<Amount> amount(const std::string& option, const std::string& text)
 struct Asked {
   Job job;
   std::vector<std::string> notes;
+  std::vector<Block> rest;  // of the plan under way
 };
 
 // The parts and what they cost.
@@ -93,7 +94,7 @@ Asked parts_of(const PlanRequest& request) {
       if (job.parts() < 2) {
         throw BadInput("a pair needs two parts");
       }
-      return Asked{std::move(job), {}};
+      return Asked{std::move(job), {}, {}};
     });
   }
   const auto input = open_input(request.parts);
@@ -128,28 +129,47 @@ Asked parts_of(const PlanRequest& request) {
                                   : read_slots(*open_input(request.slots));
     set_slots(job, list.slots, std::move(slots));
   }
-  Asked asked{std::move(job), {}};
+  Asked asked{std::move(job), {}, {}};
   if (!list.note.empty()) {
     asked.notes.push_back(list.note);
   }
   return asked;
 }
 
-// The set-ups that were done.
-std::vector<Block> done_before(const PlanRequest& request, const Job& job) {
+// Takes the tests that were done off the job: the first ones if their number is given, else those with a
+// result if any has one, else all.
+void take_done(const PlanRequest& request, Asked& asked) {
   if (request.done.empty()) {
-    return {};
+    return;
   }
+  Job& job = asked.job;
   const auto input = open_input(request.done);
-  std::vector<Block> done = read_setups(*input, job.names, job.at_once);
-  if (request.done_first) {
-    if (*request.done_first > done.size()) {
-      throw UsageError{fmt::format("--done-first {}: {} has {}", *request.done_first, input->name(),
-                                   count_of(done.size(), "set-up"))};
-    }
-    done.resize(static_cast<std::size_t>(*request.done_first));
+  const DoneList list = read_done(*input, job.names, job.at_once);
+  const std::size_t all = list.setups.size();
+  if (request.done_first.value_or(0) > all) {
+    throw UsageError{fmt::format("--done-first {}: {} has {}", *request.done_first, input->name(),
+                                 count_of(all, "set-up"))};
   }
-  return done;
+  std::vector<Block> done;
+  for (std::size_t i = 0; i < all; ++i) {
+    const bool is_done = request.done_first   ? i < *request.done_first
+                         : list.has_results() ? !list.results[i].empty()
+                                              : true;
+    (is_done ? done : asked.rest).push_back(list.setups[i]);
+  }
+  if (!list.gone.empty()) {
+    std::string names;
+    for (const std::string& name : list.gone) {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    asked.notes.push_back(
+        fmt::format("{}: no longer in the parts list, and left out: {}", input->name(), names));
+  }
+  if (!request.done_first && list.has_results() && done.size() < all) {
+    asked.notes.push_back(fmt::format("{}: {} of {} tests have a result and are done",
+                                      input->name(), done.size(), all));
+  }
+  mark_done(job, done);
 }
 
 // Pairs that the slots keep apart need not meet; this is said.
@@ -194,7 +214,7 @@ Asked asked_of(const PlanRequest& request) {
     leave_out(asked, cannot_meet(job));
   }
   check(job);
-  mark_done(job, done_before(request, job));
+  take_done(request, asked);
   return asked;
 }
 
@@ -230,12 +250,13 @@ Answer run(const PlanRequest& request) {
                         {"--slots", request.slots},
                         {"--done", request.done}});
   PlanOptions options;
-  options.steps = request.steps.value_or(0);
   options.budget = amount("--budget", request.budget);
   // A time that was asked for is used; otherwise as many moves as suit, so that answers repeat.
   options.until_stopped = !request.run.time.empty() && !request.steps && !request.what_if;
   const Asked asked = asked_of(request);
   const Job& job = asked.job;
+  options.steps = request.steps.value_or(0);
+  options.rest = asked.rest;
   // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
   const auto running = std::make_shared<Running>(request.run, output);
   const RunPlan plan = make_run_plan(job, options, running->control());

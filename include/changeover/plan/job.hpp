@@ -163,8 +163,8 @@ void mark_done(Job& job, const std::vector<Block>& setups);
 //     semicolons or tabs a cost may have a decimal comma, if no cost of the list has a point.
 //   - Pairs: two parts a row. A first row of two words that head columns and are no parts is a header.
 //   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/sheet_formats.hpp) is taken too: its
-//     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, and its rows in
-//     their order.
+//     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, its column result, and
+//     its rows in their order.
 // Lists are UTF-8; control characters and those that turn the direction of writing around are refused.
 // They are read a line at a time: at most 16 MiB a line, 1 GiB and 4,194,304 rows in all.
 // A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`.
@@ -194,6 +194,28 @@ struct PartList {
 [[nodiscard]] std::vector<Block> read_setups(
     Input& input, const std::vector<std::string>& names,
     std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
+
+/// What was done by a list of set-ups, perhaps the run sheet of a parts list that has changed since.
+struct DoneList {
+  std::vector<Block> setups;
+  std::vector<std::string> results;  ///< by set-up, as written; "" where none is
+  std::vector<std::string> gone;     ///< names on a run sheet that no part has any more, each once
+
+  [[nodiscard]] bool has_results() const;
+};
+
+/// As read_setups(), but for a run sheet: parts that are none any more are left out of the set-ups and named
+/// once, and numbers count as parts only if no name is a number. A name that differs from one of a part in its case only
+/// is refused. @throws as read_setups().
+[[nodiscard]] DoneList read_done(Input& input, const std::vector<std::string>& names,
+                                 std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
+
+/// What a result says.
+enum class TestResult { none, pass, fail };
+
+/// pass, passed, ok, p, yes, good for a pass and fail, failed, nok, f, no, bad for a failure, in any case; any other
+/// text says neither.
+[[nodiscard]] TestResult result_of(std::string_view result);
 
 /// Slots with the least and the most parts of each, `slot,least,most` a row; a header of these words is taken for
 /// one, an empty field for no limit. @throws BadInput for other rows and repeated slots; MissingResource if

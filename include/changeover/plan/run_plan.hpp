@@ -12,7 +12,8 @@
 // or that local search (search/local_search.hpp) makes of them, relabelled so that dear parts stand where
 // introductions are rare; a list that takes the best next step again and again; a covering with few set-ups,
 // in a cheap order; and the result of a local search over lists with any number of changes a step, which starts
-// from the best of the others. Under a budget: the plan that tests the most needed pairs, at least as many as the longest
+// from the best of the others. If a plan is under way, its rest, with what it lacks and without what it need not; so no new plan
+// is dearer than going on. Under a budget: the plan that tests the most needed pairs, at least as many as the longest
 // affordable part of the cheapest complete plan does.
 //
 // Contract. Every candidate is counted by run_sheet() and breaks no constraint; all but those of a
@@ -50,6 +51,7 @@ struct PlanOptions {
   unsigned attempts = 4;       ///< local searches, each with its own random numbers
   bool until_stopped = false;  ///< go on with longer searches until the control says stop
   std::optional<Amount> budget = {};
+  std::vector<Block> rest = {};  ///< of a plan that is under way: going on with it is a candidate
   std::uint64_t design_moves = 2'000'000;  ///< of the search for better designs; 0: none
 };
 

@@ -10,11 +10,11 @@
 //
 // CSV, one row a step, in LF lines; read_setups() (plan/job.hpp) reads it back:
 //
-//     step,take_out,put_in,slot_1,slot_2,new_pairs,cost,cost_so_far
-//     2,Valve 2,"""Motor, small""",Pump A,"Motor, small",1,6,13
+//     step,take_out,put_in,slot_1,slot_2,new_pairs,cost,cost_so_far,result
+//     2,Valve 2,"""Motor, small""",Pump A,"Motor, small",1,6,13,
 //
 // The parts of a set-up have a column each, as many as the largest set-up has parts; what is taken out and put
-// in is a list for people. No cell is a formula to a spreadsheet: a text that would be one begins with an
+// in is a list for people; the result is to be filled in. No cell is a formula to a spreadsheet: a text that would be one begins with an
 // apostrophe (io/write/csv_cell.hpp), which read_setups() takes back; numbers stay numbers.
 // JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot (or null; with slots only)}], at_once,
 // slots [{name, least, most}], test_cost, mounted,

@@ -44,9 +44,20 @@ class PartFinder {
   }
 
   // What stands in a cell that csv_cell() wrote, or that a spreadsheet made of it.
-  [[nodiscard]] std::optional<Element> find_cell(const std::string& cell) const {
-    const auto part = find(std::string(csv_text(cell)));
+  [[nodiscard]] std::optional<Element> find_cell(const std::string& cell, bool names_only) const {
+    const std::string text(csv_text(cell));
+    if (names_only) {
+      const auto found = by_name_.find(is_name(text) ? text : cell);
+      return found == by_name_.end() ? std::nullopt : std::optional(found->second);
+    }
+    const auto part = find(text);
     return part ? part : find(cell);
+  }
+
+  [[nodiscard]] bool has_number_as_name() const {
+    return std::any_of(names_->begin(), names_->end(), [](const std::string& name) {
+      return name.find_first_not_of("0123456789") == std::string::npos;
+    });
   }
 
   [[nodiscard]] bool is_name(const std::string& word) const { return by_name_.count(word) != 0; }
@@ -115,7 +126,8 @@ Row at_blanks(const Field& field) {
 struct SetupColumns {
   std::optional<std::size_t> list;  // all parts in one field
   std::vector<std::size_t> slots;   // a part in each; increasing
-  bool header = false;              // the first row is one
+  std::optional<std::size_t> result;
+  bool header = false;  // the first row is one
 };
 
 // Whether "slot_7" or the like.
@@ -144,6 +156,8 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder) {
       columns.list = i;
     } else if (is_slot(first[i].text)) {
       columns.slots.push_back(i);
+    } else if (lower(first[i].text) == "result") {
+      columns.result = i;
     }
   }
   columns.header = beyond_doubt || columns.list || !columns.slots.empty();
@@ -299,15 +313,33 @@ PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
   return pairs;
 }
 
-std::vector<Block> read_setups(Input& input, const std::vector<std::string>& names,
-                               std::uint64_t at_once) {
+namespace {
+
+// The set-ups and their results. If `forgiving`, parts of a run sheet that are none are left out.
+DoneList read_list(Input& input, const std::vector<std::string>& names, std::uint64_t at_once,
+                   bool forgiving) {
   RowReader reader(input);
   const PartFinder finder(names);
-  std::vector<Block> setups;
+  DoneList list;
+  std::vector<Block>& setups = list.setups;
+  const bool names_only = forgiving && finder.has_number_as_name();
   SetupColumns columns;
   bool first = true;
   const auto find = [&](const std::string& word) { return finder.find(word); };
-  const auto find_cell = [&](const std::string& cell) { return finder.find_cell(cell); };
+  const auto find_cell = [&](const std::string& cell) {
+    return finder.find_cell(cell, names_only);
+  };
+  const auto leave_out_gone = [&](Row& parts) {
+    std::erase_if(parts, [&](const Field& field) {
+      const std::string name(csv_text(field.text));
+      const bool is_gone =
+          forgiving && !name.empty() && !find_cell(field.text) && !finder.is_name_in_any_case(name);
+      if (is_gone && std::find(list.gone.begin(), list.gone.end(), name) == list.gone.end()) {
+        list.gone.push_back(name);
+      }
+      return is_gone;
+    });
+  };
   const auto fail = [&](const Field& field, const std::string& what) { reader.fail(field, what); };
   while (auto next = reader.next()) {
     Row& row = *next;
@@ -318,6 +350,11 @@ std::vector<Block> read_setups(Input& input, const std::vector<std::string>& nam
       }
     }
     const std::size_t place = row.front().offset;
+    bool is_empty = false;  // of any parts, and not only of those that are still there
+    list.results.emplace_back();
+    if (columns.result && *columns.result < row.size()) {
+      list.results.back() = csv_text(row[*columns.result].text);
+    }
     if (!columns.header) {
       if (row.size() == 1 && !finder.find(row.front().text)) {
         row = at_blanks(row.front());
@@ -330,21 +367,28 @@ std::vector<Block> read_setups(Input& input, const std::vector<std::string>& nam
           slots.push_back(std::move(row[i]));
         }
       }
+      is_empty =
+          std::all_of(slots.begin(), slots.end(), [](const Field& f) { return f.text.empty(); });
+      leave_out_gone(slots);
       setups.push_back(find_parts(finder, slots, find_cell, fail));
     } else if (columns.list && *columns.list < row.size()) {  // the parts in one field
-      const Field& list = row[*columns.list];
-      const auto fail_in_list = [&](const Field&, const std::string& what) { fail(list, what); };
+      const Field& field = row[*columns.list];
+      const auto fail_in_list = [&](const Field&, const std::string& what) { fail(field, what); };
       Row parts;
       try {
-        parts = split_row(list.text);
+        parts = split_row(field.text);
       } catch (const BadInput& fault) {
-        fail(list, fault.what());
+        fail(field, fault.what());
       }
-      setups.push_back(find_parts(finder, parts, find, fail_in_list));
+      is_empty =
+          std::all_of(parts.begin(), parts.end(), [](const Field& f) { return f.text.empty(); });
+      leave_out_gone(parts);
+      setups.push_back(find_parts(finder, parts, find_cell, fail_in_list));
     } else {
       setups.emplace_back();
+      is_empty = true;
     }
-    if (columns.header && setups.back().empty()) {
+    if (columns.header && is_empty) {
       reader.fail(place, "a row without a set-up; remove it or complete it");
     }
     if (setups.back().size() > at_once) {
@@ -352,7 +396,32 @@ std::vector<Block> read_setups(Input& input, const std::vector<std::string>& nam
                                      setups.back().size(), at_once));
     }
   }
-  return setups;
+  return list;
+}
+
+}  // namespace
+
+std::vector<Block> read_setups(Input& input, const std::vector<std::string>& names,
+                               std::uint64_t at_once) {
+  return read_list(input, names, at_once, false).setups;
+}
+
+DoneList read_done(Input& input, const std::vector<std::string>& names, std::uint64_t at_once) {
+  return read_list(input, names, at_once, true);
+}
+
+bool DoneList::has_results() const {
+  return std::any_of(results.begin(), results.end(),
+                     [](const std::string& result) { return !result.empty(); });
+}
+
+TestResult result_of(std::string_view result) {
+  constexpr std::array<std::string_view, 6> pass{"pass", "passed", "ok", "p", "yes", "good"};
+  constexpr std::array<std::string_view, 6> fail{"fail", "failed", "nok", "f", "no", "bad"};
+  const std::string word = lower(result);
+  return std::find(pass.begin(), pass.end(), word) != pass.end()   ? TestResult::pass
+         : std::find(fail.begin(), fail.end(), word) != fail.end() ? TestResult::fail
+                                                                   : TestResult::none;
 }
 
 Block parse_parts(std::string_view text, const std::vector<std::string>& names) {

@@ -147,7 +147,33 @@ class Planner {
 
   void find_complete(RunPlan& plan) {
     add(plan, greedy_start(*job_, *control_));
+    add_rest(plan);
     keep_what_there_is(plan, [&] { search(plan); });
+  }
+
+  // The set-ups of the plan under way that break no constraint, as they are if they do the job, and with what
+  // they lack and without what is too much.
+  void add_rest(RunPlan& plan) const {
+    std::vector<Block> rest;
+    for (const Block& setup : options_->rest) {
+      if (run_sheet(*job_, {setup}).faults.empty()) {
+        rest.push_back(setup);
+      }
+    }
+    if (rest.empty()) {
+      return;
+    }
+    if (run_sheet(*job_, rest).does_the_job()) {
+      add(plan,
+          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
+    }
+    keep_what_there_is(plan, [&] {
+      Sequence sequence(*job_, Weights::of(*job_, rest.size() + job_->needed.size()), rest);
+      if (repair(sequence, *control_)) {
+        add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
+                   sequence.setups()});
+      }
+    });
   }
 
   void add(RunPlan& plan, const Start& start) const {

@@ -61,7 +61,7 @@ std::string sheet_as_csv(const SheetDocument& document) {
   for (std::size_t i = 1; i <= slots; ++i) {
     text += fmt::format(",slot_{}", i);
   }
-  text += ",new_pairs,cost,cost_so_far\n";
+  text += ",new_pairs,cost,cost_so_far,result\n";
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : document.plan->sheet.steps) {
     text += fmt::format("{},{},{}", ++number, csv_cell(parts_text(step.take_out, job.names)),
@@ -69,7 +69,7 @@ std::string sheet_as_csv(const SheetDocument& document) {
     for (std::size_t i = 0; i < slots; ++i) {
       text += i < step.setup.size() ? cells[step.setup[i]] : ",";
     }
-    text += fmt::format(",{},{},{}\n", step.new_pairs.size(), money(step.cost),
+    text += fmt::format(",{},{},{},\n", step.new_pairs.size(), money(step.cost),
                         money(step.cost_so_far));
   }
   return text;

@@ -44,13 +44,13 @@ class SheetFormats : public testing::Test {
 
 TEST_F(SheetFormats, Csv) {
   EXPECT_EQ(sheet_as_csv(document),
-            "step,take_out,put_in,slot_1,slot_2,slot_3,new_pairs,cost,cost_so_far\n"
+            "step,take_out,put_in,slot_1,slot_2,slot_3,new_pairs,cost,cost_so_far,result\n"
             "1,,\"Pump, \"\"Valve, large\"\", \"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\","
-            "Pump,\"Valve, large\",\"<b>\"\"Motor\"\"</b>\",3,4.75,4.75\n"
+            "Pump,\"Valve, large\",\"<b>\"\"Motor\"\"</b>\",3,4.75,4.75,\n"
             "2,\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\",Fan | 4*,"
-            "Pump,\"Valve, large\",Fan | 4*,2,3.00,7.75\n"
+            "Pump,\"Valve, large\",Fan | 4*,2,3.00,7.75,\n"
             "3,\"Pump, \"\"Valve, large\"\"\",\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\","
-            "\"<b>\"\"Motor\"\"</b>\",Fan | 4*,,1,3.00,10.75\n");
+            "\"<b>\"\"Motor\"\"</b>\",Fan | 4*,,1,3.00,10.75,\n");
 }
 
 TEST_F(SheetFormats, CsvIsReadBackAsTestsThatWereDone) {
