@@ -51,6 +51,7 @@
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/plan/cost_bound.hpp"
+#include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/plan/run_sheet.hpp"

@@ -13,6 +13,17 @@ TEST(PlanExamples, CostBound) {
   EXPECT_THAT(bound.reason, HasSubstr("12 tests with 25 changes"));
 }
 
+TEST(PlanExamples, Diagnosis) {
+  const Job job = make_job(5, 3, parse_amount("2"), parse_amount("1"));
+  StandardOutput output;
+  Diagnosis found =
+      diagnose(job, {{{0, 1, 2}, true}, {{0, 3, 4}, false}});  // set-ups, and whether they failed
+  for (const Suspect& suspect : found.suspects) {              // part 1, part 2, pairs of 0, 1, 2
+    std::cout << in_words(suspect, job.names) << '\n';
+  }
+  EXPECT_EQ(output.take(), "2\n3\n1 with 2\n1 with 3\n2 with 3\n");
+}
+
 TEST(PlanExamples, Job) {
   Job job = make_job(9, 3, parse_amount("1"), parse_amount("5"));  // nine parts, three at a time
   job.never.insert(2, 7);                                          // these two must not meet …

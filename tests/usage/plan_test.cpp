@@ -309,6 +309,31 @@ TEST(Plan, GoesOnWhenPartsDieOrComeAndResultsAreFilledIn) {
          folder);
 }
 
+TEST(Plan, SaysWhatMayBeBroken) {
+  const TemporaryFolder folder;
+  spit(folder.file("parts.csv"), "A,1\nB,2\nC,3\nD,2\nE,1\nF,2\n");
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan parts.csv -k 3 --test-cost 4 --quiet " + rest;
+  };
+  spit(folder.file("sheet.csv"),
+       "step,take_out,put_in,slot_1,slot_2,slot_3,new_pairs,cost,cost_so_far,result\n"
+       "1,,,A,B,C,3,1,1,pass\n2,,,C,D,E,3,1,1,FAIL\n3,,,A,D,F,3,1,1,ok\n4,,,B,E,F,3,1,1,\n");
+  expect(
+      {{plan("--done sheet.csv --diagnose"), 0, "one of these 4"},
+       {plan("--done sheet.csv --diagnose"), 0, "pair C with D"},
+       {plan("--done sheet.csv --diagnose --json"), 0, "changeover-diagnosis/1"},
+       {plan("--done sheet.csv --diagnose -o d.txt") + " && cat d.txt", 0, "Tests that tell them"},
+       {"sed s/FAIL/pass/ sheet.csv > p.csv && " + plan("--done p.csv --diagnose"), 0,
+        "No test failed"},
+       {"sed 's/pass$\\|FAIL$\\|ok$/hot/' sheet.csv > n.csv; " + plan("--done n.csv --diagnose"), 3,
+        "n.csv: no result says pass or fail"},
+       {plan("--diagnose"), 2, "--diagnose is for --done"},
+       {plan("--done sheet.csv --diagnose --format csv"), 2, "--diagnose has no meaning with"},
+       {plan("--done sheet.csv --diagnose --what-if"), 2,
+        "--what-if has no meaning with --diagnose"}},
+      folder);
+}
+
 TEST(Plan, CtrlCDeliversTheBestSoFar) {
   const TemporaryFolder folder;
   // Once there are two threads, the search is under way.

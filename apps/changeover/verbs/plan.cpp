@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "changeover/core/error.hpp"
+#include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/plan/sheet_formats.hpp"
@@ -31,6 +32,7 @@ struct PlanRequest {
   std::optional<std::uint64_t> steps;
   std::string title;
   bool what_if = false;
+  bool diagnose = false;
   bool header = false;
   bool no_header = false;
   RunRequest run;
@@ -58,7 +60,8 @@ std::optional<Amount> amount(const std::string& option, const std::string& text)
 struct Asked {
   Job job;
   std::vector<std::string> notes;
-  std::vector<Block> rest;  // of the plan under way
+  std::vector<Block> rest;           // of the plan under way
+  std::vector<TestedSetup> results;  // that say pass or fail
 };
 
 // The parts and what they cost.
@@ -94,7 +97,7 @@ Asked parts_of(const PlanRequest& request) {
       if (job.parts() < 2) {
         throw BadInput("a pair needs two parts");
       }
-      return Asked{std::move(job), {}, {}};
+      return Asked{std::move(job), {}, {}, {}};
     });
   }
   const auto input = open_input(request.parts);
@@ -129,7 +132,7 @@ Asked parts_of(const PlanRequest& request) {
                                   : read_slots(*open_input(request.slots));
     set_slots(job, list.slots, std::move(slots));
   }
-  Asked asked{std::move(job), {}, {}};
+  Asked asked{std::move(job), {}, {}, {}};
   if (!list.note.empty()) {
     asked.notes.push_back(list.note);
   }
@@ -156,6 +159,10 @@ void take_done(const PlanRequest& request, Asked& asked) {
                          : list.has_results() ? !list.results[i].empty()
                                               : true;
     (is_done ? done : asked.rest).push_back(list.setups[i]);
+    const TestResult result = result_of(list.results[i]);
+    if (is_done && result != TestResult::none) {
+      asked.results.push_back({list.setups[i], result == TestResult::fail});
+    }
   }
   if (!list.gone.empty()) {
     std::string names;
@@ -233,8 +240,25 @@ std::string what_if_text(const Job& job, const WhatIf& answer, const std::string
                                 : what_if_as_table(job, answer);
 }
 
+// Which faults the results leave, and what to test next.
+Answer diagnosis(const PlanRequest& request, const Asked& asked) {
+  if (asked.results.empty()) {
+    throw BadInput(
+        fmt::format("{}: no result says pass or fail; fill in the column result", request.done));
+  }
+  const Diagnosis found = diagnose(asked.job, asked.results);
+  return {.output = request.output,
+          .write = [asked, found, json = request.output.json()](OutputFile& out) {
+            out.write(json ? diagnosis_as_json(asked.job, found)
+                           : diagnosis_as_table(asked.job, found, terminal_width(out)));
+          }};
+}
+
 Answer run(const PlanRequest& request) {
   const OutputRequest& output = request.output;
+  if (request.diagnose) {
+    output.require("--diagnose", {"table", "json"});
+  }
   if (request.what_if) {
     output.require("--what-if", {"table", "csv", "json", "markdown"});
   }
@@ -257,6 +281,9 @@ Answer run(const PlanRequest& request) {
   const Job& job = asked.job;
   options.steps = request.steps.value_or(0);
   options.rest = asked.rest;
+  if (request.diagnose) {
+    return diagnosis(request, asked);
+  }
   // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
   const auto running = std::make_shared<Running>(request.run, output);
   const RunPlan plan = make_run_plan(job, options, running->control());
@@ -312,13 +339,16 @@ void add_plan(Program& program) {
   verb.option("--done-first", request.done_first, "N", "only the first N of them were done");
   verb.flag("--what-if", request.what_if,
             "which plan is cheapest at which ratio of change to test cost");
+  verb.flag("--diagnose", request.diagnose,
+            "which part or pair the results of --done blame, and what to test next");
   verb.option("--title", request.title, "TEXT", "the heading of the run sheet");
   verb.option("--steps", request.steps, "N", "moves of each local search (default: as suits)");
   request.run.add_to(verb, "60s", request.output);
   request.output.add_to(verb, {"table", "csv", "json", "markdown", "html"});
   verb.exclude({"--header", "--no-header"});
   verb.exclude({"--slots", "--slot"});
-  verb.only_with({"--done-first"}, {"--done"});
+  verb.only_with({"--done-first", "--diagnose"}, {"--done"});
+  verb.never_with({"--what-if", "--budget", "--title", "--steps"}, {"--diagnose"});
   verb.never_with({"--title", "--budget"}, {"--what-if"});
   verb.examples(
       {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",
@@ -326,6 +356,7 @@ void add_plan(Program& program) {
        "changeover plan server.csv -k 8 --test-cost 5 --slot CPU=1,PSU=1,disk=2..4",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --budget 600 --start 1,2,3",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --done sheet.csv --done-first 7",
+       "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --done sheet.csv --diagnose",
        "changeover plan --items 20 -k 5 --test-cost 1 --change-cost 1 --what-if"});
 }
 
