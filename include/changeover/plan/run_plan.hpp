@@ -16,6 +16,9 @@
 // is dearer than going on. Under a budget: the plan that tests the most needed pairs, at least as many as the longest
 // affordable part of the cheapest complete plan does.
 //
+// A small job, of at most 12 parts and 64 pairs, is then searched through: its cheapest list is found or proved, unless more than
+// PlanOptions::states have to be looked at.
+//
 // Contract. Every candidate is counted by run_sheet() and breaks no constraint; all but those of a
 // budget do the job; one that is an m-change covering design is verified as such. Without a time limit the
 // result depends on the job, the options and the seed only, not on the number of threads.
@@ -53,14 +56,16 @@ struct PlanOptions {
   std::optional<Amount> budget = {};
   std::vector<Block> rest = {};  ///< of a plan that is under way: going on with it is a candidate
   std::uint64_t design_moves = 2'000'000;  ///< of the search for better designs; 0: none
+  std::uint64_t states = 400'000;  ///< most of the search through all lists of a small job; 0: none
 };
 
 struct RunPlan {
   RunSheet sheet;                     ///< of the first candidate
   std::vector<Candidate> candidates;  ///< cheapest first; under a budget, most pairs first
   std::optional<Candidate> complete;  ///< under a budget: the cheapest plan that tests all
-  CostBound bound;                    ///< of testing all needed pairs
-  std::uint64_t steps = 0;            ///< moves of local search, over all attempts
+  CostBound
+      bound;  ///< of testing all needed pairs: cost_bound(), or better if all lists were looked through
+  std::uint64_t steps = 0;  ///< moves of local search, over all attempts
   WhyStopped why_stopped = WhyStopped::running;
   /// What was missing, in one line, if the search ended early for want of memory, threads or the like: the
   /// plan is then the best of what was found before.

@@ -26,7 +26,7 @@ const std::array<double, 4096>& log_table() {
 class Annealer {
  public:
   Annealer(Sequence& sequence, const Annealing& options, Random& random)
-      : s_(&sequence), options_(options), random_(&random) {
+      : s_(&sequence), options_(options), random_(&random), penalty_(options.penalty) {
     energy_ = energy();
   }
 
@@ -39,13 +39,18 @@ class Annealer {
     const std::uint64_t work_a_move = 1 + s_->size() + room * room;
     const std::uint64_t look = std::clamp<std::uint64_t>(work / work_a_move, 1, batch);
     std::uint64_t step = 0;
-    for (; step < options_.steps; ++step) {
+    const auto began = control.elapsed();
+    double time_gone = 0;
+    for (; step < options_.steps && time_gone < 1; ++step) {
       if ((step % batch) % look == 0 && control.stop_wanted()) {
         break;
       }
       if (step % batch == 0) {
-        const double left = 1.0 - static_cast<double>(step) / static_cast<double>(options_.steps);
-        temperature_ = options_.cold + (options_.hot - options_.cold) * left * left * left;
+        time_gone = options_.time ? (control.elapsed() - began) / *options_.time : 0.0;
+        // Steps alone decide as long as they may do: then the result is the same again.
+        const double steps = static_cast<double>(step) / static_cast<double>(options_.steps);
+        constexpr double early = 0.1;
+        cool(std::min(1.0, time_gone < early ? steps : std::max(time_gone, steps)));
         if (control.progress_due()) {
           control.tell({.phase = options_.phase, .steps = step, .missing = s_->uncovered()});
         }
@@ -57,9 +62,26 @@ class Annealer {
   }
 
  private:
+  // Sets temperature and penalty for the moment when so much is done.
+  void cool(double done) {
+    constexpr double higher = 1.7;
+    constexpr double lower = 0.3;
+    const double search = 1.0 - options_.finish;
+    const bool finishing = options_.finish > 0 && done >= search;
+    const double left = finishing ? (1.0 - done) / options_.finish : 1.0 - done / search;
+    const double from = finishing ? options_.cold : options_.hot;
+    const double to = finishing ? lower * options_.cold : options_.cold;
+    temperature_ = to + (from - to) * left * left * left;
+    const double penalty = finishing ? higher * options_.penalty : options_.penalty;
+    if (penalty > penalty_) {
+      penalty_ = penalty;
+      energy_ = energy();
+    }
+  }
+
   [[nodiscard]] double energy() const {
     const auto cost = static_cast<double>(s_->cost());
-    const double missing = options_.penalty * static_cast<double>(s_->uncovered());
+    const double missing = penalty_ * static_cast<double>(s_->uncovered());
     if (!options_.budget) {
       return cost + missing;
     }
@@ -383,6 +405,7 @@ class Annealer {
   Sequence* s_;
   Annealing options_;
   Random* random_;
+  double penalty_;
   double temperature_ = 0;
   double energy_ = 0;
   AnnealedPlan best_;

@@ -3,13 +3,17 @@
 //     energy = cost + penalty · (uncovered needed pairs)
 // and under a budget
 //     energy = cost/4 + 4 · max(0, cost − budget) + penalty · (uncovered needed pairs).
+// The temperature falls with the third power of what is left. If there is a `finish`, this part of the steps at the end
+// has a higher penalty and goes on below `cold`: what the rest of the search left uncovered is covered then.
 // Moves: exchange two parts in a stretch of set-ups, mount or take out a part in a stretch, take out a
 // set-up, insert one beside a set-up that it resembles, reverse a stretch, move one. Half of the exchanges
 // aim at an uncovered pair. Deterministic: integers, and floating point with + − × and comparisons only.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "changeover/run/control.hpp"
@@ -24,6 +28,9 @@ struct Annealing {
       0;  ///< of an uncovered pair; this and the temperatures in the unit of the weights
   double hot = 0;
   double cold = 0;
+  double finish = 0;  ///< which part of all steps
+  /// The schedule ends when this time is up, even if steps are left.
+  std::optional<std::chrono::duration<double>> time = {};
   std::optional<std::int64_t> budget = {};
   std::size_t most_tests = 0;  ///< set-ups are not inserted beyond that
   std::string phase = {};      ///< for progress

@@ -18,13 +18,34 @@ struct Style {
   double penalty;
   double hot;
   double cold;
+  double finish = 0;
 };
+// The hot ones leave a good list far behind, and are best where lists are long.
 constexpr std::array<Style, 4> styles{{
+    {2.0, 0.60, 0.30, 0.2},
+    {1.8, 0.25, 0.10},
+    {2.0, 0.25, 0.08},
+    {2.2, 0.60, 0.20, 0.2},
+}};
+constexpr std::array<Style, 4> budget_styles{{
     {2.0, 0.30, 0.10},
     {1.8, 0.25, 0.10},
     {2.0, 0.25, 0.08},
     {2.3, 0.25, 0.10},
 }};
+
+// The share of the time left that an attempt has, if the attempts before it are over by now.
+std::optional<std::chrono::duration<double>> time_for(const RunControl& control,
+                                                      std::size_t attempt, std::size_t attempts) {
+  const auto left = control.time_left();
+  if (!left || left->count() <= 0) {
+    return std::nullopt;
+  }
+  constexpr double for_the_rest = 0.95;  // repair, and what the clock does not see
+  const std::size_t threads = std::max<std::size_t>(1, control.threads());
+  const auto rounds = static_cast<double>((attempts - attempt + threads - 1) / threads);
+  return *left * (for_the_rest / rounds);
+}
 
 // Beyond that, a list has far more set-ups than pairs are worth.
 std::size_t most_tests(const Job& job, std::size_t tests) {
@@ -36,7 +57,7 @@ std::size_t most_tests(const Job& job, std::size_t tests) {
 std::uint64_t Attempts::suitable_steps(const Candidate& like) const {
   // A move costs some tens of nanoseconds for each part of each set-up of its stretch.
   constexpr std::uint64_t least = 400'000;
-  constexpr std::uint64_t most = 6'000'000;
+  constexpr std::uint64_t most = 24'000'000;
   return std::clamp<std::uint64_t>(like.tests() * job_->room() * 12'000, least, most);
 }
 
@@ -98,6 +119,7 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
       return;
     }
     const Style& style = styles[i % styles.size()];
+    const auto time = time_for(*control_, i, attempts);
     const double per_pair =
         static_cast<double>(sequence.cost()) / static_cast<double>(job_->needed.size());
     const double penalty = style.penalty * per_pair;
@@ -109,6 +131,8 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
                 .penalty = penalty,
                 .hot = style.hot * penalty,
                 .cold = style.cold * penalty,
+                .finish = style.finish,
+                .time = time,
                 .most_tests = limit,
                 .phase = fmt::format("local search {} of {}", i + 1, attempts)},
                random, *control_);
@@ -145,7 +169,7 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
   std::vector<AnnealedPlan> results(attempts);
   in_parallel(*control_, attempts, [&](std::size_t i) {
     Sequence sequence(*job_, weights, best.setups);
-    const Style& style = styles[i % styles.size()];
+    const Style& style = budget_styles[i % budget_styles.size()];
     const double per_pair = static_cast<double>(bound_->cost.millionths) /
                             static_cast<double>(weights.unit) /
                             static_cast<double>(job_->needed.size());

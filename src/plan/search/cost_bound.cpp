@@ -482,6 +482,15 @@ Cheapest cheapest_numbers(const Job& job, const Numbers& n, const IntroductionCo
   return best.value_or(Cheapest{job.test_cost * least_tests, 0, 0});
 }
 
+// Every list costs a multiple of what divides all costs.
+Amount rounded_up(const Job& job, Amount cost) {
+  std::uint64_t unit = job.test_cost.millionths;
+  for (const Amount each : job.change_costs) {
+    unit = std::gcd(unit, each.millionths);
+  }
+  return unit == 0 ? cost : Amount{unit} * ceil_div(cost.millionths, unit);
+}
+
 }  // namespace
 
 CostBound cost_bound(const Job& job) {
@@ -511,7 +520,7 @@ CostBound cost_bound(const Job& job) {
     bound.reason = least;
     return bound;
   }
-  bound.cost = cheapest.cost;
+  bound.cost = rounded_up(job, cheapest.cost);
   bound.reason = fmt::format(
       "{}, and j changes of {} bring at most C(j,2) + j({}-j) new pairs: {} tests with {} changes "
       "cost least",

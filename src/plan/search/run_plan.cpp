@@ -12,6 +12,7 @@
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "plan/search/attempts.hpp"
+#include "plan/search/exact_plan.hpp"
 #include "plan/search/starts.hpp"
 
 namespace changeover {
@@ -214,6 +215,10 @@ class Planner {
       // Longer and longer searches, if that is wished, each from the best so far.
       for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
         add(plan, attempts.cheaper_than(best(), next_best(all), steps, options_->attempts, round));
+        if (round == 0 && best().cost > plan.bound.cost && options_->states > 0 &&
+            is_small(*job_)) {
+          look_at_all(plan, best().cost);
+        }
         if (!options_->until_stopped) {
           break;
         }
@@ -222,6 +227,25 @@ class Planner {
       }
     });
     plan.steps += attempts.steps();
+  }
+
+  // A small job is done: its cheapest list is found, or the best so far is proved to be one. Where that takes too
+  // long, the bound is better.
+  void look_at_all(RunPlan& plan, Amount best) const {
+    constexpr std::uint64_t bytes_a_state = 128;
+    require_memory(options_->states * bytes_a_state, "looking at all lists of a small job");
+    ExactPlan exact = exact_plan(*job_, best, options_->states, *control_);
+    if (exact.bound > plan.bound.cost) {
+      plan.bound.cost = exact.bound;
+      plan.bound.reason = fmt::format(
+          "of all lists, looked through from the cheapest on in {}, none costs less; without that, {}",
+          exact.states == 1 ? "one state" : fmt::format("{} states", exact.states),
+          plan.bound.reason);
+    }
+    if (exact.setups) {
+      add(plan, {"exact search", "the cheapest of all lists, which were looked through",
+                 std::move(*exact.setups)});
+    }
   }
 
   // The cheapest few that are no results of the search, but for the cheapest of all.

@@ -17,7 +17,8 @@ using testing::IsEmpty;
 RunPlan planned(const Job& job, std::uint64_t steps, std::vector<Block> rest) {
   RunControl control({.threads = 1});
   return make_run_plan(
-      job, {.steps = steps, .attempts = 1, .rest = std::move(rest), .design_moves = 0}, control);
+      job, {.steps = steps, .attempts = 1, .rest = std::move(rest), .design_moves = 0, .states = 0},
+      control);
 }
 
 TEST(Rest, NoNewPlanIsDearerThanGoingOn) {
