@@ -31,6 +31,8 @@ struct PlanRequest {
   std::optional<std::uint64_t> done_first;
   std::optional<std::uint64_t> steps;
   std::string title;
+  std::optional<std::uint64_t> shuffle;
+  bool compact = false;
   bool what_if = false;
   bool diagnose = false;
   bool header = false;
@@ -262,6 +264,9 @@ Answer run(const PlanRequest& request) {
   if (request.what_if) {
     output.require("--what-if", {"table", "csv", "json", "markdown"});
   }
+  if (request.compact) {
+    output.require("--compact", {"table", "html"});
+  }
   if (!request.title.empty()) {
     output.require("--title", {"table", "json", "markdown", "html"});
   }
@@ -286,7 +291,15 @@ Answer run(const PlanRequest& request) {
   }
   // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
   const auto running = std::make_shared<Running>(request.run, output);
-  const RunPlan plan = make_run_plan(job, options, running->control());
+  RunPlan plan = make_run_plan(job, options, running->control());
+  std::vector<std::string> notes = asked.notes;
+  if (request.shuffle) {
+    std::uint64_t exchanged = 0;
+    plan = shuffled(job, std::move(plan), *request.shuffle, exchanged);
+    notes.push_back(
+        fmt::format("shuffled with seed {}: {} stand where others stood that nothing tells apart",
+                    *request.shuffle, count_of(exchanged, "part")));
+  }
   std::optional<std::string> shortage = plan.shortage;
   Answer answer;
   if (request.what_if) {
@@ -294,10 +307,11 @@ Answer run(const PlanRequest& request) {
     shortage = ranges.shortage;
     answer = text_answer(what_if_text(job, ranges, output.format()), output);
   } else {
-    const auto write = [asked, plan, options, title = request.title,
-                        format = output.format()](OutputFile& out) {
+    const auto write = [asked, notes, plan, options, title = request.title,
+                        compact = request.compact, format = output.format()](OutputFile& out) {
       SheetDocument document{.job = &asked.job, .plan = &plan, .budget = options.budget};
-      document.notes = asked.notes;
+      document.notes = notes;
+      document.compact = compact;
       document.title = title.empty() ? document.title : title;
       out.write(plan_text(document, format, terminal_width(out)));
     };
@@ -339,6 +353,9 @@ void add_plan(Program& program) {
   verb.option("--done-first", request.done_first, "N", "only the first N of them were done");
   verb.flag("--what-if", request.what_if,
             "which plan is cheapest at which ratio of change to test cost");
+  verb.flag("--compact", request.compact, "without the whole set-ups, in two columns on paper");
+  verb.option("--shuffle", request.shuffle, "SEED",
+              "exchange parts at random that nothing tells apart");
   verb.flag("--diagnose", request.diagnose,
             "which part or pair the results of --done blame, and what to test next");
   verb.option("--title", request.title, "TEXT", "the heading of the run sheet");
@@ -348,7 +365,9 @@ void add_plan(Program& program) {
   verb.exclude({"--header", "--no-header"});
   verb.exclude({"--slots", "--slot"});
   verb.only_with({"--done-first", "--diagnose"}, {"--done"});
-  verb.never_with({"--what-if", "--budget", "--title", "--steps"}, {"--diagnose"});
+  verb.never_with({"--what-if", "--budget", "--title", "--steps", "--compact", "--shuffle"},
+                  {"--diagnose"});
+  verb.never_with({"--compact", "--shuffle"}, {"--what-if"});
   verb.never_with({"--title", "--budget"}, {"--what-if"});
   verb.examples(
       {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",

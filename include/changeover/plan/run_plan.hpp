@@ -85,6 +85,12 @@ struct RunPlan {
 [[nodiscard]] RunPlan make_run_plan(const Job& job, const PlanOptions& options,
                                     RunControl& control);
 
+/// The same plan with its parts exchanged at random among those that nothing in the job tells apart: cost, slot, pairs,
+/// mounted, at the start. Always the same for a seed; the cost stays, and the sheet is counted anew. `exchanged` is set to the
+/// number of parts that are another now. @throws as run_sheet(). O(v³/64).
+[[nodiscard]] RunPlan shuffled(const Job& job, RunPlan plan, std::uint64_t seed,
+                               std::uint64_t& exchanged);
+
 // Which plan is cheapest when changes become dearer or cheaper against tests: where it breaks even.
 //
 //     WhatIf answer = what_if(job, plan, {}, control);

@@ -13,7 +13,8 @@
 //     step,take_out,put_in,slot_1,slot_2,new_pairs,cost,cost_so_far,result
 //     2,Valve 2,"""Motor, small""",Pump A,"Motor, small",1,6,13,
 //
-// The parts of a set-up have a column each, as many as the largest set-up has parts; what is taken out and put
+// The parts of a set-up have a column each, as many as the largest set-up has parts; with slots the parts of a slot stand
+// in columns of their own, called `slot_1 CPU`. What is taken out and put
 // in is a list for people; the result is to be filled in. No cell is a formula to a spreadsheet: a text that would be one begins with an
 // apostrophe (io/write/csv_cell.hpp), which read_setups() takes back; numbers stay numbers.
 // JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot (or null; with slots only)}], at_once,
@@ -38,6 +39,7 @@ struct SheetDocument {
   const RunPlan* plan = nullptr;
   std::optional<Amount> budget = {};
   std::string title = "Run sheet";
+  bool compact = false;  ///< pages and tables: what is put in and taken out, not the whole set-up
   std::vector<std::string> notes = {};  ///< what else is to be said of the job, a line each
 };
 

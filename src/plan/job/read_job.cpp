@@ -130,12 +130,15 @@ struct SetupColumns {
   bool header = false;  // the first row is one
 };
 
-// Whether "slot_7" or the like.
+// Whether "slot_7" or the like, or "slot_7 CPU".
 bool is_slot(const std::string& word) {
   constexpr std::string_view prefix = "slot_";
-  return word.size() > prefix.size() && word.starts_with(prefix) &&
-         std::all_of(word.begin() + prefix.size(), word.end(),
-                     [](char c) { return c >= '0' && c <= '9'; });
+  if (!word.starts_with(prefix)) {
+    return false;
+  }
+  const std::size_t end = word.find_first_not_of("0123456789", prefix.size());
+  return end != prefix.size() && word.size() > prefix.size() &&
+         (end == std::string::npos || word[end] == ' ');
 }
 
 // A first row with such words is the header of a sheet, unless they are names of parts; then only if it

@@ -48,9 +48,24 @@ std::string markdown_list(const Job& job, const Block& parts) {
 std::string sheet_as_csv(const SheetDocument& document) {
   const Job& job = *document.job;
   const Money money(job, document.budget);
-  std::size_t slots = 0;
+  // By slot, the last for none: how many columns its parts need.
+  const std::size_t kinds = job.slots.size();
+  std::vector<std::size_t> columns(kinds + 1, 0);
+  const auto kind_of = [&](Element x) {
+    return job.slot_of.empty() || job.slot_of[x] == no_slot ? kinds : job.slot_of[x];
+  };
+  const auto by_kind = [&](const RunStep& step) {
+    std::vector<Block> parts(kinds + 1);
+    for (const Element x : step.setup) {
+      parts[kind_of(x)].push_back(x);
+    }
+    return parts;
+  };
   for (const RunStep& step : document.plan->sheet.steps) {
-    slots = std::max(slots, step.setup.size());
+    const std::vector<Block> parts = by_kind(step);
+    for (std::size_t kind = 0; kind <= kinds; ++kind) {
+      columns[kind] = std::max(columns[kind], parts[kind].size());
+    }
   }
   std::vector<std::string> cells;  // by part: made once, for a part may be in every set-up
   cells.reserve(job.names.size());
@@ -58,16 +73,23 @@ std::string sheet_as_csv(const SheetDocument& document) {
     cells.push_back("," + csv_cell(name));
   }
   std::string text = "step,take_out,put_in";
-  for (std::size_t i = 1; i <= slots; ++i) {
-    text += fmt::format(",slot_{}", i);
+  std::size_t column = 0;
+  for (std::size_t kind = 0; kind <= kinds; ++kind) {
+    for (std::size_t i = 0; i < columns[kind]; ++i) {
+      const std::string head = fmt::format("slot_{}", ++column);
+      text += "," + csv_cell(kind == kinds ? head : head + " " + job.slots[kind].name);
+    }
   }
   text += ",new_pairs,cost,cost_so_far,result\n";
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : document.plan->sheet.steps) {
     text += fmt::format("{},{},{}", ++number, csv_cell(parts_text(step.take_out, job.names)),
                         csv_cell(parts_text(step.put_in, job.names)));
-    for (std::size_t i = 0; i < slots; ++i) {
-      text += i < step.setup.size() ? cells[step.setup[i]] : ",";
+    const std::vector<Block> parts = by_kind(step);
+    for (std::size_t kind = 0; kind <= kinds; ++kind) {
+      for (std::size_t i = 0; i < columns[kind]; ++i) {
+        text += i < parts[kind].size() ? cells[parts[kind][i]] : ",";
+      }
     }
     text += fmt::format(",{},{},{},\n", step.new_pairs.size(), money(step.cost),
                         money(step.cost_so_far));
@@ -140,15 +162,18 @@ std::string sheet_as_markdown(const SheetDocument& document) {
   for (const std::string& line : summary(document)) {
     text += "- " + line + "\n";
   }
+  if (!job.mounted.empty()) {
+    text += "- " + markdown(mounted_line(job));
+  }
   text +=
       "\n| step | take out | put in | set-up | new pairs | cost so far |\n"
       "|---:|:---|:---|:---|---:|---:|\n";
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : plan.sheet.steps) {
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} |\n", ++number,
-                    markdown_list(job, step.take_out), markdown_list(job, step.put_in),
-                    markdown_list(job, step.setup), step.new_pairs.size(), money(step.cost_so_far));
+    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", ++number,
+                        markdown_list(job, step.take_out), markdown_list(job, step.put_in),
+                        markdown_list(job, without_mounted(job, step.setup)), step.new_pairs.size(),
+                        money(step.cost_so_far));
   }
   text +=
       "\n| plan | tests | changes | cost | pairs | dearer by | how |\n"

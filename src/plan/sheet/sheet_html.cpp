@@ -61,10 +61,11 @@ constexpr std::string_view style = R"(
   .lines .wide { white-space: normal; padding-left: 1em; text-indent: -1em; }
   .box { display: inline-block; width: 1em; height: 1em; border: 1.5px solid #000;
          vertical-align: -.12em; }
-  .notes { width: 12%; }
-  .lines .notes { width: auto; }
-  .in-use { width: 27%; }
-  .lines .in-use { width: auto; }
+  .verdict { white-space: nowrap; width: 1%; }
+  .notes { width: 30%; min-width: 45mm; }
+  .compact { columns: 2; column-gap: 8mm; font-size: .85em; }
+  .compact td { border-bottom: 1px solid #999; padding: .15rem .3rem; }
+  .compact .notes { min-width: 20mm; }
   @media print { body { margin: 0; max-width: none; padding: 0; font-size: 9pt; }
                  dl { gap: .5rem 1.4rem; } dd { font-size: 11pt; }
                  h2 { break-after: avoid; } }
@@ -137,21 +138,28 @@ std::string constraints(const SheetDocument& document) {
 std::string steps(const SheetDocument& document) {
   const Job& job = *document.job;
   const Money money(job, document.budget);
-  std::string text = fmt::format("<table{}>\n", has_long_names(job) ? " class=\"lines\"" : "");
-  text +=
-      "<thead><tr><th>Done</th><th class=\"n\">Step</th><th>Take out</th><th>Put in</th>"
-      "<th class=\"in-use\">Set-up</th><th class=\"n\">New<br>pairs</th><th class=\"n\">Cost<br>so "
-      "far</th>"
-      "<th class=\"notes\">Notes</th></tr></thead>\n<tbody>\n";
+  const bool whole = !document.compact;
+  std::string text = fmt::format("{}<table{}>\n", whole ? "" : "<div class=\"compact\">\n",
+                                 has_long_names(job) ? " class=\"lines\"" : "");
+  text += fmt::format(
+      "<thead><tr><th>Pass Fail</th><th class=\"n\">Step</th><th>Take out</th><th>Put in</th>"
+      "{}<th class=\"notes\">Notes</th></tr></thead>\n<tbody>\n",
+      whole ? "<th>Set-up</th><th class=\"n\">New<br>pairs</th><th class=\"n\">Cost<br>so far</th>"
+            : "");
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : document.plan->sheet.steps) {
     text += fmt::format(
-        "<tr><td><span class=\"box\"></span></td><td class=\"n\">{}</td><td>{}</td><td>{}</td>"
-        "<td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td></td></tr>\n",
-        ++number, list(job, step.take_out, {}), list(job, step.put_in, step.put_in),
-        list(job, step.setup, step.put_in), step.new_pairs.size(), money(step.cost_so_far));
+        "<tr><td class=\"verdict\"><span class=\"box\"></span> <span class=\"box\"></span></td>"
+        "<td class=\"n\">{}</td><td>{}</td><td>{}</td>",
+        ++number, list(job, step.take_out, {}), list(job, step.put_in, step.put_in));
+    if (whole) {
+      text += fmt::format("<td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>",
+                          list(job, without_mounted(job, step.setup), step.put_in),
+                          step.new_pairs.size(), money(step.cost_so_far));
+    }
+    text += "<td></td></tr>\n";
   }
-  return text + "</tbody>\n</table>\n";
+  return text + "</tbody>\n</table>\n" + (whole ? "" : "</div>\n");
 }
 
 std::string comparison(const SheetDocument& document) {

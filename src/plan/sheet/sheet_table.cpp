@@ -20,22 +20,27 @@ std::string sheet_as_table(const SheetDocument& document, std::size_t width) {
   for (const std::string& line : summary(document)) {
     text += line + "\n";
   }
+  text += mounted_line(job);
   std::vector<std::vector<Cell>> rows;
   rows.reserve(plan.sheet.steps.size());
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : plan.sheet.steps) {
     rows.push_back({one(fmt::format("{}", ++number)), names_of(job, step.take_out),
-                    names_of(job, step.put_in), names_of(job, step.setup),
+                    names_of(job, step.put_in),
+                    names_of(job, document.compact ? Block{} : without_mounted(job, step.setup)),
                     one(fmt::format("{}", step.new_pairs.size())), one(money(step.cost_so_far))});
   }
   if (!rows.empty()) {
-    text += "\n" + laid_out({{"step", true},
-                             {"take out"},
-                             {"put in"},
-                             {"set-up"},
-                             {"new pairs", true},
-                             {"cost so far", true}},
-                            rows, width);
+    std::vector<Column> columns{{"step", true}, {"take out"},        {"put in"},
+                                {"set-up"},     {"new pairs", true}, {"cost so far", true}};
+    if (document.compact) {
+      constexpr std::ptrdiff_t setup = 3;
+      columns.erase(columns.begin() + setup);
+      for (std::vector<Cell>& row : rows) {
+        row.erase(row.begin() + setup);
+      }
+    }
+    text += "\n" + laid_out(columns, rows, width);
   }
   rows.clear();
   for (const Candidate& candidate : plan.candidates) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace changeover {
 namespace {
@@ -11,6 +12,28 @@ namespace {
 std::string per_cent_above(Amount a, Amount b) {
   return fmt::format("{:.1f} %", 100.0 * static_cast<double>((a - b).millionths) /
                                      static_cast<double>(b.millionths));
+}
+
+// How many changes the same tests need in a random order, on average, to the nearest number: each ordered pair
+// of tests follows each other with the same probability.
+std::uint64_t changes_in_random_order(const Job& job, const RunSheet& sheet) {
+  const std::uint64_t tests = sheet.steps.size();
+  std::vector<std::uint64_t> times(job.names.size(), 0);
+  std::vector<bool> at_start(job.names.size(), false);
+  for (const Element x : job.start) {
+    at_start[x] = true;
+  }
+  std::uint64_t sum = 0;
+  for (const RunStep& step : sheet.steps) {
+    for (const Element x : step.setup) {
+      ++times[x];
+      sum += at_start[x] ? 0U : 1U;
+    }
+  }
+  for (const std::uint64_t t : times) {
+    sum += t * (tests - t);
+  }
+  return tests == 0 ? 0 : (sum + tests / 2) / tests;
 }
 
 }  // namespace
@@ -57,6 +80,12 @@ std::vector<std::string> summary(const SheetDocument& document) {
   if (job.tests_done > 0) {
     lines.front() += fmt::format(", after {} done", count_of(job.tests_done, "test"));
   }
+  const std::uint64_t in_random_order = changes_in_random_order(job, sheet);
+  if (in_random_order > sheet.changes) {
+    lines.push_back(fmt::format("{}, {} fewer than these tests need in a random order",
+                                count_of(sheet.changes, "change"),
+                                in_random_order - sheet.changes));
+  }
   if (plan.candidates.size() > 1) {
     const Candidate& best = plan.candidates[0];
     const Candidate& next = plan.candidates[1];
@@ -77,16 +106,29 @@ std::vector<std::string> summary(const SheetDocument& document) {
     lines.push_back(plan.complete ? "no plan for all pairs is cheaper than that"
                                   : "no plan for all pairs is cheaper: this is the lower bound");
   } else {
-    lines.push_back(fmt::format(
-        "lower bound for all pairs: {}{}", money(bound.cost),
-        bound.cost.millionths == 0
-            ? ""
-            : fmt::format(" ({} {} above it)", plan.complete ? "that is" : "this plan is",
-                          per_cent_above(cheapest, bound.cost))));
+    lines.push_back(fmt::format("lower bound for all pairs: {}{}", money(bound.cost),
+                                bound.cost.millionths == 0
+                                    ? ""
+                                    : fmt::format(" ({} at most {} above the least possible)",
+                                                  plan.complete ? "that is" : "this plan is",
+                                                  per_cent_above(cheapest, bound.cost))));
   }
   lines.push_back("because " + bound.reason);
   lines.insert(lines.end(), document.notes.begin(), document.notes.end());
   return lines;
+}
+
+std::string mounted_line(const Job& job) {
+  return job.mounted.empty() ? ""
+                             : "mounted all the time: " + joined(names_of(job, job.mounted)) + "\n";
+}
+
+Block without_mounted(const Job& job, const Block& setup) {
+  Block rest;
+  std::copy_if(setup.begin(), setup.end(), std::back_inserter(rest), [&](Element x) {
+    return std::find(job.mounted.begin(), job.mounted.end(), x) == job.mounted.end();
+  });
+  return rest;
 }
 
 std::string difference(const SheetDocument& document, const Candidate& candidate) {

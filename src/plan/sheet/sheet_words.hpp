@@ -31,6 +31,12 @@ class Money {
 /// "17 tests, 20 changes, cost 117", and what is to be said of the budget and the bound, a line each.
 [[nodiscard]] std::vector<std::string> summary(const SheetDocument& document);
 
+/// "mounted all the time: Pump", a line; empty if nothing is.
+[[nodiscard]] std::string mounted_line(const Job& job);
+
+/// The parts of a set-up but those that stay mounted, which are said once.
+[[nodiscard]] Block without_mounted(const Job& job, const Block& setup);
+
 /// How much dearer a candidate is than the first: "+1 (0.9 %)"; empty for the first and under a budget.
 [[nodiscard]] std::string difference(const SheetDocument& document, const Candidate& candidate);
 

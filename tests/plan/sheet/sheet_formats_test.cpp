@@ -111,7 +111,64 @@ TEST_F(SheetFormats, MarkdownAndHtmlEscapeNames) {
        at = page.find("class=\"box\"", at + 1)) {
     ++boxes;
   }
-  EXPECT_EQ(boxes, 3U);
+  EXPECT_EQ(boxes, 6U) << "pass and fail of three steps";
+}
+
+TEST_F(SheetFormats, WhatStaysMountedIsSaidOnce) {
+  job.mounted = {0};
+  const std::vector<Block> setups{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}};
+  plan.sheet = run_sheet(job, setups);
+  const auto times = [](const std::string& text, const std::string& word) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  // Once as mounted, and once where it is put in.
+  EXPECT_EQ(times(sheet_as_table(document, 200), "Pump"), 2U);
+  EXPECT_THAT(sheet_as_table(document, 200), HasSubstr("mounted all the time: Pump\n"));
+  EXPECT_EQ(times(sheet_as_markdown(document), "Pump"), 2U);
+  EXPECT_EQ(times(sheet_as_html(document), "Pump"), 2U);
+}
+
+TEST_F(SheetFormats, TheCompactFormLeavesOutWholeSetUps) {
+  document.compact = true;
+  EXPECT_THAT(sheet_as_table(document, 200), Not(HasSubstr("  set-up")));
+  EXPECT_THAT(sheet_as_table(document, 200),
+              HasSubstr("   3  Pump, Valve, large  <b>\"Motor\"</b>"));
+  EXPECT_THAT(sheet_as_html(document), HasSubstr("<div class=\"compact\">"));
+  EXPECT_THAT(sheet_as_html(document), Not(HasSubstr("<th>Set-up</th>")));
+}
+
+TEST_F(SheetFormats, CsvHasColumnsForEachSlot) {
+  job.slots = {{"CPU, fast", 0, 1}, {"=disk", 0, 2}};
+  job.slot_of = {no_slot, 1, 0, 1};
+  plan.sheet = run_sheet(job, {{0, 1, 2}, {0, 1, 3}, {2, 3}});
+  EXPECT_THAT(
+      sheet_as_csv(document),
+      StartsWith("step,take_out,put_in,\"slot_1 CPU, fast\",slot_2 =disk,slot_3 =disk,slot_4,"));
+  EXPECT_THAT(sheet_as_csv(document), HasSubstr(",,\"Valve, large\",Fan | 4*,Pump,2,"));
+  EXPECT_EQ(read_setups(*input_from_text(sheet_as_csv(document)), job.names),
+            (std::vector<Block>{{2, 1, 0}, {1, 3, 0}, {2, 3}}));
+}
+
+TEST_F(SheetFormats, SaysHowManyChangesARandomOrderNeeds) {
+  job = make_job(6, 2, parse_amount("2"), parse_amount("1"));
+  std::vector<Block> order{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}};
+  plan.sheet = run_sheet(job, order);
+  std::uint64_t sum = 0;
+  std::sort(order.begin(), order.end());
+  std::uint64_t orders = 0;
+  do {
+    sum += run_sheet(job, order).changes;
+    ++orders;
+  } while (std::next_permutation(order.begin(), order.end()));
+  const std::uint64_t average = (sum + orders / 2) / orders;
+  ASSERT_GT(average, plan.sheet.changes);
+  EXPECT_THAT(sheet_as_table(document, 200),
+              HasSubstr(std::to_string(plan.sheet.changes) + " changes, " +
+                        std::to_string(average - plan.sheet.changes) + " fewer than these tests"));
 }
 
 TEST_F(SheetFormats, StepsGoOnAfterTestsThatWereDone) {
