@@ -11,18 +11,20 @@ function(changeover_generate_found_designs variable)
   foreach(file IN LISTS files)
     file(READ "${file}" text)
     cmake_path(GET file FILENAME name)
-    string(APPEND values "    {\"${name}\",\n     R\"found(${text})found\"},\n")
+    string(APPEND values "    {\"${name}\",\n     R\"found(${text})found\"sv},\n")
   endforeach()
   set(output "${PROJECT_BINARY_DIR}/generated/found_designs_files.cpp")
   file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT [[
 // Generated from the files in src/construct/found. Do not edit.
 #include <array>
+#include <string_view>
 
 #include "construct/found/found_designs.hpp"
 
 namespace changeover {
 
 std::span<const FoundFile> found_design_files() {
+  using std::operator""sv;  // takes the length as it is: counting all these characters is beyond what compilers do
   static constexpr std::array<FoundFile, @count@> files{{
 @values@  }};
   return files;
