@@ -124,6 +124,8 @@ TEST(LoadOrderVerb, TellsWorkersAndPrefetchApart) {
 TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
   const TemporaryFolder folder;
   spit(folder.file("old"), "precious\n");
+  spit(folder.file("edges"), "0 1\n1 2\n0 2\n2 3\n");
+  spit(folder.file("named.csv"), "left,right\n");
   for (const Case& each : std::vector<Case>{
            {"--items 64 --room 16", 0, "over the lower bound 144"},
            {"--items 12 --room 4", 0, "the fewest possible"},
@@ -133,6 +135,30 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 9 --room 4 --workers 2", 0, "worker 1 step"},
            {"--items 9 --room 4 --prefetch", 0, "compute"},
            {"--items 13 --room 5 --time 200ms --quiet --threads 1 --seed 3", 0, "loads"},
+           {"--pairs edges --room 3", 0, "4 loads in 2 steps, the fewest possible"},
+           {"--pairs edges --room 3 --json", 0, "\"wanted_pairs\":4"},
+           {"--pairs named.csv --room 2", 0, "load left right"},
+           {"--pairs named.csv --room 2 --json", 0, "\"load\":[\"left\",\"right\"]"},
+           {"--pairs edges --room 3 --prefetch", 0, "all 4 pairs computed once"},
+           {"--pairs edges --room 3 --workers 2", 0, "worker 1 step"},
+           {"--pairs edges --room 3 --time 100ms --quiet", 0, "4 loads"},
+           {"--pairs - --room 3 < edges", 0, "4 listed pairs, room for 3"},
+           {"--pairs edges --room 3 --items 9", 0, "each of 4 items is loaded"},
+           {"--items 12 --against 12 --room 4", 0, "57 loads in"},
+           {"--items 12 --against 12 --room 4 --format csv", 0, "step,load,evict"},
+           {"--items 1024 --done-items 1000 --room 64", 0, "1024 loads in"},
+           {"--items 90000 --against 9 --room 20 --json", 0, "64 items are followed"},
+           {"--pairs edges", 2, "--room C is required"},
+           {"--pairs edges --room 1", 2, "at least 2"},
+           {"--pairs edges --against 4 --room 3", 2, "exclude each other"},
+           {"--items 4 --against 0 --room 3", 2, "--against 0: give at least 1"},
+           {"--items 4 --done-items 4 --room 3", 2, "none would be new"},
+           {"--items 99999999 --against 4 --room 3", 2, "at most 10000000"},
+           {"--items 4 --against 4 --room 3 --time 1s", 2, "--time"},
+           {"--pairs edges --room 3 -o edges", 2, "the same file as the list of pairs"},
+           {"--pairs edges --room 3 --items 3", 3, "edges:4: item 3, but --items 3"},
+           {"--pairs old --room 3", 3, "old:1: one item stands alone"},
+           {"--pairs absent --room 3", 4, "absent: cannot read"},
            {"--items 0 --room 4", 2, "at least 1 item"},
            {"--items 9 --room 1", 2, "at least 2"},
            {"--items 9 --room 0", 2, "at least 2"},
