@@ -8,6 +8,7 @@
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
+#include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"
@@ -25,6 +26,10 @@ struct LoadOrderRequest {
   std::string pairs;
   std::optional<std::uint64_t> workers;
   bool prefetch = false;
+  bool new_pairs = false;
+  bool ordered = false;
+  bool self = false;
+  bool shuffle = false;
   RunRequest run;
   OutputRequest output;
 };
@@ -124,24 +129,98 @@ std::string hint(const LoadOrderRequest& request, const LoadOrderFacts& facts) {
              : "--time 30s may find an order with fewer\n";
 }
 
+// Streams of steps, one a worker, with what they compute if that is asked for.
+class Work {
+ public:
+  using Streams = std::vector<std::function<std::unique_ptr<StepSource>()>>;
+
+  Work(const LoadOrderRequest& request, const WantedPairs& wanted, std::uint64_t items,
+       std::uint64_t room)
+      : said_(request.new_pairs), wanted_(wanted), items_(items), room_(room) {
+    options_ = {.ordered = request.ordered, .self = request.self};
+    if (request.shuffle) {
+      options_.shuffle = request.run.seed.value_or(1);
+    }
+  }
+
+  // One line about it for `verified`. @throws InternalError
+  [[nodiscard]] std::string verify(const Streams& streams) const {
+    if (!said_) {
+      return "";
+    }
+    if (items_ > max_elements_in_memory && wanted_.graph() == nullptr) {
+      return "; a pair may be computed more than once";
+    }
+    WorkCheck check(items_, wanted_, options_);
+    each(
+        streams, [&](std::uint64_t) { check.start_over(); },
+        [&](const WorkStep& step, std::uint64_t) { check.read(step); });
+    const WorkVerdict verdict = check.finish();
+    if (!verdict.valid()) {
+      throw InternalError(
+          fmt::format("what the steps compute is wrong: {} missing, {} repeated; {}",
+                      verdict.missing, verdict.repeated, verdict.fault));
+    }
+    return fmt::format("; {} computed, each once", count_of(verdict.computed, "pair"));
+  }
+
+  // Calls start(worker), then take(step, worker) for each step of it.
+  template <typename Start, typename Take>
+  void each(const Streams& streams, Start&& start, Take&& take) const {
+    std::optional<StepWork> work;
+    if (said_) {
+      work.emplace(items_, room_, wanted_, options_);
+    }
+    WorkStep step;
+    for (std::uint64_t w = 0; w < streams.size(); ++w) {
+      start(w);
+      auto steps = streams[w]();
+      if (work) {
+        work->start(std::move(steps));
+      }
+      while (work ? work->next(step) : steps->next(step.loads)) {
+        take(step, w);
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<ItemPair>* of(const WorkStep& step) const {
+    return said_ ? &step.pairs : nullptr;
+  }
+  [[nodiscard]] std::string columns() const {
+    return said_ ? "step,load,evict,new_pairs" : "step,load,evict";
+  }
+
+ private:
+  bool said_;
+  WantedPairs wanted_;
+  std::uint64_t items_;
+  std::uint64_t room_;
+  StepWorkOptions options_;
+};
+
 void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFile& out) {
   const LoadOrderFacts& facts = order.facts();
   Audit audit(facts, facts.loads, request.run.seed.value_or(1));
+  const Work work(request, facts.wanted, facts.items, facts.room);
+  const Work::Streams streams{[&order] { return order.stream(); }};
+  const std::string verified = audit.text() + work.verify(streams);
   JsonWriter json = head_of(facts, facts.bound, facts.items, facts.room, facts.loads);
-  json.key("gap").value(facts.gap()).key("verified").value(audit.text()).end_object();
+  json.key("gap").value(facts.gap()).key("verified").value(verified).end_object();
   StepWriter writer(out, request.output.format(), names_of(facts.wanted));
   writer.begin(json.take(),
                fmt::format("{}{} in {}, {}\n{}{}: {}\nbound: {}\nverified: {}\n",
                            sentence(facts.wanted, facts.items, facts.room),
                            count_of(facts.loads, "load"), count_of(facts.steps, "step"),
                            over(facts.gap(), facts.bound.loads), hint(request, facts), facts.method,
-                           facts.explanation, facts.bound.reason, audit.text()),
-               "step,load,evict");
-  LoadStep step;
-  for (const auto steps = order.stream(); steps->next(step);) {
-    audit.read(step);
-    writer.write(step);
-  }
+                           facts.explanation, facts.bound.reason, verified),
+               work.columns());
+  work.each(
+      streams, [](std::uint64_t) {},
+      [&](const WorkStep& step, std::uint64_t) {
+        audit.read(step.loads);
+        writer.write(step.loads, {}, work.of(step));
+      });
   audit.finish();
   writer.end();
 }
@@ -153,12 +232,18 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
       static_cast<double>(facts.makespan) / static_cast<double>(facts.makespan_bound.loads) - 1;
   // Groups of items have small orders, which were read.
   Audit audit(whole, facts.loads, request.run.seed.value_or(1));
+  const Work work(request, whole.wanted, facts.items, facts.room);
+  Work::Streams streams;
+  for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
+    streams.push_back([&split, w] { return split.stream(w); });
+  }
+  const std::string verified = audit.text() + work.verify(streams);
   const LoadBound bound = bound_for(whole.wanted, facts.items, facts.room);
   JsonWriter json = head_of(whole, bound, facts.items, facts.room, facts.loads);
   json.key("workers").value(facts.workers.size()).key("makespan").value(facts.makespan);
   json.key("makespan_bound").value(facts.makespan_bound.loads);
   json.key("makespan_bound_reason").value(facts.makespan_bound.reason);
-  json.key("groups").value(facts.groups).key("verified").value(audit.text());
+  json.key("groups").value(facts.groups).key("verified").value(verified);
   json.key("worker_loads").begin_array();
   std::string text = fmt::format(
       "{}{} for {}, the busiest has {}, {}\n", sentence(whole.wanted, facts.items, facts.room),
@@ -168,22 +253,20 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
                                       : fmt::format("items in {} groups, room for {} groups\n",
                                                     facts.groups, facts.group_room);
   text += fmt::format("{}: {}\nbound: {}\nverified: {}\n", whole.method, whole.explanation,
-                      facts.makespan_bound.reason, audit.text());
+                      facts.makespan_bound.reason, verified);
   for (std::size_t w = 0; w < facts.workers.size(); ++w) {
     json.value(facts.workers[w].loads);
     text += fmt::format("worker {}: {} in {}\n", w, count_of(facts.workers[w].loads, "load"),
                         count_of(facts.workers[w].steps, "step"));
   }
   StepWriter writer(out, request.output.format(), names_of(whole.wanted));
-  writer.begin(json.end_array().end_object().take(), text, "worker,step,load,evict");
-  LoadStep step;
-  for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
-    audit.start_over();
-    for (const auto steps = split.stream(w); steps->next(step);) {
-      audit.read(step);
-      writer.write(step, w);
-    }
-  }
+  writer.begin(json.end_array().end_object().take(), text, "worker," + work.columns());
+  work.each(
+      streams, [&](std::uint64_t) { audit.start_over(); },
+      [&](const WorkStep& step, std::uint64_t w) {
+        audit.read(step.loads);
+        writer.write(step.loads, w, work.of(step));
+      });
   audit.finish();
   writer.end();
 }
@@ -334,9 +417,15 @@ void add_loadorder(Program& program) {
   verb.option("--workers", request.workers, "W", "split it for W workers with room C each");
   verb.flag("--prefetch", request.prefetch,
             "say what is computed when, so that loads overlap computation");
+  verb.flag("--new-pairs", request.new_pairs, "say of each step which pairs are computed");
+  verb.flag("--ordered", request.ordered, "pairs both ways: (i,j) and (j,i)");
+  verb.flag("--self", request.self, "each item with itself, too: (i,i)");
+  verb.flag("--shuffle", request.shuffle, "pairs of a step in random order, by --seed");
   request.run.add_to(verb, "0s", request.output);
   request.output.add_to(verb, {"text", "jsonl", "csv"});
   verb.exclude({"--workers", "--prefetch"});
+  verb.exclude({"--new-pairs", "--prefetch"});
+  verb.only_with({"--ordered", "--self", "--shuffle"}, {"--new-pairs"});
   verb.exclude({"--pairs", "--against", "--done-items"});
   verb.never_with({"--time"}, {"--against", "--done-items"});
   verb.require([&request = request] {
