@@ -23,7 +23,7 @@ function(changeover_generate_found_designs variable)
 namespace changeover {
 
 std::span<const FoundFile> found_design_files() {
-  static constexpr std::array<FoundFile, @count@> files{{
+  static const std::array<FoundFile, @count@> files{{
 @values@  }};
   return files;
 }
