@@ -1,5 +1,6 @@
 // Load orders against BETA, hold-and-stream, square tiles and exhaustive matching: loads, the executor on
-// a file whose pages are kept out of the cache, and reading alone: what the sequence of the items is worth.
+// a file whose pages are kept out of the cache, and reading alone: what the sequence of the items is worth. For
+// listed pairs, orders of closing items as they are in the literature against what search makes of the best.
 //
 // CHANGEOVER_BENCH_SEARCH=20 gives local search so many seconds for each order that is not minimum.
 #include <benchmark/benchmark.h>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -23,6 +25,8 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/control.hpp"
+#include "loadorder/pairs/closing.hpp"
+#include "loadorder/pairs/starts.hpp"
 #include "run/random.hpp"
 
 namespace changeover::bench {
@@ -196,6 +200,57 @@ void reading(benchmark::State& state) {
   state.SetLabel(order.facts().method + ", " + file.access());
 }
 
+/// The pairs of random points of a square that are closer than a radius that leaves about so many.
+std::shared_ptr<const PairGraph> close_points(std::uint32_t items, double pairs) {
+  Random random(items);
+  const auto unit = [&] { return static_cast<double>(random.next32()) / 4294967296.0; };
+  constexpr double pi = 3.14159265358979;
+  const double radius = std::sqrt(2 * pairs / (pi * items * items));
+  const auto cells = static_cast<std::size_t>(1 / radius);
+  std::vector<std::pair<double, double>> points(items);
+  std::vector<std::vector<Element>> grid(cells * cells);
+  const auto cell = [&](double at) {
+    return std::min(cells - 1, static_cast<std::size_t>(at * static_cast<double>(cells)));
+  };
+  std::vector<ItemPair> close;
+  for (Element i = 0; i < items; ++i) {
+    points[i] = {unit(), unit()};
+    const auto [x, y] = points[i];
+    for (std::size_t cx = std::max<std::size_t>(cell(x), 1) - 1; cx < std::min(cells, cell(x) + 2);
+         ++cx) {
+      for (std::size_t cy = std::max<std::size_t>(cell(y), 1) - 1;
+           cy < std::min(cells, cell(y) + 2); ++cy) {
+        for (const Element j : grid[cx * cells + cy]) {
+          if (std::hypot(points[j].first - x, points[j].second - y) < radius) {
+            close.emplace_back(j, i);
+          }
+        }
+      }
+    }
+    grid[cell(x) * cells + cell(y)].push_back(i);
+  }
+  return std::make_shared<const PairGraph>(items, close);
+}
+
+/// Loads for listed pairs: every start as it is, and ours, which is the time of this.
+void listed(benchmark::State& state) {
+  const auto graph =
+      close_points(static_cast<std::uint32_t>(state.range(0)), static_cast<double>(state.range(1)));
+  const auto room = static_cast<std::uint64_t>(state.range(2));
+  const WantedPairs wanted = WantedPairs::listed(graph);
+  std::uint64_t loads = 0;
+  for (auto _ : state) {
+    const LoadOrder order = plan_load_order(wanted, room);
+    loads = order.facts().loads;
+    state.counters["bound"] = static_cast<double>(order.facts().bound.loads);
+  }
+  state.counters["ours"] = static_cast<double>(loads);
+  state.counters["pairs"] = static_cast<double>(graph->pairs());
+  for (const auto& [name, order] : start_orders(*graph)) {
+    state.counters[name] = static_cast<double>(Closing(*graph, room, order).run());
+  }
+}
+
 void grid(benchmark::internal::Benchmark* bench) {
   bench->ArgNames({"items", "room"})->Iterations(1)->Unit(benchmark::kMillisecond);
   for (const auto& [items, room] :
@@ -232,7 +287,13 @@ void sizes(benchmark::internal::Benchmark* bench) {
   bench->Args({1000, 20, 64, 1});
 }
 
+void lists(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"items", "pairs", "room"})->Iterations(1)->Unit(benchmark::kMillisecond);
+  bench->Args({120, 563, 10})->Args({10'000, 100'000, 30})->Args({100'000, 1'000'000, 30});
+}
+
 BENCHMARK(loads)->Apply(grid);
+BENCHMARK(listed)->Apply(lists);
 BENCHMARK(executor)->Apply(cells);
 BENCHMARK(reading)->Apply(sizes);
 

@@ -49,6 +49,8 @@
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
+#include "changeover/loadorder/step_work.hpp"
+#include "changeover/loadorder/wanted_pairs.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/plan/cost_bound.hpp"
 #include "changeover/plan/diagnosis.hpp"

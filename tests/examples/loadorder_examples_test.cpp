@@ -154,6 +154,36 @@ TEST_F(LoadOrderExamples, Prefetch) {
   EXPECT_EQ(computed, 64U * 63 / 2);
 }
 
+TEST_F(LoadOrderExamples, StepWork) {
+  std::size_t computed = 0;
+  std::size_t loaded = 0;
+  const auto move = [&](const std::vector<Element>&, const std::vector<Element>& load) {
+    loaded += load.size();
+  };
+  const auto compute = [&](const std::vector<ItemPair>& pairs) { computed += pairs.size(); };
+  LoadOrder order = plan_load_order(24, 6);
+  StepWork work(24, 6, {}, {.ordered = true, .self = true});
+  work.start(order.stream());
+  WorkStep step;
+  while (work.next(step)) {
+    move(step.loads.evict, step.loads.load);
+    compute(step.pairs);  // (i,j), (j,i) and (i,i), each once in all
+  }
+  EXPECT_EQ(computed, 24U * 24U);
+  EXPECT_EQ(loaded, order.facts().loads);
+}
+
+TEST_F(LoadOrderExamples, WantedPairs) {
+  put("edges.txt", "0 1\n1 2\n");
+  WantedPairs edges = WantedPairs::listed(read_pairs("edges.txt"));  // pairs that a file lists
+  WantedPairs matching = WantedPairs::between(12, 20);  // items 0, …, 11 with items 12, …, 31
+  WantedPairs grown = WantedPairs::beyond(1000, 1024);  // pairs of the last 24 with all others
+  EXPECT_EQ(edges.count(), 2U);
+  EXPECT_EQ(plan_load_order(grown, 64).facts().loads, 1024U);
+  EXPECT_TRUE(matching.contains(3, 12));
+  EXPECT_EQ(matching.count(), 240U);
+}
+
 TEST_F(LoadOrderExamples, Workers) {
   std::uint64_t busiest = 0;
   WorkerSplit split = split_load_order(64, 16, 4);

@@ -1,17 +1,17 @@
 // changeover loadorder: loads and evictions after which every pair of items has been in memory together.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
+#include "answer/step_writer.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
+#include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "io/write/json_writer.hpp"
+#include "request/inputs.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 
@@ -21,106 +21,17 @@ namespace {
 struct LoadOrderRequest {
   std::optional<std::uint64_t> items;
   std::optional<std::uint64_t> room;
+  std::optional<std::uint64_t> against;
+  std::optional<std::uint64_t> done_items;
+  std::string pairs;
   std::optional<std::uint64_t> workers;
   bool prefetch = false;
+  bool new_pairs = false;
+  bool ordered = false;
+  bool self = false;
+  bool shuffle = false;
   RunRequest run;
   OutputRequest output;
-};
-
-/// Writes an order in a format: a head, then a line for each step.
-class StepWriter {
- public:
-  StepWriter(OutputFile& out, const std::string& format)
-      : out_(out), json_(format == "jsonl"), csv_(format == "csv") {}
-
-  /// The head in JSON or in text; in CSV the names of the columns.
-  void begin(const std::string& json, const std::string& text, const std::string& columns) {
-    out_.write(json_ ? json + "\n" : csv_ ? columns + "\n" : text + "\n");
-  }
-
-  /// `worker` is nothing if there is only one.
-  void write(const LoadStep& step, std::optional<std::uint64_t> worker = {}) {
-    start(step.number, worker);
-    list("load", step.load);
-    list("evict", step.evict);
-    finish();
-  }
-
-  void write(const PrefetchStep& step) {
-    start(step.number, {});
-    list("load", step.load);
-    if (json_) {  // the name that every order has
-      std::vector<Element> all = step.evict_first;
-      all.insert(all.end(), step.evict_late.begin(), step.evict_late.end());
-      list("evict", all);
-    }
-    list("evict_first", step.evict_first);
-    list("evict_late", step.evict_late);
-    list("before", step.before);
-    list("compute", step.overlap);
-    finish();
-  }
-
-  void end() {
-    out_.write(text_);
-    text_.clear();
-  }
-
- private:
-  void add(std::uint64_t number) { fmt::format_to(std::back_inserter(text_), "{}", number); }
-
-  void add(const ItemPair& pair) {
-    text_ += json_ ? "[" : "";
-    add(pair.first);
-    text_ += json_ ? ',' : '-';
-    add(pair.second);
-    text_ += json_ ? "]" : "";
-  }
-
-  void start(std::uint64_t number, std::optional<std::uint64_t> worker) {
-    if (worker) {
-      text_ += json_ ? "{\"worker\":" : csv_ ? "" : "worker ";
-      add(*worker);
-      text_ += json_ ? ",\"step\":" : csv_ ? "," : " step ";
-    } else {
-      text_ += json_ ? "{\"step\":" : csv_ ? "" : "step ";
-    }
-    add(number);
-    text_ += json_ || csv_ ? "" : ":";
-  }
-
-  // In text an empty list is not mentioned.
-  template <typename Member>
-  void list(std::string name, const std::vector<Member>& members) {
-    if (json_) {
-      text_ += ",\"" + name + "\":[";
-    } else if (csv_) {
-      text_ += ',';
-    } else if (members.empty()) {
-      return;
-    } else {
-      std::replace(name.begin(), name.end(), '_', ' ');
-      text_ += (text_.back() == ':' ? " " : "; ") + name + " ";
-    }
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      text_ += i == 0 ? "" : json_ ? "," : " ";
-      add(members[i]);
-    }
-    text_ += json_ ? "]" : "";
-  }
-
-  void finish() {
-    constexpr std::size_t piece = 1 << 16;
-    text_ += json_ ? "}\n" : "\n";
-    if (text_.size() >= piece) {
-      end();
-    }
-  }
-
-  OutputFile& out_;
-  bool json_;
-  bool csv_;
-  std::string text_;
 };
 
 std::string over(double gap, std::uint64_t bound) {
@@ -138,6 +49,7 @@ class Audit {
       LoadCheckOptions options;
       options.all_pairs = false;
       options.seed = seed;
+      options.wanted = facts.wanted;
       check_.emplace(facts.items, facts.room, options);
     }
   }
@@ -182,42 +94,133 @@ JsonWriter head_of(const LoadOrderFacts& facts, const LoadBound& bound, std::uin
                    std::uint64_t room, std::uint64_t loads) {
   JsonWriter json;
   json.begin_object().key("items").value(items).key("room").value(room);
+  if (!facts.wanted.are_all()) {
+    json.key("wanted").value(facts.wanted.describe());
+    json.key("wanted_pairs").value(facts.wanted.count());
+  }
   json.key("loads").value(loads).key("steps").value(facts.steps);
   json.key("lower_bound").value(bound.loads).key("lower_bound_reason").value(bound.reason);
   json.key("method").value(facts.method).key("explanation").value(facts.explanation);
   return json;
 }
 
-std::string sentence(std::uint64_t items, std::uint64_t room) {
-  return fmt::format("{}, room for {}: ", count_of(items, "item"), room);
+std::string sentence(const WantedPairs& wanted, std::uint64_t items, std::uint64_t room) {
+  return wanted.are_all() ? fmt::format("{}, room for {}: ", count_of(items, "item"), room)
+                          : fmt::format("{}, room for {}: ", wanted.describe(), room);
+}
+
+const std::vector<std::string>* names_of(const WantedPairs& wanted) {
+  return wanted.graph() != nullptr ? &wanted.graph()->names() : nullptr;
+}
+
+LoadBound bound_for(const WantedPairs& wanted, std::uint64_t items, std::uint64_t room) {
+  return wanted.are_all() ? load_lower_bound(items, room) : load_lower_bound(wanted, room);
 }
 
 // How to get fewer loads, where that may help.
 std::string hint(const LoadOrderRequest& request, const LoadOrderFacts& facts) {
   const bool searched = !request.run.time.empty();
-  return facts.gap() == 0 || searched || facts.items > LoadOrderOptions().improve_up_to
+  if (facts.gap() > 0 && !searched && facts.wanted.graph() != nullptr) {
+    return "--time 30s may find an order with fewer\n";
+  }
+  return facts.gap() == 0 || searched || !facts.wanted.are_all() ||
+                 facts.items > LoadOrderOptions().improve_up_to
              ? std::string()
              : "--time 30s may find an order with fewer\n";
 }
 
+// Streams of steps, one a worker, with what they compute if that is asked for.
+class Work {
+ public:
+  using Streams = std::vector<std::function<std::unique_ptr<StepSource>()>>;
+
+  Work(const LoadOrderRequest& request, const WantedPairs& wanted, std::uint64_t items,
+       std::uint64_t room)
+      : said_(request.new_pairs), wanted_(wanted), items_(items), room_(room) {
+    options_ = {.ordered = request.ordered, .self = request.self};
+    if (request.shuffle) {
+      options_.shuffle = request.run.seed.value_or(1);
+    }
+  }
+
+  // One line about it for `verified`. @throws InternalError
+  [[nodiscard]] std::string verify(const Streams& streams) const {
+    if (!said_) {
+      return "";
+    }
+    if (items_ > max_elements_in_memory && wanted_.graph() == nullptr) {
+      return "; a pair may be computed more than once";
+    }
+    WorkCheck check(items_, wanted_, options_);
+    each(
+        streams, [&](std::uint64_t) { check.start_over(); },
+        [&](const WorkStep& step, std::uint64_t) { check.read(step); });
+    const WorkVerdict verdict = check.finish();
+    if (!verdict.valid()) {
+      throw InternalError(
+          fmt::format("what the steps compute is wrong: {} missing, {} repeated; {}",
+                      verdict.missing, verdict.repeated, verdict.fault));
+    }
+    return fmt::format("; {} computed, each once", count_of(verdict.computed, "pair"));
+  }
+
+  // Calls start(worker), then take(step, worker) for each step of it.
+  template <typename Start, typename Take>
+  void each(const Streams& streams, Start&& start, Take&& take) const {
+    std::optional<StepWork> work;
+    if (said_) {
+      work.emplace(items_, room_, wanted_, options_);
+    }
+    WorkStep step;
+    for (std::uint64_t w = 0; w < streams.size(); ++w) {
+      start(w);
+      auto steps = streams[w]();
+      if (work) {
+        work->start(std::move(steps));
+      }
+      while (work ? work->next(step) : steps->next(step.loads)) {
+        take(step, w);
+      }
+    }
+  }
+
+  [[nodiscard]] const std::vector<ItemPair>* of(const WorkStep& step) const {
+    return said_ ? &step.pairs : nullptr;
+  }
+  [[nodiscard]] std::string columns() const {
+    return said_ ? "step,load,evict,new_pairs" : "step,load,evict";
+  }
+
+ private:
+  bool said_;
+  WantedPairs wanted_;
+  std::uint64_t items_;
+  std::uint64_t room_;
+  StepWorkOptions options_;
+};
+
 void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFile& out) {
   const LoadOrderFacts& facts = order.facts();
   Audit audit(facts, facts.loads, request.run.seed.value_or(1));
+  const Work work(request, facts.wanted, facts.items, facts.room);
+  const Work::Streams streams{[&order] { return order.stream(); }};
+  const std::string verified = audit.text() + work.verify(streams);
   JsonWriter json = head_of(facts, facts.bound, facts.items, facts.room, facts.loads);
-  json.key("gap").value(facts.gap()).key("verified").value(audit.text()).end_object();
-  StepWriter writer(out, request.output.format());
+  json.key("gap").value(facts.gap()).key("verified").value(verified).end_object();
+  StepWriter writer(out, request.output.format(), names_of(facts.wanted));
   writer.begin(json.take(),
                fmt::format("{}{} in {}, {}\n{}{}: {}\nbound: {}\nverified: {}\n",
-                           sentence(facts.items, facts.room), count_of(facts.loads, "load"),
-                           count_of(facts.steps, "step"), over(facts.gap(), facts.bound.loads),
-                           hint(request, facts), facts.method, facts.explanation,
-                           facts.bound.reason, audit.text()),
-               "step,load,evict");
-  LoadStep step;
-  for (const auto steps = order.stream(); steps->next(step);) {
-    audit.read(step);
-    writer.write(step);
-  }
+                           sentence(facts.wanted, facts.items, facts.room),
+                           count_of(facts.loads, "load"), count_of(facts.steps, "step"),
+                           over(facts.gap(), facts.bound.loads), hint(request, facts), facts.method,
+                           facts.explanation, facts.bound.reason, verified),
+               work.columns());
+  work.each(
+      streams, [](std::uint64_t) {},
+      [&](const WorkStep& step, std::uint64_t) {
+        audit.read(step.loads);
+        writer.write(step.loads, {}, work.of(step));
+      });
   audit.finish();
   writer.end();
 }
@@ -229,37 +232,41 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
       static_cast<double>(facts.makespan) / static_cast<double>(facts.makespan_bound.loads) - 1;
   // Groups of items have small orders, which were read.
   Audit audit(whole, facts.loads, request.run.seed.value_or(1));
-  JsonWriter json = head_of(whole, load_lower_bound(facts.items, facts.room), facts.items,
-                            facts.room, facts.loads);
+  const Work work(request, whole.wanted, facts.items, facts.room);
+  Work::Streams streams;
+  for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
+    streams.push_back([&split, w] { return split.stream(w); });
+  }
+  const std::string verified = audit.text() + work.verify(streams);
+  const LoadBound bound = bound_for(whole.wanted, facts.items, facts.room);
+  JsonWriter json = head_of(whole, bound, facts.items, facts.room, facts.loads);
   json.key("workers").value(facts.workers.size()).key("makespan").value(facts.makespan);
   json.key("makespan_bound").value(facts.makespan_bound.loads);
   json.key("makespan_bound_reason").value(facts.makespan_bound.reason);
-  json.key("groups").value(facts.groups).key("verified").value(audit.text());
+  json.key("groups").value(facts.groups).key("verified").value(verified);
   json.key("worker_loads").begin_array();
-  std::string text =
-      fmt::format("{}{} for {}, the busiest has {}, {}\n", sentence(facts.items, facts.room),
-                  count_of(facts.loads, "load"), count_of(facts.workers.size(), "worker"),
-                  facts.makespan, over(gap, facts.makespan_bound.loads));
+  std::string text = fmt::format(
+      "{}{} for {}, the busiest has {}, {}\n", sentence(whole.wanted, facts.items, facts.room),
+      count_of(facts.loads, "load"), count_of(facts.workers.size(), "worker"), facts.makespan,
+      over(gap, facts.makespan_bound.loads));
   text += facts.groups == facts.items ? std::string()
                                       : fmt::format("items in {} groups, room for {} groups\n",
                                                     facts.groups, facts.group_room);
   text += fmt::format("{}: {}\nbound: {}\nverified: {}\n", whole.method, whole.explanation,
-                      facts.makespan_bound.reason, audit.text());
+                      facts.makespan_bound.reason, verified);
   for (std::size_t w = 0; w < facts.workers.size(); ++w) {
     json.value(facts.workers[w].loads);
     text += fmt::format("worker {}: {} in {}\n", w, count_of(facts.workers[w].loads, "load"),
                         count_of(facts.workers[w].steps, "step"));
   }
-  StepWriter writer(out, request.output.format());
-  writer.begin(json.end_array().end_object().take(), text, "worker,step,load,evict");
-  LoadStep step;
-  for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
-    audit.start_over();
-    for (const auto steps = split.stream(w); steps->next(step);) {
-      audit.read(step);
-      writer.write(step, w);
-    }
-  }
+  StepWriter writer(out, request.output.format(), names_of(whole.wanted));
+  writer.begin(json.end_array().end_object().take(), text, "worker," + work.columns());
+  work.each(
+      streams, [&](std::uint64_t) { audit.start_over(); },
+      [&](const WorkStep& step, std::uint64_t w) {
+        audit.read(step.loads);
+        writer.write(step.loads, w, work.of(step));
+      });
   audit.finish();
   writer.end();
 }
@@ -267,14 +274,14 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
 void write_prefetch(const LoadOrderRequest& request, const PrefetchPlan& plan, std::uint64_t room,
                     OutputFile& out) {
   const LoadOrderFacts& facts = plan.order.facts();
-  const LoadBound bound = load_lower_bound(facts.items, room);
+  const LoadBound bound = bound_for(facts.wanted, facts.items, room);
   JsonWriter json = head_of(facts, bound, facts.items, room, facts.loads);
   json.key("order_room").value(facts.room);
   std::string certificate = facts.certificate;
   PrefetchStep step;
   if (facts.every_step_read) {
-    PrefetchCheck check(facts.items, room);
-    PrefetchSchedule schedule(plan.order.stream(), facts.items, room);
+    PrefetchCheck check(facts.items, room, facts.wanted);
+    PrefetchSchedule schedule(plan.order.stream(), facts.items, room, facts.wanted);
     while (schedule.next(step)) {
       check.read(step);
     }
@@ -288,37 +295,37 @@ void write_prefetch(const LoadOrderRequest& request, const PrefetchPlan& plan, s
   } else {
     certificate += "; a pair may be computed more than once";
   }
-  StepWriter writer(out, request.output.format());
+  StepWriter writer(out, request.output.format(), names_of(facts.wanted));
   writer.begin(json.key("verified").value(certificate).end_object().take(),
                fmt::format("{}{} in {}, lower bound {}\n{} is kept for what is loading\n{}: {}\n"
                            "verified: {}\n"
                            "each step: wait for load, compute before; evict first of the next "
                            "step, start its loads; "
                            "compute the others; evict late\n",
-                           sentence(facts.items, room), count_of(facts.loads, "load"),
+                           sentence(facts.wanted, facts.items, room), count_of(facts.loads, "load"),
                            count_of(facts.steps, "step"), bound.loads,
                            plan.spare == 0 ? "no place" : "one of the places", facts.method,
                            facts.explanation, certificate),
                "step,load,evict_first,evict_late,before,compute");
-  PrefetchSchedule schedule(plan.order.stream(), facts.items, room);
+  PrefetchSchedule schedule(plan.order.stream(), facts.items, room, facts.wanted);
   while (schedule.next(step)) {
     writer.write(step);
   }
   writer.end();
 }
 
-Answer run(const LoadOrderRequest& request) {
-  if (!request.items || !request.room) {
-    throw UsageError{"--items P and --room C are required"};
+// What the options say, before a file is read.
+void check(const LoadOrderRequest& request) {
+  const bool listed = !request.pairs.empty();
+  if (!request.room || (!listed && !request.items)) {
+    throw UsageError{listed ? "--room C is required" : "--items P and --room C are required"};
   }
-  const std::uint64_t items = *request.items;
-  const std::uint64_t room = *request.room;
-  if (items == 0) {
+  if (request.items && *request.items == 0) {
     throw UsageError{"--items 0: give at least 1 item"};
   }
-  if (room < 2) {
+  if (*request.room < 2) {
     throw UsageError{
-        fmt::format("--room {}: no two items could meet; give room for at least 2", room)};
+        fmt::format("--room {}: no two items could meet; give room for at least 2", *request.room)};
   }
   if (request.workers && *request.workers == 0) {
     throw UsageError{"--workers 0: give at least 1 worker"};
@@ -326,7 +333,39 @@ Answer run(const LoadOrderRequest& request) {
   if (request.workers && *request.workers > most_workers) {
     throw UsageError{fmt::format("--workers {}: give 1 to {}", *request.workers, most_workers)};
   }
+  if (request.against && *request.against == 0) {
+    throw UsageError{"--against 0: give at least 1 item"};
+  }
+  if (request.done_items && *request.done_items >= *request.items) {
+    throw UsageError{fmt::format("--done-items {}: of --items {} none would be new",
+                                 *request.done_items, *request.items)};
+  }
+  const std::uint64_t most = most_items;
+  if (request.items.value_or(0) > most || request.against.value_or(0) > most) {
+    throw UsageError{fmt::format("--items and --against are at most {}", most)};
+  }
+}
+
+WantedPairs wanted_by(const LoadOrderRequest& request) {
+  if (!request.pairs.empty()) {
+    return WantedPairs::listed(read_pairs(request.pairs, {.items = request.items}));
+  }
+  if (request.against) {
+    return WantedPairs::between(*request.items, *request.against);
+  }
+  if (request.done_items) {
+    return WantedPairs::beyond(*request.done_items, *request.items);
+  }
+  return {};
+}
+
+Answer run(const LoadOrderRequest& request) {
+  check(request);
+  const WantedPairs wanted = wanted_by(request);
+  const std::uint64_t items = wanted.are_all() ? *request.items : wanted.items();
+  const std::uint64_t room = *request.room;
   LoadOrderOptions options;
+  options.seed = request.run.seed.value_or(1);
   OutputRequest output = request.output;
   output.precious = false;  // Without a search the same command makes it again.
   output.check_writable();
@@ -336,18 +375,28 @@ Answer run(const LoadOrderRequest& request) {
       Running running(request.run, request.output);  // The time is for the search alone.
       return improve_by_search(running.control())(start, blocks);
     };
+    options.search_pairs = [&](const std::function<void()>& search) {
+      output.precious = true;
+      const Running running(request.run, request.output);
+      search();
+    };
   }
   // Made now, so that what cannot be is said before anything is written.
   Answer answer;
   if (request.workers) {
     const auto split = std::make_shared<const WorkerSplit>(
-        split_load_order(items, room, *request.workers, options));
+        wanted.are_all() ? split_load_order(items, room, *request.workers, options)
+                         : split_load_order(wanted, room, *request.workers, options));
     answer.write = [request, split](OutputFile& out) { write_workers(request, *split, out); };
   } else if (request.prefetch) {
-    const auto plan = std::make_shared<const PrefetchPlan>(plan_prefetch(items, room, options));
+    const auto plan = std::make_shared<const PrefetchPlan>(
+        wanted.are_all() ? plan_prefetch(items, room, options)
+                         : plan_prefetch(wanted, room, options));
     answer.write = [=](OutputFile& out) { write_prefetch(request, *plan, room, out); };
   } else {
-    const auto order = std::make_shared<const LoadOrder>(plan_load_order(items, room, options));
+    const auto order = std::make_shared<const LoadOrder>(
+        wanted.are_all() ? plan_load_order(items, room, options)
+                         : plan_load_order(wanted, room, options));
     answer.write = [request, order](OutputFile& out) { write_one(request, *order, out); };
   }
   answer.output = output;
@@ -361,18 +410,36 @@ void add_loadorder(Program& program) {
       program.add("loadorder", "an order of loads that brings all pairs of items together", run);
   verb.option("--items", request.items, "P", "items, e.g. partitions of a file");
   verb.option("--room", request.room, "C", "how many are in memory at once");
+  verb.option("--pairs", request.pairs, "FILE",
+              "only the pairs listed there, two items a line; \"-\": standard input");
+  verb.option("--against", request.against, "B", "each of the P items with each of B others");
+  verb.option("--done-items", request.done_items, "N", "the pairs of the first N items are done");
   verb.option("--workers", request.workers, "W", "split it for W workers with room C each");
   verb.flag("--prefetch", request.prefetch,
             "say what is computed when, so that loads overlap computation");
+  verb.flag("--new-pairs", request.new_pairs, "say of each step which pairs are computed");
+  verb.flag("--ordered", request.ordered, "pairs both ways: (i,j) and (j,i)");
+  verb.flag("--self", request.self, "each item with itself, too: (i,i)");
+  verb.flag("--shuffle", request.shuffle, "pairs of a step in random order, by --seed");
   request.run.add_to(verb, "0s", request.output);
   request.output.add_to(verb, {"text", "jsonl", "csv"});
   verb.exclude({"--workers", "--prefetch"});
+  verb.exclude({"--new-pairs", "--prefetch"});
+  verb.only_with({"--ordered", "--self", "--shuffle"}, {"--new-pairs"});
+  verb.exclude({"--pairs", "--against", "--done-items"});
+  verb.never_with({"--time"}, {"--against", "--done-items"});
+  verb.require([&request = request] {
+    check_inputs(request.output, {{"the list of pairs", request.pairs}});
+  });
   verb.only_with({"--threads", "--memory"}, {"--time"});
   verb.examples({"changeover loadorder --items 64 --room 16",
                  "changeover loadorder --items 20 --room 5 --time 20s      search for fewer loads",
                  "changeover loadorder --items 1000 --room 100 --json -o order.jsonl",
                  "changeover loadorder --items 1000 --room 100 --workers 8",
-                 "changeover loadorder --items 64 --room 16 --prefetch"});
+                 "changeover loadorder --items 64 --room 16 --prefetch",
+                 "changeover loadorder --pairs edges.txt --room 10       only some pairs",
+                 "changeover loadorder --items 12 --against 20 --room 4  two sets",
+                 "changeover loadorder --items 1024 --done-items 1000 --room 64"});
 }
 
 }  // namespace changeover::cli

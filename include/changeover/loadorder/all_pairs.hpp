@@ -7,8 +7,8 @@
 //       gram(pair.first.bytes, pair.second.bytes);        // first = second: the pairs within one item
 //     }, {.threads = 2, .read_ahead = plan.spare, .journal = "job.journal"});
 //
-// *Contract.* compute() is called exactly once for each pair of different items and once for each
-// item with itself, by `threads` threads at once, with the bytes of both in memory. Loads run on
+// *Contract.* compute() is called exactly once for each pair of different items (each pair that the
+// order is for, loadorder/wanted_pairs.hpp) and once for each item with itself that is loaded, by `threads` threads at once, with the bytes of both in memory. Loads run on
 // threads of their own while pairs are computed (loadorder/prefetch.hpp, which also says why an
 // order for one item less with read_ahead = 1 is often faster). Never more than room + read_ahead
 // items are in memory or on their way: there are that many buffers, made at the start, and nothing
@@ -38,7 +38,7 @@
 // are read are a fault at the end, since the results are then of neither. A killed or failed job
 // has changed the results of its own steps only.
 //
-// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits. An item is best a chunk of
+// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits; any number if pairs are listed. An item is best a chunk of
 // many vectors.
 #pragma once
 

@@ -44,6 +44,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
+#include "changeover/loadorder/wanted_pairs.hpp"
 #include "changeover/run/control.hpp"
 
 namespace changeover {
@@ -105,6 +106,7 @@ struct LoadOrderFacts {
   std::string explanation;  ///< one line: how the steps are made
   std::string certificate;  ///< one line: how it was verified
   bool every_step_read = false;
+  WantedPairs wanted = {};  ///< the pairs that meet
 
   /// loads / bound − 1.
   [[nodiscard]] double gap() const;
@@ -119,6 +121,10 @@ struct LoadOrderOptions {
   std::uint64_t read_up_to = 65'535;
   bool constructions = true;  ///< whether the registry is asked
   bool planner = true;        ///< and then the planner
+  /// Of an order for listed pairs: given a search that goes on until the control of its thread (run/scope.hpp) wants to
+  /// stop, calls it. Without it the search does a fixed amount of work, a few seconds at most.
+  std::function<void(const std::function<void()>& search)> search_pairs = {};
+  std::uint64_t seed = 1;  ///< of that search
 };
 
 /// An order that starts at its first step. Movable; stream() gives independent readers.
@@ -151,6 +157,14 @@ class LoadOrder {
 /// exceeds 10⁷; InternalError if an order does not keep its promise.
 [[nodiscard]] LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
                                         const LoadOrderOptions& options = {});
+
+/// The same for the pairs that are wanted: docs/loadorder.md says how. Orders for listed pairs are kept in memory, 8 bytes
+/// a load, and always read; others above `read_up_to` are certified by their structure.
+[[nodiscard]] LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
+                                        const LoadOrderOptions& options = {});
+
+/// The loads that no order for these pairs can go below. @throws as above
+[[nodiscard]] LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room);
 
 /// A linear design as an order; steps load what a block introduces. @throws BadInput if it is circular
 /// (set its kind to linear first) or has no block.

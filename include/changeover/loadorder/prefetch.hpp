@@ -38,12 +38,11 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/core/pair_set.hpp"
 #include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
 
-using ItemPair = std::pair<Element, Element>;  ///< smaller first
+class WantedSet;
 
 /// One step, and how the loads that it begins with were made room for in the step before.
 struct PrefetchStep {
@@ -59,7 +58,8 @@ struct PrefetchStep {
 class PrefetchSchedule {
  public:
   /// `room` counts what is on its way; it may exceed that of the order.
-  PrefetchSchedule(std::unique_ptr<StepSource> steps, std::uint64_t items, std::uint64_t room);
+  PrefetchSchedule(std::unique_ptr<StepSource> steps, std::uint64_t items, std::uint64_t room,
+                   const WantedPairs& wanted = {});
   ~PrefetchSchedule();
   PrefetchSchedule(PrefetchSchedule&&) noexcept;
 
@@ -80,6 +80,8 @@ struct PrefetchPlan {
 /// The better of the two ways. @throws as plan_load_order().
 [[nodiscard]] PrefetchPlan plan_prefetch(std::uint64_t items, std::uint64_t room,
                                          const LoadOrderOptions& options = {});
+[[nodiscard]] PrefetchPlan plan_prefetch(const WantedPairs& wanted, std::uint64_t room,
+                                         const LoadOrderOptions& options = {});
 
 struct PrefetchVerdict {
   std::string fault;  ///< the first step that is wrong; empty if none
@@ -95,10 +97,11 @@ struct PrefetchVerdict {
 };
 
 /// Plays a schedule: never more than `room` items in memory or on their way, pairs only of items that
-/// have arrived, every pair exactly once. At most 65,535 items.
+/// have arrived, every wanted pair exactly once. At most 65,535 items unless pairs are listed.
 class PrefetchCheck {
  public:
-  PrefetchCheck(std::uint64_t items, std::uint64_t room);
+  PrefetchCheck(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {});
+  ~PrefetchCheck();
 
   void read(const PrefetchStep& step);
   [[nodiscard]] PrefetchVerdict finish();
@@ -109,7 +112,8 @@ class PrefetchCheck {
   void fail(std::string fault);
 
   std::uint64_t room_;
-  PairSet done_;
+  WantedPairs wanted_;
+  std::unique_ptr<WantedSet> done_;
   std::vector<bool> there_;
   std::uint64_t count_ = 0;
   PrefetchStep held_;  // whose second part has not been played

@@ -75,6 +75,9 @@ class WorkerSplit {
 [[nodiscard]] LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room,
                                              std::uint64_t workers);
 
+[[nodiscard]] LoadBound makespan_lower_bound(const WantedPairs& wanted, std::uint64_t room,
+                                             std::uint64_t workers);
+
 /// Cuts an order of `groups` things into stretches for P items in as many groups, of ⌊P/G⌋ or ⌈P/G⌉ items
 /// with consecutive numbers. Nothing is verified. @throws BadInput if workers = 0 or exceeds 65,536, or if
 /// there are more groups than items.
@@ -83,6 +86,11 @@ class WorkerSplit {
 
 /// The best split that is known, verified. @throws as plan_load_order() and split_order().
 [[nodiscard]] WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room,
+                                           std::uint64_t workers,
+                                           const LoadOrderOptions& options = {});
+
+/// The same for some pairs, whose items are not grouped.
+[[nodiscard]] WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 

@@ -8,22 +8,37 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/scope.hpp"
+#include "loadorder/pairs/wanted_set.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
 
 LoadCheck::LoadCheck(std::uint64_t items, std::uint64_t room, const LoadCheckOptions& options)
-    : items_(items), room_(room) {
+    : items_(items), room_(room), wanted_(options.wanted) {
   if (items == 0 || room == 0) {
     throw BadInput(fmt::format("a load order of {} items with room for {}: give at least 1 of both",
                                items, room));
   }
+  if (!wanted_.are_all() && wanted_.items() != items) {
+    throw BadInput(fmt::format("pairs of {} items are wanted of {}", wanted_.items(), items));
+  }
   place_.assign(static_cast<std::size_t>(items), 0);
+  if (wanted_.graph() != nullptr) {
+    loaded_.assign(static_cast<std::size_t>(items), false);
+    some_ = std::make_unique<WantedSet>(wanted_, items);
+    verdict_.watched_items = items;
+    return;
+  }
   if (options.all_pairs) {
     if (items > max_elements_in_memory) {
       throw MissingResource(
           fmt::format("{} items have too many pairs to be followed one by one; {} is the most",
                       items, max_elements_in_memory));
+    }
+    if (!wanted_.are_all()) {
+      some_ = std::make_unique<WantedSet>(wanted_, items);
+      verdict_.watched_items = items;
+      return;
     }
     name_pairs(options.kept_as);
     pairs_ = std::make_unique<PairSet>(items);
@@ -48,6 +63,9 @@ LoadCheck::LoadCheck(std::uint64_t items, std::uint64_t room, const LoadCheckOpt
   met_.assign(watched_.size(), std::vector<bool>(static_cast<std::size_t>(items), false));
   verdict_.watched_items = watched_.size();
 }
+
+LoadCheck::~LoadCheck() = default;
+LoadCheck::LoadCheck(LoadCheck&&) noexcept = default;
 
 void LoadCheck::name_pairs(const std::vector<Element>& kept_as) {
   if (kept_as.empty()) {
@@ -92,6 +110,12 @@ void LoadCheck::load(Element x) {
       pairs_->insert(name, other);
     }
     kept_.push_back(name);
+  } else if (some_) {
+    some_->insert_all(
+        x, memory_, [&](Element y) { return place_[y] != 0; }, [](Element) {});
+    if (!loaded_.empty()) {
+      loaded_[x] = true;
+    }
   } else {
     for (const Element y : watched_now_) {
       met_[row_[y] - 1][x] = true;
@@ -164,9 +188,23 @@ LoadVerdict LoadCheck::finish() const {
     pairs_->for_each_missing(1, [&](Element x, Element y) { say(item(x), item(y)); });
     return verdict;
   }
+  if (some_) {
+    verdict.uncovered = some_->missing();
+    if (const auto pair = some_->example()) {
+      say(pair->first, pair->second);
+    }
+    // An item without a partner is missed like a pair.
+    for (Element x = 0; x < loaded_.size(); ++x) {
+      if (wanted_.needs(x) && !loaded_[x] && wanted_.graph()->partners(x).empty()) {
+        ++verdict.uncovered;
+        say(x, x);
+      }
+    }
+    return verdict;
+  }
   for (std::size_t i = 0; i < watched_.size(); ++i) {
     for (Element y = 0; y < items_; ++y) {
-      if (!met_[i][y] && y != watched_[i]) {
+      if (!met_[i][y] && y != watched_[i] && wanted_.contains(y, watched_[i])) {
         ++verdict.uncovered;
         say(watched_[i], y);
       }

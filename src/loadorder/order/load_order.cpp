@@ -19,11 +19,11 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_items = 10'000'000;
 // Beyond both, streamed orders are within a few in 10⁴ of the bound and offers would cost seconds.
 constexpr std::uint64_t most_for_registry = 2'000;
 constexpr std::uint64_t most_for_registry_by_room = 16;
-constexpr std::uint64_t largest_change = 3;
+constexpr std::uint64_t largest_planned_change = 3;
+constexpr std::uint64_t largest_change = 64;
 
 void check(std::uint64_t items, std::uint64_t room) {
   if (items == 0) {
@@ -64,7 +64,7 @@ void consider(Candidate& best, std::optional<Offer> offer) {
   }
 }
 
-// What the constructions give for any small change number and both kinds.
+// What the constructions give for change numbers up to 64 and both kinds.
 void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t room,
                             bool planner) {
   const bool plans = items <= largest_planned_v && planner;
@@ -74,9 +74,13 @@ void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t 
       if (impossibility(p)) {
         continue;
       }
-      consider(best, Registry::standard().best(p));
       // No more than the fewest loads that blocks of this m could do with.
-      if (plans && kind == Kind::linear && room + m * (lower_bound(p).blocks - 1) <= best.loads) {
+      const bool hopeful =
+          checked_add(room, checked_multiply(m, lower_bound(p).blocks - 1)) <= best.loads;
+      if (m <= largest_planned_change || hopeful) {
+        consider(best, Registry::standard().best(p));
+      }
+      if (plans && m <= largest_planned_change && kind == Kind::linear && hopeful) {
         consider(best, best_known(Registry::standard(), p));
       }
     }

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/core/pair_set.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
+#include "loadorder/pairs/wanted_set.hpp"
 
 namespace changeover {
 
@@ -31,12 +31,13 @@ struct AssignedStep {
 
 class PairAssigner {
  public:
-  PairAssigner(std::uint64_t items, std::uint64_t room)
+  PairAssigner(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {})
       : room_(room),
+        wanted_(wanted),
         there_(static_cast<std::size_t>(items), false),
         loaded_(static_cast<std::size_t>(items), false) {
-    if (items <= max_elements_in_memory) {
-      done_.emplace(items);
+    if (items <= max_elements_in_memory || wanted.graph() != nullptr) {
+      done_.emplace(wanted, items);
     }
   }
 
@@ -64,11 +65,14 @@ class PairAssigner {
     std::size_t last_arrival = 0;
     for (const Element x : out.step.load) {
       last_arrival = out.pairs.size();
-      for (const Element y : memory_) {
-        if (!done_ || !done_->contains(x, y)) {
-          out.pairs.emplace_back(std::min(x, y), std::max(x, y));
-          if (done_) {
-            done_->insert(x, y);
+      const auto add = [&](Element y) { out.pairs.emplace_back(std::min(x, y), std::max(x, y)); };
+      if (done_) {
+        done_->insert_all(
+            x, memory_, [&](Element y) { return there_[y]; }, add);
+      } else {
+        for (const Element y : memory_) {
+          if (wanted_.contains(x, y)) {
+            add(y);
           }
         }
       }
@@ -121,6 +125,7 @@ class PairAssigner {
   }
 
   std::uint64_t room_;
+  WantedPairs wanted_;
   std::unique_ptr<StepSource> steps_;
   LoadStep ahead_;
   std::vector<Element> nothing_;
@@ -128,7 +133,7 @@ class PairAssigner {
   std::vector<Element> memory_;
   std::vector<bool> there_;
   std::vector<bool> loaded_;
-  std::optional<PairSet> done_;
+  std::optional<WantedSet> done_;
 };
 
 }  // namespace changeover

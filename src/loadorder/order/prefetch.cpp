@@ -6,18 +6,20 @@
 #include <utility>
 
 #include "loadorder/order/pair_assigner.hpp"
+#include "loadorder/pairs/wanted_set.hpp"
 
 namespace changeover {
 
 struct PrefetchSchedule::State {
-  State(std::uint64_t items, std::uint64_t room) : assigner(items, room) {}
+  State(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted)
+      : assigner(items, room, wanted) {}
   PairAssigner assigner;
   AssignedStep assigned;
 };
 
 PrefetchSchedule::PrefetchSchedule(std::unique_ptr<StepSource> steps, std::uint64_t items,
-                                   std::uint64_t room)
-    : state_(std::make_unique<State>(items, room)) {
+                                   std::uint64_t room, const WantedPairs& wanted)
+    : state_(std::make_unique<State>(items, room, wanted)) {
   state_->assigner.start(std::move(steps));
 }
 
@@ -39,33 +41,57 @@ bool PrefetchSchedule::next(PrefetchStep& step) {
   return true;
 }
 
-PrefetchPlan plan_prefetch(std::uint64_t items, std::uint64_t room,
-                           const LoadOrderOptions& options) {
-  LoadOrder whole = plan_load_order(items, room, options);
+namespace {
+
+// In pairs: what the model of the summary says.
+std::uint64_t time_of(const LoadOrder& order, std::uint64_t room) {
+  const LoadOrderFacts& facts = order.facts();
+  PrefetchSchedule schedule(order.stream(), facts.items, room, facts.wanted);
+  std::uint64_t total = 0;
+  std::uint64_t overlap = 0;
+  for (PrefetchStep step; schedule.next(step);) {
+    total += std::max<std::uint64_t>(overlap, step.load.size() * (room - 1)) + step.before.size();
+    overlap = step.overlap.size();
+  }
+  return total + overlap;
+}
+
+// `plan` makes an order for a room.
+template <typename Plan>
+PrefetchPlan better_way(std::uint64_t items, std::uint64_t room, Plan&& plan) {
+  LoadOrder whole = plan(room);
   if (room < 3 || items <= room) {
     return {std::move(whole), 0};
   }
   constexpr std::uint64_t most_compared = 2000;
-  LoadOrder less = plan_load_order(items, room - 1, options);
-  // In pairs: what the model of the summary says.
-  const auto time = [&](const LoadOrder& order) {
-    PrefetchSchedule schedule(order.stream(), items, room);
-    std::uint64_t total = 0;
-    std::uint64_t overlap = 0;
-    for (PrefetchStep step; schedule.next(step);) {
-      total += std::max<std::uint64_t>(overlap, step.load.size() * (room - 1)) + step.before.size();
-      overlap = step.overlap.size();
-    }
-    return total + overlap;
-  };
-  if (items <= most_compared && time(whole) <= time(less)) {
+  LoadOrder less = plan(room - 1);
+  if (items <= most_compared && time_of(whole, room) <= time_of(less, room)) {
     return {std::move(whole), 0};
   }
   return {std::move(less), 1};
 }
 
-PrefetchCheck::PrefetchCheck(std::uint64_t items, std::uint64_t room)
-    : room_(room), done_(items), there_(static_cast<std::size_t>(items), false) {}
+}  // namespace
+
+PrefetchPlan plan_prefetch(std::uint64_t items, std::uint64_t room,
+                           const LoadOrderOptions& options) {
+  return better_way(items, room,
+                    [&](std::uint64_t places) { return plan_load_order(items, places, options); });
+}
+
+PrefetchPlan plan_prefetch(const WantedPairs& wanted, std::uint64_t room,
+                           const LoadOrderOptions& options) {
+  return better_way(wanted.items(), room,
+                    [&](std::uint64_t places) { return plan_load_order(wanted, places, options); });
+}
+
+PrefetchCheck::PrefetchCheck(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted)
+    : room_(room),
+      wanted_(wanted),
+      done_(std::make_unique<WantedSet>(wanted, items)),
+      there_(static_cast<std::size_t>(items), false) {}
+
+PrefetchCheck::~PrefetchCheck() = default;
 
 void PrefetchCheck::fail(std::string fault) {
   if (verdict_.fault.empty()) {
@@ -79,8 +105,11 @@ void PrefetchCheck::compute(const std::vector<ItemPair>& pairs, bool overlapped)
       fail(fmt::format("step {} computes {{{},{}}}, which is not in memory", held_.number, x, y));
       return;
     }
-    verdict_.repeated += done_.contains(x, y) ? 1U : 0U;
-    done_.insert(x, y);
+    if (!wanted_.contains(x, y)) {
+      fail(fmt::format("step {} computes {{{},{}}}, which is not wanted", held_.number, x, y));
+      return;
+    }
+    verdict_.repeated += done_->insert(x, y) ? 0U : 1U;
     ++verdict_.computed;
     verdict_.overlapped += overlapped ? 1U : 0U;
   }
@@ -124,7 +153,7 @@ void PrefetchCheck::read(const PrefetchStep& step) {
 PrefetchVerdict PrefetchCheck::finish() {
   compute(held_.overlap, false);
   held_.overlap.clear();
-  verdict_.missing = done_.missing();
+  verdict_.missing = done_->missing();
   return verdict_;
 }
 

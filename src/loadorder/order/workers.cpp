@@ -13,6 +13,7 @@
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/streamed_order.hpp"
+#include "loadorder/pairs/pair_bounds.hpp"
 
 namespace changeover {
 namespace {
@@ -85,12 +86,6 @@ void check_workers(std::uint64_t workers) {
   }
 }
 
-// Most pairs that `loads` loads bring together.
-std::uint64_t capacity(std::uint64_t loads, std::uint64_t room) {
-  return loads <= room ? binomial(loads, 2)
-                       : checked_add(binomial(room, 2), checked_multiply(loads - room, room - 1));
-}
-
 struct Grouping {
   std::uint64_t groups = 0;
   std::uint64_t room = 0;
@@ -113,6 +108,7 @@ Grouping cost(std::uint64_t groups, std::uint64_t room, std::uint64_t size, std:
 void verify_split(const WorkerSplit& split) {
   const SplitFacts& facts = split.facts();
   LoadCheckOptions options;
+  options.wanted = split.order().facts().wanted;
   if (split.order().facts().method == "streamed" && facts.groups == facts.items) {
     options.kept_as = names_by_window(best_streamed_shape(facts.items, facts.room));
   }
@@ -135,35 +131,45 @@ void verify_split(const WorkerSplit& split) {
 
 }  // namespace
 
+namespace {
+
+// `pairs` among all that are loaded, one worker alone needing so many loads.
+LoadBound bound_by_pairs(std::uint64_t pairs, std::uint64_t least_items, std::uint64_t alone,
+                         std::uint64_t room, std::uint64_t workers) {
+  const std::uint64_t needed = ceil_div(pairs, workers);
+  const std::uint64_t low =
+      std::min(alone, std::max(ceil_div(least_items, workers), least_loads(needed, room)));
+  return {low,
+          fmt::format("one of {} workers brings at least {} of {} pairs together; {} loads are "
+                      "enough for {} at most",
+                      workers, needed, pairs, low, most_pairs(low, room))};
+}
+
+}  // namespace
+
+LoadBound makespan_lower_bound(const WantedPairs& wanted, std::uint64_t room,
+                               std::uint64_t workers) {
+  check_workers(workers);
+  const LoadBound alone = load_lower_bound(wanted, room);
+  return workers == 1
+             ? alone
+             : bound_by_pairs(wanted.count(), needed_items(wanted), alone.loads, room, workers);
+}
+
 LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uint64_t workers) {
   check_workers(workers);
   const LoadBound alone = load_lower_bound(items, room);
   if (workers == 1) {
     return alone;
   }
-  const std::uint64_t pairs = binomial(items, 2);
-  // The least number of loads that is enough, by bisection: capacity() increases.
-  std::uint64_t low = ceil_div(items, workers);
-  std::uint64_t high = alone.loads;
-  const std::uint64_t needed = ceil_div(pairs, workers);
-  while (low < high) {
-    const std::uint64_t middle = low + (high - low) / 2;
-    if (capacity(middle, room) >= needed) {
-      high = middle;
-    } else {
-      low = middle + 1;
-    }
-  }
+  LoadBound by_pairs = bound_by_pairs(binomial(items, 2), items, alone.loads, room, workers);
   const Introductions all = least_introductions(items, std::min(items, room));
-  if (const std::uint64_t each = ceil_div(all.count, workers); each > low) {
+  if (const std::uint64_t each = ceil_div(all.count, workers); each > by_pairs.loads) {
     return {each, fmt::format("all {} workers together load at least {}P - {}C = {} items "
                               "(docs/theorems.md, Theorem 5): one of them at least {}",
                               workers, all.s + 1, most_meetings(all.s, 2), all.count, each)};
   }
-  return {low,
-          fmt::format("one of {} workers brings at least {} of {} pairs together; {} loads are "
-                      "enough for {} at most",
-                      workers, needed, pairs, low, capacity(low, room))};
+  return by_pairs;
 }
 
 WorkerSplit::WorkerSplit(SplitFacts facts, LoadOrder order)
@@ -191,15 +197,16 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
   facts.room = room;
   facts.groups = whole.items;
   facts.group_room = whole.room;
-  facts.makespan_bound = makespan_lower_bound(items, room, workers);
+  facts.makespan_bound = whole.wanted.are_all() ? makespan_lower_bound(items, room, workers)
+                                                : makespan_lower_bound(whole.wanted, room, workers);
   facts.certificate = whole.certificate;
   facts.workers.resize(static_cast<std::size_t>(workers));
   // Blocks are full and steps alike, unless items are grouped: then sizes differ by one.
   const std::uint64_t first_loads = std::min(whole.room, whole.items);
   const std::uint64_t change =
       whole.steps > 1 ? (whole.loads - first_loads) / (whole.steps - 1) : 0;
-  const bool alike =
-      whole.items == items && whole.loads == first_loads + change * (whole.steps - 1);
+  const bool alike = whole.items == items && whole.wanted.are_all() &&
+                     whole.loads == first_loads + change * (whole.steps - 1);
   std::uint64_t next = 1;
   for (std::uint64_t w = 0; w < workers; ++w) {
     WorkerFacts& worker = facts.workers[static_cast<std::size_t>(w)];
@@ -259,6 +266,17 @@ WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room, std::uint6
   }
   WorkerSplit split = split_order(std::move(order), items, room, workers);
   if (items <= max_elements_in_memory && split.order().facts().every_step_read) {
+    verify_split(split);
+  }
+  return split;
+}
+
+WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
+                             const LoadOrderOptions& options) {
+  check_workers(workers);
+  WorkerSplit split =
+      split_order(plan_load_order(wanted, room, options), wanted.items(), room, workers);
+  if (split.order().facts().every_step_read) {
     verify_split(split);
   }
   return split;

@@ -52,7 +52,9 @@ std::vector<JournalField> fields_of(const ItemSource& source, const LoadOrder& o
       {"results",
        options.results == nullptr ? "not named" : fmt::format("'{}'", options.results->describe())},
       {"order",
-       fmt::format("{} items, room {}, steps {:016x}", facts.items, facts.room, hash_of(order))},
+       fmt::format("{} items, room {}, steps {:016x}{}", facts.items, facts.room, hash_of(order),
+                   facts.wanted.are_all() ? std::string()
+                                          : fmt::format(", pairs {:016x}", facts.wanted.hash()))},
       {"shares", fmt::format("{}", options.share.of)}};
 }
 
@@ -70,7 +72,7 @@ class Job {
                   : order.facts().items),
         split_(split_order(order_for_split(order), order.facts().items, order.facts().room,
                            options.share.of)),
-        assigner_(order.facts().items, room_) {}
+        assigner_(order.facts().items, room_, order.facts().wanted) {}
 
   AllPairsReport run() {
     const auto begin = std::chrono::steady_clock::now();
@@ -145,7 +147,7 @@ class Job {
       last[static_cast<std::size_t>(record.step - 1)] = &record;
     }
     is_done_.assign(last.size(), false);
-    PairAssigner assigner(split_.facts().items, room_);
+    PairAssigner assigner(split_.facts().items, room_, split_.order().facts().wanted);
     skip_what_others_compute(assigner);
     for (std::size_t i = 0; i < last.size() && assigner.next(step_); ++i) {
       if (last[i] == nullptr) {
@@ -328,7 +330,7 @@ AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairC
     throw BadInput(fmt::format("{} has {} items, but the order is for {}", source.describe(),
                                source.item_count(), facts.items));
   }
-  if (facts.items > max_elements_in_memory) {
+  if (facts.items > max_elements_in_memory && facts.wanted.graph() == nullptr) {
     throw ImpossibleParameters(fmt::format("{} items: a job has at most {}; make items larger",
                                            facts.items, max_elements_in_memory));
   }
@@ -342,7 +344,9 @@ AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairC
   }
   if (!facts.every_step_read) {
     const auto steps = order.stream();
-    const LoadVerdict verdict = check_loads(*steps, facts.items, facts.room);
+    LoadCheckOptions wanted;
+    wanted.wanted = facts.wanted;
+    const LoadVerdict verdict = check_loads(*steps, facts.items, facts.room, wanted);
     if (!verdict.valid() || verdict.steps != facts.steps) {
       throw BadInput(fmt::format("this is no load order of {} items with room for {}: {}{}",
                                  facts.items, facts.room, verdict.fault,

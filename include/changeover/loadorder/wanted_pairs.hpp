@@ -1,0 +1,149 @@
+// Which pairs must be in memory together: all of them, or only some.
+//
+//     WantedPairs edges = WantedPairs::listed(read_pairs("edges.txt"));      // pairs that a file lists
+//     WantedPairs matching = WantedPairs::between(12, 20);     // items 0, …, 11 with items 12, …, 31
+//     WantedPairs grown = WantedPairs::beyond(1000, 1024);     // pairs of the last 24 with all others
+//
+//     matching.contains(3, 12)                 // true
+//     matching.count()                         // 240
+//
+// A file of pairs has two items a line, separated by blanks, a comma, a semicolon or tabs; empty lines and
+// lines that begin with # or % are skipped, and so is a first line of two words over lines of numbers. If all are whole
+// numbers below 10⁷ they are the numbers of the items, from 0. Otherwise they are names, of up to 255 bytes without
+// blanks, and items are numbered as they first occur. A pair may come twice and either way round; an item
+// with itself has to be loaded and needs nobody else. Items that do not occur are not loaded.
+//
+// Memory: 8 bytes a pair and 8 an item, and 16 a pair while a file is read.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/io/input.hpp"
+
+namespace changeover {
+
+using ItemPair = std::pair<Element, Element>;  ///< smaller first
+
+/// No job has more items.
+inline constexpr std::uint64_t most_items = 10'000'000;
+
+/// Items and pairs of them.
+class PairGraph {
+ public:
+  /// A pair may come twice and either way round; an item with itself is only needed. `names` are all
+  /// or none. @throws BadInput if a pair has no item below `items`, or there are other than `items` names;
+  /// ImpossibleParameters above most_items.
+  PairGraph(std::uint64_t items, std::span<const ItemPair> pairs,
+            std::vector<std::string> names = {});
+
+  /// The same from pairs that `each` shows to its argument, the same ones whenever it is called.
+  using Visit = std::function<void(Element, Element)>;
+  PairGraph(std::uint64_t items, const std::function<void(const Visit&)>& each,
+            std::vector<std::string> names);
+
+  [[nodiscard]] std::uint64_t items() const { return begin_.size() - 1; }
+  [[nodiscard]] std::uint64_t pairs() const { return partners_.size() / 2; }
+
+  /// In increasing order.
+  [[nodiscard]] std::span<const Element> partners(Element x) const {
+    return std::span(partners_).subspan(begin_[x], begin_[x + 1] - begin_[x]);
+  }
+
+  /// Whether the item occurs.
+  [[nodiscard]] bool is_needed(Element x) const { return needed_[x]; }
+
+  /// A number below 2·pairs() of its own for each pair; nothing for two items that are none. O(log of the partners)
+  [[nodiscard]] std::optional<std::uint64_t> place(Element x, Element y) const;
+
+  /// Empty: items are called by their numbers.
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::uint64_t> begin_;  // of an item's partners
+  std::vector<Element> partners_;
+  std::vector<bool> needed_;
+  std::vector<std::string> names_;
+};
+
+struct PairFileOptions {
+  std::optional<std::uint64_t> items = {};  ///< there are so many, numbered from 0 or named
+};
+
+/// Reads a file as described above, or standard input for "-". @throws BadInput with the line, what is wrong and
+/// how to mend it; MissingResource if it cannot be read.
+[[nodiscard]] std::shared_ptr<const PairGraph> read_pairs(const std::string& path,
+                                                          const PairFileOptions& options = {});
+[[nodiscard]] std::shared_ptr<const PairGraph> read_pairs(Input& input,
+                                                          const PairFileOptions& options = {});
+
+/// The pairs that a load order is for.
+class WantedPairs {
+ public:
+  /// All pairs of however many items.
+  WantedPairs() = default;
+
+  /// Items 0, …, a−1 with items a, …, a+b−1. @throws BadInput if one of them is 0.
+  [[nodiscard]] static WantedPairs between(std::uint64_t a, std::uint64_t b);
+
+  /// All pairs of `items` items but those of two of the first `done`. @throws BadInput if done ≥ items.
+  [[nodiscard]] static WantedPairs beyond(std::uint64_t done, std::uint64_t items);
+
+  /// @throws BadInput if no item occurs.
+  [[nodiscard]] static WantedPairs listed(std::shared_ptr<const PairGraph> graph);
+
+  [[nodiscard]] bool are_all() const { return kind_ == Kind::all; }
+
+  /// 0 if all pairs are wanted.
+  [[nodiscard]] std::uint64_t items() const { return items_; }
+
+  /// How many are wanted; of no meaning if all are.
+  [[nodiscard]] std::uint64_t count() const;
+
+  /// x ≠ y, both below items().
+  [[nodiscard]] bool contains(Element x, Element y) const {
+    switch (kind_) {
+      case Kind::all:
+        return true;
+      case Kind::between:
+        return (x < first_) != (y < first_);
+      case Kind::beyond:
+        return x >= first_ || y >= first_;
+      default:
+        return graph_->place(x, y).has_value();
+    }
+  }
+
+  /// Whether the item must be loaded.
+  [[nodiscard]] bool needs(Element x) const { return !graph_ || graph_->is_needed(x); }
+
+  /// Of listed pairs; nullptr otherwise.
+  [[nodiscard]] const PairGraph* graph() const { return graph_.get(); }
+
+  /// "all pairs", "12 items with 20 others", …
+  [[nodiscard]] std::string describe() const;
+
+  /// The same for the same pairs.
+  [[nodiscard]] std::uint64_t hash() const;
+
+  /// The size of the first set of between(), and what was done of beyond().
+  [[nodiscard]] std::uint64_t first() const { return first_; }
+
+  enum class Kind : std::uint8_t { all, between, beyond, listed };
+  [[nodiscard]] Kind kind() const { return kind_; }
+
+ private:
+  Kind kind_ = Kind::all;
+  std::uint64_t items_ = 0;
+  std::uint64_t first_ = 0;
+  std::shared_ptr<const PairGraph> graph_;
+};
+
+}  // namespace changeover

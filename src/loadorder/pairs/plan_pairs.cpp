@@ -1,0 +1,247 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "changeover/core/error.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/load_check.hpp"
+#include "changeover/loadorder/load_order.hpp"
+#include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
+#include "loadorder/pairs/closing.hpp"
+#include "loadorder/pairs/held_order.hpp"
+#include "loadorder/pairs/pair_bounds.hpp"
+#include "loadorder/pairs/starts.hpp"
+
+namespace changeover {
+namespace {
+
+using Moves = std::vector<LoadMove>;
+
+/// The loads up to the first eviction are one step, each further one is a step.
+class MoveSteps final : public StepSource {
+ public:
+  explicit MoveSteps(std::shared_ptr<const Moves> moves) : moves_(std::move(moves)) {}
+
+  bool next(LoadStep& step) override {
+    if (at_ == moves_->size()) {
+      return false;
+    }
+    step.number = ++number_;
+    step.evict.clear();
+    step.load.clear();
+    do {
+      const LoadMove& move = (*moves_)[at_++];
+      step.load.push_back(move.load);
+      if (move.evict != LoadMove::nothing) {
+        step.evict.push_back(move.evict);
+      }
+    } while (number_ == 1 && at_ < moves_->size() && (*moves_)[at_].evict == LoadMove::nothing);
+    return true;
+  }
+
+ private:
+  std::shared_ptr<const Moves> moves_;
+  std::size_t at_ = 0;
+  std::uint64_t number_ = 0;
+};
+
+bool stop_wanted() {
+  RunControl* const control = RunScope::current();
+  return control != nullptr && control->stop_wanted();
+}
+
+struct ListedOrder {
+  Moves moves;
+  std::string method;
+  std::string explanation;
+};
+
+// Searches from the best start, for a fixed amount of work or until it is stopped.
+void improve_listed(Closing& closing, const LoadBound& bound, const LoadOrderOptions& options,
+                    std::uint64_t work, ListedOrder& best) {
+  Random random(options.seed);
+  const auto rounds = [&](bool until_stopped) {
+    for (std::uint64_t effort = work; best.moves.size() > bound.loads;
+         effort = checked_multiply(effort, 2)) {
+      const std::vector<Element> before = closing.closing_order();
+      closing.improve(effort, random, stop_wanted);
+      if (closing.run() <= best.moves.size()) {
+        best.moves = closing.moves();
+        best.method = "closing, improved";
+      } else {
+        closing.take_order(before);
+      }
+      if (progress_due()) {
+        report_progress({.phase = "improving the load order",
+                         .steps = effort,
+                         .unit = "looks at a pair",
+                         .best = best.moves.size(),
+                         .lower_bound = bound.loads});
+      }
+      if (!until_stopped || stop_wanted()) {
+        return;
+      }
+    }
+  };
+  if (options.search_pairs) {
+    options.search_pairs([&] { rounds(true); });
+  } else {
+    rounds(false);
+  }
+}
+
+ListedOrder order_of_list(const PairGraph& graph, std::uint64_t room, const LoadBound& bound,
+                          const LoadOrderOptions& options) {
+  ListedOrder best;
+  std::vector<Element> best_start;
+  for (auto& [name, start] : start_orders(graph)) {
+    stop_if_asked();
+    Closing closing(graph, room, start);
+    const std::uint64_t loads = closing.run();
+    if (best_start.empty() || loads < best.moves.size()) {
+      best.moves = closing.moves();
+      best.method = "closing, " + name;
+      best_start = std::move(start);
+    }
+  }
+  best.explanation =
+      "Items are closed one after another: what an item lacks is loaded while it stays; what is "
+      "needed last is evicted.";
+  constexpr std::uint64_t most_work = 1'000'000'000;  // some seconds
+  constexpr std::uint64_t work_a_pair = 1'000'000;
+  if (best.moves.size() > bound.loads) {
+    Closing closing(graph, room, best_start);
+    improve_listed(closing, bound, options, std::min(most_work, work_a_pair * (graph.pairs() + 1)),
+                   best);
+  }
+  return best;
+}
+
+// Each load with what goes for it.
+Moves moves_of(LoadOrder& order) {
+  Moves moves;
+  for (LoadStep step; order.next(step);) {
+    for (std::size_t i = 0; i < step.load.size(); ++i) {
+      moves.push_back({step.load[i], i < step.evict.size() ? step.evict[i] : LoadMove::nothing});
+    }
+  }
+  return moves;
+}
+
+// Orders for all pairs serve where most pairs are listed.
+void consider_all_pairs(const PairGraph& graph, std::uint64_t room, const LoadOrderOptions& options,
+                        ListedOrder& best) {
+  constexpr std::uint64_t most_considered = 2000;
+  const std::uint64_t items = graph.items();
+  if (items > most_considered || items <= room || 4 * graph.pairs() < binomial(items, 2)) {
+    return;
+  }
+  LoadOrderOptions quick = options;
+  quick.improve = nullptr;
+  LoadOrder all = plan_load_order(items, room, quick);
+  // One by one, what is loaded in the same step would meet what goes later in it: only more pairs meet.
+  if (all.facts().loads < best.moves.size()) {
+    best.method = all.facts().method;
+    best.explanation = "An order for all pairs. " + all.facts().explanation;
+    best.moves = moves_of(all);
+  }
+}
+
+std::uint64_t steps_of(const Moves& moves) {
+  std::uint64_t first = 0;
+  while (first < moves.size() && (first == 0 || moves[first].evict == LoadMove::nothing)) {
+    ++first;
+  }
+  return moves.size() - first + (moves.empty() ? 0 : 1);
+}
+
+void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts) {
+  LoadCheckOptions options;
+  options.wanted = facts.wanted;
+  const LoadVerdict verdict = check_loads(*maker(), facts.items, facts.room, options);
+  if (!verdict.valid() || verdict.loads != facts.loads || verdict.steps != facts.steps ||
+      verdict.loads < facts.bound.loads) {
+    throw InternalError(fmt::format("the load order for {} with room for {} is wrong: {}",
+                                    facts.wanted.describe(), facts.room,
+                                    verdict.valid() ? "it does not keep its promise"
+                                                    : verdict.fault + verdict.uncovered_example));
+  }
+  facts.certificate = fmt::format("every step read, all {} wanted pairs met", facts.wanted.count());
+}
+
+LoadOrder order_of_groups(LoadOrderFacts facts, const LoadOrderOptions& options) {
+  constexpr std::uint64_t most_steps_read = 100'000'000;
+  HeldShape shape = best_held_shape(facts.wanted, facts.room);
+  facts.loads = shape.loads;
+  facts.steps = shape.steps;
+  facts.method = "held groups";
+  facts.explanation = shape.explain();
+  facts.every_step_read =
+      facts.items <= std::min<std::uint64_t>(options.read_up_to, max_elements_in_memory) &&
+      shape.loads <= most_steps_read;
+  LoadOrder::Maker maker = [shape] { return held_steps(shape); };
+  if (facts.every_step_read) {
+    verify(maker, facts);
+  } else {
+    facts.certificate = "all that a group must meet passes while it stays";
+  }
+  return {std::move(facts), std::move(maker)};
+}
+
+LoadOrder order_in_one_step(LoadOrderFacts facts) {
+  auto moves = std::make_shared<Moves>();
+  for (Element x = 0; x < facts.items; ++x) {
+    if (facts.wanted.needs(x)) {
+      moves->push_back({x, LoadMove::nothing});
+    }
+  }
+  facts.loads = moves->size();
+  facts.steps = 1;
+  facts.method = "one-step";
+  facts.explanation = "All items fit.";
+  LoadOrder::Maker maker = [moves] { return std::make_unique<MoveSteps>(moves); };
+  facts.every_step_read = facts.items <= max_elements_in_memory || facts.wanted.graph() != nullptr;
+  if (facts.every_step_read) {
+    verify(maker, facts);
+  } else {
+    facts.certificate = "all items are loaded at once";
+  }
+  return {std::move(facts), std::move(maker)};
+}
+
+}  // namespace
+
+LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
+                          const LoadOrderOptions& options) {
+  LoadOrderFacts facts;
+  facts.bound = load_lower_bound(wanted, room);
+  facts.items = wanted.items();
+  facts.room = room;
+  facts.wanted = wanted;
+  if (facts.items > most_items) {
+    throw ImpossibleParameters(fmt::format("{} items: at most {}", facts.items, most_items));
+  }
+  if (needed_items(wanted) <= room) {
+    return order_in_one_step(std::move(facts));
+  }
+  if (wanted.graph() == nullptr) {
+    return order_of_groups(std::move(facts), options);
+  }
+  ListedOrder best = order_of_list(*wanted.graph(), room, facts.bound, options);
+  consider_all_pairs(*wanted.graph(), room, options, best);
+  const auto moves = std::make_shared<const Moves>(std::move(best.moves));
+  facts.loads = moves->size();
+  facts.steps = steps_of(*moves);
+  facts.method = std::move(best.method);
+  facts.explanation = std::move(best.explanation);
+  facts.every_step_read = true;
+  LoadOrder::Maker maker = [moves] { return std::make_unique<MoveSteps>(moves); };
+  verify(maker, facts);
+  return {std::move(facts), std::move(maker)};
+}
+
+}  // namespace changeover

@@ -1,0 +1,271 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <unordered_map>
+
+#include "changeover/core/design.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/wanted_pairs.hpp"
+#include "changeover/run/scope.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::size_t longest_name = 255;
+constexpr std::size_t longest_line = 65'536;
+
+bool separates(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
+
+/// A plain decimal below `most_items`.
+std::optional<Element> item_number(std::string_view word) {
+  Element number = 0;
+  const char* end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, number);
+  const bool plain = error == std::errc() && stop == end && (word[0] != '0' || word.size() == 1);
+  return plain && number < most_items ? std::optional(number) : std::nullopt;
+}
+
+/// Lines of an input, one buffer of it in memory.
+class LineReader {
+ public:
+  explicit LineReader(Input& input) : input_(input) {}
+
+  bool next(std::string_view& line) {
+    while (true) {
+      const std::size_t end = buffer_.find('\n', looked_);
+      if (end != std::string::npos || (ended_ && begin_ < buffer_.size())) {
+        const std::size_t stop = std::min(end, buffer_.size());
+        line = std::string_view(buffer_).substr(begin_, stop - begin_);
+        begin_ = looked_ = std::min(stop + 1, buffer_.size());
+        ++number_;
+        return true;
+      }
+      if (ended_) {
+        return false;
+      }
+      stop_if_asked();
+      buffer_.erase(0, begin_);
+      begin_ = 0;
+      const std::size_t size = buffer_.size();
+      if (size > longest_line) {
+        ++number_;
+        fail("a line of more than 65536 bytes; give two items a line");
+      }
+      constexpr std::size_t piece = std::size_t{1} << 20;
+      buffer_.resize(size + piece);
+      const std::size_t got = input_.read(std::span(buffer_).subspan(size));
+      buffer_.resize(size + got);
+      ended_ = got == 0;
+      looked_ = size;
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw BadInput(fmt::format("{}:{}: {}", input_.name(), number_, what));
+  }
+
+  [[nodiscard]] const std::string& name() const { return input_.name(); }
+
+ private:
+  Input& input_;
+  std::string buffer_;
+  std::size_t begin_ = 0;
+  std::size_t looked_ = 0;  // no end of a line before it
+  std::uint64_t number_ = 0;
+  bool ended_ = false;
+};
+
+/// Pairs in pieces, so that more of them move none.
+class Pieces {
+ public:
+  void add(Element x, Element y) {
+    if (pieces_.empty() || pieces_.back().size() == piece) {
+      pieces_.emplace_back().reserve(piece);
+    }
+    pieces_.back().emplace_back(x, y);
+  }
+
+  template <typename Visit>
+  void each(Visit&& visit) {
+    for (auto& of_piece : pieces_) {
+      for (auto& [x, y] : of_piece) {
+        visit(x, y);
+      }
+    }
+  }
+
+  [[nodiscard]] bool empty() const { return pieces_.empty(); }
+  void clear() { pieces_.clear(); }
+
+ private:
+  static constexpr std::size_t piece = 1 << 16;
+  std::vector<std::vector<ItemPair>> pieces_;
+};
+
+class PairReader {
+ public:
+  PairReader(Input& input, const PairFileOptions& options) : lines_(input), options_(options) {
+    if (options_.items && (*options_.items == 0 || *options_.items > most_items)) {
+      throw BadInput(fmt::format("{} items: give 1 to {}", *options_.items, most_items));
+    }
+  }
+
+  std::shared_ptr<const PairGraph> read() {
+    for (std::string_view line; lines_.next(line);) {
+      std::array<std::string_view, 2> words;
+      if (split(line, words)) {
+        take(words);
+      }
+    }
+    settle_first_line(false);
+    if (pairs_.empty()) {
+      throw BadInput(lines_.name() + ": no pair is listed; give two items a line");
+    }
+    const std::uint64_t items = options_.items && names_.empty() ? *options_.items
+                                : names_.empty()                 ? std::uint64_t{largest_} + 1
+                                                                 : names_.size();
+    numbers_.clear();
+    return std::make_shared<const PairGraph>(
+        items,
+        [&](const PairGraph::Visit& visit) {
+          pairs_.each([&](Element x, Element y) { visit(x, y); });
+        },
+        std::move(names_));
+  }
+
+ private:
+  // False for a line without items.
+  bool split(std::string_view line, std::array<std::string_view, 2>& words) {
+    if (!line.empty() && line.back() == '\r') {
+      line.remove_suffix(1);
+    }
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < line.size();) {
+      if (separates(line[i])) {
+        ++i;
+        continue;
+      }
+      if (count == 0 && (line[i] == '#' || line[i] == '%')) {
+        return false;
+      }
+      std::size_t end = i;
+      while (end < line.size() && !separates(line[end])) {
+        ++end;
+      }
+      if (count == 2) {
+        lines_.fail("more than two items; give two a line, and names without blanks");
+      }
+      words[count++] = line.substr(i, end - i);
+      i = end;
+    }
+    if (count == 1) {
+      lines_.fail("one item stands alone; give two a line");
+    }
+    return count == 2;
+  }
+
+  void take(const std::array<std::string_view, 2>& words) {
+    const auto x = item_number(words[0]);
+    const auto y = item_number(words[1]);
+    const bool numbers = x && y;
+    if (!seen_any_ && !numbers && !x && !y) {  // perhaps the names of columns
+      seen_any_ = true;
+      first_line_ = {std::string(words[0]), std::string(words[1])};
+      for (const std::string& word : first_line_) {
+        check_name(word);
+      }
+      return;
+    }
+    seen_any_ = true;
+    settle_first_line(numbers);
+    if (named_ || !numbers) {
+      become_named();
+      const Element a = item_called(words[0]);
+      const Element b = item_called(words[1]);
+      pairs_.add(a, b);
+      return;
+    }
+    for (const Element z : {*x, *y}) {
+      if (options_.items && z >= *options_.items) {
+        lines_.fail(fmt::format("item {}, but --items {} numbers them from 0 to {}", z,
+                                *options_.items, *options_.items - 1));
+      }
+      largest_ = std::max(largest_, z);
+    }
+    pairs_.add(*x, *y);
+  }
+
+  // Words over numbers are the names of columns.
+  void settle_first_line(bool numbers_follow) {
+    if (first_line_.empty()) {
+      return;
+    }
+    const std::vector<std::string> words = std::move(first_line_);
+    first_line_.clear();
+    if (!numbers_follow) {
+      become_named();
+      const Element a = item_called(words[0]);
+      const Element b = item_called(words[1]);
+      pairs_.add(a, b);
+    }
+  }
+
+  // What were numbers are names from now on.
+  void become_named() {
+    if (named_) {
+      return;
+    }
+    named_ = true;
+    pairs_.each([&](Element& x, Element& y) {
+      x = item_called(std::to_string(x));
+      y = item_called(std::to_string(y));
+    });
+  }
+
+  void check_name(std::string_view word) {
+    if (word.size() > longest_name) {
+      lines_.fail("a name of more than 255 bytes; shorten it");
+    }
+    if (const auto defect = label_defect(word)) {
+      lines_.fail(fmt::format("the name '{}': {}", word, *defect));
+    }
+  }
+
+  Element item_called(std::string_view word) {
+    const auto [found, is_new] =
+        numbers_.try_emplace(std::string(word), static_cast<Element>(names_.size()));
+    if (is_new) {
+      check_name(word);
+      if (names_.size() == options_.items.value_or(most_items)) {
+        lines_.fail(fmt::format("'{}' is one name more than {} items", word, names_.size()));
+      }
+      names_.emplace_back(word);
+    }
+    return found->second;
+  }
+
+  LineReader lines_;
+  PairFileOptions options_;
+  Pieces pairs_;
+  bool seen_any_ = false;
+  bool named_ = false;
+  std::vector<std::string> first_line_;
+  Element largest_ = 0;
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, Element> numbers_;
+};
+
+}  // namespace
+
+std::shared_ptr<const PairGraph> read_pairs(Input& input, const PairFileOptions& options) {
+  return PairReader(input, options).read();
+}
+
+std::shared_ptr<const PairGraph> read_pairs(const std::string& path,
+                                            const PairFileOptions& options) {
+  return read_pairs(*open_input(path), options);
+}
+
+}  // namespace changeover

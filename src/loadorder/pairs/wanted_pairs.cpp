@@ -1,0 +1,164 @@
+#include "changeover/loadorder/wanted_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/core/error.hpp"
+#include "core/checked.hpp"
+
+namespace changeover {
+
+PairGraph::PairGraph(std::uint64_t items, std::span<const ItemPair> pairs,
+                     std::vector<std::string> names)
+    : PairGraph(
+          items,
+          [pairs](const Visit& visit) {
+            for (const auto& [x, y] : pairs) {
+              visit(x, y);
+            }
+          },
+          std::move(names)) {}
+
+PairGraph::PairGraph(std::uint64_t items, const std::function<void(const Visit&)>& each,
+                     std::vector<std::string> names)
+    : names_(std::move(names)) {
+  if (items > most_items) {
+    throw ImpossibleParameters(fmt::format("{} items: at most {}", items, most_items));
+  }
+  if (!names_.empty() && names_.size() != items) {
+    throw BadInput(fmt::format("{} items have {} names; give all or none", items, names_.size()));
+  }
+  begin_.assign(static_cast<std::size_t>(items) + 1, 0);
+  needed_.assign(static_cast<std::size_t>(items), false);
+  each([&](Element x, Element y) {
+    if (x >= items || y >= items) {
+      throw BadInput(fmt::format("the pair {{{},{}}} is not of {} items, which are numbered from 0",
+                                 x, y, items));
+    }
+    needed_[x] = needed_[y] = true;
+    if (x != y) {
+      ++begin_[x + std::size_t{1}];
+      ++begin_[y + std::size_t{1}];
+    }
+  });
+  for (std::size_t i = 1; i < begin_.size(); ++i) {
+    begin_[i] += begin_[i - 1];
+  }
+  partners_.resize(begin_.back());
+  std::vector<std::uint64_t> end(begin_.begin(), begin_.end() - 1);
+  each([&](Element x, Element y) {
+    if (x != y) {
+      partners_[end[x]++] = y;
+      partners_[end[y]++] = x;
+    }
+  });
+  // Each one once.
+  std::uint64_t kept = 0;
+  for (std::size_t x = 0; x < items; ++x) {
+    const auto at = [&](std::uint64_t i) {
+      return partners_.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    const std::uint64_t begin = kept;
+    std::sort(at(begin_[x]), at(begin_[x + 1]));
+    const auto last = std::unique(at(begin_[x]), at(begin_[x + 1]));
+    kept += static_cast<std::uint64_t>(std::move(at(begin_[x]), last, at(begin)) - at(begin));
+    begin_[x] = begin;
+  }
+  begin_.back() = kept;
+  partners_.resize(kept);
+}
+
+std::optional<std::uint64_t> PairGraph::place(Element x, Element y) const {
+  if (x > y) {
+    std::swap(x, y);
+  }
+  const auto of_x = partners(x);
+  const auto found = std::lower_bound(of_x.begin(), of_x.end(), y);
+  if (found == of_x.end() || *found != y) {
+    return std::nullopt;
+  }
+  return begin_[x] + static_cast<std::uint64_t>(found - of_x.begin());
+}
+
+WantedPairs WantedPairs::between(std::uint64_t a, std::uint64_t b) {
+  if (a == 0 || b == 0) {
+    throw BadInput(fmt::format("{} items with {} others: give at least 1 of both", a, b));
+  }
+  WantedPairs wanted;
+  wanted.kind_ = Kind::between;
+  wanted.items_ = checked_add(a, b);
+  wanted.first_ = a;
+  return wanted;
+}
+
+WantedPairs WantedPairs::beyond(std::uint64_t done, std::uint64_t items) {
+  if (done >= items) {
+    throw BadInput(
+        fmt::format("the pairs of {} of {} items are done: nothing is left to load", done, items));
+  }
+  WantedPairs wanted;
+  wanted.kind_ = Kind::beyond;
+  wanted.items_ = items;
+  wanted.first_ = done;
+  return wanted;
+}
+
+WantedPairs WantedPairs::listed(std::shared_ptr<const PairGraph> graph) {
+  WantedPairs wanted;
+  wanted.kind_ = Kind::listed;
+  wanted.items_ = graph->items();
+  wanted.graph_ = std::move(graph);
+  for (Element x = 0; x < wanted.items_; ++x) {
+    if (wanted.needs(x)) {
+      return wanted;
+    }
+  }
+  throw BadInput("no pair is listed; give two items a line");
+}
+
+std::uint64_t WantedPairs::count() const {
+  switch (kind_) {
+    case Kind::all:
+      return 0;
+    case Kind::between:
+      return checked_multiply(first_, items_ - first_);
+    case Kind::beyond:
+      return binomial(items_, 2) - binomial(first_, 2);
+    default:
+      return graph_->pairs();
+  }
+}
+
+std::string WantedPairs::describe() const {
+  switch (kind_) {
+    case Kind::all:
+      return "all pairs";
+    case Kind::between:
+      return fmt::format("{} items with {} others", first_, items_ - first_);
+    case Kind::beyond:
+      return fmt::format("{} new items with each other and with {} old ones", items_ - first_,
+                         first_);
+    default:
+      return fmt::format("{} listed pairs", graph_->pairs());
+  }
+}
+
+std::uint64_t WantedPairs::hash() const {
+  std::uint64_t hash = 14695981039346656037ULL;
+  const auto mix = [&](std::uint64_t value) { hash = (hash ^ value) * 1099511628211ULL; };
+  mix(static_cast<std::uint64_t>(kind_));
+  mix(items_);
+  mix(first_);
+  if (graph_) {
+    for (Element x = 0; x < items_; ++x) {
+      mix(graph_->is_needed(x) ? 1 : 0);
+      for (const Element y : graph_->partners(x)) {
+        mix(y);
+      }
+    }
+  }
+  return hash;
+}
+
+}  // namespace changeover

@@ -1,0 +1,97 @@
+// Internal: wanted pairs that have met, one bit each.
+//
+// Of listed pairs two bits a pair; otherwise those of all pairs (core/pair_set.hpp).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "changeover/core/pair_set.hpp"
+#include "changeover/loadorder/wanted_pairs.hpp"
+
+namespace changeover {
+
+class WantedSet {
+ public:
+  WantedSet(const WantedPairs& wanted, std::uint64_t items) : wanted_(wanted) {
+    if (wanted_.graph() == nullptr) {
+      pairs_.emplace(items);
+    } else {
+      listed_.resize(static_cast<std::size_t>(2 * wanted_.graph()->pairs()), false);
+    }
+  }
+
+  /// Whether {x,y} is wanted and was not in the set; now it is.
+  bool insert(Element x, Element y) {
+    if (pairs_) {
+      if (!wanted_.contains(x, y) || pairs_->contains(x, y)) {
+        return false;
+      }
+      pairs_->insert(x, y);
+    } else {
+      const auto place = wanted_.graph()->place(x, y);
+      if (!place || listed_[*place]) {
+        return false;
+      }
+      listed_[*place] = true;
+    }
+    ++size_;
+    return true;
+  }
+
+  /// insert(x, y) for all y in `memory`, in this order unless x has fewer partners; is_there(y) says
+  /// the same of an item. Calls visit(y) for what is new.
+  template <typename IsThere, typename Visit>
+  void insert_all(Element x, const std::vector<Element>& memory, IsThere&& is_there,
+                  Visit&& visit) {
+    const PairGraph* graph = wanted_.graph();
+    if (graph != nullptr && graph->partners(x).size() < memory.size()) {
+      for (const Element y : graph->partners(x)) {
+        if (is_there(y) && insert(x, y)) {
+          visit(y);
+        }
+      }
+      return;
+    }
+    for (const Element y : memory) {
+      if (insert(x, y)) {
+        visit(y);
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint64_t missing() const {
+    return wanted_.are_all() ? pairs_->missing() : wanted_.count() - size_;
+  }
+
+  /// A pair that is wanted and not in the set.
+  [[nodiscard]] std::optional<ItemPair> example() const {
+    std::optional<ItemPair> found;
+    if (pairs_) {
+      // Wanted pairs are not rare, and what is not wanted comes first if at all.
+      pairs_->for_each_missing(missing() == 0 ? 0 : ~std::uint64_t{0}, [&](Element x, Element y) {
+        if (!found && wanted_.contains(x, y)) {
+          found = {x, y};
+        }
+      });
+      return found;
+    }
+    for (Element x = 0; x < wanted_.items() && size_ < wanted_.count(); ++x) {
+      for (const Element y : wanted_.graph()->partners(x)) {
+        if (x < y && !listed_[*wanted_.graph()->place(x, y)]) {
+          return ItemPair{x, y};
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  WantedPairs wanted_;
+  std::optional<PairSet> pairs_;
+  std::vector<bool> listed_;
+  std::uint64_t size_ = 0;
+};
+
+}  // namespace changeover

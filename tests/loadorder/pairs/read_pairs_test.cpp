@@ -1,0 +1,74 @@
+// Files of pairs: numbers, names, headers, and what is wrong with them in one line.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/wanted_pairs.hpp"
+
+namespace changeover::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::shared_ptr<const PairGraph> read(const std::string& text,
+                                      const PairFileOptions& options = {}) {
+  return read_pairs(*input_from_text(text, "f"), options);
+}
+
+std::string fault(const std::string& text, const PairFileOptions& options = {}) {
+  try {
+    static_cast<void>(read(text, options));
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ReadPairs, NumbersAreItemsAndEachPairCountsOnce) {
+  const auto graph = read("# a comment\n0 3\r\n3,0\n% another\n\n1;\t2\n5 5\n3 1");
+  EXPECT_EQ(graph->items(), 6U);
+  EXPECT_EQ(graph->pairs(), 3U);
+  EXPECT_THAT(graph->partners(3), ElementsAre(0, 1));
+  EXPECT_TRUE(graph->is_needed(5));
+  EXPECT_FALSE(graph->is_needed(4));
+  EXPECT_TRUE(graph->names().empty());
+  EXPECT_TRUE(graph->place(1, 3).has_value());
+  EXPECT_EQ(graph->place(1, 3), graph->place(3, 1));
+  EXPECT_FALSE(graph->place(1, 0).has_value());
+  EXPECT_EQ(read("0 1\n", {.items = 7})->items(), 7U);
+}
+
+TEST(ReadPairs, OneWordMakesNamesOfAll) {
+  const auto graph = read("7 8\n8 x\nx 7\n007 7\n");
+  EXPECT_THAT(graph->names(), ElementsAre("7", "8", "x", "007"));
+  EXPECT_EQ(graph->pairs(), 4U);
+  EXPECT_EQ(read("a b")->names().size(), 2U);
+  EXPECT_EQ(read("12345678901 1")->names().size(), 2U);  // too large for the number of an item
+}
+
+TEST(ReadPairs, WordsOverNumbersAreColumns) {
+  EXPECT_TRUE(read("from,to\n0,1\n")->names().empty());
+  EXPECT_EQ(read("from,to\n0,1\n")->pairs(), 1U);
+  EXPECT_THAT(read("from,to\na,b\n")->names(), ElementsAre("from", "to", "a", "b"));
+  EXPECT_THAT(read("a 1\n2 3\n")->names(), ElementsAre("a", "1", "2", "3"));
+}
+
+TEST(ReadPairs, SaysWhatIsWrongAndWhere) {
+  EXPECT_THAT(fault(""), HasSubstr("f: no pair is listed"));
+  EXPECT_THAT(fault("# 1 2\n"), HasSubstr("no pair is listed"));
+  EXPECT_THAT(fault("0 1\n2\n"), HasSubstr("f:2: one item stands alone"));
+  EXPECT_THAT(fault("0 1 0.5\n"), HasSubstr("f:1: more than two items"));
+  EXPECT_THAT(fault("0 1\n0 9\n", {.items = 9}), HasSubstr("f:2: item 9, but --items 9"));
+  EXPECT_THAT(fault("a b\nc d\n", {.items = 3}), HasSubstr("f:2: 'd' is one name more"));
+  EXPECT_THAT(fault("a b\na \x01z\n"), HasSubstr("f:2: the name"));
+  EXPECT_THAT(fault("a " + std::string(300, 'b')), HasSubstr("f:1: a name of more than 255"));
+  EXPECT_THAT(fault("0 1", {.items = 0}), HasSubstr("give 1 to"));
+  EXPECT_THAT(fault("0 1\n" + std::string(3 << 20, 'x')), HasSubstr("f:2: a line of more"));
+  EXPECT_THROW(PairGraph(2, std::vector<ItemPair>{{0, 2}}), BadInput);
+  EXPECT_THROW(PairGraph(2, std::vector<ItemPair>{{0, 1}}, {"a"}), BadInput);
+  EXPECT_THROW(read_pairs("no/such/file"), MissingResource);
+}
+
+}  // namespace
+}  // namespace changeover::test
