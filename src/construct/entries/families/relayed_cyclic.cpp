@@ -29,6 +29,9 @@ namespace {
 // Those that are developed over Z_v.
 constexpr std::array<std::string_view, 5> cyclic_families{
     "cyclic-single-change", "mcsorley-circular", "cyclic", "cyclic-paper", "cyclic-triple-change"};
+// More carriers at a time are not tried: an offer takes bounded time.
+constexpr std::uint64_t most_at_a_time = 256;
+
 struct Relay {
   std::uint64_t u;  // elements of the cyclic design
   std::uint64_t c;  // its base blocks
@@ -117,7 +120,7 @@ class RelayedCyclic final : public Entry {
     if (!asks_for_pairs(p, p.change) || p.kind != Kind::circular) {
       return best;
     }
-    for (std::uint64_t t = 2; could_be(p, t); ++t) {
+    for (std::uint64_t t = 2; t <= most_at_a_time && could_be(p, t); ++t) {
       const Parameters smaller = without_carriers(p, t);
       for (const std::string_view name : cyclic_families) {
         const Construction* maker = registry.find(name);
