@@ -312,10 +312,10 @@ TEST_F(Checkpoints, AFileThatOnlyHasTheNameOfTheLockIsSomebodys) {
 }
 
 TEST_F(Checkpoints, IsNeverReplacedByAWorseDesign) {
-  const Parameters p{.v = 80, .k = 9, .change = 1};
+  const Parameters p{.v = 30, .k = 7, .change = 4};
   const std::string better = folder_.file("better");
   RunControl first({.seed = 1});
-  const ImproveResult good = improve(p, {.moves = 2'000'000, .checkpoint = better}, first);
+  const ImproveResult good = improve(p, {.moves = 600'000, .checkpoint = better}, first);
   RunControl plain({.seed = 7});
   const ImproveResult known = improve(p, {.moves = 10'000}, plain);
   ASSERT_LT(good.design->block_count(), known.design->block_count());

@@ -30,15 +30,12 @@ const ByParameters& found_designs() {
   return designs;
 }
 
-// Of a valid design: whether it is known to cover each pair newly, once. In the collection no two elements are in
-// every block of a circular design, which the tests see to.
+// Of a valid design: whether it covers each pair, or what its strength says, newly, once. In the collection no two elements are
+// in every block of a circular design, which the tests see to.
 bool is_tight(const Parameters& p, std::uint64_t b) {
-  if (p.strength != 2) {
-    return false;  // nothing is claimed
-  }
-  const std::uint64_t first = p.kind == Kind::linear ? binomial(p.k, 2) : 0;
+  const std::uint64_t first = p.kind == Kind::linear ? binomial(p.k, p.strength) : 0;
   const std::uint64_t later = p.kind == Kind::linear ? b - 1 : b;
-  return first + later * newly_covered_at_most(p) == binomial(p.v, 2);
+  return first + later * newly_covered_at_most(p) == binomial(p.v, p.strength);
 }
 
 constexpr Description description{
