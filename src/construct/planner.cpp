@@ -429,6 +429,40 @@ Plan plan_range(const Registry& registry, const PlanRange& range) {
   return plan;
 }
 
+namespace {
+
+// How many elements in every block a plan for one cell allows for.
+constexpr std::uint64_t most_fixed = 24;
+
+// Blocks that some design for p has, as fixing, blowing up and cutting one offer show: what is
+// worse need not be planned for. O(24·d(m)) offers.
+std::optional<std::uint64_t> upper_estimate(const Registry& registry, const Parameters& p) {
+  std::optional<std::uint64_t> least;
+  for (std::uint64_t f = 0; f <= std::min(p.k - 2, most_fixed); ++f) {
+    for (std::uint64_t s = 1; s <= p.change; ++s) {
+      if (p.change % s != 0 || (p.v - f) % s != 0 || (p.k - f) % s != 0 || p.k - f < p.change ||
+          (p.k - f) / s < 2) {
+        continue;
+      }
+      Parameters input{(p.v - f) / s, (p.k - f) / s, p.change / s, Kind::circular, p.strength};
+      const auto consider = [&] {
+        const auto offer = impossibility(input) ? std::nullopt : registry.best(input);
+        if (offer && (!least || offer->b < *least)) {
+          least = offer->b;
+        }
+      };
+      consider();
+      if (p.kind == Kind::linear) {
+        input.kind = Kind::linear;
+        consider();
+      }
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
 std::optional<Offer> best_known(const Registry& registry, const Parameters& p) {
   std::optional<Offer> best = registry.best(p);
   if (p.strength != 2 || p.k < 2 || p.v > largest_planned_v || impossibility(p) ||
@@ -438,15 +472,17 @@ std::optional<Offer> best_known(const Registry& registry, const Parameters& p) {
   // Rules come from nearby: fix from (v−i, k−i), unfix from (v+1, k+1), truncate and close up from more elements,
   // partial expansion from fewer.
   constexpr std::uint64_t above = 8;
-  constexpr std::uint64_t fixed = 24;
   const PlanRange limits{.v_from = 2,
                          .v_to = p.v + above,
-                         .k_from = p.k - std::min(p.k - 2, fixed),
+                         .k_from = p.k - std::min(p.k - 2, most_fixed),
                          .k_to = p.k + 1,
                          .change = p.change};
   // Some blocks may be dropped in the end.
-  const std::uint64_t enough =
+  std::uint64_t enough =
       best ? best->b - 1 + std::min<std::uint64_t>(p.k / 2, 4) : most_worse * lower_bound(p).blocks;
+  if (const auto estimate = upper_estimate(registry, p)) {
+    enough = std::min(enough, *estimate + std::min<std::uint64_t>(p.k / 2, 4));
+  }
   const Needs needs = spread({{p, enough}}, limits);
   if (!needs.contains(p)) {
     return best;

@@ -92,7 +92,7 @@ class Plan {
 [[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range);
 
 /// The largest v for which best_known() applies the closure rules.
-inline constexpr std::uint64_t largest_planned_v = 120;
+inline constexpr std::uint64_t largest_planned_v = 160;
 
 /// The best recipe that is known for p: the registry's best offer; if that is not the lower bound, k ≥ 2, v ≤
 /// largest_planned_v and the strength is 2, also what the closure rules make of the parameters around.
