@@ -463,9 +463,10 @@ std::optional<std::uint64_t> upper_estimate(const Registry& registry, const Para
 
 }  // namespace
 
-std::optional<Offer> best_known(const Registry& registry, const Parameters& p) {
+std::optional<Offer> best_known(const Registry& registry, const Parameters& p,
+                                std::uint64_t largest_v) {
   std::optional<Offer> best = registry.best(p);
-  if (p.strength != 2 || p.k < 2 || p.v > largest_planned_v || impossibility(p) ||
+  if (p.strength != 2 || p.k < 2 || p.v > largest_v || impossibility(p) ||
       (best && best->b == lower_bound(p).blocks)) {
     return best;
   }

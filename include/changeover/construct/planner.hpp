@@ -91,13 +91,14 @@ class Plan {
 /// InternalError if a construction does not keep its promise.
 [[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range);
 
-/// The largest v for which best_known() applies the closure rules.
-inline constexpr std::uint64_t largest_planned_v = 160;
+/// The largest v for which best_known() applies the closure rules unless it is told another: a second or two.
+inline constexpr std::uint64_t largest_planned_v = 120;
 
 /// The best recipe that is known for p: the registry's best offer; if that is not the lower bound, k ≥ 2, v ≤
-/// largest_planned_v and the strength is 2, also what the closure rules make of the parameters around.
+/// largest_v and the strength is 2, also what the closure rules make of the parameters around.
 /// nullopt if nothing serves p. @throws as plan_range() and check().
-[[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p);
+[[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p,
+                                              std::uint64_t largest_v = largest_planned_v);
 
 /// The best design that is known without search, built; nullopt if there is no recipe. Listens to the scope of
 /// this thread (run/scope.hpp). @throws as check(); MissingResource if it is too large; InternalError if it

@@ -23,7 +23,6 @@ namespace {
 constexpr std::uint64_t most_for_registry = 2'000;
 constexpr std::uint64_t most_for_registry_by_room = 16;
 constexpr std::uint64_t largest_planned_change = 3;
-constexpr std::uint64_t most_items_planned = 120;  // beyond, plans cost seconds and save no loads
 constexpr std::uint64_t largest_change = 64;
 
 void check(std::uint64_t items, std::uint64_t room) {
@@ -68,7 +67,7 @@ void consider(Candidate& best, std::optional<Offer> offer) {
 // What the constructions give for change numbers up to 64 and both kinds.
 void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t room,
                             bool planner) {
-  const bool plans = items <= most_items_planned && planner;
+  const bool plans = items <= largest_planned_v && planner;
   for (std::uint64_t m = 1; m <= std::min(largest_change, room - 1); ++m) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       const Parameters p{.v = items, .k = room, .change = m, .kind = kind};
