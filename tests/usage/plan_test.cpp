@@ -303,6 +303,9 @@ TEST(Plan, GoesOnWhenPartsDieOrComeAndResultsAreFilledIn) {
            "cost_so_far,result\n1,"},
           {plan("died.csv --done sheet.csv --done-first 2"), 0,
            "sheet.csv: no longer in the parts list, and left out: E"},
+          {"sed -e '2s/$/fail/' -e '3s/$/pass/' -e '4s/$/fail: leak/' sheet.csv > smoke.csv && "
+           "$changeover plan died.csv -k 3 --test-cost 4 --done smoke.csv --diagnose",
+           0, "smoke.csv: 1 result says neither pass nor fail, first 'fail: leak'"},
           {plan("came.csv --done sheet.csv --done-first 2"), 0, "after 2 tests done"},
           {"sed -e '2s/$/pass/' -e '3s/$/smoke/' sheet.csv > filled.csv && " +
                plan("parts.csv --done filled.csv"),

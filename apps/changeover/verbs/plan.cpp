@@ -156,15 +156,33 @@ void take_done(const PlanRequest& request, Asked& asked) {
                                  count_of(all, "set-up"))};
   }
   std::vector<Block> done;
+  std::uint64_t failed_with_gone = 0;
+  std::uint64_t unread = 0;
+  std::string first_unread;
   for (std::size_t i = 0; i < all; ++i) {
     const bool is_done = request.done_first   ? i < *request.done_first
                          : list.has_results() ? !list.results[i].empty()
                                               : true;
     (is_done ? done : asked.rest).push_back(list.setups[i]);
     const TestResult result = result_of(list.results[i]);
-    if (is_done && result != TestResult::none) {
+    if (is_done && result == TestResult::fail && list.lacks[i]) {
+      ++failed_with_gone;  // what is gone may be to blame: nobody else is
+    } else if (is_done && result != TestResult::none) {
       asked.results.push_back({list.setups[i], result == TestResult::fail});
+    } else if (is_done && !list.results[i].empty() && unread++ == 0) {
+      first_unread = list.results[i];
     }
+  }
+  if (failed_with_gone > 0) {
+    asked.notes.push_back(fmt::format(
+        "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} out",
+        input->name(), count_of(failed_with_gone, "test"), failed_with_gone == 1 ? "it" : "them"));
+  }
+  if (unread > 0) {
+    asked.notes.push_back(fmt::format(
+        "{}: {} neither pass nor fail, first '{}': a diagnosis leaves {} out", input->name(),
+        unread == 1 ? "1 result says" : fmt::format("{} results say", unread), first_unread,
+        unread == 1 ? "it" : "them"));
   }
   if (!list.gone.empty()) {
     std::string names;
@@ -248,7 +266,8 @@ Answer diagnosis(const PlanRequest& request, const Asked& asked) {
     throw BadInput(
         fmt::format("{}: no result says pass or fail; fill in the column result", request.done));
   }
-  const Diagnosis found = diagnose(asked.job, asked.results);
+  Diagnosis found = diagnose(asked.job, asked.results);
+  found.notes = asked.notes;
   return {.output = request.output,
           .write = [asked, found, json = request.output.json()](OutputFile& out) {
             out.write(json ? diagnosis_as_json(asked.job, found)

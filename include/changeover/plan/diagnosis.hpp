@@ -60,6 +60,8 @@ struct Diagnosis {
       two;                      ///< if there is none: two that do together, at most 100
   std::vector<NextTest> tests;  ///< a test before those that come after it; at most 1000
   Amount most_cost;             ///< of the tests that are made, whatever the results
+  std::vector<std::string>
+      notes;  ///< what was not taken into account, a line each; diagnose() leaves it empty
 };
 
 /// Nothing is suspect if no test failed. @throws BadInput as check(Job) for anything but needed pairs, which do not matter;

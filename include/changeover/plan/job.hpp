@@ -200,6 +200,7 @@ struct DoneList {
   std::vector<Block> setups;
   std::vector<std::string> results;  ///< by set-up, as written; "" where none is
   std::vector<std::string> gone;     ///< names on a run sheet that no part has any more, each once
+  std::vector<bool> lacks;           ///< by set-up: some of its parts are gone
 
   [[nodiscard]] bool has_results() const;
 };

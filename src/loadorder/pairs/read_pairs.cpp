@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "changeover/run/scope.hpp"
+#include "io/read/place.hpp"
 
 namespace changeover {
 namespace {
@@ -39,7 +40,9 @@ class LineReader {
         const std::size_t stop = std::min(end, buffer_.size());
         line = std::string_view(buffer_).substr(begin_, stop - begin_);
         begin_ = looked_ = std::min(stop + 1, buffer_.size());
-        ++number_;
+        if (++number_ == 1) {
+          line = without_byte_order_mark(line);
+        }
         return true;
       }
       if (ended_) {

@@ -333,7 +333,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
     return finder.find_cell(cell, names_only);
   };
   const auto leave_out_gone = [&](Row& parts) {
-    std::erase_if(parts, [&](const Field& field) {
+    const std::size_t left_out = std::erase_if(parts, [&](const Field& field) {
       const std::string name(csv_text(field.text));
       const bool is_gone =
           forgiving && !name.empty() && !find_cell(field.text) && !finder.is_name_in_any_case(name);
@@ -342,6 +342,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
       }
       return is_gone;
     });
+    list.lacks.back() = left_out > 0;
   };
   const auto fail = [&](const Field& field, const std::string& what) { reader.fail(field, what); };
   while (auto next = reader.next()) {
@@ -355,6 +356,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
     const std::size_t place = row.front().offset;
     bool is_empty = false;  // of any parts, and not only of those that are still there
     list.results.emplace_back();
+    list.lacks.push_back(false);
     if (columns.result && *columns.result < row.size()) {
       list.results.back() = csv_text(row[*columns.result].text);
     }

@@ -76,6 +76,9 @@ std::string diagnosis_as_table(const Job& job, const Diagnosis& found, std::size
       fmt::format("Diagnosis of {}: {} passed, {} failed\n",
                   count_of(found.passed + found.failed, "test"), found.passed, found.failed) +
       what_is_suspect(job, found);
+  for (const std::string& note : found.notes) {
+    text += "note: " + note + "\n";
+  }
   if (found.tests.empty()) {
     return found.suspects.size() < 2 ? text : text + "No test can tell them apart.\n";
   }
@@ -106,7 +109,12 @@ std::string diagnosis_as_json(const Job& job, const Diagnosis& found) {
   const Money money(job);
   JsonWriter json;
   json.begin_object().key("format").value("changeover-diagnosis/1");
-  json.key("passed").value(found.passed).key("failed").value(found.failed).key("suspects");
+  json.key("passed").value(found.passed).key("failed").value(found.failed);
+  json.key("notes").begin_array();
+  for (const std::string& note : found.notes) {
+    json.value(note);
+  }
+  json.end_array().key("suspects");
   write(json, job, found.suspects);
   json.key("two").begin_array();
   for (const auto& [one, other] : found.two) {

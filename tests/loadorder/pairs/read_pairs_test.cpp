@@ -25,6 +25,13 @@ std::string fault(const std::string& text, const PairFileOptions& options = {}) 
   return "";
 }
 
+TEST(ReadPairs, AByteOrderMarkIsNoPartOfAnItem) {
+  const auto graph = read(
+      "\xEF\xBB\xBF"
+      "1 2\n2 3\n1 3\n");
+  EXPECT_EQ(graph->items(), 4U);  // 0 is one of them, in no pair
+}
+
 TEST(ReadPairs, NumbersAreItemsAndEachPairCountsOnce) {
   const auto graph = read("# a comment\n0 3\r\n3,0\n% another\n\n1;\t2\n5 5\n3 1");
   EXPECT_EQ(graph->items(), 6U);
