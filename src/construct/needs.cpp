@@ -10,7 +10,6 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/construct/closure.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 
@@ -96,21 +95,16 @@ class Spreading {
         (void)note(larger, more);
       }
     }
+    constexpr std::uint64_t any = std::numeric_limits<std::uint32_t>::max();
     for (std::uint64_t w = 1; p.change < p.k && p.v > p.k + w; ++w) {
       const Parameters smaller = with(p.v - w, p.k);
       if (new_elements_fit(smaller, w)) {
-        const auto added = partial_expansion_count(smaller, 0, smallest_cover(smaller), w);
+        const auto added = partial_expansion_count(smaller, 0, smallest_cover(smaller, any), w);
         if (added && *added < b && counting_bound(smaller) <= b - *added) {
           ask(smaller, b - *added);
         }
       }
     }
-  }
-
-  static CoverPositions smallest_cover(const Parameters& p) {
-    CoverPositions cover{{}, std::numeric_limits<std::uint32_t>::max()};
-    cover.positions.resize(static_cast<std::size_t>(ceil_div(p.v, p.k - p.change)));
-    return cover;
   }
 
   PlanRange limits_;
@@ -119,6 +113,12 @@ class Spreading {
 };
 
 }  // namespace
+
+CoverPositions smallest_cover(const Parameters& p, std::uint64_t available) {
+  CoverPositions cover{{}, available};
+  cover.positions.resize(static_cast<std::size_t>(ceil_div(p.v, p.k - p.change)));
+  return cover;
+}
 
 Needs spread(const Needs& goals, const PlanRange& limits) { return Spreading(limits).run(goals); }
 

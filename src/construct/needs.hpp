@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 
+#include "changeover/construct/closure.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/parameters.hpp"
 
@@ -17,6 +18,9 @@ using Needs = std::map<Parameters, std::uint64_t>;
 /// truncate, close up and partial expansion. What a rule saves by dropping blocks after a cut, and what close up
 /// saves, is allowed for generously and not proved.
 [[nodiscard]] Needs spread(const Needs& goals, const PlanRange& limits);
+
+/// A cover by as few of the available positions as there can be, all of them 0: no design's cover costs less.
+[[nodiscard]] CoverPositions smallest_cover(const Parameters& p, std::uint64_t available);
 
 /// `limits`, narrowed to these parameters.
 [[nodiscard]] PlanRange narrowed(PlanRange limits, Needs needs);

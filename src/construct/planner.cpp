@@ -244,8 +244,7 @@ class Relaxation {
       return improvable(larger(w), blocks) &&
              (other == expansions_.end() || blocks < other->second.b);
     };
-    CoverPositions least{{}, b + 1};
-    least.positions.resize(static_cast<std::size_t>(ceil_div(p.v, p.k - p.change)));
+    const CoverPositions least = smallest_cover(p, b + 1);
     std::vector<std::uint64_t> helpful;
     for (std::uint64_t w = 1; p.v + w <= plan_.range().v_to; ++w) {
       if (new_elements_fit(p, w) && helps(w, b + 1)) {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "paper/printed.hpp"
+#include "paper/print/printed.hpp"
 
 namespace changeover {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "io/write/json_writer.hpp"
-#include "paper/checks.hpp"
+#include "paper/checks/checks.hpp"
 
 namespace changeover {
 namespace {

@@ -26,7 +26,7 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
-#include "paper/printed.hpp"
+#include "paper/print/printed.hpp"
 
 namespace changeover {
 

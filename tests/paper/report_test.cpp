@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "paper/checks.hpp"
+#include "paper/checks/checks.hpp"
 
 namespace changeover {
 namespace {

@@ -8,8 +8,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
-#include "changeover/run/scope.hpp"
-#include "io/read/place.hpp"
+#include "io/read/input_lines.hpp"
 
 namespace changeover {
 namespace {
@@ -27,58 +26,6 @@ std::optional<Element> item_number(std::string_view word) {
   const bool plain = error == std::errc() && stop == end && (word[0] != '0' || word.size() == 1);
   return plain && number < most_items ? std::optional(number) : std::nullopt;
 }
-
-/// Lines of an input, one buffer of it in memory.
-class LineReader {
- public:
-  explicit LineReader(Input& input) : input_(input) {}
-
-  bool next(std::string_view& line) {
-    while (true) {
-      const std::size_t end = buffer_.find('\n', looked_);
-      if (end != std::string::npos || (ended_ && begin_ < buffer_.size())) {
-        const std::size_t stop = std::min(end, buffer_.size());
-        line = std::string_view(buffer_).substr(begin_, stop - begin_);
-        begin_ = looked_ = std::min(stop + 1, buffer_.size());
-        if (++number_ == 1) {
-          line = without_byte_order_mark(line);
-        }
-        return true;
-      }
-      if (ended_) {
-        return false;
-      }
-      stop_if_asked();
-      buffer_.erase(0, begin_);
-      begin_ = 0;
-      const std::size_t size = buffer_.size();
-      if (size > longest_line) {
-        ++number_;
-        fail("a line of more than 65536 bytes; give two items a line");
-      }
-      constexpr std::size_t piece = std::size_t{1} << 20;
-      buffer_.resize(size + piece);
-      const std::size_t got = input_.read(std::span(buffer_).subspan(size));
-      buffer_.resize(size + got);
-      ended_ = got == 0;
-      looked_ = size;
-    }
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw BadInput(fmt::format("{}:{}: {}", input_.name(), number_, what));
-  }
-
-  [[nodiscard]] const std::string& name() const { return input_.name(); }
-
- private:
-  Input& input_;
-  std::string buffer_;
-  std::size_t begin_ = 0;
-  std::size_t looked_ = 0;  // no end of a line before it
-  std::uint64_t number_ = 0;
-  bool ended_ = false;
-};
 
 /// Pairs in pieces, so that more of them move none.
 class Pieces {
@@ -109,16 +56,20 @@ class Pieces {
 
 class PairReader {
  public:
-  PairReader(Input& input, const PairFileOptions& options) : lines_(input), options_(options) {
+  PairReader(Input& input, const PairFileOptions& options)
+      : lines_(input, longest_line), options_(options) {
     if (options_.items && (*options_.items == 0 || *options_.items > most_items)) {
       throw BadInput(fmt::format("{} items: give 1 to {}", *options_.items, most_items));
     }
   }
 
   std::shared_ptr<const PairGraph> read() {
-    for (std::string_view line; lines_.next(line);) {
+    for (auto next = lines_.next(); next != InputLines::Next::end; next = lines_.next()) {
+      if (next == InputLines::Next::too_long) {
+        fail("a line of more than 65536 bytes; give two items a line");
+      }
       std::array<std::string_view, 2> words;
-      if (split(line, words)) {
+      if (split(lines_.line(), words)) {
         take(words);
       }
     }
@@ -139,11 +90,12 @@ class PairReader {
   }
 
  private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw BadInput(fmt::format("{}:{}: {}", lines_.name(), lines_.number(), what));
+  }
+
   // False for a line without items.
   bool split(std::string_view line, std::array<std::string_view, 2>& words) {
-    if (!line.empty() && line.back() == '\r') {
-      line.remove_suffix(1);
-    }
     std::size_t count = 0;
     for (std::size_t i = 0; i < line.size();) {
       if (separates(line[i])) {
@@ -158,13 +110,13 @@ class PairReader {
         ++end;
       }
       if (count == 2) {
-        lines_.fail("more than two items; give two a line, and names without blanks");
+        fail("more than two items; give two a line, and names without blanks");
       }
       words[count++] = line.substr(i, end - i);
       i = end;
     }
     if (count == 1) {
-      lines_.fail("one item stands alone; give two a line");
+      fail("one item stands alone; give two a line");
     }
     return count == 2;
   }
@@ -192,8 +144,8 @@ class PairReader {
     }
     for (const Element z : {*x, *y}) {
       if (options_.items && z >= *options_.items) {
-        lines_.fail(fmt::format("item {}, but --items {} numbers them from 0 to {}", z,
-                                *options_.items, *options_.items - 1));
+        fail(fmt::format("item {}, but --items {} numbers them from 0 to {}", z, *options_.items,
+                         *options_.items - 1));
       }
       largest_ = std::max(largest_, z);
     }
@@ -229,10 +181,10 @@ class PairReader {
 
   void check_name(std::string_view word) {
     if (word.size() > longest_name) {
-      lines_.fail("a name of more than 255 bytes; shorten it");
+      fail("a name of more than 255 bytes; shorten it");
     }
     if (const auto defect = label_defect(word)) {
-      lines_.fail(fmt::format("the name '{}': {}", word, *defect));
+      fail(fmt::format("the name '{}': {}", word, *defect));
     }
   }
 
@@ -242,14 +194,14 @@ class PairReader {
     if (is_new) {
       check_name(word);
       if (names_.size() == options_.items.value_or(most_items)) {
-        lines_.fail(fmt::format("'{}' is one name more than {} items", word, names_.size()));
+        fail(fmt::format("'{}' is one name more than {} items", word, names_.size()));
       }
       names_.emplace_back(word);
     }
     return found->second;
   }
 
-  LineReader lines_;
+  InputLines lines_;
   PairFileOptions options_;
   Pieces pairs_;
   bool seen_any_ = false;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -98,48 +97,29 @@ std::optional<TextDefect> split(std::string_view line, char separator, Row& row,
 }  // namespace
 
 void RowReader::fail(std::size_t offset, std::string_view what) const {
-  changeover::fail(input_->name(), {std::max<std::uint64_t>(1, line_number_), offset + 1}, what);
+  changeover::fail(lines_.name(), {std::max<std::uint64_t>(1, lines_.number()), offset + 1}, what);
 }
 
 void RowReader::fail(const Field& field, std::string_view what) const {
-  changeover::fail(input_->name(), {field.line, field.offset + 1}, what);
+  changeover::fail(lines_.name(), {field.line, field.offset + 1}, what);
 }
 
+RowReader::RowReader(Input& input) : lines_(input, longest_line) {}
+
 bool RowReader::next_line() {
-  std::size_t searched = begin_;
-  std::size_t end = buffer_.find('\n', searched);
-  while (end == std::string::npos && !ended_) {
-    constexpr std::size_t piece = std::size_t{1} << 16;
-    buffer_.erase(0, std::exchange(begin_, 0));
-    searched = buffer_.size();
-    buffer_.resize(searched + piece);
-    const std::size_t count = input_->read(std::span(buffer_).subspan(searched));
-    buffer_.resize(searched + count);
-    ended_ = count == 0;
-    bytes_ += count;
-    end = buffer_.find('\n', searched);
-    if (buffer_.size() - begin_ > longest_line && end == std::string::npos) {
-      ++line_number_;
-      const auto defect = first_defect(std::string_view(buffer_).substr(begin_), true);
+  switch (lines_.next()) {
+    case InputLines::Next::end:
+      return false;
+    case InputLines::Next::too_long: {
+      const auto defect = first_defect(lines_.line(), true);
       fail(defect ? defect->offset : 0,
            defect ? defect->what : "a line of more than 16 MiB; this is no list");
     }
-    if (bytes_ > most_bytes) {
-      ++line_number_;
-      fail(0, "more than 1 GiB; give a list without repetitions");
-    }
+    case InputLines::Next::line:
+      break;
   }
-  if (end == std::string::npos && begin_ == buffer_.size()) {
-    return false;
-  }
-  const std::size_t stop = std::min(end, buffer_.size());
-  line_.assign(buffer_, begin_, stop - begin_);
-  begin_ = std::min(stop + 1, buffer_.size());
-  if (++line_number_ == 1) {
-    line_ = std::string(without_byte_order_mark(line_));
-  }
-  if (line_.ends_with('\r')) {
-    line_.pop_back();
+  if (lines_.bytes() > most_bytes) {
+    fail(0, "more than 1 GiB; give a list without repetitions");
   }
   return true;
 }
@@ -147,20 +127,21 @@ bool RowReader::next_line() {
 std::optional<Row> RowReader::next() {
   while (next_line()) {
     constexpr std::uint64_t now_and_then = 256;
-    if (line_number_ % now_and_then == 0) {
+    if (lines_.number() % now_and_then == 0) {
       stop_if_asked();
     }
-    if (line_.starts_with('#') || std::all_of(line_.begin(), line_.end(), is_blank)) {
+    const std::string_view line = lines_.line();
+    if (line.starts_with('#') || std::all_of(line.begin(), line.end(), is_blank)) {
       continue;
     }
-    if (const auto defect = first_defect(line_, true)) {
+    if (const auto defect = first_defect(line, true)) {
       fail(defect->offset, defect->what);
     }
     if (separator_ == '\0') {
-      separator_ = first_separator(line_).value_or('\0');
+      separator_ = first_separator(line).value_or('\0');
     }
     Row row;
-    if (const auto defect = split(line_, separator(), row, line_number_)) {
+    if (const auto defect = split(line, separator(), row, lines_.number())) {
       fail(defect->offset, defect->what);
     }
     if (++rows_ > most_rows) {

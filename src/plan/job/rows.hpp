@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "changeover/io/input.hpp"
+#include "io/read/input_lines.hpp"
 
 namespace changeover {
 
@@ -23,7 +24,7 @@ using Row = std::vector<Field>;
 class RowReader {
  public:
   /// The input must outlive this.
-  explicit RowReader(Input& input) : input_(&input) {}
+  explicit RowReader(Input& input);
 
   /// The next row but comments and blank ones; nothing at the end. Rows are split at what comes first outside
   /// quotes in the first row that has it: a comma, a semicolon, or a tab with text on both sides.
@@ -41,18 +42,12 @@ class RowReader {
   [[nodiscard]] char separator() const { return separator_ == '\0' ? ',' : separator_; }
 
  private:
-  /// The next line without its end; false at the end of the input.
+  /// Goes to the next line; false at the end of the input.
   bool next_line();
 
-  Input* input_;
-  std::string buffer_;       // bytes that were read and are not yet a line
-  std::size_t begin_ = 0;    // in the buffer
-  std::uint64_t bytes_ = 0;  // read so far
+  InputLines lines_;
   std::uint64_t rows_ = 0;
-  std::uint64_t line_number_ = 0;
-  std::string line_;
   char separator_ = '\0';  // not known yet
-  bool ended_ = false;
 };
 
 /// One row at commas. @throws BadInput without a place.

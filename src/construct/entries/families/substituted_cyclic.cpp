@@ -9,37 +9,14 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
-#include "construct/entry.hpp"
-#include "construct/tools/swaps.hpp"
-#include "core/checked.hpp"
+#include "construct/tools/without_neighbours.hpp"
 
 namespace changeover {
 namespace {
-
-struct Deletion {
-  std::uint64_t c = 0;
-  std::uint64_t r = 0;
-};
-
-std::optional<Deletion> deletion_of(const Parameters& p) {
-  if (!asks_for_pairs(p, 1) || p.k < 3 || p.v <= 2 * p.k) {
-    return std::nullopt;
-  }
-  const std::uint64_t around = 2 * (p.k - 1);
-  const Deletion deletion{(p.v - 2) / around + 1, around - 1 - (p.v - 2) % around};
-  return deletion.c < 3 || deletion.r == 0 || deletion.r >= p.k ? std::nullopt
-                                                                : std::optional(deletion);
-}
-
-std::uint64_t blocks_of(const Parameters& p, const Deletion& deletion) {
-  const std::uint64_t order = p.v + deletion.r;
-  return checked_multiply(deletion.c, order) - 2 * (deletion.c - 1) * deletion.r;
-}
 
 // Leg j makes the blocks with W_j.
 class SubstitutedCycle final : public SwapPlan {
@@ -100,24 +77,21 @@ constexpr Description description{
     .place = "docs/theorems.md, Theorem 10",
 };
 
-class SubstitutedCyclic final : public Family {
+class SubstitutedCyclic final : public WithoutNeighbours {
  public:
-  SubstitutedCyclic() : Family(description) {}
+  SubstitutedCyclic() : WithoutNeighbours(description) {}
 
  protected:
-  std::optional<Promise> promise(const Parameters& p) const override {
-    const auto deletion = deletion_of(p);
-    return deletion ? std::optional(Promise{.b = blocks_of(p, *deletion)}) : std::nullopt;
+  bool serves(std::uint64_t k, const Deletion& deletion) const override {
+    return deletion.c >= 3 && deletion.r < k;
   }
-
-  std::unique_ptr<BlockSource> blocks(const Parameters& p) const override {
-    const Deletion deletion = deletion_of(p).value();
-    return std::make_unique<SwapSource>(p, blocks_of(p, deletion),
-                                        std::make_unique<SubstitutedCycle>(p.k, deletion));
+  std::uint64_t saved(const Deletion& deletion) const override {
+    return 2 * (deletion.c - 1) * deletion.r;
   }
-
-  std::string explanation(const Parameters& p) const override {
-    const Deletion deletion = deletion_of(p).value();
+  std::unique_ptr<SwapPlan> steps(std::uint64_t k, const Deletion& deletion) const override {
+    return std::make_unique<SubstitutedCycle>(k, deletion);
+  }
+  std::string explanation(const Parameters& p, const Deletion& deletion) const override {
     return fmt::format(
         "In the tight circular SCCD({0},{1}) of {2} windows let x+{3} take the place of x = 0,…,{4} in the windows, and "
         "neither of them visit any.",

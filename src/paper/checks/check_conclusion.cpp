@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "paper/checking.hpp"
-#include "paper/checks.hpp"
+#include "paper/checks/checking.hpp"
+#include "paper/checks/checks.hpp"
 
 namespace changeover {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/error.hpp"
-#include "paper/checking.hpp"
-#include "paper/checks.hpp"
+#include "paper/checks/checking.hpp"
+#include "paper/checks/checks.hpp"
 
 namespace changeover {
 namespace {

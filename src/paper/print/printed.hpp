@@ -31,7 +31,7 @@
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "paper/formula.hpp"
+#include "paper/print/formula.hpp"
 
 namespace changeover {
 

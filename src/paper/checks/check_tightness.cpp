@@ -6,9 +6,9 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "core/checked.hpp"
-#include "paper/checking.hpp"
-#include "paper/checks.hpp"
-#include "paper/enumeration.hpp"
+#include "paper/checks/checking.hpp"
+#include "paper/checks/checks.hpp"
+#include "paper/checks/enumeration.hpp"
 
 namespace changeover {
 namespace {

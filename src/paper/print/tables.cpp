@@ -1,5 +1,5 @@
 // The tables of blocks, as printed.
-#include "paper/printed.hpp"
+#include "paper/print/printed.hpp"
 
 namespace changeover {
 namespace {

@@ -10,8 +10,8 @@
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/transitions.hpp"
 #include "core/checked.hpp"
-#include "paper/checking.hpp"
-#include "paper/checks.hpp"
+#include "paper/checks/checking.hpp"
+#include "paper/checks/checks.hpp"
 
 namespace changeover {
 namespace {

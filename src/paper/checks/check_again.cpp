@@ -1,8 +1,8 @@
 // Parameters that the abstract and Section 4 write once more, against designs of the statements that they belong to.
 #include <fmt/format.h>
 
-#include "paper/checking.hpp"
-#include "paper/checks.hpp"
+#include "paper/checks/checking.hpp"
+#include "paper/checks/checks.hpp"
 
 namespace changeover {
 namespace {

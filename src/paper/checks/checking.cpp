@@ -1,4 +1,4 @@
-#include "paper/checking.hpp"
+#include "paper/checks/checking.hpp"
 
 #include <fmt/format.h>
 

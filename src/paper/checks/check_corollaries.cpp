@@ -8,8 +8,8 @@
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
-#include "paper/checking.hpp"
-#include "paper/checks.hpp"
+#include "paper/checks/checking.hpp"
+#include "paper/checks/checks.hpp"
 
 namespace changeover {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/lines.hpp"
-#include "paper/printed.hpp"
+#include "paper/print/printed.hpp"
 
 namespace changeover {
 namespace {

@@ -1,5 +1,5 @@
 // Section 2.1: Table 1, from its blocks alone, and against what is built without it.
-#include "paper/checks.hpp"
+#include "paper/checks/checks.hpp"
 
 namespace changeover {
 

@@ -1,4 +1,4 @@
-#include "paper/printed.hpp"
+#include "paper/print/printed.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The rest of the paper as data: statements, figures, base blocks, claims and the example of costs.
-#include "paper/printed.hpp"
+#include "paper/print/printed.hpp"
 
 namespace changeover {
 namespace {

@@ -8,9 +8,9 @@
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/transitions.hpp"
-#include "paper/checking.hpp"
-#include "paper/checks.hpp"
-#include "paper/enumeration.hpp"
+#include "paper/checks/checking.hpp"
+#include "paper/checks/checks.hpp"
+#include "paper/checks/enumeration.hpp"
 
 namespace changeover {
 namespace {

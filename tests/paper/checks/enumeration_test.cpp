@@ -1,4 +1,4 @@
-#include "paper/enumeration.hpp"
+#include "paper/checks/enumeration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
-#include "paper/checking.hpp"
-#include "paper/checks.hpp"
-#include "paper/enumeration.hpp"
+#include "paper/checks/checking.hpp"
+#include "paper/checks/checks.hpp"
+#include "paper/checks/enumeration.hpp"
 
 namespace changeover {
 namespace {

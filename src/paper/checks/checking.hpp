@@ -18,7 +18,7 @@
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/verify/verdict.hpp"
-#include "paper/formula.hpp"
+#include "paper/print/formula.hpp"
 #include "paper/report.hpp"
 
 namespace changeover {
