@@ -126,6 +126,7 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
   spit(folder.file("old"), "precious\n");
   spit(folder.file("edges"), "0 1\n1 2\n0 2\n2 3\n");
   spit(folder.file("named.csv"), "left,right\n");
+  spit(folder.file("formula.txt"), "=1 @x\n");
   for (const Case& each : std::vector<Case>{
            {"--items 64 --room 16", 0, "over the lower bound 144"},
            {"--items 12 --room 4", 0, "the fewest possible"},
@@ -138,6 +139,7 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--pairs edges --room 3", 0, "4 loads in 2 steps, the fewest possible"},
            {"--pairs edges --room 3 --json", 0, "\"wanted_pairs\":4"},
            {"--pairs named.csv --room 2", 0, "load left right"},
+           {"--pairs formula.txt --room 2 --format csv", 0, "1,'=1 @x,"},
            {"--pairs named.csv --room 2 --json", 0, "\"load\":[\"left\",\"right\"]"},
            {"--pairs edges --room 3 --prefetch", 0, "all 4 pairs computed once"},
            {"--pairs edges --room 3 --workers 2", 0, "worker 1 step"},

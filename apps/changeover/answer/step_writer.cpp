@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {
@@ -89,9 +90,13 @@ void StepWriter::list(std::string name, const std::vector<Member>& members) {
     std::replace(name.begin(), name.end(), '_', ' ');
     text_ += (text_.back() == ':' ? " " : "; ") + name + " ";
   }
+  const std::size_t cell = text_.size();
   for (std::size_t i = 0; i < members.size(); ++i) {
     text_ += i == 0 ? "" : json_ ? "," : " ";
     add(members[i]);
+  }
+  if (csv_ && names_ != nullptr) {
+    text_.replace(cell, std::string::npos, csv_cell(std::string_view(text_).substr(cell)));
   }
   text_ += json_ ? "]" : "";
 }

@@ -186,6 +186,10 @@ class PairReader {
     if (const auto defect = label_defect(word)) {
       fail(fmt::format("the name '{}': {}", word, *defect));
     }
+    if (word.find('|') != std::string_view::npos) {
+      fail(fmt::format(
+          "the name '{}' has a '|', which stands between the names of a pair; rename it", word));
+    }
   }
 
   Element item_called(std::string_view word) {

@@ -80,11 +80,9 @@ bool is_header(const std::vector<Row>& rows, const RowReader& reader, std::strin
   }
   const bool has_word = has_word_of_headers(first);
   const bool two = !text_of(first, 1).empty();
-  if (two && (others > 0 || has_word)) {
-    return true;
-  }
-  if (two) {
-    doubtful(fmt::format("{} is no cost, and no other row has one", shown(first[1].text)));
+  if (two && !has_word) {
+    doubtful(fmt::format("{} is no cost, and {}", shown(first[1].text),
+                         others > 0 ? "other rows have one" : "no other row has one"));
   }
   if (has_word) {
     return true;
@@ -103,16 +101,29 @@ bool is_header(const std::vector<Row>& rows, const RowReader& reader, std::strin
   return false;
 }
 
+[[noreturn]] void fail_for_two(const Field& one, const Field& other, std::string_view what,
+                               const RowReader& reader) {
+  reader.fail(other,
+              fmt::format("{} and {} may both head the {}; rename or remove one of the columns",
+                          shown(one.text), shown(other.text), what));
+}
+
 // The column for costs: one that says so, best of changes, or the other one of two.
-std::optional<std::size_t> cost_column(const std::vector<Row>& rows, const PartColumns& columns) {
+std::optional<std::size_t> cost_column(const std::vector<Row>& rows, const PartColumns& columns,
+                                       const RowReader& reader) {
   const Row& first = rows.front();
+  const auto of_changes = [&](std::size_t i) {
+    return lower(first[i].text).find("change") != std::string::npos;
+  };
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (i == columns.name || !heads_costs(first[i].text)) {
       continue;
     }
-    if (!found || (lower(first[i].text).find("change") != std::string::npos &&
-                   lower(first[*found].text).find("change") == std::string::npos)) {
+    if (found && of_changes(i) == of_changes(*found)) {
+      fail_for_two(first[*found], first[i], "costs", reader);
+    }
+    if (!found || of_changes(i)) {
       found = i;
     }
   }
@@ -202,12 +213,17 @@ PartColumns part_columns(const std::vector<Row>& rows, Header header, const RowR
                                 : std::optional(static_cast<std::size_t>(found - first.begin()));
   };
   columns.slot = find(heads_slots);
+  for (std::size_t i = columns.slot.value_or(first.size()) + 1; i < first.size(); ++i) {
+    if (heads_slots(first[i].text)) {
+      fail_for_two(first[*columns.slot], first[i], "slots", reader);
+    }
+  }
   std::size_t other = 0;  // the first column that says nothing else
   while (other + 1 < first.size() && (other == columns.slot || heads_costs(first[other].text))) {
     ++other;
   }
   columns.name = find(heads_parts).value_or(other);
-  columns.cost = cost_column(rows, columns);
+  columns.cost = cost_column(rows, columns, reader);
   columns.note = header_note(first, columns);
   return columns;
 }

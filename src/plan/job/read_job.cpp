@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 #include <span>
 #include <unordered_map>
 #include <unordered_set>
@@ -167,6 +168,36 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder) {
   return columns;
 }
 
+// Nothing can be told of two columns of one name.
+void check_header(const Row& header, const RowReader& reader) {
+  std::set<std::string> seen;
+  for (const Field& field : header) {
+    if (!field.text.empty() && !seen.insert(lower(field.text)).second) {
+      reader.fail(
+          field, fmt::format("two columns are called {}; rename or remove one", shown(field.text)));
+    }
+  }
+}
+
+// A row under a header: not the header again, nor cut off before its last part, nor with more than was headed.
+void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
+                 const RowReader& reader) {
+  const auto same = [](const Field& a, const Field& b) { return a.text == b.text; };
+  if (std::equal(row.begin(), row.end(), header.begin(), header.end(), same)) {
+    reader.fail(row.front(), "the header again; give one sheet at a time");
+  }
+  if (!columns.slots.empty() && row.size() <= columns.slots.back()) {
+    reader.fail(row.back(), "the row ends before its last slot; it is cut off, complete it");
+  }
+  for (std::size_t i = header.size(); i < row.size(); ++i) {
+    if (!row[i].text.empty()) {
+      reader.fail(row[i],
+                  fmt::format("more fields than the {} of the header; quote those with a comma",
+                              header.size()));
+    }
+  }
+}
+
 // A first row of two words that head columns, neither of which is a part in whatever case.
 bool heads_pairs(const Row& row, const PartFinder& finder) {
   return row.size() == 2 && std::all_of(row.begin(), row.end(), [&](const Field& field) {
@@ -327,6 +358,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
   std::vector<Block>& setups = list.setups;
   const bool names_only = forgiving && finder.has_number_as_name();
   SetupColumns columns;
+  Row header;
   bool first = true;
   const auto find = [&](const std::string& word) { return finder.find(word); };
   const auto find_cell = [&](const std::string& cell) {
@@ -350,8 +382,13 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
     if (std::exchange(first, false)) {
       columns = setup_columns(row, finder);
       if (columns.header) {
+        header = row;
+        check_header(header, reader);
         continue;
       }
+    }
+    if (columns.header) {
+      check_shape(row, header, columns, reader);
     }
     const std::size_t place = row.front().offset;
     bool is_empty = false;  // of any parts, and not only of those that are still there

@@ -32,6 +32,11 @@ TEST(ReadPairs, AByteOrderMarkIsNoPartOfAnItem) {
   EXPECT_EQ(graph->items(), 4U);  // 0 is one of them, in no pair
 }
 
+TEST(ReadPairs, ANameMayNotLookLikeAPair) {
+  EXPECT_EQ(fault("a b\na|b c\n"),
+            "f:2: the name 'a|b' has a '|', which stands between the names of a pair; rename it");
+}
+
 TEST(ReadPairs, NumbersAreItemsAndEachPairCountsOnce) {
   const auto graph = read("# a comment\n0 3\r\n3,0\n% another\n\n1;\t2\n5 5\n3 1");
   EXPECT_EQ(graph->items(), 6U);

@@ -30,17 +30,26 @@ TEST(PartColumns, AHeaderIsToldByItsCosts) {
   EXPECT_THAT(wines.names, ElementsAre("Riesling", "Merlot"));
   EXPECT_EQ(wines.change_costs[0], parse_amount("9.5"));
   EXPECT_THAT(wines.note, HasSubstr("names in 'wine', change costs in 'price'"));
-  EXPECT_THAT(parts("Was,Wieviel\nA,1\n").names, ElementsAre("A"));
-  EXPECT_EQ(parts("Was,Wieviel\nA,1\n").change_costs[0], parse_amount("1"));
+  EXPECT_THAT(parts("Was,Wieviel\nA,1\n", Header::given).names, ElementsAre("A"));
+  EXPECT_EQ(parts("Was,Wieviel\nA,1\n", Header::given).change_costs[0], parse_amount("1"));
   EXPECT_THAT(parts("Sample\nA\nB\nC\n").names, ElementsAre("A", "B", "C"));
   EXPECT_THAT(parts("A,1\nB\n").names, ElementsAre("A", "B"));
   EXPECT_THAT(parts("A,1\nB\n").note, IsEmpty());
   EXPECT_THAT(parts("name,5\nB,2\n").names, ElementsAre("name", "B")) << "no header has a cost";
 }
 
+TEST(PartColumns, TwoColumnsForOneThingAreRefused) {
+  EXPECT_THAT(complaint("name,price,cost\nA,1,2\nB,1,2\n"),
+              AllOf(StartsWith("p.csv:1:12: "), HasSubstr("'price' and 'cost' may both")));
+  EXPECT_THAT(complaint("part,cost,slot,slots\nA,1,x,y\nB,1,x,y\n"), HasSubstr("head the slots"));
+  EXPECT_THAT(parts("name,price,change cost\nA,1,2\nB,1,2\n").note,
+              HasSubstr("change costs in 'change cost'"));
+}
+
 TEST(PartColumns, WhatMayBeEitherIsRefused) {
-  for (const char* text : {"tool,weight\nA\nB\n", "crate\nA,1\nB,2\n", "crate\nA\nB\n",
-                           "crate\nX1\nX22\n", "beer\nHelles\nPils\n"}) {
+  for (const char* text :
+       {"tool,weight\nA\nB\n", "crate\nA,1\nB,2\n", "crate\nA\nB\n", "crate\nX1\nX22\n",
+        "beer\nHelles\nPils\n", "Pump;n/a\nValve;3\nHose;2\n"}) {
     EXPECT_THAT(complaint(text), AllOf(StartsWith("p.csv:1:1: "), HasSubstr("--no-header")))
         << text;
   }

@@ -82,6 +82,25 @@ TEST(ReadDone, PartsThatAreGoneAreNamedOnce) {
                BadInput);
 }
 
+TEST(ReadDone, ADamagedSheetIsRefusedWhereItIsDamaged) {
+  const auto complaint = [](const std::string& text) -> std::string {
+    try {
+      (void)read_done(*input_from_text(text, "d.csv"), {"a", "b", "c"});
+    } catch (const BadInput& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  const std::string head = "step,slot_1,slot_2,slot_3,result\n";
+  EXPECT_EQ(complaint(head + "1,a,b,c,pass\n2,a,b,\n"), "");
+  EXPECT_THAT(complaint(head + "1,a,b\n"), testing::StartsWith("d.csv:2:5: the row ends before"));
+  EXPECT_THAT(complaint(head + "1,a,b,c,pass,x\n"), testing::HasSubstr("more fields than the 5"));
+  EXPECT_THAT(complaint(head + "1,a,b,c,\n" + head),
+              testing::StartsWith("d.csv:3:1: the header again"));
+  EXPECT_THAT(complaint("step,slot_1,slot_2,result,Result\n1,a,b,pass,fail\n"),
+              testing::HasSubstr("two columns are called 'Result'"));
+}
+
 TEST(ReadDone, NoNumberBecomesAnotherPart) {
   const std::string sheet = "step,take_out,put_in,slot_1,slot_2\n1,,,1,3\n";
   // Part 2 of 1, 2, 3 is gone: 3 is still 3, and where 3 is gone, 3 is nobody.

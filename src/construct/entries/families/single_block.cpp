@@ -13,7 +13,7 @@ namespace {
 constexpr Description description{
     .name = "single-block",
     .summary = "one block that holds all elements",
-    .preconditions = "v = k, any m, linear or circular",
+    .preconditions = "v = k, any m and strength, linear or circular",
     .guarantee = "b = 1, tight",
 };
 
@@ -23,7 +23,10 @@ class SingleBlock final : public Family {
 
  protected:
   std::optional<Promise> promise(const Parameters& p) const override {
-    if (p.v != p.k || !asks_for_pairs(p, p.change)) {
+    Parameters pairs = p;
+    pairs.strength = 2;  // whatever is asked for meets in that block
+    if (p.v != p.k || p.strength > max_strength || p.strength > p.k ||
+        !asks_for_pairs(pairs, p.change)) {
       return std::nullopt;
     }
     return Promise{1, true, true};

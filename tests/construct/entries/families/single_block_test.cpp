@@ -20,6 +20,10 @@ TEST(SingleBlock, IsTheTightDesignWithAsManyElementsAsABlockHolds) {
     }
   }
   EXPECT_FALSE(registry.find("single-block")->offer({.v = 5, .k = 4, .change = 1}, registry));
+  EXPECT_TRUE(
+      registry.find("single-block")->offer({.v = 4, .k = 4, .change = 1, .strength = 3}, registry));
+  EXPECT_FALSE(
+      registry.find("single-block")->offer({.v = 2, .k = 2, .change = 1, .strength = 3}, registry));
   EXPECT_THROW((void)registry.build({"single-block", {.v = 5, .k = 4, .change = 1}, {}, {}, {}}),
                BadInput);
 }
