@@ -2,7 +2,7 @@
 # place that says so: the libraries are linked from it, and tests/architecture holds the includes
 # to it. A room's public headers are include/changeover/<room>/, all the rest of it is src/<room>/.
 
-set(CHANGEOVER_ROOMS core run verify bounds construct io paper proof isomorphism search loadorder plan)
+set(CHANGEOVER_ROOMS core run verify bounds io catalog construct paper proof isomorphism search loadorder plan)
 
 # Rooms that are built with the others but are no part of the installed library.
 set(CHANGEOVER_ROOMS_OF_THE_HOUSE paper)
@@ -11,20 +11,22 @@ set(CHANGEOVER_KNOWS_core)
 set(CHANGEOVER_KNOWS_run core)
 set(CHANGEOVER_KNOWS_verify core run)
 set(CHANGEOVER_KNOWS_bounds core run)
-set(CHANGEOVER_KNOWS_construct core run verify bounds)
 set(CHANGEOVER_KNOWS_io core run verify bounds)
-set(CHANGEOVER_KNOWS_paper core run verify bounds construct io)
+set(CHANGEOVER_KNOWS_catalog core run verify bounds io)
+set(CHANGEOVER_KNOWS_construct core run verify bounds io catalog)
+set(CHANGEOVER_KNOWS_paper core run verify bounds io catalog construct)
 set(CHANGEOVER_KNOWS_proof core)
 set(CHANGEOVER_KNOWS_isomorphism core run)
-set(CHANGEOVER_KNOWS_search core run verify bounds construct io proof isomorphism)
-set(CHANGEOVER_KNOWS_plan core run verify bounds construct io search)
-set(CHANGEOVER_KNOWS_loadorder core run verify bounds construct io search)
+set(CHANGEOVER_KNOWS_search core run verify bounds io catalog construct proof isomorphism)
+set(CHANGEOVER_KNOWS_plan core run verify bounds io catalog construct search)
+set(CHANGEOVER_KNOWS_loadorder core run verify bounds io catalog construct search)
 
 # Third-party libraries, always used in sources only: no public header includes one.
 foreach(room IN LISTS CHANGEOVER_ROOMS)
   set(CHANGEOVER_LIBRARIES_${room} fmt::fmt)
 endforeach()
 list(APPEND CHANGEOVER_LIBRARIES_io nlohmann_json::nlohmann_json)
+list(APPEND CHANGEOVER_LIBRARIES_catalog SQLite::SQLite3)
 list(APPEND CHANGEOVER_LIBRARIES_isomorphism Bliss::Bliss)
 list(APPEND CHANGEOVER_LIBRARIES_run Threads::Threads)
 list(APPEND CHANGEOVER_LIBRARIES_search CaDiCaL::CaDiCaL Threads::Threads)

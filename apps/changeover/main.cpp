@@ -23,6 +23,11 @@ int main(int argc, char** argv) {
   add_constructions(program);
   add_paper(program);
   add_loadorder(program);
+  add_catalog_show(program);
+  add_catalog_list(program);
+  add_catalog_history(program);
+  add_catalog_cite(program);
+  add_catalog_completeness(program);
   add_completion(program);
   add_describe(program);
   const int code = program.run(argc, argv);

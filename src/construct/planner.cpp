@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/closure.hpp"
+#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
@@ -467,6 +469,11 @@ std::optional<Offer> best_known(const Registry& registry, const Parameters& p,
   std::optional<Offer> best = registry.best(p);
   if (p.strength != 2 || p.k < 2 || p.v > largest_v || impossibility(p) ||
       (best && best->b == lower_bound(p).blocks)) {
+    return best;
+  }
+  // The cells that the catalog comes with were planned with all others; only what the user has added can be news.
+  if (const Catalog* const catalog = registry.catalog();
+      best && catalog != nullptr && comes_planned(p) && !catalog->largest_users_v()) {
     return best;
   }
   // Rules come from nearby: fix from (v−i, k−i), unfix from (v+1, k+1), truncate and close up from more elements,

@@ -7,8 +7,12 @@
 #include <limits>
 #include <utility>
 
+#include "bounds/counting_bound.hpp"
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "construct/trusted_entry.hpp"
 
 namespace changeover {
 namespace {
@@ -58,12 +62,12 @@ std::string Construction::explain(const Recipe&) const { return std::string(summ
 std::vector<std::string> Construction::labels(const Recipe&, const Registry&) const { return {}; }
 
 const Registry& Registry::standard() {
-  static const Registry registry(registry_entries());
+  static const Registry registry(registry_entries(), &standard_catalog());
   return registry;
 }
 
-Registry::Registry(std::vector<const Construction*> constructions)
-    : constructions_(std::move(constructions)) {
+Registry::Registry(std::vector<const Construction*> constructions, const Catalog* catalog)
+    : constructions_(std::move(constructions)), catalog_(catalog) {
   std::sort(constructions_.begin(), constructions_.end(),
             [](const auto* a, const auto* b) { return a->name() < b->name(); });
   const auto twin =
@@ -108,6 +112,17 @@ std::vector<Offer> Registry::offers(const Parameters& p) const {
   }
   std::stable_sort(offers.begin(), offers.end(),
                    [](const Offer& a, const Offer& b) { return a.b < b.b; });
+  if (catalog_ != nullptr) {
+    // Designs that carry their blocks are offered by "found" already.
+    for (auto known = catalog_->fewest(p); known && (offers.empty() || known->b < offers.front().b);
+         known = catalog_->fewest(p)) {
+      if (auto entry = trusted_entry(*catalog_, known->label)) {
+        Offer offer{std::move(entry->recipe), entry->b, false, false, false};
+        offer.economical = offer.b == counting_bound(p);
+        offers.insert(offers.begin(), std::move(offer));
+      }
+    }
+  }
   return offers;
 }
 

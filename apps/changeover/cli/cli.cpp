@@ -26,6 +26,14 @@
 namespace changeover::cli {
 namespace {
 
+// A verb of a group, "catalog-show", is typed as two words.
+std::string as_typed(std::string name) {
+  if (const std::size_t hyphen = name.find('-'); hyphen != std::string::npos) {
+    name[hyphen] = ' ';
+  }
+  return name;
+}
+
 // One line on stderr, whatever the message holds.
 int complain(int code, const std::string& message) {
   constexpr std::size_t longest = 1000;
@@ -47,7 +55,7 @@ int complain(int code, const std::string& message) {
 // Runs what makes an answer and delivers it; what goes wrong becomes one line and an exit code.
 int answer(const std::function<Answer()>& make, const std::string& verb) {
   const auto usage = [&verb](const std::string& message) {
-    return complain(exit_code::usage, message + "; see changeover " + verb + " --help");
+    return complain(exit_code::usage, message + "; see changeover " + as_typed(verb) + " --help");
   };
   try {
     return deliver(make());
@@ -79,6 +87,17 @@ int answer(const std::function<Answer()>& make, const std::string& verb) {
   }
 }
 
+// The verbs of a group, without its name.
+std::vector<std::string> members_of(const CLI::App& program, const std::string& group) {
+  std::vector<std::string> members;
+  for (const CLI::App* each : program.get_subcommands({})) {
+    if (each->get_name().starts_with(group + "-")) {
+      members.push_back(each->get_name().substr(group.size() + 1));
+    }
+  }
+  return members;
+}
+
 // The parser's own words, made to say where help is.
 std::string usage_message(const CLI::ParseError& fault, const CLI::App& verb) {
   std::string message = fault.what();
@@ -86,7 +105,7 @@ std::string usage_message(const CLI::ParseError& fault, const CLI::App& verb) {
     message.pop_back();
   }
   const std::string name = verb.get_parent() == nullptr ? "" : " " + verb.get_name();
-  return message + "; see changeover" + name + " --help";
+  return message + "; see changeover" + as_typed(name) + " --help";
 }
 
 // The parser would take "99999999999999999999" for the largest number that it knows.
@@ -177,8 +196,8 @@ std::string misspelt(const CLI::App& program, int argc, char** argv) {
     const std::string name = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
     const auto found = takes_value.find(name);
     if (found == takes_value.end()) {
-      return verb_name + " has no option " + name + did_you_mean(name, known) +
-             "; see changeover " + verb_name + " --help";
+      return as_typed(verb_name) + " has no option " + name + did_you_mean(name, known) +
+             "; see changeover " + as_typed(verb_name) + " --help";
     }
     if (found->second && word.size() == name.size()) {
       ++i;  // its value
@@ -247,6 +266,13 @@ void Verb::positional(const std::string& name, std::string& value, const std::st
                       bool required) {
   CLI::Option* option = state_->app->add_option(name, value, help);
   option->required(required)->option_text(" ");
+  state_->kinds[option] = {"file"};
+}
+
+void Verb::positional(const std::string& name, std::vector<std::string>& values,
+                      const std::string& help, bool required) {
+  CLI::Option* option = state_->app->add_option(name, values, help);
+  option->required(required)->option_text("...");
   state_->kinds[option] = {"file"};
 }
 
@@ -343,6 +369,9 @@ Verb& Program::add_verb(const std::string& name, const std::string& summary,
                         std::function<Answer()> action) {
   auto state = std::make_unique<Verb::State>();
   state->app = state_->app.add_subcommand(name, summary);
+  if (name.find('-') != std::string::npos) {
+    state->app->group("");  // Listed by its group's help, and there in two words.
+  }
   state->action = std::move(action);
   state_->verbs.push_back(std::unique_ptr<Verb>(new Verb(std::move(state))));
   return *state_->verbs.back();
@@ -357,6 +386,44 @@ int Program::run(int argc, char** argv) {
     return exit_code::usage;
   }
   remove_unfinished_outputs_on_signals();
+  std::vector<char*> words(argv, argv + argc);
+  std::string joined_name;
+  std::string show = "catalog";
+  std::string design = "show";
+  const std::string first = words[1];
+  if (!first.empty() && first.front() >= '0' && first.front() <= '9' &&
+      first.find('.') != std::string::npos) {
+    // A label by itself is looked up.
+    words.insert(words.begin() + 1, {show.data(), design.data()});
+    argc = static_cast<int>(words.size());
+  }
+  if (const std::vector<std::string> members = members_of(app, words[1]); !members.empty()) {
+    const std::string group = words[1];
+    const bool asks_help =
+        argc > 2 && (std::string(words[2]) == "--help" || std::string(words[2]) == "-h");
+    if (asks_help) {
+      std::string text = "changeover " + group + " VERB …\n\n";
+      for (const auto& [name, summary] : verbs()) {
+        if (name.starts_with(group + "-")) {
+          text += fmt::format("  {:<10} {}\n", name.substr(group.size() + 1), summary);
+        }
+      }
+      text += "\nchangeover " + group + " VERB --help shows options and examples.\n";
+      return answer([&text] { return text_answer(text, {}); }, "");
+    }
+    const std::string member = argc > 2 ? words[2] : "";
+    if (std::find(members.begin(), members.end(), member) == members.end()) {
+      return complain(exit_code::usage, (argc > 2 ? group + " has no verb '" + member + "'" +
+                                                        did_you_mean(member, members)
+                                                  : group + " wants a verb") +
+                                            "; there are " + joined(members, ", "));
+    }
+    joined_name = group + "-" + member;
+    words.erase(words.begin() + 2);
+    words[1] = joined_name.data();
+    argc = static_cast<int>(words.size());
+    argv = words.data();
+  }
   if (const std::string defect = misspelt(app, argc, argv); !defect.empty()) {
     return complain(exit_code::usage, defect);
   }
@@ -427,6 +494,7 @@ std::string Program::bash_completion() const {
   std::vector<std::string> names;
   std::string cases;
   std::string values;
+  std::map<std::string, std::string> groups;  // a group's verbs
   const std::vector<OptionDescription> all = describe();
   for (const auto& [verb, summary] : verbs()) {
     std::vector<std::string> offered{"--help"};
@@ -443,8 +511,26 @@ std::string Program::bash_completion() const {
       const std::vector<std::string>& more = each.positional ? each.words : flags;
       offered.insert(offered.end(), more.begin(), more.end());
     }
-    names.push_back(verb);
+    const std::size_t hyphen = verb.find('-');
+    const std::string first = verb.substr(0, hyphen);
+    if (std::find(names.begin(), names.end(), first) == names.end()) {
+      names.push_back(first);
+    }
+    if (hyphen != std::string::npos) {
+      groups[first] += (groups[first].empty() ? "" : " ") + verb.substr(hyphen + 1);
+    }
     cases += "    " + verb + ") words=\"" + joined(offered, " ") + "\" ;;\n";
+  }
+  std::string members;
+  for (const auto& [group, its_verbs] : groups) {
+    members += "    " + group +
+               ") if [[ $COMP_CWORD -eq 2 ]]; then\n"
+               "        COMPREPLY=($(compgen -W \"" +
+               its_verbs +
+               " --help\" -- \"$current\"))\n"
+               "        return\n"
+               "      fi\n"
+               "      verb+=-${COMP_WORDS[2]} ;;\n";
   }
   return "# Completion for bash: source this file, or put it into bash_completion.d.\n"
          "_changeover() {\n"
@@ -456,13 +542,17 @@ std::string Program::bash_completion() const {
          " --help --version\" -- \"$current\"))\n"
          "    return\n"
          "  fi\n"
-         "  case ${COMP_WORDS[1]}:$previous in\n" +
+         "  local verb=${COMP_WORDS[1]}\n"
+         "  case $verb in\n" +
+         members +
+         "  esac\n"
+         "  case $verb:$previous in\n" +
          values +
          "    *:-o|*:--output) COMPREPLY=($(compgen -f -- \"$current\")); return ;;\n"
          "  esac\n"
          "  if [[ -z $words ]]; then\n"
          "    if [[ $current != -* ]]; then COMPREPLY=($(compgen -f -- \"$current\")); fi\n"
-         "    case ${COMP_WORDS[1]} in\n" +
+         "    case $verb in\n" +
          cases +
          "    esac\n"
          "  fi\n"

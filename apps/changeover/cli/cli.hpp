@@ -55,6 +55,9 @@ class Verb {
                   const std::string& help, bool required = true);
   void positional(const std::string& name, std::string& value, const std::string& help,
                   bool required = true);
+  /// One or more.
+  void positional(const std::string& name, std::vector<std::string>& values,
+                  const std::string& help, bool required = true);
   /// `flags` as in "-o,--output"; `what` names the value in the help.
   void option(const std::string& flags, std::optional<std::uint64_t>& value,
               const std::string& what, const std::string& help);
@@ -105,7 +108,8 @@ class Program {
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// A verb that answers requests of its own kind; the request lives as long as the program.
+  /// A verb that answers requests of its own kind; the request lives as long as the program. A name with a hyphen is
+  /// typed as two words: "catalog-show" is `changeover catalog show`, one verb of the group catalog.
   template <typename Request>
   std::pair<Verb&, Request&> add(const std::string& name, const std::string& summary,
                                  Answer (*act)(const Request&)) {

@@ -1,14 +1,18 @@
 // changeover table: the best known design for every v and k of a range.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <map>
 
 #include "answer/answer.hpp"
+#include "answer/today.hpp"
+#include "changeover/catalog/label.hpp"
 #include "changeover/construct/planner.hpp"
+#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/core/version.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/parameters.hpp"
+#include "request/range.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -21,36 +25,6 @@ struct TableRequest {
   std::optional<Kind> kind;
   OutputRequest output;
 };
-
-struct Range {
-  std::uint64_t from = 0;
-  std::uint64_t to = 0;
-};
-
-// "A..B", "..B" or "A".
-Range range(const std::string& option, const std::string& text, std::uint64_t least) {
-  const auto number = [&](std::string_view digits) {
-    std::uint64_t value = 0;
-    const char* const end = digits.data() + digits.size();
-    const auto [rest, failure] = std::from_chars(digits.data(), end, value);
-    if (failure != std::errc() || rest != end || digits.empty()) {
-      throw UsageError{fmt::format("{} {}: write A..B, ..B or A with whole numbers", option, text)};
-    }
-    return value;
-  };
-  const std::size_t dots = text.find("..");
-  Range range;
-  if (dots == std::string::npos) {
-    range.from = range.to = number(text);
-  } else {
-    range.from = dots == 0 ? least : number(std::string_view(text).substr(0, dots));
-    range.to = number(std::string_view(text).substr(dots + 2));
-  }
-  if (range.from > range.to) {
-    throw UsageError{fmt::format("{} {}: the range is empty", option, text)};
-  }
-  return range;
-}
 
 std::string number(const PlannedCell& cell) {
   if (cell.impossible) {
@@ -94,6 +68,39 @@ std::string as_json(const Cells& cells) {
   }
   json.end_array();
   return json.take() + "\n";
+}
+
+// Lines of a catalog: the design of each cell, built to know its checksum.
+std::string as_catalog(const Cells& cells, const TableRequest& request) {
+  const Credit credit{.who = "The Changeover developers",
+                      .date = today(),
+                      .program = "changeover " + std::string(version),
+                      .command = fmt::format("changeover table --k {} --v {} --change {}",
+                                             request.k, request.v, request.change.value_or(2))};
+  std::string text = header_line(credit) + "\n";
+  for (const PlannedCell* cell : cells) {
+    if (!cell->best) {
+      continue;
+    }
+    const Recipe& recipe = cell->best->recipe;
+    std::optional<CatalogEntry> entry;
+    if (recipe.construction == "found" && recipe.inputs.empty()) {
+      entry = standard_catalog().find(recipe.provenance);
+    }
+    if (!entry) {
+      entry.emplace();
+      entry->parameters = cell->parameters;
+      entry->lower_bound = cell->bound.blocks;
+      entry->reason = cell->bound.reason;
+      entry->recipe = recipe;
+      entry->credit = credit;
+      const DesignDigest digest = design_digest(*Registry::standard().build(recipe));
+      entry->b = digest.b;
+      entry->checksum = digest.checksum;
+    }
+    text += line_of(*entry, credit) + "\n";
+  }
+  return text;
 }
 
 /// How a grid of v by k is written.
@@ -178,8 +185,8 @@ std::string summary(const Cells& cells) {
 }
 
 Answer run(const TableRequest& request) {
-  const Range k = range("--k", request.k, 2);
-  const Range v = range("--v", request.v, k.from);
+  const Range k = range_of("--k", request.k, 2);
+  const Range v = range_of("--v", request.v, k.from);
   if (k.from < 2) {
     throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", request.k)};
   }
@@ -223,6 +230,8 @@ Answer run(const TableRequest& request) {
   }
   if (format == "json" || format == "csv") {
     text = format == "json" ? as_json(all) : as_csv(all);
+  } else if (format == "catalog") {
+    text = as_catalog(all, request);
   }
   return text_answer(text, request.output);
 }
@@ -237,7 +246,7 @@ void add_table(Program& program) {
   verb.option("-m,--change", request.change, "M",
               "elements in which consecutive blocks differ (default 2)");
   add_kind_to(verb, request.kind, "circular designs only", "linear designs only");
-  request.output.add_to(verb, {"table", "csv", "json", "markdown", "latex"});
+  request.output.add_to(verb, {"table", "csv", "json", "markdown", "latex", "catalog"});
   verb.examples({"changeover table --k 3..6 --v ..30",
                  "changeover table --k 4 --v 5..100 --change 1 --json"});
 }

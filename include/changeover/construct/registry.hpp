@@ -30,6 +30,7 @@
 
 namespace changeover {
 
+class Catalog;
 class Registry;
 
 /// Where a construction comes from: a key of docs/references.bib and a place in it.
@@ -120,12 +121,16 @@ inline constexpr std::size_t max_recipe_depth = 64;
 /// A set of constructions, by name.
 class Registry {
  public:
-  /// The constructions of this library.
+  /// The constructions of this library, and what the standard catalog knows (construct/standard_catalog.hpp).
   [[nodiscard]] static const Registry& standard();
 
-  /// A registry of some constructions only, which must outlive it. @throws BadInput if two have the
-  /// same name.
-  explicit Registry(std::vector<const Construction*> constructions);
+  /// A registry of some constructions only, which must outlive it, and of a catalog, if one is given: its designs are
+  /// offered too. @throws BadInput if two have the same name.
+  explicit Registry(std::vector<const Construction*> constructions,
+                    const Catalog* catalog = nullptr);
+
+  /// The catalog whose designs are offered; nullptr if there is none.
+  [[nodiscard]] const Catalog* catalog() const { return catalog_; }
 
   [[nodiscard]] std::span<const Construction* const> constructions() const {
     return constructions_;
@@ -138,7 +143,8 @@ class Registry {
   /// the recipe's inputs are nested deeper than max_recipe_depth.
   [[nodiscard]] const Construction& construction_of(const Recipe& recipe) const;
 
-  /// Every offer for exactly these parameters, fewest blocks first, ties in the order of names;
+  /// Every offer for exactly these parameters, fewest blocks first, ties in the order of names; that of the catalog
+  /// is among them if it has fewer blocks than any other;
   /// none if impossibility() rules them out. @throws as check().
   [[nodiscard]] std::vector<Offer> offers(const Parameters& p) const;
 
@@ -161,6 +167,7 @@ class Registry {
 
  private:
   std::vector<const Construction*> constructions_;
+  const Catalog* catalog_;
 };
 
 /// The constructions in src/construct/entries; this function is written by the build.

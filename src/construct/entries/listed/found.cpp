@@ -1,37 +1,24 @@
-// Designs that searches of this program found and no other construction gives, shipped with it. Each is
-// a file in src/construct/found, which says where it comes from; the build puts the files into the
-// library. A recipe carries its blocks, so it stays what it is whatever is found later.
+// Designs that are written down: what searches found and no other construction gives, and what the user has added. They are in the
+// catalog, and a recipe names one by its label, which has the checksum of its blocks in it, so it stays what it is whatever is found
+// later. A recipe of an older program carries the blocks as its input.
 #include <fmt/format.h>
 
-#include <map>
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
+#include "changeover/catalog/label.hpp"
 #include "changeover/construct/registry.hpp"
+#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
-#include "construct/found/found_designs.hpp"
+#include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
 namespace {
 
-using ByParameters = std::map<Parameters, FoundDesign>;
-
-const ByParameters& found_designs() {
-  static const ByParameters designs = [] {
-    ByParameters all;
-    for (FoundDesign& design : read_found_designs(found_design_files())) {
-      const Parameters p = design.recipe.parameters;
-      all.emplace(p, std::move(design));
-    }
-    return all;
-  }();
-  return designs;
-}
-
-// Of a valid design: whether it covers each pair, or what its strength says, newly, once. In the collection no two elements are
-// in every block of a circular design, which the tests see to.
+// Of a valid design: whether it covers each pair, or what its strength says, newly, once. No two elements are in every block of a
+// circular design that comes with the program, which the tests see to.
 bool is_tight(const Parameters& p, std::uint64_t b) {
   const std::uint64_t first = p.kind == Kind::linear ? binomial(p.k, p.strength) : 0;
   const std::uint64_t later = p.kind == Kind::linear ? b - 1 : b;
@@ -40,59 +27,98 @@ bool is_tight(const Parameters& p, std::uint64_t b) {
 
 constexpr Description description{
     .name = "found",
-    .summary = "a design that a search found, from the library's collection",
-    .preconditions = "some parameters; see the collection",
-    .guarantee = "as many blocks as the collection says, verified by the tests",
+    .summary = "a design that is written down in the catalog, found by a search as a rule",
+    .preconditions = "some parameters; see the catalog",
+    .guarantee = "as many blocks as the catalog says, verified",
 };
+
+bool carries_blocks(const Recipe& recipe) {
+  return recipe.construction == "literal" || recipe.construction == "developed";
+}
 
 class Found final : public Entry {
  public:
   Found() : Entry(description) {}
 
   std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
-    const auto found = found_designs().find(p);
-    if (found == found_designs().end()) {
-      return std::nullopt;
+    const Catalog& catalog = standard_catalog();
+    while (const auto known = catalog.fewest(p, true)) {
+      if (!trusted_entry(catalog, known->label)) {
+        continue;  // It is left out from now on.
+      }
+      Offer offer;
+      offer.recipe = recipe_of(p);
+      offer.recipe.provenance = known->label;
+      offer.b = known->b;
+      offer.economical = offer.b == counting_bound(p);
+      offer.tight = is_tight(p, offer.b);
+      return offer;
     }
-    Offer offer;
-    offer.recipe = Recipe{std::string(name()), p, {}, {found->second.recipe}, {}};
-    offer.b = found->second.b;
-    offer.economical = offer.b == counting_bound(p);
-    offer.tight = is_tight(p, offer.b);
-    return offer;
+    return std::nullopt;
   }
 
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
-    return registry.build(input(recipe));
+    return registry.build(written(recipe));
   }
 
   std::optional<BaseBlocks> base_blocks(const Recipe& recipe) const override {
-    const Recipe& from = input(recipe);
+    const Recipe from = written(recipe);
     return Registry::standard().construction_of(from).base_blocks(from);
   }
 
   std::string explain(const Recipe& recipe) const override {
-    return "Found by search: " + input(recipe).provenance + ".";
+    if (!recipe.inputs.empty()) {
+      return "Found by search: " + written(recipe).provenance + ".";
+    }
+    const CatalogEntry entry = entry_of(recipe);
+    const Credit& credit = entry.credit;
+    std::string from = credit.command;
+    for (const std::string& more : {credit.program, credit.who, credit.date}) {
+      from += (from.empty() || more.empty() ? "" : "; ") + more;
+    }
+    return fmt::format("Written down in the catalog as {}: {}.", entry.label(), from);
   }
 
   std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {
-    const Recipe& from = input(recipe);
+    const Recipe from = written(recipe);
     return registry.construction_of(from).labels(from, registry);
   }
 
  private:
-  /// The list of blocks, or base blocks, that the recipe carries. @throws BadInput if it has none.
-  [[nodiscard]] const Recipe& input(const Recipe& recipe) const {
+  [[nodiscard]] CatalogEntry entry_of(const Recipe& recipe) const {
+    Recipe expected = recipe_of(recipe.parameters);
+    expected.provenance = recipe.provenance;
+    require_recipe(recipe, *this, expected);
+    const auto label = parse_design_label(recipe.provenance);
+    if (!label || label->parameters != recipe.parameters) {
+      throw BadInput(
+          "found takes the label of a design with the same parameters as its provenance; correct "
+          "the recipe");
+    }
+    const auto entry = standard_catalog().find(recipe.provenance);
+    if (!entry || !carries_blocks(entry->recipe)) {
+      throw BadInput(
+          fmt::format("no design {} is written down in the catalog; ask whoever wrote "
+                      "the recipe for it, and add it (changeover catalog add FILE)",
+                      recipe.provenance));
+    }
+    return *entry;
+  }
+
+  /// The list of blocks, or base blocks. @throws BadInput if there is none.
+  [[nodiscard]] Recipe written(const Recipe& recipe) const {
+    if (recipe.inputs.empty()) {
+      return entry_of(recipe).recipe;
+    }
     require_recipe(
         recipe, *this,
         Recipe{std::string(name()), recipe.parameters, {}, recipe.inputs, {}, recipe.provenance});
     if (recipe.inputs.size() != 1 || recipe.inputs.front().parameters != recipe.parameters ||
-        (recipe.inputs.front().construction != "literal" &&
-         recipe.inputs.front().construction != "developed")) {
+        !carries_blocks(recipe.inputs.front())) {
       throw BadInput(
-          "found takes one input, literal or developed, with the same parameters; correct the "
-          "recipe");
+          "found takes a label, or one input, literal or developed, with the same parameters; "
+          "correct the recipe");
     }
     return recipe.inputs.front();
   }

@@ -4,8 +4,8 @@
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/partial_expansion.hpp"
 #include "changeover/construct/planner.hpp"
+#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/transitions.hpp"
-#include "construct/found/found_designs.hpp"
 #include "construction_checks.hpp"
 #include "naive_verdict.hpp"
 
@@ -31,11 +31,16 @@ std::size_t elements_that_stay(const Design& design) {
 TEST(PartialExpansionRule, MakesADesignOfEveryFoundDesignWithACover) {
   std::size_t covered = 0;
   std::size_t made = 0;
-  for (const FoundDesign& found : read_found_designs(found_design_files())) {
-    const Parameters& p = found.recipe.parameters;
-    if (p.v > 22 || p.strength != 2) {
-      continue;
-    }
+  std::vector<CatalogEntry> entries;
+  standard_catalog().each({.v_to = 22, .strength = 2, .best_only = false},
+                          [&](const CatalogEntry& entry) {
+                            if (entry.carries_blocks()) {
+                              entries.push_back(entry);
+                            }
+                            return true;
+                          });
+  for (const CatalogEntry& found : entries) {
+    const Parameters& p = found.parameters;
     SCOPED_TRACE(name(p));
     const Design design = standard().build_design(found.recipe);
     const auto cover = cover_positions(design);

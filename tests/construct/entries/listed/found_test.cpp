@@ -1,10 +1,12 @@
 // The collection of designs that searches found: each is what it says, and worth keeping.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "construct/found/found_designs.hpp"
+#include "changeover/catalog/label.hpp"
+#include "changeover/construct/standard_catalog.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover {
@@ -12,28 +14,48 @@ namespace {
 
 using namespace test;
 
-// Everything that the collection offers, a design for each of its files.
-const std::vector<Offer>& collection() {
-  static const std::vector<Offer> all = [] {
-    std::vector<Offer> offers;
-    for (const FoundDesign& design : read_found_designs(found_design_files())) {
-      const auto offer = offer_of("found", design.recipe.parameters);
-      EXPECT_TRUE(offer && offer->recipe.inputs == std::vector<Recipe>{design.recipe})
-          << name(design.recipe.parameters) << " is in two files";
-      offers.push_back(offer.value_or(Offer{}));
-    }
-    return offers;
+// What comes with the program: the entries that carry their blocks, and the best of each cell as it is offered.
+const std::vector<CatalogEntry>& entries() {
+  static const std::vector<CatalogEntry> all = [] {
+    std::vector<CatalogEntry> carrying;
+    standard_catalog().each({.best_only = false}, [&](const CatalogEntry& entry) {
+      if (entry.carries_blocks()) {
+        carrying.push_back(entry);
+      }
+      return true;
+    });
+    return carrying;
   }();
   return all;
 }
 
-TEST(Found, EveryFileIsTheDesignOfItsName) {
+const std::vector<Offer>& collection() {
+  static const std::vector<Offer> all = [] {
+    std::map<Parameters, Offer> offers;
+    for (const CatalogEntry& entry : entries()) {
+      const auto offer = offer_of("found", entry.parameters);
+      EXPECT_TRUE(offer && offer->b <= entry.b) << entry.label();
+      offers.emplace(entry.parameters, offer.value_or(Offer{}));
+    }
+    std::vector<Offer> values;
+    for (auto& [p, offer] : offers) {
+      values.push_back(std::move(offer));
+    }
+    return values;
+  }();
+  return all;
+}
+
+TEST(Found, EveryEntryHasTheBlocksOfItsLabel) {
   ASSERT_GE(collection().size(), 750U);
-  for (const FoundFile& file : found_design_files()) {
-    const Parameters p = read_found_designs({&file, 1}).front().recipe.parameters;
-    EXPECT_EQ(file.name, std::to_string(p.v) + "_" + std::to_string(p.k) + "_" +
-                             std::to_string(p.change) + "_" + std::string(to_string(p.kind)) +
-                             (p.strength == 2 ? "" : "_" + std::to_string(p.strength)) + ".txt");
+  for (const CatalogEntry& entry : entries()) {
+    SCOPED_TRACE(entry.label());
+    const DesignDigest digest = design_digest(*standard().build(entry.recipe));
+    EXPECT_EQ(digest.b, entry.b);
+    EXPECT_EQ(digest.checksum, entry.checksum);
+    EXPECT_FALSE(entry.credit.who.empty());
+    EXPECT_FALSE(entry.credit.date.empty());
+    EXPECT_FALSE(entry.credit.command.empty()) << "a design must say where it comes from";
   }
 }
 
@@ -47,8 +69,8 @@ TEST(Found, EveryDesignIsWhatItSays) {
     EXPECT_EQ(verdict.economical(), offer.economical);
     EXPECT_LE(verdict.fixed.size(), 1U);
     EXPECT_GE(offer.b, lower_bound(offer.recipe.parameters).blocks);
-    EXPECT_NE(construction("found").explain(offer.recipe).find("changeover"), std::string::npos)
-        << "a design must say where it comes from";
+    EXPECT_NE(construction("found").explain(offer.recipe).find(offer.recipe.provenance),
+              std::string::npos);
   }
 }
 
@@ -64,19 +86,42 @@ TEST(Found, EveryDesignHasFewerBlocksThanOtherConstructionsGive) {
   }
 }
 
-TEST(Found, ARecipeStaysWhatItIs) {
+TEST(Found, ARecipeNamesADesignByItsLabel) {
   const Offer offer = *offer_of("found", {26, 4, 2, Kind::circular, 2});
   EXPECT_EQ(offer.b, 65U);
+  const auto label = parse_design_label(offer.recipe.provenance);
+  ASSERT_TRUE(label);
+  EXPECT_EQ(label->parameters, offer.recipe.parameters);
   Recipe recipe = offer.recipe;
-  recipe.inputs.front().blocks.front() = {0, 1, 2, 3};
-  EXPECT_FALSE(verify(*standard().build(recipe)).valid());  // Its own blocks, not the collection's.
-  recipe = offer.recipe;
-  recipe.inputs.clear();
-  expect_refused(recipe, "without its input");
+  recipe.provenance.clear();
+  expect_refused(recipe, "without a label");
+  recipe.provenance = "26.4.2.circular.65.00000000";
+  expect_refused(recipe, "with the label of no design");
+  recipe.provenance = offer.recipe.provenance.substr(0, offer.recipe.provenance.size() - 1);
+  expect_refused(recipe, "with a part of a label");
   recipe = offer.recipe;
   recipe.parameters.v = 27;
   expect_refused(recipe, "with other parameters");
   recipe = offer.recipe;
+  recipe.arguments["n"] = 1;
+  expect_refused(recipe, "with an argument");
+}
+
+// As programs before the catalog wrote them.
+TEST(Found, ARecipeMayCarryItsBlocks) {
+  const Offer offer = *offer_of("found", {26, 4, 2, Kind::circular, 2});
+  const auto entry = standard_catalog().find(offer.recipe.provenance);
+  ASSERT_TRUE(entry);
+  Recipe recipe = offer.recipe;
+  recipe.provenance.clear();
+  recipe.inputs = {entry->recipe};
+  EXPECT_TRUE(verify(*standard().build(recipe)).valid());
+  recipe.inputs.front().blocks.front() = {0, 1, 2, 3};
+  EXPECT_FALSE(verify(*standard().build(recipe)).valid());  // Its own blocks, not the catalog's.
+  recipe.inputs = {entry->recipe};
+  recipe.parameters.v = 27;
+  expect_refused(recipe, "with other parameters");
+  recipe.parameters.v = 26;
   recipe.inputs.front().construction = "cyclic";
   expect_refused(recipe, "with an input that lists no blocks");
 }

@@ -1,0 +1,87 @@
+#include "answer/entry_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "changeover/construct/registry.hpp"
+
+namespace changeover::cli {
+
+/// docs/references.bib; generated.
+[[nodiscard]] std::string_view references_text();
+
+namespace {
+
+void collect(const Recipe& recipe, std::vector<std::string>& keys) {
+  if (const Construction* const construction = Registry::standard().find(recipe.construction)) {
+    const std::string key = construction->citation().key;
+    if (!key.empty() && std::ranges::find(keys, key) == keys.end()) {
+      keys.push_back(key);
+    }
+  }
+  for (const Recipe& input : recipe.inputs) {
+    collect(input, keys);
+  }
+}
+
+}  // namespace
+
+void write_entry(JsonWriter& json, const CatalogEntry& entry) {
+  const Parameters& p = entry.parameters;
+  json.begin_object().key("label").value(entry.label());
+  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+  json.key("kind").value(to_string(p.kind));
+  if (p.strength != 2) {
+    json.key("strength").value(std::uint64_t{p.strength});
+  }
+  json.key("b").value(entry.b).key("lower_bound").value(entry.lower_bound);
+  json.key("reason").value(entry.reason).key("status").value(entry.status());
+  json.key("construction").value(entry.recipe.construction);
+  json.key("credit").begin_object();
+  json.key("who").value(entry.credit.who).key("date").value(entry.credit.date);
+  json.key("program").value(entry.credit.program).key("command").value(entry.credit.command);
+  json.end_object();
+  json.key("cites").value(references_of(entry));
+  if (!entry.note.empty()) {
+    json.key("note").value(entry.note);
+  }
+  if (!entry.retracted.empty()) {
+    json.key("retracted").value(entry.retracted);
+  }
+  json.key("hash").value(to_hex(entry.checksum)).end_object();
+}
+
+std::string credit_words(const Credit& credit) {
+  std::string words;
+  for (const std::string& part : {credit.command, credit.who, credit.program, credit.date}) {
+    words += (words.empty() || part.empty() ? "" : "; ") + part;
+  }
+  return words;
+}
+
+std::string entry_row(const CatalogEntry& entry) {
+  return fmt::format("{:<34} b = {:<7} bound {:<7} {:<11} {:<20} {}", entry.label(), entry.b,
+                     entry.lower_bound, entry.status(), entry.recipe.construction,
+                     entry.credit.date);
+}
+
+std::vector<std::string> references_of(const CatalogEntry& entry) {
+  std::vector<std::string> keys = entry.cites;
+  collect(entry.recipe, keys);
+  return keys;
+}
+
+std::string bibtex_of(const std::string& key) {
+  const std::string_view all = references_text();
+  const std::size_t named = all.find("{" + key + ",");
+  if (named == std::string_view::npos) {
+    return "";
+  }
+  const std::size_t begin = all.rfind('@', named);
+  const std::size_t end = all.find("\n}", named);
+  return std::string(all.substr(begin, end + 2 - begin)) + "\n";
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,15 @@
+// How a design is made, as the tree of its constructions with their theorems; each node is built and verified
+// unless that takes long.
+#pragma once
+
+#include <string>
+
+#include "changeover/core/recipe.hpp"
+#include "io/write/json_writer.hpp"
+
+namespace changeover::cli {
+
+[[nodiscard]] std::string tree_text(const Recipe& recipe);
+void tree_json(const Recipe& recipe, JsonWriter& json);
+
+}  // namespace changeover::cli

@@ -1,0 +1,71 @@
+#include "request/catalog_request.hpp"
+
+#include "changeover/construct/standard_catalog.hpp"
+#include "cli/status_line.hpp"
+#include "core/printable.hpp"
+#include "request/parameters.hpp"
+#include "request/range.hpp"
+
+namespace changeover::cli {
+
+void CatalogRequest::add_to(Verb& verb) {
+  verb.option("--catalog", path, "FILE",
+              "the user's designs (default $CHANGEOVER_CATALOG, or changeover/catalog.db in "
+              "$XDG_DATA_HOME)");
+}
+
+Catalog& CatalogRequest::open() const {
+  if (!path.empty()) {
+    choose_catalog(path);
+  }
+  Catalog& catalog = standard_catalog();
+  if (const std::string problem = catalog.problem(); !problem.empty()) {
+    status_line().say(printable("changeover: going on without your designs: " + problem));
+  }
+  return catalog;
+}
+
+void FilterRequest::add_to(Verb& verb) {
+  verb.option("--k", k, "A..B", "block sizes");
+  verb.option("--v", v, "C..D", "numbers of elements");
+  verb.option("-m,--change", change, "M", "elements in which consecutive blocks differ");
+  verb.option("-t,--strength", strength, "T", "every T elements meet");
+  add_kind_to(verb, kind, "circular designs only", "linear designs only");
+  verb.choice("--status", status, {"minimum", "best-known", "retracted"}, "only those");
+  verb.option("--gap", gap, "N", "so many blocks over the lower bound, or more");
+  verb.option("--construction", construction, "NAME", "made by that construction");
+  verb.option("--since", since, "DATE", "credited on that day or later, as 2026-11-22");
+  verb.flag("--all", all, "of each cell all designs, not the best only");
+  verb.flag("--users", users, "the user's designs only");
+}
+
+CatalogFilter FilterRequest::filter() const {
+  CatalogFilter filter;
+  if (!k.empty()) {
+    const Range range = range_of("--k", k, 1);
+    filter.k_from = range.from;
+    filter.k_to = range.to;
+  }
+  if (!v.empty()) {
+    const Range range = range_of("--v", v, 1);
+    filter.v_from = range.from;
+    filter.v_to = range.to;
+  }
+  if (!since.empty() && since.find_first_not_of("0123456789-") != std::string::npos) {
+    throw UsageError{"--since " + since + ": write a day as 2026-11-22"};
+  }
+  filter.change = change;
+  if (strength) {
+    filter.strength = strength_of(strength);
+  }
+  filter.kind = kind;
+  filter.status = status;
+  filter.gap = gap;
+  filter.construction = construction;
+  filter.since = since;
+  filter.best_only = !all;
+  filter.users_only = users;
+  return filter;
+}
+
+}  // namespace changeover::cli

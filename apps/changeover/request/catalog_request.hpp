@@ -1,0 +1,40 @@
+// What the verbs of the catalog share: whose catalog, and which of its entries.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "changeover/catalog/catalog.hpp"
+#include "cli/cli.hpp"
+
+namespace changeover::cli {
+
+/// [--catalog FILE].
+struct CatalogRequest {
+  std::string path;
+
+  /// Must live as long as the verb.
+  void add_to(Verb& verb);
+
+  /// The catalog: what comes with the program, and the user's designs in FILE if one was named. What is wrong with the user's file
+  /// is said on stderr.
+  [[nodiscard]] Catalog& open() const;
+};
+
+/// [--k A..B] [--v C..D] [--change M] [--circular | --linear] [--strength T] [--status WORD] [--gap N] [--construction NAME]
+/// [--since DATE] [--all] [--users].
+struct FilterRequest {
+  std::string k, v, status, construction, since;
+  std::optional<std::uint64_t> change, strength, gap;
+  std::optional<Kind> kind;
+  bool all = false;
+  bool users = false;
+
+  void add_to(Verb& verb);
+
+  /// @throws UsageError
+  [[nodiscard]] CatalogFilter filter() const;
+};
+
+}  // namespace changeover::cli

@@ -1,0 +1,57 @@
+// changeover catalog history CELL: how the best of a cell became better.
+#include <fmt/format.h>
+
+#include "answer/answer.hpp"
+#include "changeover/catalog/label.hpp"
+#include "io/write/json_writer.hpp"
+#include "request/catalog_request.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct HistoryRequest {
+  std::string cell;
+  CatalogRequest catalog;
+  OutputRequest output;
+};
+
+Answer run(const HistoryRequest& request) {
+  auto p = parse_cell_label(request.cell);
+  if (!p) {
+    if (const auto label = parse_design_label(request.cell)) {
+      p = label->parameters;
+    } else {
+      throw UsageError{fmt::format(
+          "'{}' is no label of a cell, as 20.5.2.linear or 6.4.1.linear.t3", request.cell)};
+    }
+  }
+  const std::vector<Improvement> steps = request.catalog.open().history(*p);
+  std::string text = name(*p) + "\n";
+  JsonWriter json;
+  json.begin_array();
+  for (const Improvement& step : steps) {
+    text += fmt::format("  {}  {:>6}  {}  {}\n", step.date.empty() ? "-         " : step.date,
+                        step.b, step.label, step.how);
+    json.begin_object().key("date").value(step.date).key("b").value(step.b);
+    json.key("label").value(step.label).key("how").value(step.how).end_object();
+  }
+  if (steps.empty()) {
+    text += "  nothing is known in the catalog\n";
+  }
+  json.end_array();
+  return text_answer(request.output.json() ? json.take() + "\n" : text, request.output);
+}
+
+}  // namespace
+
+void add_catalog_history(Program& program) {
+  auto [verb, request] =
+      program.add("catalog-history", "how the best design of a cell became better", run);
+  verb.positional("CELL", request.cell, "v.k.m.kind, as 20.5.2.linear");
+  request.catalog.add_to(verb);
+  request.output.add_to(verb, {"text", "json"});
+  verb.examples({"changeover catalog history 20.5.2.linear"});
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,174 @@
+// changeover catalog show LABEL | V K: what is known of a design or of a cell.
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "answer/answer.hpp"
+#include "answer/entry_words.hpp"
+#include "answer/recipe_tree.hpp"
+#include "answer/show_design.hpp"
+#include "changeover/catalog/label.hpp"
+#include "changeover/construct/registry.hpp"
+#include "request/catalog_request.hpp"
+#include "request/parameters.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct ShowRequest {
+  std::string what;
+  std::string k;
+  ParameterRequest asked;  // without V and K: `what` may be a label
+  CatalogRequest catalog;
+  OutputRequest output;
+};
+
+std::uint64_t number(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, failure] = std::from_chars(text.data(), end, value);
+  if (failure != std::errc() || rest != end) {
+    throw UsageError{
+        fmt::format("'{}' is neither a label, as 20.5.2.linear, nor a number V that K "
+                    "follows",
+                    text)};
+  }
+  return value;
+}
+
+std::string text_of(const CatalogEntry& entry, bool is_shipped) {
+  std::string text = fmt::format("{}\n  {}: {}, {}\n", entry.label(), name(entry.parameters),
+                                 count_of(entry.b, "block"), entry.status());
+  if (!entry.retracted.empty()) {
+    text += fmt::format("  retracted: {}\n", entry.retracted);
+  }
+  text += fmt::format("  b >= {}: {}\n", entry.lower_bound, entry.reason);
+  text += fmt::format("  credit: {}{}\n", credit_words(entry.credit),
+                      is_shipped ? "" : "; in your own catalog");
+  if (!entry.note.empty()) {
+    text += fmt::format("  note: {}\n", entry.note);
+  }
+  std::string cites;
+  for (const std::string& key : references_of(entry)) {
+    cites += (cites.empty() ? "" : ", ") + key;
+  }
+  if (!cites.empty()) {
+    text += fmt::format("  from: {}\n", cites);
+  }
+  return text + fmt::format("  SHA-256 of its blocks: {}\n", to_hex(entry.checksum));
+}
+
+Answer show_blocks(const CatalogEntry& entry, const OutputRequest& output) {
+  const Registry& registry = Registry::standard();
+  Offer promise;
+  promise.recipe = entry.recipe;
+  promise.b = entry.b;
+  std::shared_ptr<BlockSource> source = registry.build(entry.recipe);
+  const DesignDigest digest = design_digest(*source);
+  if (digest.checksum != entry.checksum) {
+    throw BadInput(fmt::format("{}: its recipe makes other blocks than those that were published",
+                               entry.label()));
+  }
+  source = registry.build(entry.recipe);
+  Judgement judgement = judge(*source, promise);
+  Exhibit exhibit{
+      .title = fmt::format("{}: {}", entry.label(), quality(judgement)),
+      .header = {.labels = registry.construction_of(entry.recipe).labels(entry.recipe, registry),
+                 .recipe = entry.recipe},
+      .judgement = std::move(judgement),
+      .positions = {},
+      .base_blocks = {},
+      .leaving = false};
+  source = registry.build(entry.recipe);
+  return show_design(std::move(source), std::move(exhibit), output);
+}
+
+Answer run(const ShowRequest& request) {
+  const Catalog& catalog = request.catalog.open();
+  std::vector<CatalogEntry> entries;
+  std::vector<Parameters> cells;
+  if (!request.k.empty()) {
+    ParameterRequest asked = request.asked;
+    asked.v = number(request.what);
+    asked.k = number(request.k);
+    cells = asked.of_each_kind();
+  } else if (const auto cell = parse_cell_label(request.what)) {
+    cells = {*cell};
+  } else if (const auto entry = catalog.find(request.what)) {
+    entries.push_back(*entry);
+  } else {
+    const std::string words = fmt::format(
+        "the catalog has no design {}; changeover catalog list shows what it has", request.what);
+    return no_design(request.output, exit_code::missing_resource, words);
+  }
+  for (const Parameters& p : cells) {
+    for (CatalogEntry& entry : catalog.cell(p)) {
+      entries.push_back(std::move(entry));
+    }
+  }
+  if (entries.empty()) {
+    std::string words;
+    for (const Parameters& p : cells) {
+      words += fmt::format("the catalog has no {}{}\n", name(p),
+                           impossibility(p) ? ", and none exists: " + *impossibility(p)
+                                            : "; changeover bounds says what is known without it");
+    }
+    words.pop_back();
+    return no_design(request.output, exit_code::missing_resource, words,
+                     request.output.json() ? "[]" : "");
+  }
+  const std::string& format = request.output.format();
+  if (format == "json") {
+    JsonWriter json;
+    json.begin_array();
+    for (const CatalogEntry& entry : entries) {
+      write_entry(json, entry);
+    }
+    json.end_array();
+    return text_answer(json.take() + "\n", request.output);
+  }
+  if (format != "summary") {
+    // Of a cell the best that is vouched for.
+    const CatalogEntry* best = nullptr;
+    for (const CatalogEntry& entry : entries) {
+      if (entries.size() == 1 ||
+          (entry.retracted.empty() && (best == nullptr || entry.b < best->b))) {
+        best = &entry;
+      }
+    }
+    return show_blocks(best == nullptr ? entries.front() : *best, request.output);
+  }
+  std::string text;
+  for (const CatalogEntry& entry : entries) {
+    text += text_of(entry, catalog.is_shipped(entry.label()));
+  }
+  if (entries.size() == 1) {
+    text += "how it is made\n" + tree_text(entries.front().recipe);
+  }
+  return text_answer(text, request.output);
+}
+
+}  // namespace
+
+void add_catalog_show(Program& program) {
+  auto [verb, request] =
+      program.add("catalog-show", "what is known of a design, or of all designs of a cell", run);
+  verb.positional(
+      "LABEL", request.what,
+      "of a design, 20.5.2.linear.39.…, or its beginning; of a cell, 20.5.2.linear; or V");
+  verb.positional("K", request.k, "elements in a block, after V", false);
+  verb.option("-m,--change", request.asked.change, "M",
+              "after V K: elements in which consecutive blocks differ (default 2)");
+  request.asked.add_strength_to(verb);
+  add_kind_to(verb, request.asked.kind, "after V K: circular designs only",
+              "after V K: linear designs only");
+  request.catalog.add_to(verb);
+  std::vector<std::string> formats = {"summary"};
+  formats.insert(formats.end(), design_formats().begin(), design_formats().end());
+  request.output.add_to(verb, formats);
+  verb.examples({"changeover catalog show 20 5", "changeover catalog show 26.4.2.circular",
+                 "changeover catalog show 26.4.2.circular.65 --format text"});
+}
+
+}  // namespace changeover::cli

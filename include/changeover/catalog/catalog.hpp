@@ -1,0 +1,136 @@
+// The catalog: designs that are known, those that come with the program and those of its user, looked up as one.
+//
+//     Catalog catalog({.shipped = {}, .user = "mine.db"});     // only what is in a file, here
+//     catalog.add(entry);
+//     catalog.best(entry.parameters)->b;                       // fewest blocks
+//     catalog.find(entry.label());                             // by label, or by the beginning of one
+//
+// What comes with the program is a database in memory that nobody can write; construct/standard_catalog.hpp has it. What users add goes to
+// a file of theirs, an SQLite database of version `catalog_schema_version`: opened when it is first needed, made when
+// it is first written. Looking up an entry costs a few microseconds; a row is read when it is asked for and not before.
+//
+// A file that is damaged, of another version or of another program is never written to; what it is, and how to mend it, is
+// said in one line. Before a file of an older version is brought to this one, a copy of it is kept beside it.
+// Writing is all or nothing, whatever happens to the process, the disk or the machine in between; several
+// processes may write at once, each waits for the others.
+//
+// Thread-safe. Bound by: SQLite's look-up and the parsing of a line.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/catalog/entry.hpp"
+
+namespace changeover {
+
+/// The version of a user's file that this program reads and writes.
+inline constexpr int catalog_schema_version = 1;
+
+/// How a cell came to its best design: one line of its history.
+struct Improvement {
+  std::string label;  ///< of the design
+  std::uint64_t b = 0;
+  std::string date;  ///< when it came in
+  std::string how;   ///< its credit, in one line
+};
+
+/// Which entries are asked for; everything if nothing is said.
+struct CatalogFilter {
+  std::optional<std::uint64_t> v_from = {}, v_to = {}, k_from = {}, k_to = {}, change = {};
+  std::optional<Kind> kind = {};
+  std::optional<std::uint32_t> strength = {};
+  std::string status =
+      {};  ///< "minimum", "best-known" or "retracted"; any that is not retracted if empty
+  std::string construction = {};          ///< the name at the root of the recipe
+  std::string since = {};                 ///< credited on this day or later
+  std::optional<std::uint64_t> gap = {};  ///< so many blocks over the bound, or more
+  bool best_only = true;                  ///< of each cell the best only
+  bool users_only = false;                ///< not those that come with the program
+};
+
+/// What came of adding an entry.
+enum class Added : std::uint8_t { improved, added, already_there };
+
+class Catalog {
+ public:
+  struct Files {
+    std::span<const std::byte> shipped =
+        {};                 ///< an image that make_catalog() made; must outlive this
+    std::string user = {};  ///< path; none if empty
+  };
+
+  explicit Catalog(Files files);
+  ~Catalog();
+  Catalog(const Catalog&) = delete;
+  Catalog& operator=(const Catalog&) = delete;
+
+  /// The design with the fewest blocks that is known for p and not retracted; ties go to the one that comes with the program, then to
+  /// the smaller label. @throws BadInput if the entry is damaged.
+  [[nodiscard]] std::optional<CatalogEntry> best(const Parameters& p) const;
+
+  /// What best() would give, without reading it; `carries_blocks`: among the entries that do.
+  struct Known {
+    std::string label;
+    std::uint64_t b = 0;
+  };
+  [[nodiscard]] std::optional<Known> fewest(const Parameters& p, bool carries_blocks = false) const;
+
+  /// The entry of that label, of an alias, or whose label alone begins with this text and goes on after at least a whole cell.
+  /// @throws BadInput if several begin so.
+  [[nodiscard]] std::optional<CatalogEntry> find(std::string_view label) const;
+
+  /// All entries of a cell, retracted ones too, fewest blocks first.
+  [[nodiscard]] std::vector<CatalogEntry> cell(const Parameters& p) const;
+
+  /// Calls take(entry) with what the filter lets through, by change number, strength, kind, k, v, b; until take() says false.
+  void each(const CatalogFilter& filter,
+            const std::function<bool(const CatalogEntry&)>& take) const;
+
+  /// How the best of a cell became better, oldest first.
+  [[nodiscard]] std::vector<Improvement> history(const Parameters& p) const;
+
+  /// Whether there are entries of the user's own, and the greatest v among them.
+  [[nodiscard]] std::optional<std::uint64_t> largest_users_v() const;
+
+  /// Why the user's file could not be read; empty if it could, or is not there. Looking up then goes on without it.
+  [[nodiscard]] std::string problem() const;
+
+  /// Leaves an entry out of account from now on, in this process: it is not what it says. problem() says so.
+  void distrust(const std::string& label, const std::string& why) const;
+
+  /// Whether the entry comes with the program.
+  [[nodiscard]] bool is_shipped(std::string_view label) const;
+
+  /// Puts entries into the user's file: all of them or, if it throws, none. The entries are trusted: see
+  /// curator/add.hpp for those of strangers. Returns what came of each.
+  /// @throws MissingResource if there is no user's file or it cannot be written.
+  std::vector<Added> add(std::span<const CatalogEntry> entries);
+  Added add(const CatalogEntry& entry) { return add(std::span(&entry, 1)).front(); }
+
+  /// Marks an entry as no longer vouched for; it stays, and says why. In the user's file, also for one that comes with the program.
+  /// @throws BadInput if there is none of that label; as add().
+  void retract(std::string_view label, std::string_view why);
+
+  /// Lets `alias` lead to the entry of that label. @throws BadInput if the alias is a label or leads elsewhere; as add().
+  void alias(std::string_view alias, std::string_view label);
+
+  /// The path of the user's file; empty if there is none.
+  [[nodiscard]] const std::string& user_path() const;
+
+ private:
+  class Store;
+  std::unique_ptr<Store> store_;
+};
+
+/// The image of a database with these entries: what Catalog::Files takes as shipped. Deterministic.
+[[nodiscard]] std::vector<std::byte> make_catalog(std::span<const CatalogEntry> entries);
+
+}  // namespace changeover

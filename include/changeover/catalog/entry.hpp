@@ -1,0 +1,95 @@
+// One design in the catalog: a line of text.
+//
+//     CatalogEntry entry = entry_from_line(
+//         R"({"label":"4.3.1.linear.3.93d18a17","b":3,"lower_bound":3,"reason":"counting","recipe":)"
+//         R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear","blocks":[[0,1,2],[0,1,3],[0,2,3]]},)"
+//         R"("sha256":"93d18a174fbd68c0d44ee38d0afe5a7567c75b3bb5eb3dd8d1c5d1dbcb1ed30a"})",
+//         "mine.jsonl", 1, {});
+//     entry.status();                        // "minimum": as many blocks as the bound says
+//     line_of(entry, {});                    // the same line
+//
+// A file is such lines, one JSON object each, after a first line that says what it is and what its lines share:
+//
+//     {"format":"changeover-catalog/1","credit":{"who":"…","date":"2026-11-22","program":"changeover 0.1.0"}}
+//
+// Keys come in this order; those in brackets may be missing: label, b, lower_bound, reason, recipe, sha256, [cites], [note],
+// [credit], [retracted]. The label says the parameters. A recipe is data (core/recipe.hpp): blocks ("literal"), base
+// blocks ("developed"), or a tree of constructions whose leaf "found" names a design of the catalog by its label.
+// Lines are written the same way whoever writes them, so that files can be compared line by line.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/core/parameters.hpp"
+#include "changeover/core/recipe.hpp"
+#include "changeover/core/sha256.hpp"
+
+namespace changeover {
+
+/// Who or what a design comes from. Any of these may be empty.
+struct Credit {
+  std::string who;      ///< a person, a group, a paper's authors
+  std::string date;     ///< "2026-11-22"
+  std::string program;  ///< "changeover 0.1.0"
+  std::string command;  ///< "changeover search 20 5 --seed 3 --time 60s"
+
+  bool operator==(const Credit&) const = default;
+};
+
+/// A design with all that is said of it.
+struct CatalogEntry {
+  Parameters parameters;
+  std::uint64_t b = 0;            ///< number of blocks
+  std::uint64_t lower_bound = 0;  ///< that was known when the entry was written
+  std::string reason;             ///< of the bound, one line
+  Recipe recipe;
+  Checksum checksum = {};  ///< of the blocks; see design_digest()
+  std::vector<std::string>
+      cites;         ///< keys of docs/references.bib, where the design is from the literature
+  std::string note;  ///< one line
+  Credit credit;
+  std::string retracted;  ///< why the entry is no longer vouched for; empty if it is
+
+  [[nodiscard]] std::string label() const;
+
+  /// "minimum" if b is the bound, "best-known" if not; "retracted".
+  [[nodiscard]] std::string_view status() const;
+
+  /// Whether it carries its blocks, or base blocks, and is no tree of constructions.
+  [[nodiscard]] bool carries_blocks() const;
+
+  bool operator==(const CatalogEntry&) const = default;
+};
+
+/// The line of an entry, without a line feed. A credit that is `shared` is left out.
+[[nodiscard]] std::string line_of(const CatalogEntry& entry, const Credit& shared);
+
+/// The longest line that is read.
+inline constexpr std::size_t longest_catalog_line = std::size_t{64} << 20;
+
+/// An entry from its line. What is not said in it: credit is `shared`. Nothing is built: that the blocks have this checksum and are a
+/// design is for whoever takes the entry in.
+/// @param name of the file, and the line's number, for messages.
+/// @throws BadInput with file and line if it is malformed, a key is unknown or twice there, label and recipe do not agree, or
+/// a text has characters that are no text.
+[[nodiscard]] CatalogEntry entry_from_line(std::string_view line, const std::string& name,
+                                           std::uint64_t number, const Credit& shared);
+
+/// A file's first line.
+[[nodiscard]] std::string header_line(const Credit& shared);
+
+/// What lines share, from the first line. @throws BadInput if it is none of a catalog, or of a version that is not known here.
+[[nodiscard]] Credit shared_from_header(std::string_view line, const std::string& name);
+
+/// Reads a catalog's text in memory.
+struct CatalogText {
+  Credit shared;
+  std::vector<CatalogEntry> entries;
+};
+[[nodiscard]] CatalogText read_catalog(std::string_view text, const std::string& name);
+
+}  // namespace changeover

@@ -1,0 +1,28 @@
+// The catalog that everybody asks: the designs that come with the program, and the user's own.
+//
+//     if (const auto entry = standard_catalog().best({.v = 20, .k = 6, .change = 1})) {
+//       entry->label();                                         // "20.6.1.linear.37.…"
+//     }
+//
+// The user's file is $CHANGEOVER_CATALOG if that is set (empty: none), else changeover/catalog.db in $XDG_DATA_HOME, else in
+// ~/.local/share. It is looked at when the catalog is first asked for anything.
+#pragma once
+
+#include <string>
+
+#include "changeover/catalog/catalog.hpp"
+
+namespace changeover {
+
+/// Names another file for the user's designs, before the catalog is first asked; empty for none.
+/// @throws InternalError if it was asked already.
+void choose_catalog(std::string path);
+
+/// Whether the catalog that comes with the program has the best design of p that was known to all constructions, closure rules and
+/// searches when it was made: strength 2, m = 1, 2, 3, and 3 ≤ k ≤ 12, v ≤ 100 or 13 ≤ k ≤ 40, v ≤ 160.
+[[nodiscard]] bool comes_planned(const Parameters& p);
+
+/// The one catalog of this process.
+[[nodiscard]] Catalog& standard_catalog();
+
+}  // namespace changeover

@@ -1,0 +1,333 @@
+// Lines of a catalog, written and read.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "changeover/catalog/entry.hpp"
+#include "changeover/catalog/label.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/io/formats.hpp"
+#include "core/lines.hpp"
+#include "core/printable.hpp"
+#include "io/read/json_events.hpp"
+#include "io/read/recipe_handler.hpp"
+#include "io/write/json_writer.hpp"
+
+namespace changeover {
+namespace {
+
+using Type = JsonEvent::Type;
+
+constexpr std::string_view format = "changeover-catalog/1";
+
+// What a text may be at most, in bytes: a reason, a note, a name.
+constexpr std::size_t longest_text = 2000;
+constexpr std::size_t most_cites = 32;
+
+using CreditField = std::pair<std::string_view, std::string Credit::*>;
+constexpr std::array<CreditField, 4> credit_fields = {
+    CreditField{"who", &Credit::who}, CreditField{"date", &Credit::date},
+    CreditField{"program", &Credit::program}, CreditField{"command", &Credit::command}};
+
+void write_credit(JsonWriter& json, const Credit& credit) {
+  json.begin_object();
+  for (const auto& [key, field] : credit_fields) {
+    if (!(credit.*field).empty()) {
+      json.key(key).value(credit.*field);
+    }
+  }
+  json.end_object();
+}
+
+bool is_date(std::string_view text) {
+  if (text.size() != 10 || text[4] != '-' || text[7] != '-') {
+    return false;
+  }
+  for (const std::size_t at : {0U, 1U, 2U, 3U, 5U, 6U, 8U, 9U}) {
+    if (text[at] < '0' || text[at] > '9') {
+      return false;
+    }
+  }
+  const int month = (text[5] - '0') * 10 + text[6] - '0';
+  const int day = (text[8] - '0') * 10 + text[9] - '0';
+  return month >= 1 && month <= 12 && day >= 1 && day <= 31;
+}
+
+// The object of one line, key by key.
+class LineHandler final : public JsonHandler {
+ public:
+  explicit LineHandler(const JsonText& json) : json_(json), recipe_(json) {}
+
+  void on(const JsonEvent& event) override {
+    switch (where_) {
+      case Where::start:
+        if (event.type != Type::begin_object) {
+          wrong(event, "an entry, an object,");
+        }
+        where_ = Where::keys;
+        break;
+      case Where::keys:
+        if (event.type == Type::key) {
+          on_key(event);
+        } else {
+          where_ = Where::end;
+        }
+        break;
+      case Where::value:
+        where_ = Where::keys;
+        on_value(event);
+        break;
+      case Where::recipe:
+        recipe_.on(event);
+        if (recipe_.done()) {
+          entry.recipe = recipe_.take();
+          where_ = Where::keys;
+        }
+        break;
+      case Where::cites:
+        if (event.type == Type::end_array) {
+          where_ = Where::keys;
+        } else {
+          entry.cites.push_back(text(event));
+          if (entry.cites.size() > most_cites) {
+            json_.fail(event.offset,
+                       fmt::format("more than {} citations; leave some out", most_cites));
+          }
+        }
+        break;
+      case Where::credit:
+        if (event.type == Type::end_object) {
+          where_ = Where::keys;
+        } else {
+          once(event);
+          where_ = Where::credit_value;
+        }
+        break;
+      case Where::credit_value:
+        on_credit(event);
+        where_ = Where::credit;
+        break;
+      case Where::end:
+        break;  // Nothing follows: parse_json() sees to it.
+    }
+  }
+
+  [[nodiscard]] bool has(std::string_view key) const {
+    return std::find(seen_.begin(), seen_.end(), key) != seen_.end();
+  }
+
+  CatalogEntry entry;
+  std::string label;
+  std::string format_name;
+
+ private:
+  enum class Where : std::uint8_t { start, keys, value, recipe, cites, credit, credit_value, end };
+
+  [[noreturn]] void wrong(const JsonEvent& event, std::string_view wanted) const {
+    json_.fail(event.offset,
+               fmt::format("{} where {} belongs; correct the line", to_string(event.type), wanted));
+  }
+
+  void once(const JsonEvent& event) {
+    // Keys of the credit are told from those of the entry.
+    std::string name = (where_ == Where::credit ? "credit." : "") + std::string(event.text);
+    if (has(name)) {
+      json_.fail(event.offset, fmt::format("{} is given twice; give it once", shown(event.text)));
+    }
+    seen_.push_back(std::move(name));
+    key_ = event.text;
+    key_offset_ = event.offset;
+  }
+
+  void on_key(const JsonEvent& event) {
+    once(event);
+    where_ = key_ == "recipe" ? Where::recipe : Where::value;
+  }
+
+  [[nodiscard]] std::string text(const JsonEvent& event) const {
+    if (event.type != Type::string) {
+      wrong(event, fmt::format("{}, a string,", key_));
+    }
+    if (event.text.size() > longest_text || !is_printable(event.text)) {
+      json_.fail(event.offset,
+                 fmt::format("{} is longer than {} bytes or has characters that are no text; "
+                             "write one plain line",
+                             key_, longest_text));
+    }
+    return std::string(event.text);
+  }
+
+  [[nodiscard]] std::uint64_t number(const JsonEvent& event) const {
+    if (event.type != Type::natural) {
+      wrong(event, fmt::format("{}, a whole number,", key_));
+    }
+    return event.natural;
+  }
+
+  void on_value(const JsonEvent& event) {
+    if (key_ == "label") {
+      label = text(event);
+    } else if (key_ == "format") {
+      format_name = text(event);
+    } else if (key_ == "b") {
+      entry.b = number(event);
+    } else if (key_ == "lower_bound") {
+      entry.lower_bound = number(event);
+    } else if (key_ == "reason") {
+      entry.reason = text(event);
+    } else if (key_ == "note") {
+      entry.note = text(event);
+    } else if (key_ == "retracted") {
+      entry.retracted = text(event);
+    } else if (key_ == "sha256") {
+      const auto checksum = checksum_from_hex(text(event));
+      if (!checksum) {
+        json_.fail(event.offset, "sha256 is not 64 digits 0-9, a-f; correct it");
+      }
+      entry.checksum = *checksum;
+    } else if (key_ == "cites") {
+      if (event.type != Type::begin_array) {
+        wrong(event, "an array of keys");
+      }
+      where_ = Where::cites;
+    } else if (key_ == "credit") {
+      if (event.type != Type::begin_object) {
+        wrong(event, "the credit, an object,");
+      }
+      entry.credit = {};
+      where_ = Where::credit;
+    } else {
+      json_.fail(key_offset_,
+                 fmt::format("{} is no key of an entry; take it out, or use a newer program",
+                             shown(key_)));
+    }
+  }
+
+  void on_credit(const JsonEvent& event) {
+    const auto* const field =
+        std::find_if(credit_fields.begin(), credit_fields.end(),
+                     [&](const CreditField& each) { return each.first == key_; });
+    if (field == credit_fields.end()) {
+      json_.fail(key_offset_, fmt::format("{} is no key of a credit; there are who, date, "
+                                          "program and command",
+                                          shown(key_)));
+    }
+    entry.credit.*field->second = text(event);
+    if (key_ == "date" && !is_date(event.text)) {
+      json_.fail(event.offset, "the date is not like 2026-11-22; correct it");
+    }
+  }
+
+  JsonText json_;
+  RecipeHandler recipe_;
+  Where where_ = Where::start;
+  std::string key_;
+  std::size_t key_offset_ = 0;
+  std::vector<std::string> seen_;
+};
+
+}  // namespace
+
+std::string line_of(const CatalogEntry& entry, const Credit& shared) {
+  JsonWriter json;
+  json.begin_object().key("label").value(entry.label()).key("b").value(entry.b);
+  json.key("lower_bound").value(entry.lower_bound).key("reason").value(entry.reason);
+  json.key("recipe").raw(recipe_to_json(entry.recipe));
+  json.key("sha256").value(to_hex(entry.checksum));
+  if (!entry.cites.empty()) {
+    json.key("cites").value(entry.cites);
+  }
+  if (!entry.note.empty()) {
+    json.key("note").value(entry.note);
+  }
+  if (entry.credit != shared) {
+    json.key("credit");
+    write_credit(json, entry.credit);
+  }
+  if (!entry.retracted.empty()) {
+    json.key("retracted").value(entry.retracted);
+  }
+  json.end_object();
+  return json.take();
+}
+
+CatalogEntry entry_from_line(std::string_view line, const std::string& name, std::uint64_t number,
+                             const Credit& shared) {
+  const Place origin{.line = number, .column = 1};
+  const JsonText json{line, name, origin};
+  if (line.size() > longest_catalog_line) {
+    json.fail(0, fmt::format("a line of more than {} MiB; leave the entry out",
+                             longest_catalog_line >> 20));
+  }
+  LineHandler handler(json);
+  handler.entry.credit = shared;
+  parse_json(json, handler);
+  CatalogEntry entry = std::move(handler.entry);
+  for (const std::string_view needed :
+       {"label", "b", "lower_bound", "reason", "recipe", "sha256"}) {
+    if (!handler.has(needed)) {
+      json.fail(0, fmt::format("the entry does not say {}; add it", needed));
+    }
+  }
+  if (handler.has("format")) {
+    json.fail(0, "a format belongs into the first line only; take it out");
+  }
+  entry.parameters = entry.recipe.parameters;
+  try {
+    check(entry.parameters);
+  } catch (const ImpossibleParameters& fault) {
+    json.fail(0, std::string(fault.what()) + "; correct the recipe");
+  }
+  if (handler.label != entry.label()) {
+    json.fail(0, fmt::format("the label {} does not fit its entry, which is {}; correct it",
+                             shown(handler.label), entry.label()));
+  }
+  return entry;
+}
+
+std::string header_line(const Credit& shared) {
+  JsonWriter json;
+  json.begin_object().key("format").value(format);
+  if (shared != Credit{}) {
+    json.key("credit");
+    write_credit(json, shared);
+  }
+  json.end_object();
+  return json.take();
+}
+
+Credit shared_from_header(std::string_view line, const std::string& name) {
+  const JsonText json{line, name};
+  LineHandler handler(json);
+  parse_json(json, handler);
+  if (!handler.format_name.starts_with("changeover-catalog/")) {
+    json.fail(0, fmt::format("no catalog: the first line must be {{\"format\":\"{}\"}}", format));
+  }
+  if (handler.format_name != format) {
+    json.fail(0, fmt::format("a catalog of the form {}, which this program does not know; "
+                             "use a newer one",
+                             shown(handler.format_name)));
+  }
+  return handler.entry.credit;
+}
+
+CatalogText read_catalog(std::string_view text, const std::string& name) {
+  CatalogText catalog;
+  Lines lines(text);
+  if (!lines.next()) {
+    throw BadInput(fmt::format(
+        "{}: empty, and no catalog: the first line must be {{\"format\":\"{}\"}}", name, format));
+  }
+  catalog.shared = shared_from_header(lines.line(), name);
+  while (lines.next()) {
+    if (!lines.line().empty()) {
+      catalog.entries.push_back(
+          entry_from_line(lines.line(), name, lines.number(), catalog.shared));
+    }
+  }
+  return catalog;
+}
+
+}  // namespace changeover

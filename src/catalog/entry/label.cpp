@@ -1,0 +1,118 @@
+#include "changeover/catalog/label.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <iterator>
+#include <vector>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+std::vector<std::string_view> parts(std::string_view text) {
+  std::vector<std::string_view> result;
+  for (;;) {
+    const std::size_t dot = text.find('.');
+    result.push_back(text.substr(0, dot));
+    if (dot == std::string_view::npos) {
+      return result;
+    }
+    text.remove_prefix(dot + 1);
+  }
+}
+
+// As it is written: without signs, and zeros in front.
+std::optional<std::uint64_t> number(std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc() || end != text.data() + text.size() || fmt::to_string(value) != text) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+// Takes the parts of a cell from the front.
+std::optional<Parameters> take_cell(std::vector<std::string_view>& parts) {
+  if (parts.size() < 4) {
+    return std::nullopt;
+  }
+  const auto v = number(parts[0]);
+  const auto k = number(parts[1]);
+  const auto change = number(parts[2]);
+  const auto kind = kind_from_string(parts[3]);
+  if (!v || !k || !change || !kind) {
+    return std::nullopt;
+  }
+  Parameters p{.v = *v, .k = *k, .change = *change, .kind = *kind};
+  std::size_t taken = 4;
+  if (parts.size() > taken && parts[taken].starts_with('t')) {
+    const auto strength = number(parts[taken].substr(1));
+    if (!strength || *strength == 2 || *strength > max_strength) {
+      return std::nullopt;
+    }
+    p.strength = static_cast<std::uint32_t>(*strength);
+    ++taken;
+  }
+  try {
+    check(p);
+  } catch (const ImpossibleParameters&) {
+    return std::nullopt;
+  }
+  parts.erase(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(taken));
+  return p;
+}
+
+}  // namespace
+
+std::string cell_label(const Parameters& p) {
+  std::string label = fmt::format("{}.{}.{}.{}", p.v, p.k, p.change, to_string(p.kind));
+  if (p.strength != 2) {
+    label += fmt::format(".t{}", p.strength);
+  }
+  return label;
+}
+
+std::optional<Parameters> parse_cell_label(std::string_view text) {
+  std::vector<std::string_view> rest = parts(text);
+  const std::optional<Parameters> p = take_cell(rest);
+  return rest.empty() ? p : std::nullopt;
+}
+
+std::string design_label(const Parameters& p, std::uint64_t b, const Checksum& checksum) {
+  return fmt::format("{}.{}.{}", cell_label(p), b, to_hex(checksum).substr(0, label_digits));
+}
+
+std::optional<DesignLabel> parse_design_label(std::string_view text) {
+  std::vector<std::string_view> rest = parts(text);
+  const std::optional<Parameters> p = take_cell(rest);
+  if (!p || rest.size() != 2) {
+    return std::nullopt;
+  }
+  const auto b = number(rest[0]);
+  if (!b || *b == 0 || rest[1].size() != label_digits ||
+      rest[1].find_first_not_of("0123456789abcdef") != std::string_view::npos) {
+    return std::nullopt;
+  }
+  return DesignLabel{*p, *b, std::string(rest[1])};
+}
+
+DesignDigest design_digest(BlockSource& source) {
+  Sha256 hash;
+  DesignDigest digest;
+  std::string line;
+  for_each_block(source, [&](std::span<const Element> block) {
+    line.clear();
+    for (const Element element : block) {
+      fmt::format_to(std::back_inserter(line), "{} ", element);
+    }
+    line.back() = '\n';
+    hash.add(line);
+    ++digest.b;
+  });
+  digest.checksum = hash.finish();
+  return digest;
+}
+
+}  // namespace changeover

@@ -1,0 +1,188 @@
+#include "catalog/store/database.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+// How long another process may hold the file before we give up, in milliseconds.
+constexpr int patience = 20'000;
+
+[[noreturn]] void refuse(sqlite3* database, int code, const std::string& name) {
+  const std::string what = database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code);
+  switch (code & 0xff) {
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+      throw MissingResource(
+          fmt::format("{}: {}; make room on the disk, nothing was changed", name, what));
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      throw MissingResource(
+          fmt::format("{}: another process is writing to it for more than {} s; try again", name,
+                      patience / 1000));
+    case SQLITE_READONLY:
+    case SQLITE_CANTOPEN:
+    case SQLITE_PERM:
+    case SQLITE_AUTH:
+      throw MissingResource(fmt::format(
+          "{}: {}; give leave to write there, or name another file by --catalog", name, what));
+    case SQLITE_NOMEM:
+      throw MissingResource(fmt::format("{}: not enough memory", name));
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      throw BadInput(
+          fmt::format("{}: damaged, or no catalog ({}); it stays as it is: put it aside "
+                      "and restore a copy, or name another file by --catalog",
+                      name, what));
+    default:
+      throw InternalError(fmt::format("{}: SQLite says {} ({})", name, what, code));
+  }
+}
+
+}  // namespace
+
+Statement::Statement(sqlite3* database, std::string_view sql, const std::string& name)
+    : database_(database), name_(name) {
+  sqlite3_stmt* statement = nullptr;
+  const int code = sqlite3_prepare_v3(database, sql.data(), static_cast<int>(sql.size()),
+                                      SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
+  statement_.reset(statement);
+  if (code != SQLITE_OK) {
+    refuse(database, code, name_);
+  }
+}
+
+void Statement::bind(int index, std::uint64_t value) {
+  if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
+    throw BadInput(fmt::format("{}: {} is too large a number for a catalog", name_, value));
+  }
+  sqlite3_bind_int64(statement_.get(), index, static_cast<sqlite3_int64>(value));
+}
+
+void Statement::bind(int index, std::string_view value) {
+  sqlite3_bind_text64(statement_.get(), index, value.data(), value.size(), SQLITE_STATIC,
+                      SQLITE_UTF8);
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_.get());
+  if (code != SQLITE_ROW && code != SQLITE_DONE) {
+    refuse(database_, code, name_);
+  }
+  return code == SQLITE_ROW;
+}
+
+void Statement::reset() {
+  sqlite3_reset(statement_.get());  // What went wrong was said by step().
+}
+
+std::uint64_t Statement::integer(int column) const {
+  return static_cast<std::uint64_t>(sqlite3_column_int64(statement_.get(), column));
+}
+
+std::string_view Statement::view(int column) const {
+  const auto* const text =
+      reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+  return text == nullptr
+             ? std::string_view()
+             : std::string_view(
+                   text, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column)));
+}
+
+std::string Statement::text(int column) const { return std::string(view(column)); }
+
+Database Database::opened(const std::string& path, int flags, std::string name) {
+  sqlite3* database = nullptr;
+  const int code = sqlite3_open_v2(path.c_str(), &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
+  Database result(database, std::move(name));
+  if (code != SQLITE_OK) {
+    refuse(database, code, result.name_);
+  }
+  sqlite3_extended_result_codes(database, 1);
+  sqlite3_busy_timeout(database, patience);
+  return result;
+}
+
+Database Database::open(const std::string& path, Access access) {
+  int flags = SQLITE_OPEN_READONLY;
+  if (access == Access::read_write || access == Access::create) {
+    flags = SQLITE_OPEN_READWRITE | (access == Access::create ? SQLITE_OPEN_CREATE : 0);
+  }
+  if (access != Access::read_unchanging) {
+    return opened(path, flags, path);
+  }
+  std::string uri = "file:";
+  for (const char byte : path) {
+    // What has a meaning in an address.
+    uri += byte == '?' || byte == '#' || byte == '%'
+               ? fmt::format("%{:02x}", static_cast<unsigned char>(byte))
+               : std::string(1, byte);
+  }
+  return opened(uri + "?immutable=1", flags | SQLITE_OPEN_URI, path);
+}
+
+Database Database::in_memory() {
+  return opened(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "memory");
+}
+
+Database Database::of_image(std::span<const std::byte> image) {
+  Database result = opened(":memory:", SQLITE_OPEN_READWRITE, "the catalog of the program");
+  // SQLite takes it as writable memory and, being told so, does not write to it.
+  auto* const bytes =
+      reinterpret_cast<unsigned char*>(const_cast<std::byte*>(image.data()));  // NOLINT
+  const auto size = static_cast<sqlite3_int64>(image.size());
+  const int code = sqlite3_deserialize(result.database_.get(), "main", bytes, size, size,
+                                       SQLITE_DESERIALIZE_READONLY);
+  if (code != SQLITE_OK) {
+    refuse(result.database_.get(), code, result.name_);
+  }
+  return result;
+}
+
+void Database::run(std::string_view sql) const {
+  const std::string text(sql);
+  const int code = sqlite3_exec(database_.get(), text.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) {
+    refuse(database_.get(), code, name_);
+  }
+}
+
+std::uint64_t Database::integer(std::string_view sql) const {
+  Statement query = prepare(sql);
+  return query.step() ? query.integer(0) : 0;
+}
+
+std::vector<std::byte> Database::image() const {
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, decltype(&sqlite3_free)> bytes(
+      sqlite3_serialize(database_.get(), "main", &size, 0), &sqlite3_free);
+  if (bytes == nullptr) {
+    throw MissingResource("not enough memory for the image of a catalog");
+  }
+  std::vector<std::byte> result(static_cast<std::size_t>(size));
+  std::memcpy(result.data(), bytes.get(), result.size());
+  return result;
+}
+
+Transaction::~Transaction() {
+  if (database_ != nullptr) {
+    try {
+      database_->run("ROLLBACK");
+    } catch (const Error&) {
+      // SQLite has rolled back by itself, or does so when the file is next opened.
+    }
+  }
+}
+
+void Transaction::commit() {
+  database_->run("COMMIT");
+  database_ = nullptr;
+}
+
+}  // namespace changeover

@@ -1,0 +1,65 @@
+#include "changeover/construct/standard_catalog.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "construct/shipped_catalog.hpp"
+
+namespace changeover {
+namespace {
+
+std::optional<std::string>& chosen() {
+  static std::optional<std::string> path;
+  return path;
+}
+
+bool asked = false;
+
+std::optional<std::string> variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? std::nullopt : std::optional<std::string>(value);
+}
+
+std::string users_file() {
+  if (chosen()) {
+    return *chosen();
+  }
+  if (auto path = variable("CHANGEOVER_CATALOG")) {
+    return *std::move(path);
+  }
+  std::filesystem::path folder(variable("XDG_DATA_HOME").value_or(""));
+  if (!folder.is_absolute()) {  // As the rules for such folders have it.
+    const std::string home = variable("HOME").value_or("");
+    if (home.empty()) {
+      return "";
+    }
+    folder = std::filesystem::path(home) / ".local" / "share";
+  }
+  return folder / "changeover" / "catalog.db";
+}
+
+}  // namespace
+
+void choose_catalog(std::string path) {
+  if (asked) {
+    throw InternalError("the catalog was asked before its file was chosen");
+  }
+  chosen() = std::move(path);
+}
+
+bool comes_planned(const Parameters& p) {
+  return p.strength == 2 && p.change >= 1 && p.change <= 3 &&
+         ((p.k >= 3 && p.k <= 12 && p.v <= 100) || (p.k >= 13 && p.k <= 40 && p.v <= 160));
+}
+
+Catalog& standard_catalog() {
+  asked = true;
+  static Catalog catalog({.shipped = shipped_catalog(), .user = users_file()});
+  return catalog;
+}
+
+}  // namespace changeover
