@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 root=$PWD
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-export PATH="$root/build/release:$PATH" COLUMNS=100
+export PATH="$root/build/release:$PATH" COLUMNS=100 CHANGEOVER_CATALOG=
 in_output=false
 while IFS= read -r line || [[ -n $line ]]; do
   if [[ $line == '    $ '* ]]; then

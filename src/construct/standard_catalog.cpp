@@ -56,6 +56,8 @@ bool comes_planned(const Parameters& p) {
          ((p.k >= 3 && p.k <= 12 && p.v <= 100) || (p.k >= 13 && p.k <= 40 && p.v <= 160));
 }
 
+std::string standard_catalog_problem() { return asked ? standard_catalog().problem() : ""; }
+
 Catalog& standard_catalog() {
   asked = true;
   static Catalog catalog({.shipped = shipped_catalog(), .user = users_file()});

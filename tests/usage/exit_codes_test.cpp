@@ -57,7 +57,7 @@ const std::vector<Case>& cases() {
       {"$changeover design 13 4 --json | $changeover expand - -w 0", 0, "new element"},
       {"$changeover design 7 3 --circular --construction printed --json | $changeover expand -", 0,
        "by 1 new element"},
-      {"$changeover explain 20 5", 0, "from"},
+      {"$changeover explain 100 12", 0, "from"},
       {"$changeover explain 4096 5", 0, "DCCD(4096,5)"},
       {"$changeover explain 8000 4", 0, "not verified here"},
       {"$changeover explain 8000 4 --json", 0, "\"verdict\":null"},

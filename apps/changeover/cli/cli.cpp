@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "answer/answer.hpp"
+#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/input.hpp"
@@ -442,7 +443,7 @@ int Program::run(int argc, char** argv) {
   }
   const auto verb = std::find_if(state_->verbs.begin(), state_->verbs.end(),
                                  [&](const auto& each) { return each->state_->app == &chosen(); });
-  return answer(
+  const int code = answer(
       [&] {
         for (const auto& rule : (*verb)->state_->rules) {
           rule();
@@ -450,6 +451,10 @@ int Program::run(int argc, char** argv) {
         return (*verb)->state_->action();
       },
       chosen().get_name());
+  if (const std::string problem = standard_catalog_problem(); !problem.empty()) {
+    complain(code, "your own catalog was left out: " + problem);
+  }
+  return code;
 }
 
 std::vector<OptionDescription> Program::describe() const {

@@ -1,8 +1,6 @@
 #include "request/catalog_request.hpp"
 
 #include "changeover/construct/standard_catalog.hpp"
-#include "cli/status_line.hpp"
-#include "core/printable.hpp"
 #include "request/parameters.hpp"
 #include "request/range.hpp"
 
@@ -18,11 +16,7 @@ Catalog& CatalogRequest::open() const {
   if (!path.empty()) {
     choose_catalog(path);
   }
-  Catalog& catalog = standard_catalog();
-  if (const std::string problem = catalog.problem(); !problem.empty()) {
-    status_line().say(printable("changeover: going on without your designs: " + problem));
-  }
-  return catalog;
+  return standard_catalog();
 }
 
 void FilterRequest::add_to(Verb& verb) {

@@ -17,8 +17,8 @@ struct CatalogRequest {
   /// Must live as long as the verb.
   void add_to(Verb& verb);
 
-  /// The catalog: what comes with the program, and the user's designs in FILE if one was named. What is wrong with the user's file
-  /// is said on stderr.
+  /// The catalog: what comes with the program, and the user's designs in FILE if one was named. What is wrong with that file is said
+  /// by Program::run(), once the verb has answered.
   [[nodiscard]] Catalog& open() const;
 };
 

@@ -22,6 +22,9 @@ void choose_catalog(std::string path);
 /// searches when it was made: strength 2, m = 1, 2, 3, and 3 ≤ k ≤ 12, v ≤ 100 or 13 ≤ k ≤ 40, v ≤ 160.
 [[nodiscard]] bool comes_planned(const Parameters& p);
 
+/// What is wrong with the user's file, as Catalog::problem(); empty if the catalog was not asked for anything.
+[[nodiscard]] std::string standard_catalog_problem();
+
 /// The one catalog of this process.
 [[nodiscard]] Catalog& standard_catalog();
 

@@ -147,11 +147,10 @@ class Catalog::Store {
           open_user();
         } catch (const Error& fault) {
           problem = fault.what();
-          user.reset();
         }
       }
     }
-    return user ? &*user : nullptr;
+    return user && problem.empty() ? &*user : nullptr;
   }
 
   // Reads from the user's file, which may turn out to be damaged: then it is as if it were not there.
@@ -163,8 +162,7 @@ class Catalog::Store {
       } catch (const InternalError&) {
         throw;
       } catch (const Error& fault) {
-        problem = fault.what();
-        user.reset();
+        problem = fault.what();  // It stays open: whoever called may be reading from it, too.
       }
     }
     return otherwise;
