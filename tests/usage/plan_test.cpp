@@ -343,6 +343,36 @@ TEST(Plan, SaysWhatMayBeBroken) {
       folder);
 }
 
+TEST(Plan, BeginsWithWhatMustComeFirst) {
+  const TemporaryFolder folder;
+  spit(folder.file("first.csv"), "# smoke test\n4,6\n1,2,3\n");
+  spit(folder.file("large.csv"), "1,2\n1,2,3,4\n");
+  spit(folder.file("never.csv"), "6,4\n");
+  spit(folder.file("done.csv"), "6,4\n");
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan --items 6 -k 3 --test-cost 2 --change-cost 1 --first first.csv " +
+           rest + fast;
+  };
+  expect(
+      {{plan(""), 0, "the first 2 tests are given: cost 9, 4 of the needed pairs"},
+       {plan(""), 0, "15 of 15 needed pairs"},
+       {plan("--format csv"), 0, "\n1,,\"4, 6\",4,6,,1,4,4,\n2,\"4, 6\",\"1, 2, 3\",1,2,3,3,5,9,"},
+       {plan("--json"), 0, "\"first\":[[\"4\",\"6\"],[\"1\",\"2\",\"3\"]]"},
+       {plan("--budget 12"), 0, "the first 2 tests are given"},
+       {plan("--shuffle 3"), 0, "15 of 15 needed pairs"},
+       {plan("--what-if"), 0, "Your costs are at the ratio"},
+       {plan("--done done.csv"), 0, "first.csv: 1 of 2 set-ups done already"},
+       {plan("--done done.csv"), 0, "the first test is given: cost 5, 3 of"},
+       {plan("--budget 8"), 3, "the tests that come first cost 9 by themselves"},
+       {plan("--never never.csv"), 3,
+        "first.csv:2:1: 4 and 6 must never be in one set-up; remove one"},
+       {plan("--mounted 5"), 3, "first.csv:2:1: 5 stays mounted, but is not in this set-up"},
+       {plan("-o first.csv"), 2, "same file as --first"},
+       {"$changeover plan --items 6 -k 3 --test-cost 2 --change-cost 1 --first large.csv" + fast, 3,
+        "large.csv:2:1: 4 parts stand here"}},
+      folder);
+}
+
 TEST(Plan, CtrlCDeliversTheBestSoFar) {
   const TemporaryFolder folder;
   // Once there are two threads, the search is under way.

@@ -26,6 +26,7 @@ struct PlanRequest {
   std::string slot;
   std::string mounted;
   std::string start;
+  std::string first;
   std::string budget;
   std::string done;
   std::optional<std::uint64_t> done_first;
@@ -196,6 +197,22 @@ void take_done(const PlanRequest& request, Asked& asked) {
     asked.notes.push_back(fmt::format("{}: {} of {} tests have a result and are done",
                                       input->name(), done.size(), all));
   }
+  // Those of the first tests that were done are not to be run again.
+  const std::size_t first = job.first.size();
+  for (Block setup : done) {
+    std::sort(setup.begin(), setup.end());
+    const auto found = std::find_if(job.first.begin(), job.first.end(), [&](Block other) {
+      std::sort(other.begin(), other.end());
+      return other == setup;
+    });
+    if (found != job.first.end()) {
+      job.first.erase(found);
+    }
+  }
+  if (job.first.size() < first) {
+    asked.notes.push_back(fmt::format("{}: {} of {} done already", request.first,
+                                      first - job.first.size(), count_of(first, "set-up")));
+  }
   mark_done(job, done);
 }
 
@@ -239,6 +256,10 @@ Asked asked_of(const PlanRequest& request) {
   job.start = parts("--start", request.start);
   if (request.pairs.empty() && !job.slots.empty()) {
     leave_out(asked, cannot_meet(job));
+  }
+  if (!request.first.empty()) {
+    check(job);  // What is wrong with the job is no fault of a set-up.
+    job.first = read_first(*open_input(request.first), job);
   }
   check(job);
   take_done(request, asked);
@@ -296,6 +317,7 @@ Answer run(const PlanRequest& request) {
                         {"--pairs", request.pairs},
                         {"--never", request.never},
                         {"--slots", request.slots},
+                        {"--first", request.first},
                         {"--done", request.done}});
   PlanOptions options;
   options.budget = amount("--budget", request.budget);
@@ -366,6 +388,8 @@ void add_plan(Program& program) {
               "the same in one line, as in CPU=1,disk=2..4,fan=..2");
   verb.option("--mounted", request.mounted, "A,B", "parts that stay mounted in every set-up");
   verb.option("--start", request.start, "A,B,…", "parts that are mounted before the first test");
+  verb.option("--first", request.first, "FILE",
+              "set-ups that must be run first, in this order: the parts of one a line");
   verb.option("--budget", request.budget, "Z", "test as many pairs as this pays for");
   verb.option("--done", request.done, "FILE",
               "tests already done, a set-up a line or the CSV of a run sheet: plan the rest");
@@ -384,8 +408,9 @@ void add_plan(Program& program) {
   verb.exclude({"--header", "--no-header"});
   verb.exclude({"--slots", "--slot"});
   verb.only_with({"--done-first", "--diagnose"}, {"--done"});
-  verb.never_with({"--what-if", "--budget", "--title", "--steps", "--compact", "--shuffle"},
-                  {"--diagnose"});
+  verb.never_with(
+      {"--what-if", "--budget", "--title", "--steps", "--compact", "--shuffle", "--first"},
+      {"--diagnose"});
   verb.never_with({"--compact", "--shuffle"}, {"--what-if"});
   verb.never_with({"--title", "--budget"}, {"--what-if"});
   verb.examples(

@@ -13,7 +13,8 @@
 //   (number of set-ups) · test_cost + Σ over all introductions of the change cost of the part,
 // where a part is introduced in a set-up if it was not in the one before; the first set-up introduces all
 // its parts but those of `start`, which are on the bench already. Taking parts out costs nothing. These
-// are the costs of [ChafeeStevens2025, Section 1].
+// are the costs of [ChafeeStevens2025, Section 1]. If some set-ups must come `first`, the list begins with them, in
+// their order: they break no constraint, their pairs count, and they are paid for like all others.
 #pragma once
 
 #include <compare>
@@ -92,6 +93,7 @@ struct Job {
   Block mounted;  ///< parts that are in every set-up
   Block start;    ///< parts that are mounted before the first test
   std::uint64_t tests_done = 0;  ///< tests before the first; only for numbering
+  std::vector<Block> first;  ///< set-ups that must be run first, in this order; they are paid for
 
   [[nodiscard]] std::uint64_t parts() const { return names.size(); }
   /// The most parts that a set-up can have: at_once, however large, but no more than there are.
@@ -137,6 +139,10 @@ void check(const Job& job);
 /// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once · v/64). Stopped
 /// if the scope of this thread (run/scope.hpp) wants to stop; the job is then as it was.
 void mark_done(Job& job, const std::vector<Block>& setups);
+
+/// What is left of a job when its first set-ups have been run: their pairs are needed no more, and the last of them is
+/// mounted. The job itself if there are none. O(v² + pairs of the set-ups).
+[[nodiscard]] Job after_first(const Job& job);
 
 // What an experimenter writes down: parts with their change costs, pairs, and set-ups.
 //
@@ -195,12 +201,17 @@ struct PartList {
     Input& input, const std::vector<std::string>& names,
     std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
 
+/// Set-ups that must come first in a job that is otherwise complete, for Job::first. @throws BadInput as read_setups(), with
+/// the line of a set-up that the job does not allow: parts that must not meet, slots, what stays mounted; for no set-up.
+[[nodiscard]] std::vector<Block> read_first(Input& input, const Job& job);
+
 /// What was done by a list of set-ups, perhaps the run sheet of a parts list that has changed since.
 struct DoneList {
   std::vector<Block> setups;
   std::vector<std::string> results;  ///< by set-up, as written; "" where none is
   std::vector<std::string> gone;     ///< names on a run sheet that no part has any more, each once
   std::vector<bool> lacks;           ///< by set-up: some of its parts are gone
+  std::vector<std::uint64_t> lines;  ///< by set-up: where it stands
 
   [[nodiscard]] bool has_results() const;
 };

@@ -36,7 +36,7 @@ struct RunSheet {
   std::uint64_t pairs_needed = 0;
   std::uint64_t pairs_tested = 0;  ///< of the needed ones
   std::vector<std::string>
-      faults;  ///< broken constraints, slots included, a line each, but not missing pairs
+      faults;  ///< broken constraints, slots and what must come first included, but not missing pairs
 
   [[nodiscard]] bool does_the_job() const { return faults.empty() && pairs_tested == pairs_needed; }
   /// The number of introductions of every step after the first, if they agree, there is such a step and

@@ -10,6 +10,7 @@
 #include "changeover/run/scope.hpp"
 #include "io/read/place.hpp"
 #include "plan/job/plain_text.hpp"
+#include "plan/job/setup_list.hpp"
 
 namespace changeover {
 namespace {
@@ -54,15 +55,18 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
   if (!known_slots) {
     found.push_back("the slots do not fit the parts");
   }
-  for (const Block* block : {&job.mounted, &job.start}) {
-    for (std::size_t i = 0; i < block->size(); ++i) {
-      if ((*block)[i] >= job.parts()) {
+  const auto look_at = [&](const Block& block) {
+    for (const Element x : block) {
+      if (x >= job.parts()) {
         found.push_back("a mounted part is none of the parts");
-      } else if (std::count(block->begin(), block->end(), (*block)[i]) > 1) {
-        found.push_back(fmt::format("{} is mounted twice", job.names[(*block)[i]]));
+      } else if (std::count(block.begin(), block.end(), x) > 1) {
+        found.push_back(fmt::format("{} is mounted twice", job.names[x]));
       }
     }
-  }
+  };
+  look_at(job.mounted);
+  look_at(job.start);
+  std::for_each(job.first.begin(), job.first.end(), look_at);
 }
 
 // Slots whose numbers cannot be.
@@ -117,6 +121,11 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
   find_impossible_slots(job, found);
   if (!found.empty()) {
     return;
+  }
+  for (std::size_t i = 0; i < job.first.size() && found.size() < most_defects; ++i) {
+    if (const auto defect = setup_defect(job, job.first[i])) {
+      found.push_back(fmt::format("set-up {} of those that come first: {}", i + 1, *defect));
+    }
   }
   // By part: whether it stays mounted, and the first mounted part that it must never meet.
   std::vector<bool> stays(job.names.size());

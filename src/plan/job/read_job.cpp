@@ -16,6 +16,7 @@
 #include "io/write/csv_cell.hpp"
 #include "plan/job/part_columns.hpp"
 #include "plan/job/rows.hpp"
+#include "plan/job/setup_list.hpp"
 
 namespace changeover {
 namespace {
@@ -347,9 +348,6 @@ PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
   return pairs;
 }
 
-namespace {
-
-// The set-ups and their results. If `forgiving`, parts of a run sheet that are none are left out.
 DoneList read_list(Input& input, const std::vector<std::string>& names, std::uint64_t at_once,
                    bool forgiving) {
   RowReader reader(input);
@@ -394,6 +392,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
     bool is_empty = false;  // of any parts, and not only of those that are still there
     list.results.emplace_back();
     list.lacks.push_back(false);
+    list.lines.push_back(row.front().line);
     if (columns.result && *columns.result < row.size()) {
       list.results.back() = csv_text(row[*columns.result].text);
     }
@@ -440,8 +439,6 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
   }
   return list;
 }
-
-}  // namespace
 
 std::vector<Block> read_setups(Input& input, const std::vector<std::string>& names,
                                std::uint64_t at_once) {

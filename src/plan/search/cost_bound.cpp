@@ -11,6 +11,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "plan/search/first_plan.hpp"
 #include "plan/search/stays_cost.hpp"
 
 namespace changeover {
@@ -495,6 +496,9 @@ Amount rounded_up(const Job& job, Amount cost) {
 
 CostBound cost_bound(const Job& job) {
   check(job);
+  if (!job.first.empty()) {
+    return bound_with_first(job);
+  }
   const Numbers n = numbers_of(job);
   CostBound bound;
   if (job.needed.size() == 0) {

@@ -13,6 +13,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "plan/search/attempts.hpp"
 #include "plan/search/exact_plan.hpp"
+#include "plan/search/first_plan.hpp"
 #include "plan/search/starts.hpp"
 
 namespace changeover {
@@ -323,7 +324,8 @@ class Planner {
 
 RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {
   check(job);
-  return Planner(job, options, control).run();
+  return job.first.empty() ? Planner(job, options, control).run()
+                           : plan_with_first(job, options, control);
 }
 
 }  // namespace changeover

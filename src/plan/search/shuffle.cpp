@@ -4,6 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "plan/search/first_plan.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -68,6 +69,9 @@ std::vector<std::vector<Element>> classes_of(const Job& job) {
 }  // namespace
 
 RunPlan shuffled(const Job& job, RunPlan plan, std::uint64_t seed, std::uint64_t& exchanged) {
+  if (!job.first.empty()) {
+    return shuffled_with_first(job, std::move(plan), seed, exchanged);
+  }
   std::vector<Element> now(job.names.size());  // by part: who stands in its place
   Random random(seed, 3'000'000);
   exchanged = 0;

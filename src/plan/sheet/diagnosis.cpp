@@ -242,6 +242,7 @@ std::string in_words(const Suspect& suspect, const std::vector<std::string>& nam
 Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests) {
   Job any = job;
   any.needed = PairSet(job.parts());
+  any.first.clear();
   check(any);
   Diagnosis found;
   std::vector<Members> passed;

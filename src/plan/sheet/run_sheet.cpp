@@ -103,6 +103,10 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
                                            job.slots[s].most));
       }
     }
+    const std::size_t place = sheet.steps.size();
+    if (place < job.first.size() && step.setup != sorted(job, job.first[place])) {
+      sheet.faults.push_back(where() + " is not the one that must be run there");
+    }
     step.take_out = without(before, step.setup);
     step.put_in = without(step.setup, before);
     // A pair that meets here first has a part that was put in; in the first set-up, any pair may be it.
@@ -136,6 +140,9 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
     sheet.cost += step.cost;
     step.cost_so_far = sheet.cost;
     sheet.steps.push_back(std::move(step));
+  }
+  if (setups.size() < job.first.size()) {
+    sheet.faults.push_back("some of the set-ups that must come first are not there");
   }
   sheet.pairs_tested = sheet.pairs_needed - missing.size();
   return sheet;

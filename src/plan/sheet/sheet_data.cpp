@@ -124,7 +124,11 @@ std::string sheet_as_json(const SheetDocument& document) {
   json.key("test_cost").raw(money(job.test_cost));
   json.key("mounted").value(names_of(job, job.mounted));
   json.key("start").value(names_of(job, job.start));
-  json.key("tests_done").value(job.tests_done);
+  json.key("first").begin_array();
+  for (const Block& setup : job.first) {
+    json.value(names_of(job, setup));
+  }
+  json.end_array().key("tests_done").value(job.tests_done);
   json.key("tests").value(sheet.steps.size()).key("changes").value(sheet.changes);
   json.key("cost").raw(money(sheet.cost)).key("pairs_needed").value(sheet.pairs_needed);
   json.key("pairs_tested").value(sheet.pairs_tested);

@@ -80,6 +80,13 @@ std::vector<std::string> summary(const SheetDocument& document) {
   if (job.tests_done > 0) {
     lines.front() += fmt::format(", after {} done", count_of(job.tests_done, "test"));
   }
+  if (!job.first.empty()) {
+    const RunSheet first = run_sheet(job, job.first);
+    lines.push_back(fmt::format(
+        "the first {} given: cost {}, {} of the needed pairs",
+        job.first.size() == 1 ? "test is" : fmt::format("{} tests are", job.first.size()),
+        money(first.cost), first.pairs_tested));
+  }
   const std::uint64_t in_random_order = changes_in_random_order(job, sheet);
   if (in_random_order > sheet.changes) {
     lines.push_back(fmt::format("{}, {} fewer than these tests need in a random order",
