@@ -72,6 +72,7 @@ Job after_first(const Job& job) {
     }
   }
   drop_needed(rest, met);
+  drop_met_triples(rest, job.first);
   rest.start = job.first.back();
   return rest;
 }

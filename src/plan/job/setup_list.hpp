@@ -16,4 +16,7 @@ namespace changeover {
 /// Why no list may hold this set-up, whose parts are parts of the job, none twice: without a place. Nothing if one may.
 [[nodiscard]] std::optional<std::string> setup_defect(const Job& job, const Block& setup);
 
+/// Takes out the triples that some of these set-ups hold; needed are then the pairs of the others. Nothing without triples.
+void drop_met_triples(Job& job, const std::vector<Block>& setups);
+
 }  // namespace changeover

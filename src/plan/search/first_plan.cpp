@@ -19,10 +19,7 @@ Candidate counted_for(const Job& job, Candidate candidate) {
   if (!sheet.faults.empty()) {
     throw InternalError(fmt::format("{}: {}", candidate.name, sheet.faults.front()));
   }
-  candidate.changes = sheet.changes;
-  candidate.change_cost = sheet.change_cost;
-  candidate.cost = sheet.cost;
-  candidate.pairs_tested = sheet.pairs_tested;
+  candidate.take_figures(sheet);
   return candidate;
 }
 
@@ -106,6 +103,9 @@ RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& 
   }
   plan.sheet = run_sheet(job, plan.candidates.front().setups);
   plan.bound = after(job, plan.bound);
+  if (plan.most_weight) {
+    *plan.most_weight += run_sheet(job, job.first).weight_tested;
+  }
   return plan;
 }
 

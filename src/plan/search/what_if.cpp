@@ -167,13 +167,8 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
     if (!sheet.does_the_job()) {
       throw InternalError("a plan for other costs leaves pairs untested");
     }
-    candidates.push_back({.name = start.name,
-                          .how = start.how,
-                          .setups = start.setups,
-                          .changes = sheet.changes,
-                          .change_cost = sheet.change_cost,
-                          .cost = sheet.cost,
-                          .pairs_tested = sheet.pairs_tested});
+    candidates.push_back({.name = start.name, .how = start.how, .setups = start.setups});
+    candidates.back().take_figures(sheet);
     return true;
   };
   constexpr std::uint64_t far = 1000;

@@ -255,6 +255,17 @@ Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests) {
   if (failed.empty()) {
     return found;
   }
+  for (const TestedSetup& bad : tests) {
+    for (const TestedSetup& good : tests) {
+      constexpr std::size_t enough = 10;
+      const bool all_there = std::all_of(bad.setup.begin(), bad.setup.end(), [&](Element x) {
+        return std::find(good.setup.begin(), good.setup.end(), x) != good.setup.end();
+      });
+      if (bad.failed && !good.failed && all_there && found.contradictions.size() < enough) {
+        found.contradictions.emplace_back(bad.setup, good.setup);
+      }
+    }
+  }
   found.suspects = suspects_among(common_parts(job, failed), passed);
   if (found.suspects.empty()) {
     found.two = two_that_explain(job, failed, passed);

@@ -110,7 +110,12 @@ std::string figures(const SheetDocument& document) {
   text += figure("Parts, at a time", fmt::format("{}, {}", job.parts(), job.at_once));
   text += figure("Tests", fmt::format("{}", sheet.steps.size()));
   text += figure("Changes", fmt::format("{}", sheet.changes));
-  text += figure("Pairs tested", fmt::format("{} of {}", sheet.pairs_tested, sheet.pairs_needed));
+  if (job.triples.empty()) {
+    text += figure("Pairs tested", fmt::format("{} of {}", sheet.pairs_tested, sheet.pairs_needed));
+  } else {
+    text += figure("Triples tested",
+                   fmt::format("{} of {}", sheet.triples_tested, sheet.triples_needed));
+  }
   text += figure("Cost of tests", money(sheet.cost - sheet.change_cost));
   text += figure("Cost of changes", money(sheet.change_cost));
   text += figure("Total cost", money(sheet.cost));
@@ -144,8 +149,11 @@ std::string steps(const SheetDocument& document) {
   text += fmt::format(
       "<thead><tr><th>Pass Fail</th><th class=\"n\">Step</th><th>Take out</th><th>Put in</th>"
       "{}<th class=\"notes\">Notes</th></tr></thead>\n<tbody>\n",
-      whole ? "<th>Set-up</th><th class=\"n\">New<br>pairs</th><th class=\"n\">Cost<br>so far</th>"
-            : "");
+      whole
+          ? fmt::format(
+                "<th>Set-up</th><th class=\"n\">New<br>{}</th><th class=\"n\">Cost<br>so far</th>",
+                what_meets(job))
+          : "");
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : document.plan->sheet.steps) {
     text += fmt::format(
@@ -155,7 +163,7 @@ std::string steps(const SheetDocument& document) {
     if (whole) {
       text += fmt::format("<td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>",
                           list(job, without_mounted(job, step.setup), step.put_in),
-                          step.new_pairs.size(), money(step.cost_so_far));
+                          new_here(job, step), money(step.cost_so_far));
     }
     text += "<td></td></tr>\n";
   }
@@ -163,18 +171,20 @@ std::string steps(const SheetDocument& document) {
 }
 
 std::string comparison(const SheetDocument& document) {
-  const Money money(*document.job, document.budget);
+  const Job& job = *document.job;
+  const Money money(job, document.budget);
   std::string text =
       "<h2>Compared</h2>\n<table>\n<thead><tr><th>Plan</th><th class=\"n\">Tests</th>"
-      "<th class=\"n\">Changes</th><th class=\"n\">Cost</th><th class=\"n\">Pairs</th>"
-      "<th class=\"n\">Dearer by</th></tr></thead>\n<tbody>\n";
+      "<th class=\"n\">Changes</th><th class=\"n\">Cost</th><th class=\"n\">" +
+      std::string(job.triples.empty() ? "Pairs" : "Triples") +
+      "</th><th class=\"n\">Dearer by</th></tr></thead>\n<tbody>\n";
   for (const Candidate& candidate : document.plan->candidates) {
     text += fmt::format(
         "<tr><td>{}<br><span class=\"small\">{}</span></td><td class=\"n\">{}</td>"
         "<td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
         "<td class=\"n\">{}</td></tr>\n",
         escaped(candidate.name), escaped(candidate.how), candidate.tests(), candidate.changes,
-        money(candidate.cost), candidate.pairs_tested, escaped(difference(document, candidate)));
+        money(candidate.cost), tested_by(job, candidate), escaped(difference(document, candidate)));
   }
   return text + "</tbody>\n</table>\n";
 }
