@@ -255,6 +255,13 @@ void take_priorities(const PlanRequest& request, Asked& asked) {
   Job& job = asked.job;
   const auto input = open_input(request.priority);
   job.weights = read_priorities(*input, job.names);
+  try {
+    Amount all;
+    job.needed.for_each(~std::uint64_t{0}, [&](Element x, Element y) { all += job.weights(x, y); });
+  } catch (const ImpossibleParameters&) {
+    throw BadInput(
+        fmt::format("{}: the weights together exceed 9.2e12; divide all of them", input->name()));
+  }
   std::uint64_t without_need = 0;
   all_pairs_but(job.needed).for_each(~std::uint64_t{0}, [&](Element x, Element y) {
     without_need += job.weights.weighs(x, y) ? 1U : 0U;
@@ -363,6 +370,7 @@ Answer on_benches(const PlanRequest& request, const Asked& asked, const PlanOpti
     out.write(format == "csv"        ? benches_as_csv(document)
               : format == "json"     ? benches_as_json(document)
               : format == "markdown" ? benches_as_markdown(document)
+              : format == "html"     ? benches_as_html(document)
                                      : benches_as_table(document, terminal_width(out)));
   };
   Answer answer{.output = request.output, .write = write};
@@ -381,9 +389,6 @@ Answer run(const PlanRequest& request) {
   }
   if (request.what_if) {
     output.require("--what-if", {"table", "csv", "json", "markdown"});
-  }
-  if (request.benches) {
-    output.require("--benches", {"table", "csv", "json", "markdown"});
   }
   if (request.compact) {
     output.require("--compact", {"table", "html"});

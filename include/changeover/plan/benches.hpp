@@ -104,5 +104,7 @@ struct BenchDocument {
 [[nodiscard]] std::string benches_as_csv(const BenchDocument& document);
 [[nodiscard]] std::string benches_as_json(const BenchDocument& document);
 [[nodiscard]] std::string benches_as_markdown(const BenchDocument& document);
+/// A page to print, each bench on a sheet of paper of its own.
+[[nodiscard]] std::string benches_as_html(const BenchDocument& document);
 
 }  // namespace changeover

@@ -159,8 +159,9 @@ class BenchPlanner {
     const std::uint64_t n = options_->benches;
     Amount& bound = plan_.largest_bound;
     bound = rounded_up(*job_, Amount{ceil_div(plan_.bound.cost.millionths, n)});
-    plan_.largest_reason =
-        fmt::format("all {} together cost at least {}", n, to_string(plan_.bound.cost));
+    plan_.largest_reason = n == 1 ? "every plan costs so much"
+                                  : fmt::format("the {} benches together cost at least {}", n,
+                                                to_string(plan_.bound.cost));
     const auto is_mounted = [&](Element x) {
       return std::find(job_->mounted.begin(), job_->mounted.end(), x) != job_->mounted.end();
     };

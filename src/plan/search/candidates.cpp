@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <new>
 #include <tuple>
 #include <utility>
 
@@ -70,15 +71,37 @@ bool tests_more(const Candidate& a, const Candidate& b) {
                                                 : cheaper(a, b);
 }
 
-Start affordable(const Job& job, const Candidate& plan, Amount budget) {
-  Start part{"the beginning of the cheapest plan", "as far as the budget goes", {}};
+Candidate affordable(const Job& job, const Candidate& plan, Amount budget) {
+  Start part{"beginning of: " + plan.name, "", {}};
   for (const RunStep& step : run_sheet(job, plan.setups).steps) {
     if (step.cost_so_far > budget) {
       break;
     }
     part.setups.push_back(step.setup);
   }
-  return part;
+  part.how = fmt::format("the first {} of its {} tests", part.setups.size(), plan.tests());
+  return counted(job, part);
+}
+
+void keep_what_there_is(RunPlan& plan, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Stopped&) {
+    // The control knows why.
+  } catch (const MissingResource& fault) {
+    plan.shortage = fault.what();
+  } catch (const std::bad_alloc&) {
+    plan.shortage = fmt::format("not enough memory to go on searching among lists of {} tests",
+                                plan.candidates.front().tests());
+  }
+}
+
+void settle(const Job& job, RunPlan& plan, const RunControl& control) {
+  plan.sheet = run_sheet(job, plan.candidates.front().setups);
+  plan.why_stopped = control.why_stopped();
+  if (plan.why_stopped == WhyStopped::running) {
+    plan.why_stopped = plan.proved_cheapest() ? WhyStopped::found : WhyStopped::step_limit;
+  }
 }
 
 void Candidate::take_figures(const RunSheet& sheet) {

@@ -1,6 +1,8 @@
 // Lists of set-ups counted and compared.
 #pragma once
 
+#include <functional>
+
 #include "changeover/plan/run_plan.hpp"
 #include "plan/search/starts.hpp"
 
@@ -18,6 +20,12 @@ namespace changeover {
 [[nodiscard]] bool tests_more(const Candidate& a, const Candidate& b);
 
 /// The longest beginning of a plan that is within the budget.
-[[nodiscard]] Start affordable(const Job& job, const Candidate& plan, Amount budget);
+[[nodiscard]] Candidate affordable(const Job& job, const Candidate& plan, Amount budget);
+
+/// Does what may go on for long, or want more than there is: what the plan has by then stays, and it says what was missing.
+void keep_what_there_is(RunPlan& plan, const std::function<void()>& work);
+
+/// The sheet of the first candidate, and why the search ended.
+void settle(const Job& job, RunPlan& plan, const RunControl& control);
 
 }  // namespace changeover

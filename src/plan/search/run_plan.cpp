@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
 #include <tuple>
 #include <utility>
 
@@ -31,6 +30,9 @@ class Planner {
     const RunScope scope(*control_);
     RunPlan plan;
     plan.bound = cost_bound(*job_);
+    if (options_->budget && !job_->weights.empty()) {  // Before time is up.
+      most_weight_ = most_weight_within(*job_, *options_->budget);
+    }
     require_memory(bytes_of_plans(plan.bound.tests),
                    fmt::format("a plan of {} tests", plan.bound.tests));
     if (job_->needed.size() == 0) {
@@ -45,13 +47,9 @@ class Planner {
                      within_budget_ ? tests_more : cheaper);
     drop_repeated(plan.candidates);
     if (!job_->weights.empty() && !within_budget_) {
-      put_heavy_first(plan.candidates.front());
+      keep_what_there_is(plan, [&] { put_heavy_first(plan.candidates.front()); });
     }
-    plan.sheet = run_sheet(*job_, plan.candidates.front().setups);
-    plan.why_stopped = control_->why_stopped();
-    if (plan.why_stopped == WhyStopped::running) {
-      plan.why_stopped = plan.proved_cheapest() ? WhyStopped::found : WhyStopped::step_limit;
-    }
+    settle(*job_, plan, *control_);
     return plan;
   }
 
@@ -73,21 +71,6 @@ class Planner {
     const std::uint64_t searches = std::min<std::uint64_t>(control_->threads(), options_->attempts);
     return searches * (like.tests() * (a_test + a_part * job_->room() + job_->parts() / 8) +
                        a_pair * job_->parts() * job_->parts());
-  }
-
-  // Does what may go on for long, or want more than there is: what was found before stays.
-  template <typename Work>
-  void keep_what_there_is(RunPlan& plan, Work&& work) const {
-    try {
-      work();
-    } catch (const Stopped&) {
-      // The control knows why.
-    } catch (const MissingResource& fault) {
-      plan.shortage = fault.what();
-    } catch (const std::bad_alloc&) {
-      plan.shortage = fmt::format("not enough memory to go on searching among lists of {} tests",
-                                  plan.candidates.front().tests());
-    }
   }
 
   void find_complete(RunPlan& plan) {
@@ -246,15 +229,10 @@ class Planner {
       if (!within.empty() && control_->stop_wanted()) {
         break;
       }
-      Start part = affordable(*job_, whole, budget);
-      part.name = "beginning of: " + whole.name;
-      part.how = fmt::format("the first {} of its {} tests", part.setups.size(), whole.tests());
-      within.push_back(counted(*job_, part));
+      within.push_back(affordable(*job_, whole, budget));
     }
     std::stable_sort(within.begin(), within.end(), tests_more);
-    if (!job_->weights.empty()) {
-      plan.most_weight = most_weight_within(*job_, budget);
-    }
+    plan.most_weight = most_weight_;
     Attempts attempts(*job_, plan.bound, *control_);
     const std::uint64_t steps =
         options_->steps == 0 ? attempts.suitable_steps(*plan.complete) : options_->steps;
@@ -286,6 +264,7 @@ class Planner {
   const Job* job_;
   const PlanOptions* options_;
   RunControl* control_;
+  std::optional<Amount> most_weight_;
   bool within_budget_ = false;  // the candidates need not test all pairs
 };
 

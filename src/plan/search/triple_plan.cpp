@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <new>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -209,29 +208,12 @@ class TriplePlanner {
     } else if (options_->budget) {
       plan.complete = plan.candidates.front();
     }
-    plan.sheet = run_sheet(*job_, plan.candidates.front().setups);
-    plan.why_stopped = control_->why_stopped();
-    if (plan.why_stopped == WhyStopped::running) {
-      plan.why_stopped = plan.proved_cheapest() ? WhyStopped::found : WhyStopped::step_limit;
-    }
+    settle(*job_, plan, *control_);
     return plan;
   }
 
  private:
   [[nodiscard]] std::uint64_t most_tests() const { return 2 * job_->triples.size() + 16; }
-
-  template <typename Work>
-  static void keep_what_there_is(RunPlan& plan, Work&& work) {
-    try {
-      work();
-    } catch (const Stopped&) {
-      // The control knows why.
-    } catch (const MissingResource& fault) {
-      plan.shortage = fault.what();
-    } catch (const std::bad_alloc&) {
-      plan.shortage = "not enough memory to go on searching";
-    }
-  }
 
   void add(RunPlan& plan, const Start& start) const {
     Candidate candidate = counted_complete(*job_, start);
@@ -297,10 +279,7 @@ class TriplePlanner {
     plan.complete = plan.candidates.front();
     std::vector<Candidate> within;
     for (const Candidate& whole : plan.candidates) {
-      Start part = affordable(*job_, whole, budget);
-      part.name = "beginning of: " + whole.name;
-      part.how = fmt::format("the first {} of its {} tests", part.setups.size(), whole.tests());
-      within.push_back(counted(*job_, part));
+      within.push_back(affordable(*job_, whole, budget));
     }
     std::stable_sort(within.begin(), within.end(), tests_more);
     keep_what_there_is(plan, [&] {

@@ -7,6 +7,7 @@
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/layout.hpp"
+#include "plan/sheet/sheet_html.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
@@ -33,7 +34,7 @@ std::vector<std::string> summary(const BenchDocument& document) {
                   triples ? plan.triples_tested : plan.pairs_tested,
                   triples ? count_of(plan.triples_needed, "needed triple")
                           : count_of(plan.pairs_needed, "needed pair")),
-      fmt::format("best for {}: the {}",
+      fmt::format("best for {}: {}",
                   document.objective == BenchObjective::cost ? "the least cost together"
                                                              : "the least largest cost",
                   plan.candidates.front().name)};
@@ -173,6 +174,36 @@ std::string benches_as_json(const BenchDocument& document) {
   }
   json.end_array().key("notes").value(document.notes).end_object();
   return json.take() + "\n";
+}
+
+std::string benches_as_html(const BenchDocument& document) {
+  const Job& job = *document.job;
+  const BenchPlan& plan = *document.plan;
+  const Money money(job);
+  std::string body;
+  for (const std::string& line : summary(document)) {
+    body += "<p class=\"small\">" + html_text(line) + "</p>\n";
+  }
+  body +=
+      "<h2>Compared</h2>\n<table>\n<thead><tr><th>Plan</th><th class=\"n\">Tests</th>"
+      "<th class=\"n\">Changes</th><th class=\"n\">Largest</th><th class=\"n\">Together</th>"
+      "</tr></thead>\n<tbody>\n";
+  for (const BenchCandidate& c : plan.candidates) {
+    body += fmt::format(
+        "<tr><td>{}<br><span class=\"small\">{}</span></td><td class=\"n\">{}</td>"
+        "<td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
+        html_text(c.name), html_text(c.how), c.tests, c.changes, money(c.largest), money(c.cost));
+  }
+  body += "</tbody>\n</table>\n";
+  for (std::size_t bench = 0; bench < plan.sheets.size(); ++bench) {
+    RunPlan one;
+    one.sheet = plan.sheets[bench];
+    body += fmt::format("<h2 class=\"bench\">{}</h2>\n{}{}",
+                        html_text(bench_line(money, bench, one.sheet)),
+                        job.mounted.empty() ? "" : "<p>" + html_text(mounted_line(job)) + "</p>\n",
+                        html_steps({.job = &job, .plan = &one}));
+  }
+  return html_page(document.title, body);
 }
 
 std::string benches_as_markdown(const BenchDocument& document) {

@@ -42,6 +42,9 @@ std::string weight_line(const Job& job, const RunPlan& plan, const Money& money)
   const std::string met =
       fmt::format("weight of the pairs tested: {} of {}", to_string(sheet.weight_tested),
                   to_string(sheet.weight_needed));
+  if (plan.most_weight && *plan.most_weight >= sheet.weight_needed) {
+    return met + "; no bound is known";
+  }
   if (plan.most_weight) {
     return met + (sheet.weight_tested == *plan.most_weight
                       ? "; no plan within the budget tests more"
