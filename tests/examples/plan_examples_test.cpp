@@ -6,6 +6,14 @@
 namespace changeover::test {
 namespace {
 
+TEST(PlanExamples, Benches) {
+  Job job = make_job(9, 3, parse_amount("1"), parse_amount("5"));
+  RunControl control({.threads = 1});
+  BenchPlan plan = make_bench_plan(job, {.benches = 2}, control);
+  EXPECT_EQ(to_string(plan.largest), "63");    // what the bench costs that costs most
+  EXPECT_EQ(plan.sheets[0].steps.size(), 8U);  // tests on the first bench
+}
+
 TEST(PlanExamples, CostBound) {
   CostBound bound = cost_bound(make_job(9, 3, parse_amount("10"), parse_amount("1")));
   EXPECT_EQ(to_string(bound.cost), "145");

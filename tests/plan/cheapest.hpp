@@ -11,15 +11,24 @@
 
 namespace changeover::test {
 
-/// The least cost, in millionths, of covering at least so many needed pairs (all of them by default); nullopt
-/// if that is impossible. A dynamic program over the pairs covered and the last set-up: a step that covers
-/// nothing new can be left out, since going straight to the next set-up introduces no more. For jobs of up to
-/// six parts.
-inline std::optional<std::uint64_t> least_cost(const Job& job,
-                                               std::optional<std::uint64_t> pairs = {}) {
+/// What cannot be done.
+inline constexpr auto no_cost = std::numeric_limits<std::uint64_t>::max();
+
+/// By set of needed pairs, one bit each in the order of PairSet, or of needed triples if there are any: the least cost, in
+/// millionths, of a list that covers these and no others. A dynamic program over what is covered and the last set-up: a
+/// step that covers nothing new can be left out, since going straight to the next set-up introduces no more. For jobs of
+/// up to six parts.
+inline std::vector<std::uint64_t> least_costs(const Job& job) {
   const std::size_t v = job.names.size();
-  std::vector<std::pair<Element, Element>> needed;
-  job.needed.for_each(1000, [&](Element x, Element y) { needed.emplace_back(x, y); });
+  std::vector<unsigned> needed;  // the parts of each
+  job.needed.for_each(1000, [&](Element x, Element y) {
+    if (job.triples.empty()) {
+      needed.push_back(1U << x | 1U << y);
+    }
+  });
+  for (const Triple& t : job.triples) {
+    needed.push_back(1U << t[0] | 1U << t[1] | 1U << t[2]);
+  }
   const auto mask_of = [](const Block& block) {
     unsigned mask = 0;
     for (const Element x : block) {
@@ -48,7 +57,7 @@ inline std::optional<std::uint64_t> least_cost(const Job& job,
     }
     SetUp setup{parts, 0};
     for (std::size_t i = 0; i < needed.size(); ++i) {
-      if ((parts >> needed[i].first & 1U) != 0 && (parts >> needed[i].second & 1U) != 0) {
+      if ((parts & needed[i]) == needed[i]) {
         setup.pairs |= 1U << i;
       }
     }
@@ -65,13 +74,13 @@ inline std::optional<std::uint64_t> least_cost(const Job& job,
     }
     return cost;
   };
-  constexpr auto never = std::numeric_limits<std::uint64_t>::max();
+  constexpr auto never = no_cost;
   const std::size_t states = std::size_t{1} << needed.size();
-  const std::uint64_t wanted = pairs.value_or(needed.size());
   std::vector<std::vector<std::uint64_t>> cost(states,
                                                std::vector<std::uint64_t>(setups.size(), never));
   const unsigned start = mask_of(job.start);
-  std::uint64_t best = wanted == 0 ? 0 : never;
+  std::vector<std::uint64_t> least(states, never);
+  least[0] = 0;
   for (std::size_t s = 0; s < setups.size(); ++s) {
     cost[setups[s].pairs][s] = step(start, setups[s].parts);
   }
@@ -80,9 +89,7 @@ inline std::optional<std::uint64_t> least_cost(const Job& job,
       if (cost[covered][s] == never) {
         continue;
       }
-      if (static_cast<std::uint64_t>(std::popcount(covered)) >= wanted) {
-        best = std::min(best, cost[covered][s]);
-      }
+      least[covered] = std::min(least[covered], cost[covered][s]);
       for (std::size_t next = 0; next < setups.size(); ++next) {
         const std::size_t now = covered | setups[next].pairs;
         if (now != covered) {
@@ -92,7 +99,22 @@ inline std::optional<std::uint64_t> least_cost(const Job& job,
       }
     }
   }
-  return best == never ? std::nullopt : std::optional(best);
+  return least;
+}
+
+/// The least cost, in millionths, of covering at least so many needed pairs or triples (all of them by default); nullopt if that is
+/// impossible.
+inline std::optional<std::uint64_t> least_cost(const Job& job,
+                                               std::optional<std::uint64_t> pairs = {}) {
+  const std::vector<std::uint64_t> least = least_costs(job);
+  const auto all = static_cast<std::uint64_t>(std::popcount(least.size() - 1));
+  std::uint64_t best = no_cost;
+  for (std::size_t covered = 0; covered < least.size(); ++covered) {
+    if (static_cast<std::uint64_t>(std::popcount(covered)) >= pairs.value_or(all)) {
+      best = std::min(best, least[covered]);
+    }
+  }
+  return best == no_cost ? std::nullopt : std::optional(best);
 }
 
 }  // namespace changeover::test

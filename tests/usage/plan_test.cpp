@@ -265,6 +265,8 @@ TEST(Plan, FillsEverySlot) {
   spit(folder.file("server.csv"),
        "part,slot,cost\nXeon,CPU,9\nEpyc,CPU,9\nP500,PSU,4\nP700,PSU,4\nd1,disk,1\nd2,disk,1\n"
        "d3,disk,1\nd4,disk,1\nd5,disk,1\nfan,,2\n");
+  spit(folder.file("upside.csv"), "CPU,1,1\nPSU,2,1\n");
+  spit(folder.file("flat.csv"), "part,slot\nX,A\nY,A\nZ,A\n");
   spit(folder.file("slots.csv"), "slot,least,most\nCPU,1,1\nPSU,1,1\ndisk,2,3\n");
   spit(folder.file("pairs.csv"), "Xeon,Epyc\n");
   const auto plan = [](const std::string& rest) {
@@ -282,6 +284,10 @@ TEST(Plan, FillsEverySlot) {
        {plan("--slot CPU=3,PSU=1,disk=1"), 3,
         "slot 'CPU' needs 3 parts in every set-up, but only 2"},
        {plan("--slot CPU=1,PSU=1,disk=2 --pairs pairs.csv"), 3, "Xeon and Epyc must meet, but no"},
+       {plan("--slot CPU=1,PSU=1,disk=3..2"), 2, "--slot: 'disk=3..2': at least 3 and at most 2"},
+       {plan("--slots upside.csv"), 3, "upside.csv:2:5: slot 'PSU' has at least 2 and at most 1"},
+       {"$changeover plan flat.csv -k 3 --test-cost 1 --slot A=..1 --change-cost 1" + fast, 3,
+        "no two parts can be in one set-up within the slots"},
        {plan("--slot CPU=1,PSU=1,disk=2..x"), 2, "--slot: 'disk=2..x' is no slot"},
        {plan(""), 2, "has a column slot; give --slots FILE"},
        {plan("--slots slots.csv --slot CPU=1"), 2, "exclude each other"},
@@ -341,6 +347,110 @@ TEST(Plan, SaysWhatMayBeBroken) {
        {plan("--done sheet.csv --diagnose --what-if"), 2,
         "--what-if has no meaning with --diagnose"}},
       folder);
+}
+
+TEST(Plan, BeginsWithWhatMustComeFirst) {
+  const TemporaryFolder folder;
+  spit(folder.file("first.csv"), "# smoke test\n4,6\n1,2,3\n");
+  spit(folder.file("large.csv"), "1,2\n1,2,3,4\n");
+  spit(folder.file("never.csv"), "6,4\n");
+  spit(folder.file("done.csv"), "6,4\n");
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan --items 6 -k 3 --test-cost 2 --change-cost 1 --first first.csv " +
+           rest + fast;
+  };
+  expect(
+      {{plan(""), 0, "the first 2 tests are given: cost 9, 4 of the needed pairs"},
+       {plan(""), 0, "15 of 15 needed pairs"},
+       {plan("--format csv"), 0, "\n1,,\"4, 6\",4,6,,1,4,4,\n2,\"4, 6\",\"1, 2, 3\",1,2,3,3,5,9,"},
+       {plan("--json"), 0, "\"first\":[[\"4\",\"6\"],[\"1\",\"2\",\"3\"]]"},
+       {plan("--budget 12"), 0, "the first 2 tests are given"},
+       {plan("--shuffle 3"), 0, "15 of 15 needed pairs"},
+       {plan("--what-if"), 0, "Your costs are at the ratio"},
+       {plan("--done done.csv"), 0, "first.csv: 1 of 2 set-ups done already"},
+       {plan("--done done.csv"), 0, "the first test is given: cost 5, 3 of"},
+       {plan("--budget 8"), 3, "the tests that come first cost 9 by themselves"},
+       {plan("--never never.csv"), 3,
+        "first.csv:2:1: 4 and 6 must never be in one set-up; remove one"},
+       {plan("--mounted 5"), 3, "first.csv:2:1: 5 stays mounted, but is not in this set-up"},
+       {plan("-o first.csv"), 2, "same file as --first"},
+       {"$changeover plan --items 6 -k 3 --test-cost 2 --change-cost 1 --first large.csv" + fast, 3,
+        "large.csv:2:1: 4 parts stand here"}},
+      folder);
+}
+
+TEST(Plan, WeighsPairs) {
+  const TemporaryFolder folder;
+  spit(folder.file("heavy.csv"), "part,part,priority\n8,9,20\n1,5,10\n2,3,0\n");
+  spit(folder.file("bad.csv"), "1,2,3\n4,5,x\n");
+  spit(folder.file("huge.csv"), "1,2,9000000000000\n1,3,9000000000000\n");
+  spit(folder.file("never.csv"), "1,5\n");
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan --items 9 -k 3 --test-cost 1 --change-cost 5 " + rest + fast;
+  };
+  const std::string heavy = "--priority heavy.csv ";
+  expect({{plan(heavy), 0, "weight of the pairs tested: 63 of 63; half of it after step "},
+          {plan(heavy), 0, "weight so far"},
+          {plan(heavy + "--budget 40"), 0, "no plan within the budget tests more"},
+          {plan(heavy + "--json"), 0, "\"weight\":{\"needed\":63,\"tested\":63,\"most\":null}"},
+          {plan(heavy + "--format csv"), 0, "cost_so_far,weight_so_far,result\n"},
+          {plan(heavy + "--format html"), 0, "weight of the pairs tested"},
+          {plan(heavy + "--never never.csv"), 0,
+           "heavy.csv: 1 pair need not meet, and its weight does not count"},
+          {plan("--priority huge.csv"), 3, "huge.csv: the weights together exceed 9.2e12"},
+          {plan("--priority bad.csv"), 3, "bad.csv:2:5: 'x' is no weight"},
+          {plan(heavy + "--what-if"), 2, "--priority FILE has no meaning with --what-if"},
+          {plan(heavy + "--shuffle 1"), 2, "--priority FILE has no meaning with --shuffle"},
+          {plan(heavy + "-o heavy.csv"), 2, "same file as --priority"}},
+         folder);
+}
+
+TEST(Plan, MakesTriplesMeet) {
+  const TemporaryFolder folder;
+  spit(folder.file("pairs.csv"), "1,2\n");
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan --items 8 -k 5 --test-cost 1 --change-cost 1 " + rest + fast;
+  };
+  expect(
+      {{plan("--strength 3"), 0, "56 of 56 needed triples tested, checked by an independent"},
+       {plan("--strength 3"), 0, "new triples"},
+       {plan("--strength 3 --json"), 0, "\"triples_needed\":56,\"triples_tested\":56"},
+       {plan("--strength 3 --format csv"), 0, ",new_triples,cost,"},
+       {plan("--strength 3 --format html"), 0, "Triples tested"},
+       {plan("--strength 3 --never pairs.csv"), 0, "6 triples cannot meet, for slots, forbidden"},
+       {plan("--strength 3 --budget 9"), 0, "budget 9: testing all triples would cost"},
+       {plan("--strength 2"), 0, "28 of 28 needed pairs"},
+       {plan("--strength 4"), 2, "--strength 4: give 2, for pairs, or 3, for triples"},
+       {plan("--strength 3 --pairs pairs.csv"), 2, "--pairs is of pairs; it has no meaning with"},
+       {plan("--strength 3 --what-if"), 2, "--what-if is of pairs"},
+       {"$changeover plan --items 8 -k 2 --test-cost 1 --change-cost 1 --strength 3" + fast, 2,
+        "no triple can meet"},
+       {"$changeover plan --items 101 -k 4 --test-cost 1 --change-cost 1 --strength 3" + fast, 3,
+        "where triples must meet, at most 100"}},
+      folder);
+}
+
+TEST(Plan, SharesTestsBetweenBenches) {
+  const TemporaryFolder folder;
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan --items 8 -k 3 --test-cost 2 --change-cost 1 " + rest + fast;
+  };
+  expect({{plan("--benches 2"), 0, "28 of 28 needed pairs tested on some bench, checked by an"},
+          {plan("--benches 2"), 0, "\nBench 2: "},
+          {plan("--benches 2"), 0, "best for the least largest cost: "},
+          {plan("--benches 2 --objective cost"), 0, "best for the least cost together: "},
+          {plan("--benches 2 --json"), 0, "{\"format\":\"changeover-benches/1\""},
+          {plan("--benches 2 --format csv"), 0, "bench,step,take_out,put_in,slot_1,slot_2,slot_3"},
+          {plan("--benches 3 --format markdown --title Lab"), 0, "## Bench 3: "},
+          {plan("--benches 2 --strength 3"), 0, "56 of 56 needed triples tested on some bench"},
+          {plan("--benches 1"), 0, "on 1 bench: "},
+          {plan("--benches 0"), 2, "--benches 0: give a number from 1 to 64"},
+          {plan("--benches 2 --format html"), 0, "<h2 class=\"bench\">Bench 2: "},
+          {plan("--benches 2 --budget 20"), 2, "--budget Z has no meaning with --benches"},
+          {plan("--benches 2 --start 1"), 2, "has no meaning with --benches"},
+          {plan("--benches 2 --what-if"), 2, "--what-if has no meaning with --benches"},
+          {plan("--objective cost"), 2, "is for --benches"}},
+         folder);
 }
 
 TEST(Plan, CtrlCDeliversTheBestSoFar) {

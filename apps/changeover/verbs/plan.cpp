@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "changeover/core/error.hpp"
+#include "changeover/plan/benches.hpp"
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/plan/run_plan.hpp"
@@ -13,6 +14,8 @@
 
 namespace changeover::cli {
 namespace {
+
+constexpr std::uint64_t triples = 3;  // the strength that asks for them
 
 struct PlanRequest {
   std::string parts;
@@ -26,9 +29,14 @@ struct PlanRequest {
   std::string slot;
   std::string mounted;
   std::string start;
+  std::string first;
+  std::string priority;
   std::string budget;
   std::string done;
   std::optional<std::uint64_t> done_first;
+  std::optional<std::uint64_t> strength;
+  std::optional<std::uint64_t> benches;
+  std::string objective;
   std::optional<std::uint64_t> steps;
   std::string title;
   std::optional<std::uint64_t> shuffle;
@@ -77,6 +85,10 @@ Asked parts_of(const PlanRequest& request) {
   if (*request.at_once < 2) {
     throw UsageError{
         fmt::format("--at-once {}: no pair can meet; give at least 2", *request.at_once)};
+  }
+  if (request.strength == triples && *request.at_once < triples) {
+    throw UsageError{
+        fmt::format("--at-once {}: no triple can meet; give at least 3", *request.at_once)};
   }
   const auto test = amount("--test-cost", request.test_cost);
   const auto change = amount("--change-cost", request.change_cost);
@@ -196,14 +208,35 @@ void take_done(const PlanRequest& request, Asked& asked) {
     asked.notes.push_back(fmt::format("{}: {} of {} tests have a result and are done",
                                       input->name(), done.size(), all));
   }
+  // Those of the first tests that were done are not to be run again.
+  const std::size_t first = job.first.size();
+  for (Block setup : done) {
+    std::sort(setup.begin(), setup.end());
+    const auto found = std::find_if(job.first.begin(), job.first.end(), [&](Block other) {
+      std::sort(other.begin(), other.end());
+      return other == setup;
+    });
+    if (found != job.first.end()) {
+      job.first.erase(found);
+    }
+  }
+  if (job.first.size() < first) {
+    asked.notes.push_back(fmt::format("{}: {} of {} done already", request.first,
+                                      first - job.first.size(), count_of(first, "set-up")));
+  }
   mark_done(job, done);
 }
 
 // Pairs that the slots keep apart need not meet; this is said.
 void leave_out(Asked& asked, const PairSet& apart) {
   Job& job = asked.job;
-  if (apart.size() == 0 || apart.size() == job.needed.size()) {
-    return;  // If no two parts can meet, check() says why.
+  if (apart.size() == 0) {
+    return;
+  }
+  if (apart.size() == job.needed.size()) {
+    throw BadInput(
+        "no two parts can be in one set-up within the slots; let a slot hold more parts, or raise "
+        "--at-once");
   }
   constexpr std::uint64_t few = 3;
   std::string examples;
@@ -215,6 +248,43 @@ void leave_out(Asked& asked, const PairSet& apart) {
   asked.notes.push_back(fmt::format("{} cannot meet within the slots and need not: {}{}",
                                     count_of(apart.size(), "pair"), examples,
                                     apart.size() > few ? "; …" : ""));
+}
+
+// What pairs are worth; a weight of a pair that need not meet says nothing.
+void take_priorities(const PlanRequest& request, Asked& asked) {
+  Job& job = asked.job;
+  const auto input = open_input(request.priority);
+  job.weights = read_priorities(*input, job.names);
+  try {
+    Amount all;
+    job.needed.for_each(~std::uint64_t{0}, [&](Element x, Element y) { all += job.weights(x, y); });
+  } catch (const ImpossibleParameters&) {
+    throw BadInput(
+        fmt::format("{}: the weights together exceed 9.2e12; divide all of them", input->name()));
+  }
+  std::uint64_t without_need = 0;
+  all_pairs_but(job.needed).for_each(~std::uint64_t{0}, [&](Element x, Element y) {
+    without_need += job.weights.weighs(x, y) ? 1U : 0U;
+  });
+  if (without_need > 0) {
+    asked.notes.push_back(fmt::format("{}: {} need not meet, and {} not count", input->name(),
+                                      count_of(without_need, "pair"),
+                                      without_need == 1 ? "its weight does" : "their weights do"));
+  }
+}
+
+// Three parts that cannot be in one set-up need not; this is said.
+void take_triples(Asked& asked) {
+  const std::uint64_t apart = need_triples(asked.job);
+  if (asked.job.triples.empty()) {
+    throw BadInput(
+        "no three parts can be in one set-up, for the slots, forbidden pairs or what stays mounted");
+  }
+  if (apart > 0) {
+    asked.notes.push_back(fmt::format(
+        "{} cannot meet, for slots, forbidden pairs or what stays mounted, and need not",
+        count_of(apart, "triple")));
+  }
 }
 
 Asked asked_of(const PlanRequest& request) {
@@ -237,8 +307,19 @@ Asked asked_of(const PlanRequest& request) {
   };
   job.mounted = parts("--mounted", request.mounted);
   job.start = parts("--start", request.start);
-  if (request.pairs.empty() && !job.slots.empty()) {
+  Job any = job;
+  any.needed = PairSet(job.parts());
+  check(any);  // Without needed pairs: what cannot be at all.
+  if (request.strength == triples) {
+    take_triples(asked);
+  } else if (request.pairs.empty() && !job.slots.empty()) {
     leave_out(asked, cannot_meet(job));
+  }
+  if (!request.first.empty()) {
+    job.first = read_first(*open_input(request.first), job);
+  }
+  if (!request.priority.empty()) {
+    take_priorities(request, asked);
   }
   check(job);
   take_done(request, asked);
@@ -275,6 +356,32 @@ Answer diagnosis(const PlanRequest& request, const Asked& asked) {
           }};
 }
 
+// The tests on several benches.
+Answer on_benches(const PlanRequest& request, const Asked& asked, const PlanOptions& options,
+                  const std::shared_ptr<Running>& running) {
+  BenchOptions benches{.benches = *request.benches, .plan = options};
+  benches.objective = request.objective == "cost" ? BenchObjective::cost : BenchObjective::makespan;
+  const BenchPlan plan = make_bench_plan(asked.job, benches, running->control());
+  const auto write = [asked, plan, benches, title = request.title,
+                      format = request.output.format()](OutputFile& out) {
+    BenchDocument document{.job = &asked.job, .plan = &plan, .objective = benches.objective};
+    document.notes = asked.notes;
+    document.title = title.empty() ? document.title : title;
+    out.write(format == "csv"        ? benches_as_csv(document)
+              : format == "json"     ? benches_as_json(document)
+              : format == "markdown" ? benches_as_markdown(document)
+              : format == "html"     ? benches_as_html(document)
+                                     : benches_as_table(document, terminal_width(out)));
+  };
+  Answer answer{.output = request.output, .write = write};
+  running->finish();
+  if (plan.shortage) {
+    answer.fault = std::make_exception_ptr(
+        MissingResource("the plan may not be the best that could be found: " + *plan.shortage));
+  }
+  return spoken(running, std::move(answer));
+}
+
 Answer run(const PlanRequest& request) {
   const OutputRequest& output = request.output;
   if (request.diagnose) {
@@ -296,6 +403,8 @@ Answer run(const PlanRequest& request) {
                         {"--pairs", request.pairs},
                         {"--never", request.never},
                         {"--slots", request.slots},
+                        {"--first", request.first},
+                        {"--priority", request.priority},
                         {"--done", request.done}});
   PlanOptions options;
   options.budget = amount("--budget", request.budget);
@@ -310,6 +419,9 @@ Answer run(const PlanRequest& request) {
   }
   // Ctrl-C ends the program at once while it reads, and from here on asks for the best so far.
   const auto running = std::make_shared<Running>(request.run, output);
+  if (request.benches) {
+    return on_benches(request, asked, options, running);
+  }
   RunPlan plan = make_run_plan(job, options, running->control());
   std::vector<std::string> notes = asked.notes;
   if (request.shuffle) {
@@ -358,6 +470,8 @@ void add_plan(Program& program) {
   verb.option("--test-cost", request.test_cost, "X", "what one test costs, e.g. 12.50");
   verb.option("--change-cost", request.change_cost, "Y",
               "what mounting a part costs where the list does not say");
+  verb.option("--strength", request.strength, "T",
+              "2: every two parts must meet (the default); 3: every three");
   verb.option("--pairs", request.pairs, "FILE", "pairs that must meet (default: all)");
   verb.option("--never", request.never, "FILE", "pairs that must not be in one set-up");
   verb.option("--slots", request.slots, "FILE",
@@ -366,10 +480,18 @@ void add_plan(Program& program) {
               "the same in one line, as in CPU=1,disk=2..4,fan=..2");
   verb.option("--mounted", request.mounted, "A,B", "parts that stay mounted in every set-up");
   verb.option("--start", request.start, "A,B,…", "parts that are mounted before the first test");
+  verb.option("--first", request.first, "FILE",
+              "set-ups that must be run first, in this order: the parts of one a line");
+  verb.option("--priority", request.priority, "FILE",
+              "what pairs are worth, A,B,weight a line; others are worth 1");
   verb.option("--budget", request.budget, "Z", "test as many pairs as this pays for");
   verb.option("--done", request.done, "FILE",
               "tests already done, a set-up a line or the CSV of a run sheet: plan the rest");
   verb.option("--done-first", request.done_first, "N", "only the first N of them were done");
+  verb.option("--benches", request.benches, "N",
+              "on N benches side by side, each with parts of its own");
+  verb.choice("--objective", request.objective, {"makespan", "cost"},
+              "of several benches: the least largest cost (default), or the least cost together");
   verb.flag("--what-if", request.what_if,
             "which plan is cheapest at which ratio of change to test cost");
   verb.flag("--compact", request.compact, "without the whole set-ups, in two columns on paper");
@@ -383,11 +505,38 @@ void add_plan(Program& program) {
   request.output.add_to(verb, {"table", "csv", "json", "markdown", "html"});
   verb.exclude({"--header", "--no-header"});
   verb.exclude({"--slots", "--slot"});
+  verb.only_with({"--objective"}, {"--benches"});
+  verb.never_with({"--budget", "--start", "--first", "--done", "--priority", "--what-if",
+                   "--shuffle", "--compact"},
+                  {"--benches"});
   verb.only_with({"--done-first", "--diagnose"}, {"--done"});
-  verb.never_with({"--what-if", "--budget", "--title", "--steps", "--compact", "--shuffle"},
+  verb.never_with({"--what-if", "--budget", "--title", "--steps", "--compact", "--shuffle",
+                   "--first", "--priority"},
                   {"--diagnose"});
   verb.never_with({"--compact", "--shuffle"}, {"--what-if"});
-  verb.never_with({"--title", "--budget"}, {"--what-if"});
+  verb.never_with({"--title", "--budget", "--priority"}, {"--what-if"});
+  verb.never_with({"--priority"}, {"--shuffle"});
+  verb.require([&asked = request] {
+    if (asked.benches && (*asked.benches < 1 || *asked.benches > max_benches)) {
+      throw UsageError{
+          fmt::format("--benches {}: give a number from 1 to {}", *asked.benches, max_benches)};
+    }
+    if (asked.strength.value_or(2) != 2 && asked.strength != triples) {
+      throw UsageError{
+          fmt::format("--strength {}: give 2, for pairs, or 3, for triples", *asked.strength)};
+    }
+    const std::vector<std::pair<std::string, bool>> of_pairs{
+        {"--pairs", !asked.pairs.empty()},
+        {"--priority", !asked.priority.empty()},
+        {"--shuffle", asked.shuffle.has_value()},
+        {"--what-if", asked.what_if},
+        {"--diagnose", asked.diagnose}};
+    for (const auto& [option, given] : of_pairs) {
+      if (asked.strength == triples && given) {
+        throw UsageError{option + " is of pairs; it has no meaning with --strength 3"};
+      }
+    }
+  });
   verb.examples(
       {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --format html -o sheet.html",
@@ -395,6 +544,8 @@ void add_plan(Program& program) {
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --budget 600 --start 1,2,3",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --done sheet.csv --done-first 7",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --done sheet.csv --diagnose",
+       "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --benches 2",
+       "changeover plan --items 12 -k 5 --test-cost 1 --change-cost 1 --strength 3",
        "changeover plan --items 20 -k 5 --test-cost 1 --change-cost 1 --what-if"});
 }
 

@@ -6,7 +6,8 @@
 //     }
 //
 // A *suspect* is a part, or a pair of parts that do not work together. It explains the results by itself if every test
-// that failed had all of it, and none that passed had. If none does, the results need two faults at least.
+// that failed had all of it, and none that passed had. If none does, the results need two faults at least. Where a set-up that failed is
+// the same as one that passed, or part of it, no faults explain that, however many: the fault comes and goes, or a result is wrong.
 //
 // The next tests are a tree: what is tested next if a test fails, and if it passes. Each is chosen so that what is
 // sure to be learned for its cost is the most: with n suspects left, of which at most m stay whatever the result, that is
@@ -57,7 +58,9 @@ struct Diagnosis {
   std::uint64_t failed = 0;
   std::vector<Suspect> suspects;  ///< that explain all by themselves: parts, then pairs
   std::vector<std::pair<Suspect, Suspect>>
-      two;                      ///< if there is none: two that do together, at most 100
+      two;  ///< if there is none: two that do together, at most 100
+  std::vector<std::pair<Block, Block>>
+      contradictions;  ///< what failed, and what passed though it had all of it; at most 10
   std::vector<NextTest> tests;  ///< a test before those that come after it; at most 1000
   Amount most_cost;             ///< of the tests that are made, whatever the results
   std::vector<std::string>
@@ -71,7 +74,7 @@ struct Diagnosis {
 /// For a terminal of so many columns.
 [[nodiscard]] std::string diagnosis_as_table(const Job& job, const Diagnosis& found,
                                              std::size_t width);
-/// One line: format "changeover-diagnosis/1", passed, failed, suspects [[part] or [part, part]], two [[suspect, suspect]],
+/// One line: format "changeover-diagnosis/1", passed, failed, suspects [[part] or [part, part]], two [[suspect, suspect]], contradictions [{failed, passed}],
 /// tests [{after ["fail" or "pass"], set_up, take_out, put_in, cost, if_it_fails, if_it_passes}], most_cost.
 [[nodiscard]] std::string diagnosis_as_json(const Job& job, const Diagnosis& found);
 

@@ -13,12 +13,15 @@
 //   (number of set-ups) · test_cost + Σ over all introductions of the change cost of the part,
 // where a part is introduced in a set-up if it was not in the one before; the first set-up introduces all
 // its parts but those of `start`, which are on the bench already. Taking parts out costs nothing. These
-// are the costs of [ChafeeStevens2025, Section 1].
+// are the costs of [ChafeeStevens2025, Section 1]. If some set-ups must come `first`, the list begins with them, in
+// their order: they break no constraint, their pairs count, and they are paid for like all others.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -79,6 +82,28 @@ struct Slot {
 /// Of a part that is in no slot.
 inline constexpr std::uint32_t no_slot = std::numeric_limits<std::uint32_t>::max();
 
+/// What pairs are worth: 1, but where something else is said. Weights are exact decimals, like amounts of money.
+class PairWeights {
+ public:
+  void set(Element x, Element y, Amount weight) { by_rank_[PairSet::rank(x, y)] = weight; }
+  [[nodiscard]] Amount operator()(Element x, Element y) const {
+    const auto found = by_rank_.find(PairSet::rank(x, y));
+    return found == by_rank_.end() ? Amount{1'000'000} : found->second;
+  }
+  /// Whether something was said of this pair.
+  [[nodiscard]] bool weighs(Element x, Element y) const {
+    return by_rank_.count(PairSet::rank(x, y)) != 0;
+  }
+  /// No pair is said to be worth more or less than others.
+  [[nodiscard]] bool empty() const { return by_rank_.empty(); }
+
+ private:
+  std::map<std::uint64_t, Amount> by_rank_;
+};
+
+/// Three parts, increasing.
+using Triple = std::array<Element, 3>;
+
 struct Job {
   std::vector<std::string> names;    ///< of the parts, which are the elements 0, 1, …
   std::uint64_t at_once = 0;         ///< how many parts fit
@@ -92,6 +117,10 @@ struct Job {
   Block mounted;  ///< parts that are in every set-up
   Block start;    ///< parts that are mounted before the first test
   std::uint64_t tests_done = 0;  ///< tests before the first; only for numbering
+  PairWeights
+      weights;  ///< of needed pairs: which are to meet early, or at all if the budget is small
+  std::vector<Triple> triples;  ///< three parts that must meet in one set-up; increasing, each once
+  std::vector<Block> first;  ///< set-ups that must be run first, in this order; they are paid for
 
   [[nodiscard]] std::uint64_t parts() const { return names.size(); }
   /// The most parts that a set-up can have: at_once, however large, but no more than there are.
@@ -137,6 +166,18 @@ void check(const Job& job);
 /// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once · v/64). Stopped
 /// if the scope of this thread (run/scope.hpp) wants to stop; the job is then as it was.
 void mark_done(Job& job, const std::vector<Block>& setups);
+
+/// The most parts of a job in which triples have to meet.
+inline constexpr std::uint64_t max_parts_of_triples = 100;
+
+/// Asks for every three parts that can be in one set-up to meet, and for their pairs, instead of what was asked for; returns
+/// how many triples cannot, for the slots, forbidden pairs or what stays mounted. @throws BadInput for more than
+/// max_parts_of_triples parts. O(v³).
+std::uint64_t need_triples(Job& job);
+
+/// What is left of a job when its first set-ups have been run: their pairs are needed no more, and the last of them is
+/// mounted. The job itself if there are none. O(v² + pairs of the set-ups).
+[[nodiscard]] Job after_first(const Job& job);
 
 // What an experimenter writes down: parts with their change costs, pairs, and set-ups.
 //
@@ -195,12 +236,21 @@ struct PartList {
     Input& input, const std::vector<std::string>& names,
     std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
 
+/// What pairs are worth, `A,B,weight` a row; a header is taken for one. @throws BadInput for other rows, negative weights and a pair with two
+/// weights; MissingResource if reading fails.
+[[nodiscard]] PairWeights read_priorities(Input& input, const std::vector<std::string>& names);
+
+/// Set-ups that must come first in a job that is otherwise complete, for Job::first. @throws BadInput as read_setups(), with
+/// the line of a set-up that the job does not allow: parts that must not meet, slots, what stays mounted; for no set-up.
+[[nodiscard]] std::vector<Block> read_first(Input& input, const Job& job);
+
 /// What was done by a list of set-ups, perhaps the run sheet of a parts list that has changed since.
 struct DoneList {
   std::vector<Block> setups;
   std::vector<std::string> results;  ///< by set-up, as written; "" where none is
   std::vector<std::string> gone;     ///< names on a run sheet that no part has any more, each once
   std::vector<bool> lacks;           ///< by set-up: some of its parts are gone
+  std::vector<std::uint64_t> lines;  ///< by set-up: where it stands
 
   [[nodiscard]] bool has_results() const;
 };

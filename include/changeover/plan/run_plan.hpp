@@ -16,6 +16,9 @@
 // is dearer than going on. Under a budget: the plan that tests the most needed pairs, at least as many as the longest
 // affordable part of the cheapest complete plan does.
 //
+// If the job weighs its pairs, the plan under a budget tests the most weight, and a list for all pairs is put into an order, of
+// set-ups and of parts that nothing else tells apart, in which heavy pairs meet early and which costs no more.
+//
 // A small job, of at most 12 parts and 64 pairs, is then searched through: its cheapest list is found or proved, unless more than
 // PlanOptions::states have to be looked at.
 //
@@ -42,10 +45,14 @@ struct Candidate {
   std::string how;   ///< one line
   std::vector<Block> setups;
   std::uint64_t changes = 0;
-  Amount change_cost;
-  Amount cost;
+  Amount change_cost = {};
+  Amount cost = {};
   std::uint64_t pairs_tested = 0;
+  std::uint64_t triples_tested = 0;
+  Amount weight = {};  ///< of the pairs tested, if the job weighs them
 
+  /// Changes, costs and what is tested, as this sheet of the set-ups counts them.
+  void take_figures(const RunSheet& sheet);
   [[nodiscard]] std::uint64_t tests() const { return setups.size(); }
 };
 
@@ -60,11 +67,14 @@ struct PlanOptions {
 };
 
 struct RunPlan {
-  RunSheet sheet;                     ///< of the first candidate
-  std::vector<Candidate> candidates;  ///< cheapest first; under a budget, most pairs first
+  RunSheet sheet;  ///< of the first candidate
+  std::vector<Candidate>
+      candidates;  ///< cheapest first; under a budget, most weight or most pairs first
   std::optional<Candidate> complete;  ///< under a budget: the cheapest plan that tests all
   CostBound
       bound;  ///< of testing all needed pairs: cost_bound(), or better if all lists were looked through
+  std::optional<Amount>
+      most_weight;  ///< under a budget, if the job weighs pairs: no list within it tests more
   std::uint64_t steps = 0;  ///< moves of local search, over all attempts
   WhyStopped why_stopped = WhyStopped::running;
   /// What was missing, in one line, if the search ended early for want of memory, threads or the like: the

@@ -24,8 +24,10 @@ struct RunStep {
   Block put_in;
   Block setup;
   std::vector<std::pair<Element, Element>> new_pairs;  ///< needed pairs that meet here first
+  std::vector<Triple> new_triples;                     ///< likewise
   Amount cost;                                         ///< of this step
   Amount cost_so_far;
+  Amount weight_so_far;  ///< of needed pairs that have met, if the job weighs them
 };
 
 struct RunSheet {
@@ -35,10 +37,16 @@ struct RunSheet {
   Amount cost;                ///< of everything
   std::uint64_t pairs_needed = 0;
   std::uint64_t pairs_tested = 0;  ///< of the needed ones
+  std::uint64_t triples_needed = 0;
+  std::uint64_t triples_tested = 0;
+  Amount weight_needed;  ///< of all needed pairs, if the job weighs them
+  Amount weight_tested;
   std::vector<std::string>
-      faults;  ///< broken constraints, slots included, a line each, but not missing pairs
+      faults;  ///< broken constraints, slots and what must come first included, but not missing pairs
 
-  [[nodiscard]] bool does_the_job() const { return faults.empty() && pairs_tested == pairs_needed; }
+  [[nodiscard]] bool does_the_job() const {
+    return faults.empty() && pairs_tested == pairs_needed && triples_tested == triples_needed;
+  }
   /// The number of introductions of every step after the first, if they agree, there is such a step and
   /// all set-ups are full: the list is then an m-change list.
   [[nodiscard]] std::optional<std::uint64_t> constant_change() const;

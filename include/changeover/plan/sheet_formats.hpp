@@ -19,9 +19,10 @@
 // apostrophe (io/write/csv_cell.hpp), which read_setups() takes back; numbers stay numbers.
 // JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot (or null; with slots only)}], at_once,
 // slots [{name, least, most}], test_cost, mounted,
-// start, tests_done, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
-// tests, changes, reason}, budget (or null), steps [{step, take_out, put_in, set_up, new_pairs [[a,b]], cost,
-// cost_so_far}], candidates [{name, how, tests, changes, cost, pairs_tested}], notes [text]. Costs are exact decimals.
+// start, first [[part]], tests_done, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
+// tests, changes, reason}, budget (or null), triples_needed, triples_tested, weight {needed, tested, most (or null)} (or null), steps [{step, take_out, put_in, set_up, new_pairs [[a,b]], cost,
+// cost_so_far, weight_so_far (where pairs are weighed)}], candidates [{name, how, tests, changes, cost, pairs_tested,
+// triples_tested, weight}], notes [text]. Costs are exact decimals.
 #pragma once
 
 #include <cstddef>

@@ -10,6 +10,8 @@
 #include "changeover/run/scope.hpp"
 #include "io/read/place.hpp"
 #include "plan/job/plain_text.hpp"
+#include "plan/job/setup_list.hpp"
+#include "plan/job/words.hpp"
 
 namespace changeover {
 namespace {
@@ -34,6 +36,7 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
     found.push_back(fmt::format("{} at once: no pair can meet; give at least 2", job.at_once));
   }
   std::unordered_set<std::string> seen;
+  std::unordered_set<std::string> looks;
   for (const std::string& name : job.names) {
     if (const auto defect = text_defect(name)) {
       found.push_back(fmt::format("the name {}: {}", shown(name), *defect));
@@ -41,6 +44,10 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
       found.push_back("a part has no name; name it");
     } else if (!seen.insert(name).second) {
       found.push_back(fmt::format("two parts are called {}; rename one", name));
+    } else if (!looks.insert(visible(name)).second) {
+      found.push_back(fmt::format(
+          "a second part looks like {}: the names differ in what cannot be seen; rename one",
+          name));
     }
   }
   if (job.change_costs.size() != job.parts() || job.needed.v() != job.parts() ||
@@ -54,15 +61,26 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
   if (!known_slots) {
     found.push_back("the slots do not fit the parts");
   }
-  for (const Block* block : {&job.mounted, &job.start}) {
-    for (std::size_t i = 0; i < block->size(); ++i) {
-      if ((*block)[i] >= job.parts()) {
+  const auto look_at = [&](const Block& block) {
+    for (const Element x : block) {
+      if (x >= job.parts()) {
         found.push_back("a mounted part is none of the parts");
-      } else if (std::count(block->begin(), block->end(), (*block)[i]) > 1) {
-        found.push_back(fmt::format("{} is mounted twice", job.names[(*block)[i]]));
+      } else if (std::count(block.begin(), block.end(), x) > 1) {
+        found.push_back(fmt::format("{} is mounted twice", job.names[x]));
       }
     }
+  };
+  const auto no_triple = [&](const Triple& t) {
+    return t[0] >= t[1] || t[1] >= t[2] || t[2] >= job.parts();
+  };
+  if (!job.triples.empty() && (job.parts() > max_parts_of_triples ||
+                               std::any_of(job.triples.begin(), job.triples.end(), no_triple))) {
+    found.push_back(fmt::format("triples are of three parts in their order, of at most {}",
+                                max_parts_of_triples));
   }
+  look_at(job.mounted);
+  look_at(job.start);
+  std::for_each(job.first.begin(), job.first.end(), look_at);
 }
 
 // Slots whose numbers cannot be.
@@ -75,17 +93,19 @@ void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
     const auto mounted = static_cast<std::uint64_t>(std::count_if(
         job.mounted.begin(), job.mounted.end(), [&](Element x) { return job.slot_of[x] == s; }));
     if (slot.least > slot.most) {
-      found.push_back(fmt::format("slot {} has at least {} parts and at most {}", shown(slot.name),
-                                  slot.least, slot.most));
+      found.push_back(fmt::format("slot {} has at least {} and at most {}", shown(slot.name),
+                                  count_of(slot.least, "part"), slot.most));
     } else if (members == 0) {
       found.push_back(
           fmt::format("no part is in slot {}; name it as the parts list does", shown(slot.name)));
     } else if (slot.least > members) {
-      found.push_back(fmt::format("slot {} needs {} parts in every set-up, but only {} are listed",
-                                  shown(slot.name), slot.least, members));
+      found.push_back(fmt::format("slot {} needs {} in every set-up, but only {} listed",
+                                  shown(slot.name), count_of(slot.least, "part"),
+                                  members == 1 ? "1 is" : fmt::format("{} are", members)));
     } else if (mounted > slot.most) {
-      found.push_back(fmt::format("{} parts of slot {} stay mounted, but at most {} fit it",
-                                  mounted, shown(slot.name), slot.most));
+      found.push_back(fmt::format("{} of slot {} {} mounted, but at most {} fit it",
+                                  count_of(mounted, "part"), shown(slot.name),
+                                  mounted == 1 ? "stays" : "stay", slot.most));
     } else {
       needed += slot.least - std::min(slot.least, mounted);
     }
@@ -118,6 +138,11 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
   if (!found.empty()) {
     return;
   }
+  for (std::size_t i = 0; i < job.first.size() && found.size() < most_defects; ++i) {
+    if (const auto defect = setup_defect(job, job.first[i])) {
+      found.push_back(fmt::format("set-up {} of those that come first: {}", i + 1, *defect));
+    }
+  }
   // By part: whether it stays mounted, and the first mounted part that it must never meet.
   std::vector<bool> stays(job.names.size());
   std::vector<std::optional<Element>> enemy(job.names.size());
@@ -140,10 +165,9 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
       found.push_back(
           fmt::format("{} must meet and must never be in one set-up", pair_name(job, x, y)));
     } else if (together > job.at_once) {
-      found.push_back(
-          fmt::format("{} must meet, but beside the {} that stay mounted there is no "
-                      "room for both",
-                      pair_name(job, x, y), mounted));
+      found.push_back(fmt::format(
+          "{} must meet, but beside the {} mounted there is no room for both", pair_name(job, x, y),
+          mounted == 1 ? "part that stays" : fmt::format("{} that stay", mounted)));
     } else if (apart.contains(x, y) && !enemy[x] && !enemy[y]) {
       found.push_back(fmt::format("{} must meet, but no set-up within the slots can hold both",
                                   pair_name(job, x, y)));
@@ -243,6 +267,7 @@ void mark_done(Job& job, const std::vector<Block>& setups) {
     }
   });
   job.needed = std::move(rest);
+  drop_met_triples(job, setups);
   job.tests_done += setups.size();
   if (job.start.empty() && !setups.empty()) {
     job.start = setups.back();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -14,6 +15,16 @@ namespace {
 // A name with one of these is shown in another order than that of its letters.
 bool turns_around(char32_t c) {
   return (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+}
+
+// Zero-width characters, joiners, marks of direction, soft hyphens, and what chooses between shapes.
+bool takes_no_room(char32_t c) {
+  return c == 0xad || c == 0x34f || c == 0x61c || c == 0x180e || (c >= 0x200b && c <= 0x200f) ||
+         (c >= 0x2060 && c <= 0x2064) || (c >= 0xfe00 && c <= 0xfe0f) || c == 0xfeff;
+}
+
+bool is_another_blank(char32_t c) {
+  return c == 0xa0 || (c >= 0x2000 && c <= 0x200a) || c == 0x202f || c == 0x205f || c == 0x3000;
 }
 
 bool ends_a_line(char32_t c) { return c == 0x2028 || c == 0x2029; }
@@ -59,6 +70,22 @@ std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
     at += point.bytes;
   }
   return std::nullopt;
+}
+
+std::string visible(std::string_view name) {
+  std::string seen;
+  while (!name.empty()) {
+    const CodePoint point = first_code_point(name);
+    if (is_another_blank(point.value)) {
+      seen += ' ';
+    } else if (!takes_no_room(point.value)) {
+      seen += name.substr(0, point.bytes);
+    }
+    name.remove_prefix(point.bytes);
+  }
+  const std::size_t first = std::min(seen.find_first_not_of(' '), seen.size());
+  const std::size_t last = seen.find_last_not_of(' ');
+  return last == std::string::npos ? "" : seen.substr(first, last + 1 - first);
 }
 
 std::optional<std::string> text_defect(std::string_view text) {

@@ -17,4 +17,7 @@ struct TextDefect {
 /// direction of writing around; nothing if there is none. Tabs are control characters unless allowed.
 [[nodiscard]] std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs);
 
+/// What is seen of a name: without characters that take no room, and with a blank for each blank of another kind.
+[[nodiscard]] std::string visible(std::string_view name);
+
 }  // namespace changeover

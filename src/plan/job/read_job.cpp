@@ -15,7 +15,9 @@
 #include "io/read/place.hpp"
 #include "io/write/csv_cell.hpp"
 #include "plan/job/part_columns.hpp"
+#include "plan/job/plain_text.hpp"
 #include "plan/job/rows.hpp"
+#include "plan/job/setup_list.hpp"
 
 namespace changeover {
 namespace {
@@ -282,6 +284,7 @@ PartList read_parts(Input& input, Header header) {
   PartList parts;
   parts.note = columns.note.empty() ? "" : fmt::format("{}: {}", input.name(), columns.note);
   std::unordered_set<std::string> seen;
+  std::unordered_set<std::string> looks;
   CostReader costs(reader);
   rows.erase(rows.begin(), rows.begin() + (columns.header ? 1 : 0));
   for (const Row& row : rows) {
@@ -303,6 +306,16 @@ PartList read_parts(Input& input, Header header) {
     check_name(reader, name);
     if (!seen.insert(name.text).second) {
       reader.fail(name, fmt::format("a second part is called {}; rename one", shown(name.text)));
+    }
+    const std::string look = visible(name.text);
+    if (look.empty()) {
+      reader.fail(name, "nothing of this name can be seen; name the part");
+    }
+    if (!looks.insert(look).second) {
+      reader.fail(name,
+                  fmt::format("a second part looks like {}: the names differ in characters that "
+                              "cannot be seen; rename one",
+                              shown(look)));
     }
     if (parts.names.size() == max_parts) {
       reader.fail(name, fmt::format("more than {} parts; plan for fewer at a time", max_parts));
@@ -347,9 +360,58 @@ PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
   return pairs;
 }
 
-namespace {
+PairWeights read_priorities(Input& input, const std::vector<std::string>& names) {
+  RowReader reader(input);
+  const PartFinder finder(names);
+  PairWeights weights;
+  std::set<std::uint64_t> seen;
+  const auto weight_of = [&](const Field& field) -> std::optional<Amount> {
+    std::string text = field.text;
+    if (reader.separator() != ',' && std::count(text.begin(), text.end(), ',') == 1) {
+      text[text.find(',')] = '.';
+    }
+    try {
+      return parse_amount(text);
+    } catch (const BadInput&) {
+      return std::nullopt;
+    }
+  };
+  bool first = true;
+  while (const auto row = reader.next()) {
+    constexpr std::size_t fields = 3;
+    if (row->size() != fields) {
+      reader.fail(row->front(), "no pair with its weight; write A,B,5, a pair a line");
+    }
+    const auto weight = weight_of(row->back());
+    const Row parts(row->begin(), row->end() - 1);
+    if (std::exchange(first, false) && !weight && heads_pairs(parts, finder)) {
+      continue;
+    }
+    const Block pair = find_parts(
+        finder, parts, [&](const std::string& word) { return finder.find(word); },
+        [&](const Field& field, const std::string& what) { reader.fail(field, what); });
+    if (pair.size() != 2) {
+      reader.fail(row->front(), "one part stands here, and a pair has two; write A,B,5");
+    }
+    if (!weight) {
+      reader.fail(row->back(), fmt::format("{} is no weight; write a number that is not negative, "
+                                           "with at most six decimals, as in A,B,2.5",
+                                           shown(row->back().text)));
+    }
+    if (!seen.insert(PairSet::rank(pair[0], pair[1])).second &&
+        weights(pair[0], pair[1]) != *weight) {
+      reader.fail(row->back(),
+                  fmt::format("{} and {} weigh {} on a line before; remove one", names[pair[0]],
+                              names[pair[1]], to_string(weights(pair[0], pair[1]))));
+    }
+    weights.set(pair[0], pair[1], *weight);
+  }
+  if (weights.empty()) {
+    fail(input.name(), {}, "no pair is listed; write A,B,5, a pair and its weight a line");
+  }
+  return weights;
+}
 
-// The set-ups and their results. If `forgiving`, parts of a run sheet that are none are left out.
 DoneList read_list(Input& input, const std::vector<std::string>& names, std::uint64_t at_once,
                    bool forgiving) {
   RowReader reader(input);
@@ -394,6 +456,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
     bool is_empty = false;  // of any parts, and not only of those that are still there
     list.results.emplace_back();
     list.lacks.push_back(false);
+    list.lines.push_back(row.front().line);
     if (columns.result && *columns.result < row.size()) {
       list.results.back() = csv_text(row[*columns.result].text);
     }
@@ -440,8 +503,6 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
   }
   return list;
 }
-
-}  // namespace
 
 std::vector<Block> read_setups(Input& input, const std::vector<std::string>& names,
                                std::uint64_t at_once) {

@@ -76,6 +76,11 @@ std::vector<Slot> read_slots(Input& input) {
       }
       slot.most = *most;
     }
+    if (slot.least > slot.most) {
+      reader.fail(row[1],
+                  fmt::format("slot {} has at least {} and at most {}; write the least first",
+                              shown(slot.name), slot.least, slot.most));
+    }
     if (std::any_of(slots.begin(), slots.end(),
                     [&](const Slot& other) { return other.name == slot.name; })) {
       reader.fail(row[0], fmt::format("{} stands here twice; remove one", shown(slot.name)));
@@ -103,6 +108,10 @@ std::vector<Slot> parse_slots(std::string_view text) {
           fmt::format("{} is no slot with its parts; write CPU=1 or disk=2..4", shown(field.text)));
     }
     const std::string name = field.text.substr(0, is);
+    if (range->first > range->second) {
+      throw BadInput(fmt::format("{}: at least {} and at most {}; write the least first",
+                                 shown(field.text), range->first, range->second));
+    }
     if (std::any_of(slots.begin(), slots.end(), [&](const Slot& s) { return s.name == name; })) {
       throw BadInput(fmt::format("{} stands here twice; remove one", shown(name)));
     }

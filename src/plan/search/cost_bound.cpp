@@ -11,7 +11,11 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "plan/job/words.hpp"
+#include "plan/search/bounds.hpp"
+#include "plan/search/first_plan.hpp"
 #include "plan/search/stays_cost.hpp"
+#include "plan/search/triple_plan.hpp"
 
 namespace changeover {
 namespace {
@@ -384,15 +388,15 @@ Least least_tests(const Job& job, const Numbers& n) {
     if (by_slot[s] > 0) {
       tests.at_least(
           ceil_div(by_slot[s], n.most[s]),
-          fmt::format("the parts {} are in at least {} set-ups in all, {} in each",
+          fmt::format("the parts {} are in at least {} in all, {} in each",
                       s < job.slots.size() ? "of slot " + job.slots[s].name : "of no slot",
-                      by_slot[s], n.most[s]));
+                      count_of(by_slot[s], "set-up"), n.most[s]));
     }
   }
   if (n.room > 0) {
     tests.at_least(ceil_div(occurrences, n.room),
-                   fmt::format("the parts are in at least {} set-ups in all, {} in each",
-                               occurrences, n.room));
+                   fmt::format("the parts are in at least {} in all, {} in each",
+                               count_of(occurrences, "set-up"), n.room));
   }
   return tests;
 }
@@ -482,7 +486,8 @@ Cheapest cheapest_numbers(const Job& job, const Numbers& n, const IntroductionCo
   return best.value_or(Cheapest{job.test_cost * least_tests, 0, 0});
 }
 
-// Every list costs a multiple of what divides all costs.
+}  // namespace
+
 Amount rounded_up(const Job& job, Amount cost) {
   std::uint64_t unit = job.test_cost.millionths;
   for (const Amount each : job.change_costs) {
@@ -491,10 +496,14 @@ Amount rounded_up(const Job& job, Amount cost) {
   return unit == 0 ? cost : Amount{unit} * ceil_div(cost.millionths, unit);
 }
 
-}  // namespace
-
 CostBound cost_bound(const Job& job) {
   check(job);
+  if (!job.first.empty()) {
+    return bound_with_first(job);
+  }
+  if (!job.triples.empty()) {
+    return bound_for_triples(job);
+  }
   const Numbers n = numbers_of(job);
   CostBound bound;
   if (job.needed.size() == 0) {
@@ -510,8 +519,8 @@ CostBound cost_bound(const Job& job) {
   bound.tests = tests.number;
   bound.introductions = introductions.number + n.mounted_introductions;
   const std::string least =
-      fmt::format("at least {} tests ({}), at least {} changes ({})", tests.number, tests.why,
-                  bound.introductions, introductions.why);
+      fmt::format("at least {} ({}), at least {} ({})", count_of(tests.number, "test"), tests.why,
+                  count_of(bound.introductions, "change"), introductions.why);
   try {
     cheapest = cheapest_numbers(job, n, costs, stays.cost, tests.number, introductions.number);
   } catch (const Stopped&) {
@@ -522,9 +531,10 @@ CostBound cost_bound(const Job& job) {
   }
   bound.cost = rounded_up(job, cheapest.cost);
   bound.reason = fmt::format(
-      "{}, and j changes of {} bring at most C(j,2) + j({}-j) new pairs: {} tests with {} changes "
-      "cost least",
-      least, n.room, n.room, cheapest.tests, cheapest.introductions + n.mounted_introductions);
+      "{}, and j changes of {} bring at most C(j,2) + j({}-j) new pairs: {} with {} {} least",
+      least, n.room, n.room, count_of(cheapest.tests, "test"),
+      count_of(cheapest.introductions + n.mounted_introductions, "change"),
+      cheapest.tests == 1 ? "costs" : "cost");
   return bound;
 }
 

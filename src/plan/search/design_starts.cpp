@@ -113,7 +113,9 @@ std::vector<Block> cheaper_direction(const Job& job, const std::vector<Element>&
 std::optional<Start> design_start(const Job& job, const std::vector<Element>& parts,
                                   std::uint64_t k, std::uint64_t m, std::uint64_t moves,
                                   RunControl& control) {
-  const Parameters p{.v = parts.size(), .k = k, .change = m, .kind = Kind::linear};
+  const bool triples = !job.triples.empty();
+  const Parameters p{
+      .v = parts.size(), .k = k, .change = m, .kind = Kind::linear, .strength = triples ? 3U : 2U};
   if (impossibility(p) || control.stop_wanted()) {
     return std::nullopt;
   }
@@ -123,8 +125,8 @@ std::optional<Start> design_start(const Job& job, const std::vector<Element>& pa
   }
   std::string how = design->recipe ? design->recipe->construction : "a recipe";
   constexpr std::uint64_t most_improved = 4;
-  if (moves > 0 && m <= most_improved && design->block_count() > lower_bound(p).blocks &&
-      !control.stop_wanted()) {
+  if (!triples && moves > 0 && m <= most_improved &&
+      design->block_count() > lower_bound(p).blocks && !control.stop_wanted()) {
     RunControl own(control, 1U);
     ImproveResult better;
     try {
@@ -158,7 +160,7 @@ std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl
   }
   constexpr std::uint64_t most_changed = 6;
   const std::uint64_t most = std::min({k, parts.size() - k, most_changed});
-  if (k < 2) {
+  if (k < (job.triples.empty() ? 2U : 3U)) {
     return {};
   }
   control.tell({.phase = "looking for designs"});

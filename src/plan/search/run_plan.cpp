@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <new>
 #include <tuple>
 #include <utility>
 
@@ -12,74 +11,15 @@
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "plan/search/attempts.hpp"
+#include "plan/search/candidates.hpp"
 #include "plan/search/exact_plan.hpp"
+#include "plan/search/first_plan.hpp"
 #include "plan/search/starts.hpp"
+#include "plan/search/triple_plan.hpp"
+#include "plan/search/weighted.hpp"
 
 namespace changeover {
 namespace {
-
-// A list that changes the same number of parts at every step and tests all pairs is a change covering
-// design: the verifier must agree.
-void verify_as_design(const Job& job, const RunSheet& sheet) {
-  const auto change = sheet.constant_change();
-  const std::uint64_t v = job.parts();
-  if (!change || !sheet.does_the_job() || sheet.pairs_needed != v * (v - 1) / 2 || *change == 0) {
-    return;
-  }
-  Design design({.v = v, .k = sheet.steps.front().setup.size(), .change = *change});
-  for (const RunStep& step : sheet.steps) {
-    design.append(step.setup);
-  }
-  if (!verify(design).valid()) {
-    throw InternalError("the verifier rejects a plan that was counted as complete");
-  }
-}
-
-// Counting what was found is short, and is not stopped: nothing is shown without it.
-Candidate counted(const Job& job, const Start& start) {
-  RunControl undisturbed({});
-  const RunScope scope(undisturbed);
-  const RunSheet sheet = run_sheet(job, start.setups);
-  if (!sheet.faults.empty()) {
-    throw InternalError(fmt::format("{}: {}", start.name, sheet.faults.front()));
-  }
-  verify_as_design(job, sheet);
-  return {.name = start.name,
-          .how = start.how,
-          .setups = start.setups,
-          .changes = sheet.changes,
-          .change_cost = sheet.change_cost,
-          .cost = sheet.cost,
-          .pairs_tested = sheet.pairs_tested};
-}
-
-Candidate counted_complete(const Job& job, const Start& start) {
-  Candidate candidate = counted(job, start);
-  if (candidate.pairs_tested != job.needed.size()) {
-    throw InternalError(fmt::format("{} leaves pairs untested", start.name));
-  }
-  return candidate;
-}
-
-bool cheaper(const Candidate& a, const Candidate& b) {
-  return std::tuple(a.cost, a.changes, a.tests()) < std::tuple(b.cost, b.changes, b.tests());
-}
-
-bool tests_more(const Candidate& a, const Candidate& b) {
-  return a.pairs_tested != b.pairs_tested ? a.pairs_tested > b.pairs_tested : cheaper(a, b);
-}
-
-// The longest affordable beginning of a plan.
-Start affordable(const Job& job, const Candidate& plan, Amount budget) {
-  Start part{"the beginning of the cheapest plan", "as far as the budget goes", {}};
-  for (const RunStep& step : run_sheet(job, plan.setups).steps) {
-    if (step.cost_so_far > budget) {
-      break;
-    }
-    part.setups.push_back(step.setup);
-  }
-  return part;
-}
 
 class Planner {
  public:
@@ -90,6 +30,9 @@ class Planner {
     const RunScope scope(*control_);
     RunPlan plan;
     plan.bound = cost_bound(*job_);
+    if (options_->budget && !job_->weights.empty()) {  // Before time is up.
+      most_weight_ = most_weight_within(*job_, *options_->budget);
+    }
     require_memory(bytes_of_plans(plan.bound.tests),
                    fmt::format("a plan of {} tests", plan.bound.tests));
     if (job_->needed.size() == 0) {
@@ -103,11 +46,10 @@ class Planner {
     std::stable_sort(plan.candidates.begin(), plan.candidates.end(),
                      within_budget_ ? tests_more : cheaper);
     drop_repeated(plan.candidates);
-    plan.sheet = run_sheet(*job_, plan.candidates.front().setups);
-    plan.why_stopped = control_->why_stopped();
-    if (plan.why_stopped == WhyStopped::running) {
-      plan.why_stopped = plan.proved_cheapest() ? WhyStopped::found : WhyStopped::step_limit;
+    if (!job_->weights.empty() && !within_budget_) {
+      keep_what_there_is(plan, [&] { put_heavy_first(plan.candidates.front()); });
     }
+    settle(*job_, plan, *control_);
     return plan;
   }
 
@@ -129,21 +71,6 @@ class Planner {
     const std::uint64_t searches = std::min<std::uint64_t>(control_->threads(), options_->attempts);
     return searches * (like.tests() * (a_test + a_part * job_->room() + job_->parts() / 8) +
                        a_pair * job_->parts() * job_->parts());
-  }
-
-  // Does what may go on for long, or want more than there is: what was found before stays.
-  template <typename Work>
-  void keep_what_there_is(RunPlan& plan, Work&& work) const {
-    try {
-      work();
-    } catch (const Stopped&) {
-      // The control knows why.
-    } catch (const MissingResource& fault) {
-      plan.shortage = fault.what();
-    } catch (const std::bad_alloc&) {
-      plan.shortage = fmt::format("not enough memory to go on searching among lists of {} tests",
-                                  plan.candidates.front().tests());
-    }
   }
 
   void find_complete(RunPlan& plan) {
@@ -248,6 +175,20 @@ class Planner {
     }
   }
 
+  // Heavy pairs early, without costing more.
+  void put_heavy_first(Candidate& candidate) const {
+    Start early{candidate.name, candidate.how + ", heavy pairs early",
+                heavy_first(*job_, candidate.setups, *control_)};
+    if (early.setups == candidate.setups) {
+      return;
+    }
+    Candidate other = counted_complete(*job_, early);
+    if (other.cost > candidate.cost) {
+      throw InternalError("an order for heavy pairs costs more");
+    }
+    candidate = std::move(other);
+  }
+
   // The cheapest few that are no results of the search, but for the cheapest of all.
   static std::vector<Candidate> next_best(std::vector<Candidate> all) {
     constexpr std::size_t few = 3;
@@ -288,17 +229,21 @@ class Planner {
       if (!within.empty() && control_->stop_wanted()) {
         break;
       }
-      Start part = affordable(*job_, whole, budget);
-      part.name = "beginning of: " + whole.name;
-      part.how = fmt::format("the first {} of its {} tests", part.setups.size(), whole.tests());
-      within.push_back(counted(*job_, part));
+      within.push_back(affordable(*job_, whole, budget));
     }
     std::stable_sort(within.begin(), within.end(), tests_more);
+    plan.most_weight = most_weight_;
     Attempts attempts(*job_, plan.bound, *control_);
     const std::uint64_t steps =
         options_->steps == 0 ? attempts.suitable_steps(*plan.complete) : options_->steps;
     keep_what_there_is(plan, [&] {
-      if (!control_->stop_wanted()) {
+      if (!job_->weights.empty() && !control_->stop_wanted()) {
+        std::uint64_t made = 0;
+        within.push_back(
+            counted(*job_, heaviest_within(*job_, budget, plan.bound.cost, within.front().setups,
+                                           *options_, *control_, made)));
+        plan.steps += made;
+      } else if (!control_->stop_wanted()) {
         within.push_back(
             counted(*job_, attempts.within(budget, within.front(), steps, options_->attempts)));
       }
@@ -308,6 +253,9 @@ class Planner {
       if (candidate.cost > budget) {
         throw InternalError(candidate.name + " exceeds the budget");
       }
+      if (plan.most_weight && candidate.weight > *plan.most_weight) {
+        throw InternalError(candidate.name + " tests more weight than can be");
+      }
     }
     plan.candidates = std::move(within);
     within_budget_ = true;
@@ -316,6 +264,7 @@ class Planner {
   const Job* job_;
   const PlanOptions* options_;
   RunControl* control_;
+  std::optional<Amount> most_weight_;
   bool within_budget_ = false;  // the candidates need not test all pairs
 };
 
@@ -323,7 +272,11 @@ class Planner {
 
 RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {
   check(job);
-  return Planner(job, options, control).run();
+  if (!job.first.empty()) {
+    return plan_with_first(job, options, control);
+  }
+  return job.triples.empty() ? Planner(job, options, control).run()
+                             : plan_for_triples(job, options, control);
 }
 
 }  // namespace changeover

@@ -4,6 +4,8 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "plan/search/alike.hpp"
+#include "plan/search/first_plan.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -40,8 +42,9 @@ class Rows {
   std::vector<std::uint64_t> bits_;
 };
 
-// The parts by classes within which any exchange leaves the job as it is.
-std::vector<std::vector<Element>> classes_of(const Job& job) {
+}  // namespace
+
+std::vector<std::vector<Element>> alike(const Job& job) {
   const Rows needed(job.needed);
   const Rows never(job.never);
   const auto in = [](const Block& block, Element x) {
@@ -65,13 +68,14 @@ std::vector<std::vector<Element>> classes_of(const Job& job) {
   return classes;
 }
 
-}  // namespace
-
 RunPlan shuffled(const Job& job, RunPlan plan, std::uint64_t seed, std::uint64_t& exchanged) {
+  if (!job.first.empty()) {
+    return shuffled_with_first(job, std::move(plan), seed, exchanged);
+  }
   std::vector<Element> now(job.names.size());  // by part: who stands in its place
   Random random(seed, 3'000'000);
   exchanged = 0;
-  for (const std::vector<Element>& members : classes_of(job)) {
+  for (const std::vector<Element>& members : alike(job)) {
     std::vector<Element> mixed = members;
     for (std::size_t i = mixed.size(); i > 1; --i) {
       std::swap(mixed[i - 1], mixed[random.below(static_cast<std::uint32_t>(i))]);

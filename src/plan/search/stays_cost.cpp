@@ -1,10 +1,13 @@
 #include "plan/search/stays_cost.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace changeover {
 
-StaysCost stays_cost(std::vector<Amount> prices, std::uint64_t room) {
+namespace {
+
+StaysCost stays_cost(std::vector<Amount> prices, std::uint64_t room, bool triples) {
   StaysCost least;
   if (room == 0) {
     return least;
@@ -19,9 +22,19 @@ StaysCost stays_cost(std::vector<Amount> prices, std::uint64_t room) {
   for (std::uint64_t s = 1; taken < n; ++s) {
     least.extra += n - taken;
     least.cost += cheapest[static_cast<std::size_t>(n - taken)];
-    taken = 2 * s * room;
+    taken = triples && s == 1 ? room : triples && s == 2 ? 5 * room : 2 * s * room;
   }
   return least;
+}
+
+}  // namespace
+
+StaysCost stays_cost(std::vector<Amount> prices, std::uint64_t room) {
+  return stays_cost(std::move(prices), room, false);
+}
+
+StaysCost stays_cost_of_triples(std::vector<Amount> prices, std::uint64_t room) {
+  return stays_cost(std::move(prices), room, true);
 }
 
 }  // namespace changeover

@@ -28,4 +28,8 @@ struct StaysCost {
 /// @throws ImpossibleParameters if a cost overflows.
 [[nodiscard]] StaysCost stays_cost(std::vector<Amount> prices, std::uint64_t room);
 
+/// The same where every three of the parts must meet: Y_1 = Y_2 = n − K, Y_3 = n − 5K, and from s = 4 on as for pairs, since
+/// for strength 3 the factors of K are 1, 2, 7, 13, …
+[[nodiscard]] StaysCost stays_cost_of_triples(std::vector<Amount> prices, std::uint64_t room);
+
 }  // namespace changeover

@@ -13,6 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "plan/search/attempts.hpp"
+#include "plan/search/first_plan.hpp"
 
 namespace changeover {
 namespace {
@@ -122,6 +123,9 @@ WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
 
 WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
                RunControl& control) {
+  if (!job.first.empty()) {
+    return what_if_with_first(job, plan, options, control);
+  }
   const RunScope scope(control);
   std::vector<Candidate> candidates = plan.candidates;
   if (plan.complete) {
@@ -163,13 +167,8 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
     if (!sheet.does_the_job()) {
       throw InternalError("a plan for other costs leaves pairs untested");
     }
-    candidates.push_back({.name = start.name,
-                          .how = start.how,
-                          .setups = start.setups,
-                          .changes = sheet.changes,
-                          .change_cost = sheet.change_cost,
-                          .cost = sheet.cost,
-                          .pairs_tested = sheet.pairs_tested});
+    candidates.push_back({.name = start.name, .how = start.how, .setups = start.setups});
+    candidates.back().take_figures(sheet);
     return true;
   };
   constexpr std::uint64_t far = 1000;

@@ -242,6 +242,7 @@ std::string in_words(const Suspect& suspect, const std::vector<std::string>& nam
 Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests) {
   Job any = job;
   any.needed = PairSet(job.parts());
+  any.first.clear();
   check(any);
   Diagnosis found;
   std::vector<Members> passed;
@@ -253,6 +254,17 @@ Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests) {
   found.failed = failed.size();
   if (failed.empty()) {
     return found;
+  }
+  for (const TestedSetup& bad : tests) {
+    for (const TestedSetup& good : tests) {
+      constexpr std::size_t enough = 10;
+      const bool all_there = std::all_of(bad.setup.begin(), bad.setup.end(), [&](Element x) {
+        return std::find(good.setup.begin(), good.setup.end(), x) != good.setup.end();
+      });
+      if (bad.failed && !good.failed && all_there && found.contradictions.size() < enough) {
+        found.contradictions.emplace_back(bad.setup, good.setup);
+      }
+    }
   }
   found.suspects = suspects_among(common_parts(job, failed), passed);
   if (found.suspects.empty()) {

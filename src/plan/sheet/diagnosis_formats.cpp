@@ -56,6 +56,18 @@ std::string what_is_suspect(const Job& job, const Diagnosis& found) {
     }
     return text;
   }
+  std::string contradictions;
+  for (const auto& [failed, passed] : found.contradictions) {
+    const std::string what = joined(names_of(job, failed));
+    contradictions += failed.size() == passed.size()
+                          ? fmt::format("  {} failed and passed\n", what)
+                          : fmt::format("  {} failed, and passed as part of {}\n", what,
+                                        joined(names_of(job, passed)));
+  }
+  if (!contradictions.empty()) {
+    return "Results contradict each other: a fault comes and goes, or a result is wrong.\n" +
+           contradictions;
+  }
   std::string text =
       "No part and no pair alone explains all results: there are two faults at least.\n";
   if (found.two.empty()) {
@@ -119,6 +131,11 @@ std::string diagnosis_as_json(const Job& job, const Diagnosis& found) {
   json.key("two").begin_array();
   for (const auto& [one, other] : found.two) {
     write(json, job, std::vector<Suspect>{one, other});
+  }
+  json.end_array().key("contradictions").begin_array();
+  for (const auto& [failed, passed] : found.contradictions) {
+    json.begin_object().key("failed").value(names_of(job, failed));
+    json.key("passed").value(names_of(job, passed)).end_object();
   }
   json.end_array().key("tests").begin_array();
   for (const NextTest& test : found.tests) {

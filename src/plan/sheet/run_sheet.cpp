@@ -38,6 +38,46 @@ class PairTable {
   std::uint64_t size_ = 0;
 };
 
+// Which needed triples are missing, as a plain list of flags.
+class TripleTable {
+ public:
+  TripleTable(const Job& job) : v_(job.triples.empty() ? 0 : job.names.size()) {
+    needed_.assign(v_ * v_ * v_, false);
+    for (const Triple& t : job.triples) {
+      if (!needed_.at(place(t))) {
+        needed_[place(t)] = true;
+        ++size_;
+      }
+    }
+  }
+
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+  // Takes out the triples of a set-up, which is increasing, and returns those that were there.
+  std::vector<Triple> met(const Block& setup) {
+    std::vector<Triple> found;
+    for (std::size_t i = 0; size_ > 0 && i < setup.size(); ++i) {
+      for (std::size_t j = i + 1; j < setup.size(); ++j) {
+        for (std::size_t l = j + 1; l < setup.size(); ++l) {
+          const Triple t{setup[i], setup[j], setup[l]};
+          if (needed_[place(t)]) {
+            needed_[place(t)] = false;
+            --size_;
+            found.push_back(t);
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+ private:
+  [[nodiscard]] std::size_t place(const Triple& t) const { return (t[0] * v_ + t[1]) * v_ + t[2]; }
+
+  std::size_t v_;
+  std::vector<bool> needed_;
+  std::uint64_t size_ = 0;
+};
+
 Block sorted(const Job& job, Block block) {
   for (const Element x : block) {
     if (x >= job.parts()) {
@@ -75,6 +115,13 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
   const Block mounted = sorted(job, job.mounted);
   RunSheet sheet;
   sheet.pairs_needed = missing.size();
+  TripleTable missing_triples(job);
+  sheet.triples_needed = missing_triples.size();
+  const bool weighs = !job.weights.empty();
+  if (weighs) {
+    job.needed.for_each(std::numeric_limits<std::uint64_t>::max(),
+                        [&](Element x, Element y) { sheet.weight_needed += job.weights(x, y); });
+  }
   Block before = sorted(job, job.start);
   for (const Block& given : setups) {
     RunStep step;
@@ -103,6 +150,10 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
                                            job.slots[s].most));
       }
     }
+    const std::size_t place = sheet.steps.size();
+    if (place < job.first.size() && step.setup != sorted(job, job.first[place])) {
+      sheet.faults.push_back(where() + " is not the one that must be run there");
+    }
     step.take_out = without(before, step.setup);
     step.put_in = without(step.setup, before);
     // A pair that meets here first has a part that was put in; in the first set-up, any pair may be it.
@@ -122,10 +173,13 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
         if (missing.contains(x, y)) {
           missing.erase(x, y);
           step.new_pairs.push_back(pair);
+          sheet.weight_tested += weighs ? job.weights(x, y) : Amount{};
         }
       }
     }
     std::sort(step.new_pairs.begin(), step.new_pairs.end());
+    step.weight_so_far = sheet.weight_tested;
+    step.new_triples = missing_triples.met(step.setup);
     before = step.setup;
     step.cost = job.test_cost;
     for (const Element x : step.put_in) {
@@ -137,7 +191,11 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
     step.cost_so_far = sheet.cost;
     sheet.steps.push_back(std::move(step));
   }
+  if (setups.size() < job.first.size()) {
+    sheet.faults.push_back("some of the set-ups that must come first are not there");
+  }
   sheet.pairs_tested = sheet.pairs_needed - missing.size();
+  sheet.triples_tested = sheet.triples_needed - missing_triples.size();
   return sheet;
 }
 

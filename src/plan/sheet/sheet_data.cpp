@@ -15,7 +15,9 @@ void write_candidate(JsonWriter& json, const Money& money, const Candidate& cand
   json.begin_object().key("name").value(candidate.name).key("how").value(candidate.how);
   json.key("tests").value(candidate.tests()).key("changes").value(candidate.changes);
   json.key("cost").raw(money(candidate.cost));
-  json.key("pairs_tested").value(candidate.pairs_tested).end_object();
+  json.key("pairs_tested").value(candidate.pairs_tested);
+  json.key("triples_tested").value(candidate.triples_tested);
+  json.key("weight").raw(to_string(candidate.weight)).end_object();
 }
 
 void write_ratio(JsonWriter& json, const std::optional<Ratio>& ratio) {
@@ -27,7 +29,12 @@ std::string ratio_text(const std::optional<Ratio>& ratio) {
   return ratio ? ratio->to_string() : std::string();
 }
 
-// A text in a cell of a Markdown table: nothing in it is markup.
+std::string markdown_list(const Job& job, const Block& parts) {
+  return markdown(joined(names_of(job, parts)));
+}
+
+}  // namespace
+
 std::string markdown(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -38,12 +45,6 @@ std::string markdown(const std::string& text) {
   }
   return escaped;
 }
-
-std::string markdown_list(const Job& job, const Block& parts) {
-  return markdown(joined(names_of(job, parts)));
-}
-
-}  // namespace
 
 std::string sheet_as_csv(const SheetDocument& document) {
   const Job& job = *document.job;
@@ -80,7 +81,9 @@ std::string sheet_as_csv(const SheetDocument& document) {
       text += "," + csv_cell(kind == kinds ? head : head + " " + job.slots[kind].name);
     }
   }
-  text += ",new_pairs,cost,cost_so_far,result\n";
+  const bool weighs = !job.weights.empty();
+  text += fmt::format(",new_{},cost,cost_so_far{},result\n", what_meets(job),
+                      weighs ? ",weight_so_far" : "");
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : document.plan->sheet.steps) {
     text += fmt::format("{},{},{}", ++number, csv_cell(parts_text(step.take_out, job.names)),
@@ -91,8 +94,9 @@ std::string sheet_as_csv(const SheetDocument& document) {
         text += i < parts[kind].size() ? cells[parts[kind][i]] : ",";
       }
     }
-    text += fmt::format(",{},{},{},\n", step.new_pairs.size(), money(step.cost),
-                        money(step.cost_so_far));
+    text += fmt::format(",{},{},{}{},\n", new_here(job, step), money(step.cost),
+                        money(step.cost_so_far),
+                        weighs ? "," + to_string(step.weight_so_far) : std::string());
   }
   return text;
 }
@@ -124,7 +128,11 @@ std::string sheet_as_json(const SheetDocument& document) {
   json.key("test_cost").raw(money(job.test_cost));
   json.key("mounted").value(names_of(job, job.mounted));
   json.key("start").value(names_of(job, job.start));
-  json.key("tests_done").value(job.tests_done);
+  json.key("first").begin_array();
+  for (const Block& setup : job.first) {
+    json.value(names_of(job, setup));
+  }
+  json.end_array().key("tests_done").value(job.tests_done);
   json.key("tests").value(sheet.steps.size()).key("changes").value(sheet.changes);
   json.key("cost").raw(money(sheet.cost)).key("pairs_needed").value(sheet.pairs_needed);
   json.key("pairs_tested").value(sheet.pairs_tested);
@@ -133,6 +141,16 @@ std::string sheet_as_json(const SheetDocument& document) {
   json.key("tests").value(plan.bound.tests).key("changes").value(plan.bound.introductions);
   json.key("reason").value(plan.bound.reason).end_object().key("budget");
   document.budget ? json.raw(money(*document.budget)) : json.null();
+  json.key("triples_needed").value(sheet.triples_needed);
+  json.key("triples_tested").value(sheet.triples_tested).key("weight");
+  if (job.weights.empty()) {
+    json.null();
+  } else {
+    json.begin_object().key("needed").raw(to_string(sheet.weight_needed));
+    json.key("tested").raw(to_string(sheet.weight_tested)).key("most");
+    plan.most_weight ? json.raw(to_string(*plan.most_weight)) : json.null();
+    json.end_object();
+  }
   json.key("steps").begin_array();
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : sheet.steps) {
@@ -143,8 +161,18 @@ std::string sheet_as_json(const SheetDocument& document) {
     for (const auto& [x, y] : step.new_pairs) {
       json.value(names_of(job, {x, y}));
     }
+    if (!job.triples.empty()) {
+      json.end_array().key("new_triples").begin_array();
+      for (const Triple& t : step.new_triples) {
+        json.value(names_of(job, {t.begin(), t.end()}));
+      }
+    }
     json.end_array().key("cost").raw(money(step.cost));
-    json.key("cost_so_far").raw(money(step.cost_so_far)).end_object();
+    json.key("cost_so_far").raw(money(step.cost_so_far));
+    if (!job.weights.empty()) {
+      json.key("weight_so_far").raw(to_string(step.weight_so_far));
+    }
+    json.end_object();
   }
   json.end_array().key("candidates").begin_array();
   for (const Candidate& candidate : plan.candidates) {
@@ -165,22 +193,24 @@ std::string sheet_as_markdown(const SheetDocument& document) {
   if (!job.mounted.empty()) {
     text += "- " + markdown(mounted_line(job));
   }
-  text +=
-      "\n| step | take out | put in | set-up | new pairs | cost so far |\n"
-      "|---:|:---|:---|:---|---:|---:|\n";
+  text += fmt::format(
+      "\n| step | take out | put in | set-up | new {} | cost so far |\n"
+      "|---:|:---|:---|:---|---:|---:|\n",
+      what_meets(job));
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : plan.sheet.steps) {
     text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", ++number,
                         markdown_list(job, step.take_out), markdown_list(job, step.put_in),
-                        markdown_list(job, without_mounted(job, step.setup)), step.new_pairs.size(),
+                        markdown_list(job, without_mounted(job, step.setup)), new_here(job, step),
                         money(step.cost_so_far));
   }
-  text +=
-      "\n| plan | tests | changes | cost | pairs | dearer by | how |\n"
-      "|:---|---:|---:|---:|---:|---:|:---|\n";
+  text += fmt::format(
+      "\n| plan | tests | changes | cost | {} | dearer by | how |\n"
+      "|:---|---:|---:|---:|---:|---:|:---|\n",
+      what_meets(job));
   for (const Candidate& candidate : plan.candidates) {
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", candidate.name, candidate.tests(),
-                        candidate.changes, money(candidate.cost), candidate.pairs_tested,
+                        candidate.changes, money(candidate.cost), tested_by(job, candidate),
                         difference(document, candidate), candidate.how);
   }
   return text;

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include "plan/sheet/sheet_html.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
-namespace {
 
-std::string escaped(std::string_view text) {
+std::string html_text(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
@@ -33,6 +33,8 @@ std::string escaped(std::string_view text) {
   }
   return result;
 }
+
+namespace {
 
 constexpr std::string_view style = R"(
   @page { size: A4; margin: 14mm 12mm; }
@@ -63,6 +65,7 @@ constexpr std::string_view style = R"(
          vertical-align: -.12em; }
   .verdict { white-space: nowrap; width: 1%; }
   .notes { width: 30%; min-width: 45mm; }
+  .bench { break-before: page; }
   .compact { columns: 2; column-gap: 8mm; font-size: .85em; }
   .compact td { border-bottom: 1px solid #999; padding: .15rem .3rem; }
   .compact .notes { min-width: 20mm; }
@@ -85,21 +88,21 @@ std::string list(const Job& job, const Block& parts, const Block& marked) {
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const bool bold = std::find(marked.begin(), marked.end(), parts[i]) != marked.end();
-    text +=
-        fmt::format("{}<span class=\"part{}{}\">{}{}</span>", i > 0 && side_by_side ? " " : "",
-                    bold ? " in" : "", job.names[parts[i]].size() > wide_name ? " wide" : "",
-                    escaped(job.names[parts[i]]), side_by_side && i + 1 < parts.size() ? " ·" : "");
+    text += fmt::format("{}<span class=\"part{}{}\">{}{}</span>", i > 0 && side_by_side ? " " : "",
+                        bold ? " in" : "", job.names[parts[i]].size() > wide_name ? " wide" : "",
+                        html_text(job.names[parts[i]]),
+                        side_by_side && i + 1 < parts.size() ? " ·" : "");
   }
   return text;
 }
 
 // The same in a line of text.
 std::string in_words(const Job& job, const Block& parts) {
-  return escaped(joined(names_of(job, parts), " · "));
+  return html_text(joined(names_of(job, parts), " · "));
 }
 
 std::string figure(const std::string& what, const std::string& value) {
-  return fmt::format("  <div><dt>{}</dt><dd>{}</dd></div>\n", what, escaped(value));
+  return fmt::format("  <div><dt>{}</dt><dd>{}</dd></div>\n", what, html_text(value));
 }
 
 std::string figures(const SheetDocument& document) {
@@ -110,7 +113,12 @@ std::string figures(const SheetDocument& document) {
   text += figure("Parts, at a time", fmt::format("{}, {}", job.parts(), job.at_once));
   text += figure("Tests", fmt::format("{}", sheet.steps.size()));
   text += figure("Changes", fmt::format("{}", sheet.changes));
-  text += figure("Pairs tested", fmt::format("{} of {}", sheet.pairs_tested, sheet.pairs_needed));
+  if (job.triples.empty()) {
+    text += figure("Pairs tested", fmt::format("{} of {}", sheet.pairs_tested, sheet.pairs_needed));
+  } else {
+    text += figure("Triples tested",
+                   fmt::format("{} of {}", sheet.triples_tested, sheet.triples_needed));
+  }
   text += figure("Cost of tests", money(sheet.cost - sheet.change_cost));
   text += figure("Cost of changes", money(sheet.change_cost));
   text += figure("Total cost", money(sheet.cost));
@@ -135,7 +143,9 @@ std::string constraints(const SheetDocument& document) {
   return text;
 }
 
-std::string steps(const SheetDocument& document) {
+}  // namespace
+
+std::string html_steps(const SheetDocument& document) {
   const Job& job = *document.job;
   const Money money(job, document.budget);
   const bool whole = !document.compact;
@@ -144,8 +154,11 @@ std::string steps(const SheetDocument& document) {
   text += fmt::format(
       "<thead><tr><th>Pass Fail</th><th class=\"n\">Step</th><th>Take out</th><th>Put in</th>"
       "{}<th class=\"notes\">Notes</th></tr></thead>\n<tbody>\n",
-      whole ? "<th>Set-up</th><th class=\"n\">New<br>pairs</th><th class=\"n\">Cost<br>so far</th>"
-            : "");
+      whole
+          ? fmt::format(
+                "<th>Set-up</th><th class=\"n\">New<br>{}</th><th class=\"n\">Cost<br>so far</th>",
+                what_meets(job))
+          : "");
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : document.plan->sheet.steps) {
     text += fmt::format(
@@ -155,45 +168,54 @@ std::string steps(const SheetDocument& document) {
     if (whole) {
       text += fmt::format("<td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>",
                           list(job, without_mounted(job, step.setup), step.put_in),
-                          step.new_pairs.size(), money(step.cost_so_far));
+                          new_here(job, step), money(step.cost_so_far));
     }
     text += "<td></td></tr>\n";
   }
   return text + "</tbody>\n</table>\n" + (whole ? "" : "</div>\n");
 }
 
+namespace {
+
 std::string comparison(const SheetDocument& document) {
-  const Money money(*document.job, document.budget);
+  const Job& job = *document.job;
+  const Money money(job, document.budget);
   std::string text =
       "<h2>Compared</h2>\n<table>\n<thead><tr><th>Plan</th><th class=\"n\">Tests</th>"
-      "<th class=\"n\">Changes</th><th class=\"n\">Cost</th><th class=\"n\">Pairs</th>"
-      "<th class=\"n\">Dearer by</th></tr></thead>\n<tbody>\n";
+      "<th class=\"n\">Changes</th><th class=\"n\">Cost</th><th class=\"n\">" +
+      std::string(job.triples.empty() ? "Pairs" : "Triples") +
+      "</th><th class=\"n\">Dearer by</th></tr></thead>\n<tbody>\n";
   for (const Candidate& candidate : document.plan->candidates) {
     text += fmt::format(
         "<tr><td>{}<br><span class=\"small\">{}</span></td><td class=\"n\">{}</td>"
         "<td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
         "<td class=\"n\">{}</td></tr>\n",
-        escaped(candidate.name), escaped(candidate.how), candidate.tests(), candidate.changes,
-        money(candidate.cost), candidate.pairs_tested, escaped(difference(document, candidate)));
+        html_text(candidate.name), html_text(candidate.how), candidate.tests(), candidate.changes,
+        money(candidate.cost), tested_by(job, candidate),
+        html_text(difference(document, candidate)));
   }
   return text + "</tbody>\n</table>\n";
 }
 
 }  // namespace
 
+std::string html_page(const std::string& title, const std::string& body) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}"
+      "</body>\n</html>\n",
+      html_text(title), style, body);
+}
+
 std::string sheet_as_html(const SheetDocument& document) {
   std::string notes;
   const std::vector<std::string> lines = summary(document);
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    notes += fmt::format("<p class=\"small\">{}</p>\n", escaped(lines[i]));
+    notes += fmt::format("<p class=\"small\">{}</p>\n", html_text(lines[i]));
   }
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}{3}{4}{5}{6}"
-      "</body>\n</html>\n",
-      escaped(document.title), style, figures(document), constraints(document), steps(document),
-      comparison(document), notes);
+  return html_page(document.title, figures(document) + constraints(document) +
+                                       html_steps(document) + comparison(document) + notes);
 }
 
 }  // namespace changeover

@@ -28,11 +28,21 @@ std::string sheet_as_table(const SheetDocument& document, std::size_t width) {
     rows.push_back({one(fmt::format("{}", ++number)), names_of(job, step.take_out),
                     names_of(job, step.put_in),
                     names_of(job, document.compact ? Block{} : without_mounted(job, step.setup)),
-                    one(fmt::format("{}", step.new_pairs.size())), one(money(step.cost_so_far))});
+                    one(fmt::format("{}", new_here(job, step))), one(money(step.cost_so_far))});
+    if (!job.weights.empty()) {
+      rows.back().push_back(one(to_string(step.weight_so_far)));
+    }
   }
   if (!rows.empty()) {
-    std::vector<Column> columns{{"step", true}, {"take out"},        {"put in"},
-                                {"set-up"},     {"new pairs", true}, {"cost so far", true}};
+    std::vector<Column> columns{{"step", true},
+                                {"take out"},
+                                {"put in"},
+                                {"set-up"},
+                                {"new " + what_meets(job), true},
+                                {"cost so far", true}};
+    if (!job.weights.empty()) {
+      columns.push_back({"weight so far", true});
+    }
     if (document.compact) {
       constexpr std::ptrdiff_t setup = 3;
       columns.erase(columns.begin() + setup);
@@ -46,14 +56,14 @@ std::string sheet_as_table(const SheetDocument& document, std::size_t width) {
   for (const Candidate& candidate : plan.candidates) {
     rows.push_back({one(candidate.name), one(fmt::format("{}", candidate.tests())),
                     one(fmt::format("{}", candidate.changes)), one(money(candidate.cost)),
-                    one(fmt::format("{}", candidate.pairs_tested)),
+                    one(fmt::format("{}", tested_by(job, candidate))),
                     one(difference(document, candidate)), one(candidate.how)});
   }
   text += "\nCompared\n" + laid_out({{"plan"},
                                      {"tests", true},
                                      {"changes", true},
                                      {"cost", true},
-                                     {"pairs", true},
+                                     {what_meets(job), true},
                                      {"dearer by", true},
                                      {"how"}},
                                     rows, width);

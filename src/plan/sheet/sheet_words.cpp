@@ -36,6 +36,40 @@ std::uint64_t changes_in_random_order(const Job& job, const RunSheet& sheet) {
   return tests == 0 ? 0 : (sum + tests / 2) / tests;
 }
 
+// How much of the weight is met, or how soon.
+std::string weight_line(const Job& job, const RunPlan& plan, const Money& money) {
+  const RunSheet& sheet = plan.sheet;
+  const std::string met =
+      fmt::format("weight of the pairs tested: {} of {}", to_string(sheet.weight_tested),
+                  to_string(sheet.weight_needed));
+  if (plan.most_weight && *plan.most_weight >= sheet.weight_needed) {
+    return met + "; no bound is known";
+  }
+  if (plan.most_weight) {
+    return met + (sheet.weight_tested == *plan.most_weight
+                      ? "; no plan within the budget tests more"
+                      : fmt::format("; no plan within the budget tests more than {}",
+                                    to_string(*plan.most_weight)));
+  }
+  const auto reached = [&](double share) {
+    for (std::size_t i = 0; i < sheet.steps.size(); ++i) {
+      const RunStep& step = sheet.steps[i];
+      if (static_cast<double>(step.weight_so_far.millionths) >=
+          share * static_cast<double>(sheet.weight_needed.millionths)) {
+        return fmt::format("after step {} (cost {})", i + 1 + job.tests_done,
+                           money(step.cost_so_far));
+      }
+    }
+    return std::string("never");
+  };
+  if (sheet.steps.empty()) {
+    return met;
+  }
+  constexpr double half = 0.5;
+  constexpr double most = 0.9;
+  return fmt::format("{}; half of it {}, nine tenths {}", met, reached(half), reached(most));
+}
+
 }  // namespace
 
 Money::Money(const Job& job, std::optional<Amount> budget) {
@@ -44,10 +78,6 @@ Money::Money(const Job& job, std::optional<Amount> budget) {
     decimals_ = std::max(decimals_, decimals_needed(cost));
   }
   decimals_ = std::max(decimals_, decimals_needed(budget.value_or(Amount{})));
-}
-
-std::string count_of(std::uint64_t n, const std::string& singular) {
-  return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
 }
 
 std::vector<std::string> names_of(const Job& job, const Block& parts) {
@@ -66,19 +96,40 @@ std::string joined(const std::vector<std::string>& names, const std::string& bet
   return text;
 }
 
+std::string what_meets(const Job& job) { return job.triples.empty() ? "pairs" : "triples"; }
+
+std::uint64_t tested_by(const Job& job, const Candidate& candidate) {
+  return job.triples.empty() ? candidate.pairs_tested : candidate.triples_tested;
+}
+
+std::uint64_t new_here(const Job& job, const RunStep& step) {
+  return job.triples.empty() ? step.new_pairs.size() : step.new_triples.size();
+}
+
 std::vector<std::string> summary(const SheetDocument& document) {
   const Job& job = *document.job;
   const RunPlan& plan = *document.plan;
   const RunSheet& sheet = plan.sheet;
   const Money money(job, document.budget);
+  const bool triples = !job.triples.empty();
+  const std::string all = "all " + what_meets(job);
   std::vector<std::string> lines{
       fmt::format("{}, {} at a time: {}, {}, cost {}", count_of(job.parts(), "part"), job.at_once,
                   count_of(sheet.steps.size(), "test"), count_of(sheet.changes, "change"),
                   money(sheet.cost)),
-      fmt::format("{} of {} tested, checked by an independent count", sheet.pairs_tested,
-                  count_of(sheet.pairs_needed, "needed pair"))};
+      fmt::format("{} of {} tested, checked by an independent count",
+                  triples ? sheet.triples_tested : sheet.pairs_tested,
+                  triples ? count_of(sheet.triples_needed, "needed triple")
+                          : count_of(sheet.pairs_needed, "needed pair"))};
   if (job.tests_done > 0) {
     lines.front() += fmt::format(", after {} done", count_of(job.tests_done, "test"));
+  }
+  if (!job.first.empty()) {
+    const RunSheet first = run_sheet(job, job.first);
+    lines.push_back(fmt::format(
+        "the first {} given: cost {}, {} of the needed pairs",
+        job.first.size() == 1 ? "test is" : fmt::format("{} tests are", job.first.size()),
+        money(first.cost), first.pairs_tested));
   }
   const std::uint64_t in_random_order = changes_in_random_order(job, sheet);
   if (in_random_order > sheet.changes) {
@@ -96,17 +147,20 @@ std::vector<std::string> summary(const SheetDocument& document) {
                                               : fmt::format("; next the {}, {}", next.name, by)));
   }
   if (plan.complete) {
-    lines.push_back(fmt::format("budget {}: testing all pairs would cost {}",
-                                money(document.budget.value_or(Amount{})),
+    lines.push_back(fmt::format("budget {}: testing {} would cost {}",
+                                money(document.budget.value_or(Amount{})), all,
                                 money(plan.complete->cost)));
+  }
+  if (!job.weights.empty()) {
+    lines.push_back(weight_line(job, plan, money));
   }
   const Amount cheapest = plan.complete ? plan.complete->cost : sheet.cost;
   const CostBound& bound = plan.bound;
   if (cheapest == bound.cost) {
-    lines.push_back(plan.complete ? "no plan for all pairs is cheaper than that"
-                                  : "no plan for all pairs is cheaper: this is the lower bound");
+    lines.push_back(fmt::format("no plan for {} is cheaper{}", all,
+                                plan.complete ? " than that" : ": this is the lower bound"));
   } else {
-    lines.push_back(fmt::format("lower bound for all pairs: {}{}", money(bound.cost),
+    lines.push_back(fmt::format("lower bound for {}: {}{}", all, money(bound.cost),
                                 bound.cost.millionths == 0
                                     ? ""
                                     : fmt::format(" ({} at most {} above the least possible)",

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "changeover/plan/sheet_formats.hpp"
+#include "plan/job/words.hpp"
 
 namespace changeover {
 
@@ -18,9 +19,6 @@ class Money {
   unsigned decimals_ = 0;
 };
 
-/// "1 test", "2 tests".
-[[nodiscard]] std::string count_of(std::uint64_t n, const std::string& singular);
-
 /// The names of some parts.
 [[nodiscard]] std::vector<std::string> names_of(const Job& job, const Block& parts);
 
@@ -30,6 +28,18 @@ class Money {
 
 /// "17 tests, 20 changes, cost 117", and what is to be said of the budget and the bound, a line each.
 [[nodiscard]] std::vector<std::string> summary(const SheetDocument& document);
+
+/// "pairs", or "triples" where these have to meet.
+[[nodiscard]] std::string what_meets(const Job& job);
+
+/// How many of them a candidate tests.
+[[nodiscard]] std::uint64_t tested_by(const Job& job, const Candidate& candidate);
+
+/// How many of them a step tests first.
+[[nodiscard]] std::uint64_t new_here(const Job& job, const RunStep& step);
+
+/// A text in a cell of a Markdown table: nothing in it is markup.
+[[nodiscard]] std::string markdown(const std::string& text);
 
 /// "mounted all the time: Pump", a line; empty if nothing is.
 [[nodiscard]] std::string mounted_line(const Job& job);

@@ -276,5 +276,24 @@ TEST(ReadJob, AnyMutantIsReadOrRefusedWithOneLine) {
   EXPECT_LT(refused, 3 * mutants);
 }
 
+TEST(ReadParts, NamesThatLookTheSameAreRefused) {
+  const auto complaint = [](const std::string& text) -> std::string {
+    try {
+      (void)read_parts(*input_from_text(text, "p.csv"), Header::none);
+    } catch (const BadInput& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint("Pump A,1\nPump\u200b B,2\nFan,3\n"), "") << "one that looks like no other";
+  EXPECT_EQ(complaint("Pump,1\nPu\u200bmp,2\n").find("p.csv:2:1: a second part looks like 'Pump'"),
+            0U);
+  EXPECT_EQ(complaint("Pump A,1\nFan,1\nPump\u00a0A,2\n").find("p.csv:3:1: a second part"), 0U);
+  EXPECT_EQ(complaint("\u200b,1\nFan,1\n").find("p.csv:1:1: nothing of this name"), 0U);
+  Job job = make_job(3, 2, parse_amount("1"), parse_amount("1"));
+  job.names[1] = "1\u2060";
+  EXPECT_THROW(check(job), BadInput);
+}
+
 }  // namespace
 }  // namespace changeover

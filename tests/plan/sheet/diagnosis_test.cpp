@@ -177,5 +177,19 @@ TEST(Diagnosis, OfManySuspects) {
   EXPECT_LT(after_all_tests(found, {3, 17}, cost).size(), 20U);
 }
 
+TEST(Diagnosis, ContradictionsAreNamed) {
+  const Job job = make_job(6, 3, parse_amount("1"), parse_amount("1"));
+  const Diagnosis found =
+      diagnose(job, {{{0, 1, 2}, true}, {{2, 1, 0}, false}, {{3, 4}, true}, {{3, 4, 5}, false}});
+  ASSERT_EQ(found.contradictions.size(), 2U);
+  EXPECT_EQ(found.contradictions[1].second, (Block{3, 4, 5}));
+  const std::string text = diagnosis_as_table(job, found, 100);
+  EXPECT_NE(text.find("  1, 2, 3 failed and passed\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("  4, 5 failed, and passed as part of 4, 5, 6\n"), std::string::npos) << text;
+  EXPECT_NE(diagnosis_as_json(job, found).find("\"contradictions\":[{\"failed\":[\"1\""),
+            std::string::npos);
+  EXPECT_TRUE(diagnose(job, {{{0, 1, 2}, true}, {{0, 1}, false}}).contradictions.empty());
+}
+
 }  // namespace
 }  // namespace changeover

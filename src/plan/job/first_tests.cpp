@@ -1,0 +1,80 @@
+// Set-ups that must be run first.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/plan/job.hpp"
+#include "io/read/place.hpp"
+#include "plan/job/setup_list.hpp"
+
+namespace changeover {
+
+std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
+  if (setup.empty()) {
+    return "no part is mounted; remove the set-up or complete it";
+  }
+  if (setup.size() > job.at_once) {
+    return fmt::format("{} parts stand here, but only {} fit at once", setup.size(), job.at_once);
+  }
+  for (const Element m : job.mounted) {
+    if (std::find(setup.begin(), setup.end(), m) == setup.end()) {
+      return fmt::format("{} stays mounted, but is not in this set-up; add it", job.names[m]);
+    }
+  }
+  for (std::size_t i = 0; i < setup.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (job.never.contains(setup[i], setup[j])) {
+        return fmt::format("{} and {} must never be in one set-up; remove one", job.names[setup[j]],
+                           job.names[setup[i]]);
+      }
+    }
+  }
+  for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
+    const Slot& slot = job.slots[s];
+    const auto there = static_cast<std::uint64_t>(
+        std::count_if(setup.begin(), setup.end(), [&](Element x) { return job.slot_of[x] == s; }));
+    if (there < slot.least || there > slot.most) {
+      const bool few = there < slot.least;
+      return fmt::format("slot {} has {} here, but {} {} in every set-up; {}", shown(slot.name),
+                         there == 1 ? "1 part" : fmt::format("{} parts", there),
+                         few ? "needs" : "holds at most", few ? slot.least : slot.most,
+                         few ? "add what it lacks" : "remove what is too much");
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Block> read_first(Input& input, const Job& job) {
+  DoneList list = read_list(input, job.names, job.at_once, false);
+  if (list.setups.empty()) {
+    fail(input.name(), {}, "no set-up is listed; write the parts of a set-up a line");
+  }
+  for (std::size_t i = 0; i < list.setups.size(); ++i) {
+    if (const auto defect = setup_defect(job, list.setups[i])) {
+      fail(input.name(), {list.lines[i], 1}, *defect);
+    }
+  }
+  return std::move(list.setups);
+}
+
+Job after_first(const Job& job) {
+  if (job.first.empty()) {
+    return job;
+  }
+  Job rest = job;
+  rest.first.clear();
+  PairSet met(job.parts());
+  for (const Block& setup : job.first) {
+    for (std::size_t i = 0; i < setup.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        met.insert(setup[i], setup[j]);
+      }
+    }
+  }
+  drop_needed(rest, met);
+  drop_met_triples(rest, job.first);
+  rest.start = job.first.back();
+  return rest;
+}
+
+}  // namespace changeover

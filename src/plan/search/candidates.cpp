@@ -1,0 +1,116 @@
+#include "plan/search/candidates.hpp"
+
+#include <fmt/format.h>
+
+#include <new>
+#include <tuple>
+#include <utility>
+
+#include "changeover/core/design.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/verify/verdict.hpp"
+
+namespace changeover {
+namespace {
+
+// A list that changes the same number of parts at every step and tests all pairs is a change covering
+// design: the verifier must agree.
+void verify_as_design(const Job& job, const RunSheet& sheet) {
+  const auto change = sheet.constant_change();
+  const std::uint64_t v = job.parts();
+  const bool triples = !job.triples.empty();
+  if (!change || !sheet.does_the_job() || sheet.pairs_needed != v * (v - 1) / 2 || *change == 0 ||
+      (triples && sheet.triples_needed != v * (v - 1) * (v - 2) / 6)) {
+    return;
+  }
+  Design design({.v = v,
+                 .k = sheet.steps.front().setup.size(),
+                 .change = *change,
+                 .strength = triples ? 3U : 2U});
+  for (const RunStep& step : sheet.steps) {
+    design.append(step.setup);
+  }
+  if (!verify(design).valid()) {
+    throw InternalError("the verifier rejects a plan that was counted as complete");
+  }
+}
+
+}  // namespace
+
+Candidate counted(const Job& job, const Start& start) {
+  RunControl undisturbed({});
+  const RunScope scope(undisturbed);
+  const RunSheet sheet = run_sheet(job, start.setups);
+  if (!sheet.faults.empty()) {
+    throw InternalError(fmt::format("{}: {}", start.name, sheet.faults.front()));
+  }
+  verify_as_design(job, sheet);
+  Candidate candidate{.name = start.name, .how = start.how, .setups = start.setups};
+  candidate.take_figures(sheet);
+  return candidate;
+}
+
+Candidate counted_complete(const Job& job, const Start& start) {
+  Candidate candidate = counted(job, start);
+  if (candidate.pairs_tested != job.needed.size() ||
+      candidate.triples_tested != job.triples.size()) {
+    throw InternalError(start.name + " leaves something untested");
+  }
+  return candidate;
+}
+
+bool cheaper(const Candidate& a, const Candidate& b) {
+  return std::tuple(a.cost, a.changes, a.tests()) < std::tuple(b.cost, b.changes, b.tests());
+}
+
+bool tests_more(const Candidate& a, const Candidate& b) {
+  return a.weight != b.weight                   ? a.weight > b.weight
+         : a.triples_tested != b.triples_tested ? a.triples_tested > b.triples_tested
+         : a.pairs_tested != b.pairs_tested     ? a.pairs_tested > b.pairs_tested
+                                                : cheaper(a, b);
+}
+
+Candidate affordable(const Job& job, const Candidate& plan, Amount budget) {
+  Start part{"beginning of: " + plan.name, "", {}};
+  for (const RunStep& step : run_sheet(job, plan.setups).steps) {
+    if (step.cost_so_far > budget) {
+      break;
+    }
+    part.setups.push_back(step.setup);
+  }
+  part.how = fmt::format("the first {} of its {} tests", part.setups.size(), plan.tests());
+  return counted(job, part);
+}
+
+void keep_what_there_is(RunPlan& plan, const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const Stopped&) {
+    // The control knows why.
+  } catch (const MissingResource& fault) {
+    plan.shortage = fault.what();
+  } catch (const std::bad_alloc&) {
+    plan.shortage = fmt::format("not enough memory to go on searching among lists of {} tests",
+                                plan.candidates.front().tests());
+  }
+}
+
+void settle(const Job& job, RunPlan& plan, const RunControl& control) {
+  plan.sheet = run_sheet(job, plan.candidates.front().setups);
+  plan.why_stopped = control.why_stopped();
+  if (plan.why_stopped == WhyStopped::running) {
+    plan.why_stopped = plan.proved_cheapest() ? WhyStopped::found : WhyStopped::step_limit;
+  }
+}
+
+void Candidate::take_figures(const RunSheet& sheet) {
+  changes = sheet.changes;
+  change_cost = sheet.change_cost;
+  cost = sheet.cost;
+  pairs_tested = sheet.pairs_tested;
+  triples_tested = sheet.triples_tested;
+  weight = sheet.weight_tested;
+}
+
+}  // namespace changeover

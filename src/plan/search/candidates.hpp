@@ -1,0 +1,31 @@
+// Lists of set-ups counted and compared.
+#pragma once
+
+#include <functional>
+
+#include "changeover/plan/run_plan.hpp"
+#include "plan/search/starts.hpp"
+
+namespace changeover {
+
+/// A list as the referee counts it; one that is a change covering design must pass the verifier too. Counting is short, and
+/// is not stopped: nothing is shown without it. @throws InternalError if it breaks a constraint.
+[[nodiscard]] Candidate counted(const Job& job, const Start& start);
+
+/// The same for a list that must do the job. @throws InternalError if it leaves anything untested.
+[[nodiscard]] Candidate counted_complete(const Job& job, const Start& start);
+
+/// Orders of candidates: the cheapest first; those that test the most weight, triples or pairs first.
+[[nodiscard]] bool cheaper(const Candidate& a, const Candidate& b);
+[[nodiscard]] bool tests_more(const Candidate& a, const Candidate& b);
+
+/// The longest beginning of a plan that is within the budget.
+[[nodiscard]] Candidate affordable(const Job& job, const Candidate& plan, Amount budget);
+
+/// Does what may go on for long, or want more than there is: what the plan has by then stays, and it says what was missing.
+void keep_what_there_is(RunPlan& plan, const std::function<void()>& work);
+
+/// The sheet of the first candidate, and why the search ended.
+void settle(const Job& job, RunPlan& plan, const RunControl& control);
+
+}  // namespace changeover

@@ -1,0 +1,132 @@
+#include "plan/search/first_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+
+namespace changeover {
+namespace {
+
+// The list counted for this job; its name and how it came about stay.
+Candidate counted_for(const Job& job, Candidate candidate) {
+  RunControl undisturbed({});
+  const RunScope scope(undisturbed);
+  const RunSheet sheet = run_sheet(job, candidate.setups);
+  if (!sheet.faults.empty()) {
+    throw InternalError(fmt::format("{}: {}", candidate.name, sheet.faults.front()));
+  }
+  candidate.take_figures(sheet);
+  return candidate;
+}
+
+Candidate with_first(const Job& job, Candidate candidate) {
+  if (candidate.setups.empty()) {
+    candidate.name = "the first tests";
+    candidate.how = "no test after them";
+  }
+  candidate.setups.insert(candidate.setups.begin(), job.first.begin(), job.first.end());
+  return counted_for(job, std::move(candidate));
+}
+
+Candidate without_first(const Job& job, const Job& rest, Candidate candidate) {
+  const auto begin = candidate.setups.begin();
+  candidate.setups.erase(begin, begin + static_cast<std::ptrdiff_t>(job.first.size()));
+  return counted_for(rest, std::move(candidate));
+}
+
+// What is left of a plan, sheet and candidates, when the first set-ups have been run.
+RunPlan rest_of(const Job& job, const Job& rest, const RunPlan& plan) {
+  RunPlan left = plan;
+  for (Candidate& candidate : left.candidates) {
+    candidate = without_first(job, rest, std::move(candidate));
+  }
+  if (left.complete) {
+    left.complete = without_first(job, rest, *left.complete);
+  }
+  left.sheet = run_sheet(rest, left.candidates.front().setups);
+  return left;
+}
+
+// The set-ups of a list, each of which may go to a place of its own: equal ones are the same parts in any order.
+Block in_order(Block setup) {
+  std::sort(setup.begin(), setup.end());
+  return setup;
+}
+
+CostBound after(const Job& job, CostBound rest) {
+  const RunSheet first = run_sheet(job, job.first);
+  rest.cost += first.cost;
+  rest.tests += first.steps.size();
+  rest.introductions += first.changes;
+  rest.reason = fmt::format(
+      "the first {} {}; after {}, {}",
+      first.steps.size() == 1 ? "test costs" : fmt::format("{} tests cost", first.steps.size()),
+      to_string(first.cost), first.steps.size() == 1 ? "it" : "them", rest.reason);
+  return rest;
+}
+
+}  // namespace
+
+CostBound bound_with_first(const Job& job) { return after(job, cost_bound(after_first(job))); }
+
+RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& control) {
+  const Job rest = after_first(job);
+  const Amount spent = run_sheet(job, job.first).cost;
+  PlanOptions left = options;
+  if (options.budget) {
+    if (spent > *options.budget) {
+      throw BadInput(fmt::format(
+          "the tests that come first cost {} by themselves, more than the budget of {}; give more "
+          "or fewer of them",
+          to_string(spent), to_string(*options.budget)));
+    }
+    left.budget = *options.budget - spent;
+  }
+  for (const Block& setup : job.first) {  // Going on with a sheet, they are the first of its rest.
+    const auto found = std::find_if(left.rest.begin(), left.rest.end(), [&](const Block& other) {
+      return in_order(other) == in_order(setup);
+    });
+    if (found != left.rest.end()) {
+      left.rest.erase(found);
+    }
+  }
+  RunPlan plan = make_run_plan(rest, left, control);
+  for (Candidate& candidate : plan.candidates) {
+    candidate = with_first(job, std::move(candidate));
+  }
+  if (plan.complete) {
+    plan.complete = with_first(job, *std::move(plan.complete));
+  }
+  plan.sheet = run_sheet(job, plan.candidates.front().setups);
+  plan.bound = after(job, plan.bound);
+  if (plan.most_weight) {
+    *plan.most_weight += run_sheet(job, job.first).weight_tested;
+  }
+  return plan;
+}
+
+RunPlan shuffled_with_first(const Job& job, RunPlan plan, std::uint64_t seed,
+                            std::uint64_t& exchanged) {
+  const Job rest = after_first(job);
+  const RunPlan mixed = shuffled(rest, rest_of(job, rest, plan), seed, exchanged);
+  plan.candidates.front() = with_first(job, mixed.candidates.front());
+  plan.sheet = run_sheet(job, plan.candidates.front().setups);
+  return plan;
+}
+
+WhatIf what_if_with_first(const Job& job, const RunPlan& plan, const PlanOptions& options,
+                          RunControl& control) {
+  const Job rest = after_first(job);
+  // All lists begin with the same set-ups: which is cheapest does not depend on what these cost.
+  WhatIf answer = what_if(rest, rest_of(job, rest, plan), options, control);
+  for (WhatIf::Range& range : answer.ranges) {
+    range.plan = with_first(job, std::move(range.plan));
+  }
+  return answer;
+}
+
+}  // namespace changeover

@@ -1,0 +1,143 @@
+// What makes lists complete and takes away what is too much.
+#include <algorithm>
+#include <optional>
+
+#include "changeover/core/error.hpp"
+#include "plan/search/lists/lists_search.hpp"
+
+namespace changeover {
+namespace {
+
+// The set-up nearest to `beside` that holds the target; nothing if it is not found.
+std::optional<Block> around(const Lists& lists, std::span<const Element> beside,
+                            std::span<const Element> target) {
+  const Job& job = lists.job();
+  const Fitting& fitting = lists.fitting();
+  Block setup = job.mounted;
+  const auto holds = [&](Element z) {
+    return std::find(setup.begin(), setup.end(), z) != setup.end();
+  };
+  for (const Element x : target) {
+    if (!holds(x)) {
+      setup.push_back(x);
+    }
+  }
+  if (fitting.has_slots()) {
+    const auto whole = fitting.completed(setup, beside);
+    if (!whole) {
+      return std::nullopt;
+    }
+    setup = *whole;
+  }
+  for (const Element z : beside) {
+    const std::size_t slot = fitting.slot(z);
+    const bool has_place =
+        slot == fitting.slots() ||
+        static_cast<std::uint64_t>(std::count_if(setup.begin(), setup.end(), [&](Element other) {
+          return fitting.slot(other) == slot;
+        })) < fitting.most(slot);
+    if (setup.size() < job.room() && !holds(z) && has_place && lists.joins(setup, z)) {
+      setup.push_back(z);
+    }
+  }
+  return setup.size() <= job.room() ? std::optional(setup) : std::nullopt;
+}
+
+}  // namespace
+
+bool complete(Lists& lists, RunControl& control) {
+  constexpr std::size_t looked_at = 64;
+  while (lists.open() > 0) {
+    if (control.stop_wanted()) {
+      return false;
+    }
+    const auto found = lists.open_target(0);
+    const std::span<const Element> target(found.data(), lists.of_triples() ? 3 : 2);
+    const std::size_t stride = lists.tests() / looked_at + 1;
+    double best = -1;
+    Spot place;
+    Block chosen;
+    const auto consider = [&](Spot where, std::span<const Element> beside) {
+      const auto setup = around(lists, beside, target);
+      if (!setup) {
+        return;
+      }
+      const std::uint64_t missing = lists.missing();
+      const std::int64_t cost = lists.total();
+      const std::int64_t largest = lists.largest();
+      lists.insert(where, *setup);
+      const double gain = static_cast<double>(missing - lists.missing());
+      const auto rise = static_cast<double>(lists.total() - cost + lists.largest() - largest);
+      const double worth = gain / (rise + 1.0);
+      lists.undo();
+      if (worth > best) {
+        best = worth;
+        place = where;
+        chosen = *setup;
+      }
+    };
+    for (std::size_t bench = 0; bench < lists.benches(); ++bench) {
+      consider({bench, 0}, lists.job().start);
+    }
+    for (std::size_t i = 0; i < lists.tests(); i += stride) {
+      Spot where = lists.spot(i);
+      const auto there = lists.setup(where);
+      const Block beside(there.begin(), there.end());
+      ++where.at;
+      consider(where, beside);
+    }
+    if (chosen.empty()) {
+      throw InternalError("what has to meet has no set-up");
+    }
+    lists.insert(place, chosen);
+    lists.keep();
+  }
+  return true;
+}
+
+void prune(Lists& lists, RunControl& control) {
+  const auto no_worse = [&](auto&& change) {
+    const std::uint64_t missing = lists.missing();
+    const std::int64_t total = lists.total();
+    const std::int64_t largest = lists.largest();
+    change();
+    const bool good =
+        lists.missing() <= missing && lists.total() <= total && lists.largest() <= largest;
+    good ? lists.keep() : lists.undo();
+    return good;
+  };
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = lists.tests(); i-- > 0;) {
+      if (control.stop_wanted()) {
+        return;
+      }
+      again = no_worse([&] { lists.take_out(lists.spot(i)); }) || again;
+    }
+    for (std::size_t bench = 0; bench < lists.benches(); ++bench) {
+      for (const Element x : lists.movable()) {
+        if (control.stop_wanted()) {
+          return;
+        }
+        for (std::size_t at = 0; at < lists.tests(bench); ++at) {
+          bool spare = true;
+          std::size_t last = at;
+          for (; last < lists.tests(bench) && lists.holds({bench, last}, x); ++last) {
+            spare = spare && lists.may_replace({bench, last}, x, nobody);
+          }
+          if (last > at && spare) {
+            again = no_worse([&] {
+                      for (std::size_t i = at; i < last; ++i) {
+                        lists.replace({bench, i}, x, nobody);
+                      }
+                    }) ||
+                    again;
+          }
+          at = std::max(at, last);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace changeover

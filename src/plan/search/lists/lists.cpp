@@ -1,0 +1,384 @@
+#include "plan/search/lists/lists.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "changeover/run/scope.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t one = 1'000'000;
+
+std::size_t choose_two(std::size_t n) { return n * (n - 1) / 2; }
+std::size_t choose_three(std::size_t n) { return n < 3 ? 0 : n * (n - 1) * (n - 2) / 6; }
+
+}  // namespace
+
+Lists::Lists(const Job& job, Weights weights, const BenchLists& lists)
+    : job_(&job),
+      fitting_(job),
+      weights_(std::move(weights)),
+      parts_(job.names.size()),
+      triples_(!job.triples.empty()),
+      is_movable_(parts_, false),
+      order_(lists.size()),
+      cost_(lists.size(), 0) {
+  const std::size_t words = (parts_ + 63) / 64;
+  const std::size_t places = triples_ ? choose_three(parts_) : choose_two(parts_);
+  constexpr auto all = std::numeric_limits<std::uint64_t>::max();
+  count_.assign(places, 1);
+  place_.assign(places, 0);
+  if (!job.weights.empty()) {
+    weight_.assign(places, one);
+  }
+  const auto need = [&](std::size_t i) {
+    count_[i] = 0;
+    place_[i] = static_cast<std::uint32_t>(open_.size());
+    open_.push_back(static_cast<std::uint32_t>(i));
+    missing_ += weight_.empty() ? one : weight_[i];
+  };
+  if (triples_) {
+    for (const Triple& t : job.triples) {
+      is_movable_[t[0]] = is_movable_[t[1]] = is_movable_[t[2]] = true;
+      need(index(t[0], t[1], t[2]));
+    }
+  } else {
+    job.needed.for_each(all, [&](Element x, Element y) {
+      is_movable_[x] = is_movable_[y] = true;
+      if (!weight_.empty()) {
+        weight_[index(x, y)] = job.weights(x, y).millionths;
+      }
+      need(index(x, y));
+    });
+  }
+  for (Element x = 0; x < parts_; ++x) {
+    is_movable_[x] = is_movable_[x] || fitting_.least(fitting_.slot(x)) > 0;
+  }
+  for (const Element m : job.mounted) {
+    is_movable_[m] = false;
+  }
+  for (Element x = 0; x < parts_; ++x) {
+    if (is_movable_[x]) {
+      movable_.push_back(x);
+    }
+  }
+  if (job.never.size() > 0) {
+    never_.assign(parts_, Bits(words, 0));
+    job.never.for_each(all, [&](Element x, Element y) {
+      never_[x][y >> 6] |= std::uint64_t{1} << (y & 63);
+      never_[y][x >> 6] |= std::uint64_t{1} << (x & 63);
+    });
+  }
+  start_.bits.assign(words, 0);
+  for (const Element x : job.start) {
+    start_.elements.push_back(x);
+    start_.bits[x >> 6] |= std::uint64_t{1} << (x & 63);
+  }
+  for (std::size_t bench = 0; bench < lists.size(); ++bench) {
+    for (const Block& setup : lists[bench]) {
+      stop_if_asked();
+      insert({bench, tests(bench)}, setup);
+    }
+  }
+  keep();
+}
+
+std::size_t Lists::index(Element x, Element y) const {
+  return x < y ? choose_two(y) + x : choose_two(x) + y;
+}
+
+std::size_t Lists::index(Element x, Element y, Element z) const {
+  if (x > y) {
+    std::swap(x, y);
+  }
+  if (y > z) {
+    std::swap(y, z);
+  }
+  if (x > y) {
+    std::swap(x, y);
+  }
+  return choose_three(z) + choose_two(y) + x;
+}
+
+std::array<Element, 3> Lists::open_target(std::size_t index) const {
+  std::size_t left = open_[index];
+  std::array<Element, 3> target{0, 0, nobody};
+  if (triples_) {
+    Element z = 2;
+    while (choose_three(z + std::size_t{1}) <= left) {
+      ++z;
+    }
+    left -= choose_three(z);
+    target[2] = z;
+  }
+  Element y = 1;
+  while (choose_two(y + std::size_t{1}) <= left) {
+    ++y;
+  }
+  target[0] = static_cast<Element>(left - choose_two(y));
+  target[1] = y;
+  return target;
+}
+
+Spot Lists::spot(std::size_t index) const {
+  std::size_t bench = 0;
+  while (index >= order_[bench].size()) {
+    index -= order_[bench++].size();
+  }
+  return {bench, index};
+}
+
+std::int64_t Lists::largest() const { return *std::max_element(cost_.begin(), cost_.end()); }
+
+BenchLists Lists::lists() const {
+  BenchLists result(benches());
+  for (std::size_t bench = 0; bench < benches(); ++bench) {
+    for (const std::uint32_t handle : order_[bench]) {
+      result[bench].push_back(places_[handle].elements);
+      std::sort(result[bench].back().begin(), result[bench].back().end());
+    }
+  }
+  return result;
+}
+
+bool Lists::joins(std::span<const Element> setup, Element y) const {
+  return never_.empty() ||
+         std::none_of(setup.begin(), setup.end(), [&](Element z) { return bit(never_[y], z); });
+}
+
+bool Lists::may_replace(Spot where, Element out, Element in) const {
+  const std::span<const Element> now = setup(where);
+  if (out == nobody && now.size() >= job_->room()) {
+    return false;
+  }
+  if (in == nobody && now.size() < 2) {
+    return false;
+  }
+  if (fitting_.has_slots()) {
+    const std::size_t from = out == nobody ? fitting_.slots() : fitting_.slot(out);
+    const std::size_t to = in == nobody ? fitting_.slots() : fitting_.slot(in);
+    const auto there = [&](std::size_t slot) {
+      return static_cast<std::uint64_t>(std::count_if(
+          now.begin(), now.end(), [&](Element z) { return fitting_.slot(z) == slot; }));
+    };
+    if (from != to && ((from < fitting_.slots() && there(from) <= fitting_.least(from)) ||
+                       (to < fitting_.slots() && there(to) >= fitting_.most(to)))) {
+      return false;
+    }
+  }
+  return in == nobody || never_.empty() || std::none_of(now.begin(), now.end(), [&](Element z) {
+           return z != out && bit(never_[in], z);
+         });
+}
+
+std::int64_t Lists::step(const Place& from, const Place& to) const {
+  std::int64_t weight = 0;
+  for (const Element x : to.elements) {
+    weight += bit(from.bits, x) ? 0 : static_cast<std::int64_t>(weights_.change[x]);
+  }
+  return weight;
+}
+
+std::int64_t Lists::step_into(Spot where) const {
+  return where.at >= tests(where.bench)
+             ? 0
+             : step(before(where), places_[order_[where.bench][where.at]]);
+}
+
+void Lists::add_cost(std::size_t bench, std::int64_t rise) {
+  cost_[bench] += rise;
+  total_ += rise;
+}
+
+void Lists::meet(std::size_t index) {
+  if (count_[index]++ == 0) {
+    const std::uint32_t last = open_.back();
+    open_[place_[index]] = last;
+    place_[last] = place_[index];
+    open_.pop_back();
+    missing_ -= weight_.empty() ? one : weight_[index];
+  }
+}
+
+void Lists::part(std::size_t index) {
+  if (--count_[index] == 0) {
+    place_[index] = static_cast<std::uint32_t>(open_.size());
+    open_.push_back(static_cast<std::uint32_t>(index));
+    missing_ += weight_.empty() ? one : weight_[index];
+  }
+}
+
+// x comes to others, or goes from them.
+template <bool coming>
+void Lists::count_with(const Block& others, Element x) {
+  const auto count = [&](std::size_t i) { coming ? meet(i) : part(i); };
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (!triples_) {
+      count(index(x, others[i]));
+      continue;
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      count(index(x, others[i], others[j]));
+    }
+  }
+}
+
+template <bool coming>
+void Lists::count_all(const Block& setup) {
+  Block others;
+  others.reserve(setup.size());
+  for (const Element x : setup) {
+    count_with<coming>(others, x);
+    others.push_back(x);
+  }
+}
+
+void Lists::do_replace(Spot where, Element out, Element in) {
+  Place& place = places_[order_[where.bench][where.at]];
+  const Spot next{where.bench, where.at + 1};
+  std::int64_t rise = -step_into(where) - step_into(next);
+  if (out != nobody) {
+    *std::find(place.elements.begin(), place.elements.end(), out) = place.elements.back();
+    place.elements.pop_back();
+    place.bits[out >> 6] &= ~(std::uint64_t{1} << (out & 63));
+    count_with<false>(place.elements, out);
+  }
+  if (in != nobody) {
+    count_with<true>(place.elements, in);
+    place.elements.push_back(in);
+    place.bits[in >> 6] |= std::uint64_t{1} << (in & 63);
+  }
+  rise += step_into(where) + step_into(next);
+  add_cost(where.bench, rise);
+}
+
+void Lists::attach(Spot where, std::uint32_t handle) {
+  std::vector<std::uint32_t>& order = order_[where.bench];
+  const Spot next{where.bench, where.at + 1};
+  std::int64_t rise = static_cast<std::int64_t>(weights_.test) - step_into(where);
+  order.insert(order.begin() + static_cast<std::ptrdiff_t>(where.at), handle);
+  rise += step_into(where) + step_into(next);
+  add_cost(where.bench, rise);
+  ++tests_;
+}
+
+std::uint32_t Lists::detach(Spot where) {
+  std::vector<std::uint32_t>& order = order_[where.bench];
+  const std::uint32_t handle = order[where.at];
+  const Spot next{where.bench, where.at + 1};
+  std::int64_t rise =
+      -static_cast<std::int64_t>(weights_.test) - step_into(where) - step_into(next);
+  order.erase(order.begin() + static_cast<std::ptrdiff_t>(where.at));
+  rise += step_into(where);
+  add_cost(where.bench, rise);
+  --tests_;
+  return handle;
+}
+
+void Lists::do_reverse(std::size_t bench, Stretch where) {
+  std::int64_t rise = 0;
+  for (std::size_t at = where.first; at <= where.last + 1; ++at) {
+    rise -= step_into({bench, at});
+  }
+  std::reverse(order_[bench].begin() + static_cast<std::ptrdiff_t>(where.first),
+               order_[bench].begin() + static_cast<std::ptrdiff_t>(where.last) + 1);
+  for (std::size_t at = where.first; at <= where.last + 1; ++at) {
+    rise += step_into({bench, at});
+  }
+  add_cost(bench, rise);
+}
+
+std::uint32_t Lists::new_place(std::span<const Element> setup) {
+  std::uint32_t handle = 0;
+  if (free_.empty()) {
+    handle = static_cast<std::uint32_t>(places_.size());
+    places_.emplace_back();
+  } else {
+    handle = free_.back();
+    free_.pop_back();
+  }
+  Place& place = places_[handle];
+  place.elements.assign(setup.begin(), setup.end());
+  place.bits.assign((parts_ + 63) / 64, 0);
+  for (const Element x : setup) {
+    place.bits[x >> 6] |= std::uint64_t{1} << (x & 63);
+  }
+  return handle;
+}
+
+void Lists::replace(Spot where, Element out, Element in) {
+  do_replace(where, out, in);
+  notes_.push_back({Kind::replaced, where, out, in});
+}
+
+void Lists::take_out(Spot where) {
+  const std::uint32_t handle = detach(where);
+  count_all<false>(places_[handle].elements);
+  notes_.push_back({Kind::taken_out, where, handle, 0});
+}
+
+void Lists::insert(Spot where, std::span<const Element> setup) {
+  const std::uint32_t handle = new_place(setup);
+  attach(where, handle);
+  count_all<true>(places_[handle].elements);
+  notes_.push_back({Kind::inserted, where, handle, 0});
+}
+
+void Lists::move(Spot from, std::size_t count, Spot to) {
+  std::vector<std::uint32_t> handles;
+  for (std::size_t i = 0; i < count; ++i) {
+    handles.push_back(detach(from));
+    notes_.push_back({Kind::detached, from, handles.back(), 0});
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    attach({to.bench, to.at + i}, handles[i]);
+    notes_.push_back({Kind::attached, {to.bench, to.at + i}, handles[i], 0});
+  }
+}
+
+void Lists::reverse(std::size_t bench, Stretch where) {
+  do_reverse(bench, where);
+  notes_.push_back(
+      {Kind::reversed, {bench, where.first}, static_cast<std::uint32_t>(where.last), 0});
+}
+
+void Lists::keep() {
+  for (const Note& note : notes_) {
+    if (note.kind == Kind::taken_out) {
+      free_.push_back(note.a);
+    }
+  }
+  notes_.clear();
+}
+
+void Lists::undo() {
+  for (; !notes_.empty(); notes_.pop_back()) {
+    const Note& note = notes_.back();
+    switch (note.kind) {
+      case Kind::replaced:
+        do_replace(note.where, note.b, note.a);
+        break;
+      case Kind::taken_out:
+        attach(note.where, note.a);
+        count_all<true>(places_[note.a].elements);
+        break;
+      case Kind::inserted:
+        count_all<false>(places_[detach(note.where)].elements);
+        free_.push_back(note.a);
+        break;
+      case Kind::detached:
+        attach(note.where, note.a);
+        break;
+      case Kind::attached:
+        (void)detach(note.where);
+        break;
+      case Kind::reversed:
+        do_reverse(note.where.bench, {note.where.at, note.a});
+        break;
+    }
+  }
+}
+
+}  // namespace changeover

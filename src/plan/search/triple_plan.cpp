@@ -1,0 +1,325 @@
+#include "plan/search/triple_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "plan/search/attempts.hpp"
+#include "plan/search/candidates.hpp"
+#include "plan/search/lists/lists_search.hpp"
+
+namespace changeover {
+namespace {
+
+class GreedyForTriples {
+ public:
+  GreedyForTriples(const Job& job, RunControl& control)
+      : job_(&job),
+        control_(&control),
+        fitting_(job),
+        v_(job.names.size()),
+        missing_(v_ * v_ * v_, 0),
+        pairs_(v_ * v_, 0),
+        left_(v_, 0),
+        bench_(job.start) {
+    for (const Triple& t : job.triples) {
+      set(t, 1);
+    }
+  }
+
+  Start run() {
+    Start start{"greedy list", "always the step that tests most triples for its cost", {}};
+    for (const Triple& t : job_->triples) {
+      while (missing(t[0], t[1], t[2])) {
+        const bool hasty = control_->stop_wanted();
+        Block next = hasty || fitting_.has_slots() ? Block() : best_step();
+        if (next.empty()) {
+          next = around(t);
+        }
+        test(next);
+        start.setups.push_back(next);
+        bench_ = std::move(next);
+      }
+    }
+    return start;
+  }
+
+ private:
+  [[nodiscard]] bool missing(Element x, Element y, Element z) const {
+    return missing_[(x * v_ + y) * v_ + z] != 0;
+  }
+
+  void set(Triple t, std::uint8_t value) {
+    const auto by = [&](std::uint32_t& count) { value != 0 ? ++count : --count; };
+    std::sort(t.begin(), t.end());
+    do {
+      missing_[(t[0] * v_ + t[1]) * v_ + t[2]] = value;
+      if (t[1] < t[2]) {
+        by(left_[t[0]]);
+      }
+      by(pairs_[t[0] * v_ + t[1]]);  // each ordered pair stands first once
+    } while (std::next_permutation(t.begin(), t.end()));
+  }
+
+  void test(const Block& setup) {
+    for (std::size_t i = 0; i < setup.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t l = 0; l < j; ++l) {
+          if (missing(setup[i], setup[j], setup[l])) {
+            set({setup[i], setup[j], setup[l]}, 0);
+          }
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] bool joins(const Block& setup, Element y) const {
+    return std::none_of(setup.begin(), setup.end(),
+                        [&](Element z) { return z == y || job_->never.contains(y, z); });
+  }
+
+  // Triples that y would bring, and what could come of it after that.
+  [[nodiscard]] std::uint64_t worth(const Block& setup, Element y) const {
+    std::uint64_t triples = 0;
+    std::uint64_t hope = left_[y];
+    for (std::size_t i = 0; i < setup.size(); ++i) {
+      hope += pairs_[setup[i] * v_ + y];
+      for (std::size_t j = 0; j < i; ++j) {
+        triples += missing(y, setup[i], setup[j]) ? 1U : 0U;
+      }
+    }
+    return triples << 32U | hope;
+  }
+
+  void fill(Block& setup) const {
+    while (setup.size() < job_->room()) {
+      Element best = nobody;
+      std::uint64_t most = 0;
+      for (Element y = 0; y < v_; ++y) {
+        if (left_[y] == 0 || !joins(setup, y)) {
+          continue;
+        }
+        if (const std::uint64_t value = worth(setup, y); value > most) {
+          most = value;
+          best = y;
+        }
+      }
+      if (best == nobody) {
+        break;
+      }
+      setup.push_back(best);
+    }
+  }
+
+  [[nodiscard]] Block best_step() const {
+    Block best;
+    double most = 0;
+    const std::uint64_t room = job_->room() - job_->mounted.size();
+    for (const std::uint64_t j :
+         {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}, room / 2, room}) {
+      if (j == 0 || j > room) {
+        continue;
+      }
+      Block setup = job_->mounted;
+      Block staying = bench_;
+      std::stable_sort(staying.begin(), staying.end(),
+                       [&](Element x, Element y) { return left_[x] > left_[y]; });
+      for (const Element x : staying) {
+        if (setup.size() + j < job_->room() && left_[x] > 0 && joins(setup, x)) {
+          setup.push_back(x);
+        }
+      }
+      fill(setup);
+      std::uint64_t triples = 0;
+      double cost = static_cast<double>(job_->test_cost.millionths) + 1.0;
+      for (std::size_t i = 0; i < setup.size(); ++i) {
+        const bool there = std::find(bench_.begin(), bench_.end(), setup[i]) != bench_.end();
+        cost += there ? 0.0 : static_cast<double>(job_->change_costs[setup[i]].millionths);
+        for (std::size_t l = 0; l < i; ++l) {
+          for (std::size_t h = 0; h < l; ++h) {
+            triples += missing(setup[i], setup[l], setup[h]) ? 1U : 0U;
+          }
+        }
+      }
+      if (static_cast<double>(triples) / cost > most) {
+        most = static_cast<double>(triples) / cost;
+        best = std::move(setup);
+      }
+    }
+    return best;
+  }
+
+  // A set-up with these three, and what else fits.
+  [[nodiscard]] Block around(const Triple& t) const {
+    Block setup = job_->mounted;
+    for (const Element x : t) {
+      if (std::find(setup.begin(), setup.end(), x) == setup.end()) {
+        setup.push_back(x);
+      }
+    }
+    if (fitting_.has_slots()) {
+      return fitting_.completed(setup, bench_).value_or(setup);  // There is one: no defects.
+    }
+    for (const Element y : bench_) {
+      if (setup.size() < job_->room() && left_[y] > 0 && joins(setup, y)) {
+        setup.push_back(y);
+      }
+    }
+    return setup;
+  }
+
+  const Job* job_;
+  RunControl* control_;
+  Fitting fitting_;
+  std::size_t v_;
+  std::vector<std::uint8_t> missing_;  // by three parts, in any order
+  std::vector<std::uint32_t> pairs_;   // by two parts: missing triples with both
+  std::vector<std::uint32_t> left_;    // by part: missing triples with it
+  Block bench_;
+};
+
+class TriplePlanner {
+ public:
+  TriplePlanner(const Job& job, const PlanOptions& options, RunControl& control)
+      : job_(&job),
+        options_(&options),
+        control_(&control),
+        weights_(Weights::of(job, most_tests())) {}
+
+  RunPlan run() {
+    const RunScope scope(*control_);
+    RunPlan plan;
+    plan.bound = cost_bound(*job_);
+    add(plan, greedy_for_triples(*job_, *control_));
+    keep_what_there_is(plan, [&] {
+      add_rest(plan);
+      for (const Start& start : design_starts(*job_, 0, *control_)) {
+        add(plan, start);
+      }
+      search(plan);
+    });
+    std::stable_sort(plan.candidates.begin(), plan.candidates.end(), cheaper);
+    if (options_->budget && plan.candidates.front().cost > *options_->budget) {
+      find_affordable(plan);
+    } else if (options_->budget) {
+      plan.complete = plan.candidates.front();
+    }
+    settle(*job_, plan, *control_);
+    return plan;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t most_tests() const { return 2 * job_->triples.size() + 16; }
+
+  void add(RunPlan& plan, const Start& start) const {
+    Candidate candidate = counted_complete(*job_, start);
+    if (candidate.cost < plan.bound.cost) {
+      throw InternalError(start.name + " costs less than the lower bound");
+    }
+    plan.candidates.push_back(std::move(candidate));
+  }
+
+  // The list under way without what breaks a rule, and with what it lacks.
+  void add_rest(RunPlan& plan) const {
+    std::vector<Block> rest;
+    for (const Block& setup : options_->rest) {
+      if (run_sheet(*job_, {setup}).faults.empty()) {
+        rest.push_back(setup);
+      }
+    }
+    if (rest.empty()) {
+      return;
+    }
+    Lists lists(*job_, weights_, {rest});
+    if (lists.open() == 0) {
+      add(plan,
+          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
+    }
+    if (complete(lists, *control_)) {
+      prune(lists, *control_);
+      add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
+                 lists.lists().front()});
+    }
+  }
+
+  void search(RunPlan& plan) const {
+    ListsSearch search{.steps = options_->steps,
+                       .attempts = options_->attempts,
+                       .phase = "local search among lists of triples"};
+    const auto best = [&]() -> const Candidate& {
+      return *std::min_element(plan.candidates.begin(), plan.candidates.end(), cheaper);
+    };
+    while (best().cost > plan.bound.cost && !control_->stop_wanted()) {
+      std::vector<Candidate> all = plan.candidates;
+      std::stable_sort(all.begin(), all.end(), cheaper);
+      constexpr std::size_t few = 3;
+      std::vector<BenchLists> starts;
+      for (std::size_t i = 0; i < std::min(few, all.size()); ++i) {
+        starts.push_back({all[i].setups});
+      }
+      const FoundLists found = search_lists(*job_, weights_, starts, search, *control_);
+      plan.steps += found.steps;
+      std::erase_if(plan.candidates, [&](const Candidate& c) { return c.name == search_name; });
+      add(plan, {search_name,
+                 fmt::format("any number of changes a step; started from the {}", all.front().name),
+                 found.lists.front()});
+      ++search.round;
+      if (!options_->until_stopped) {
+        break;
+      }
+    }
+  }
+
+  void find_affordable(RunPlan& plan) const {
+    const Amount budget = *options_->budget;
+    plan.complete = plan.candidates.front();
+    std::vector<Candidate> within;
+    for (const Candidate& whole : plan.candidates) {
+      within.push_back(affordable(*job_, whole, budget));
+    }
+    std::stable_sort(within.begin(), within.end(), tests_more);
+    keep_what_there_is(plan, [&] {
+      const FoundLists found = search_lists(
+          *job_, weights_, {{within.front().setups}},
+          {.aim = Aim::most_weight,
+           .budget = static_cast<std::int64_t>(budget.millionths / weights_.unit),
+           .whole = static_cast<std::int64_t>(plan.bound.cost.millionths / weights_.unit),
+           .steps = options_->steps,
+           .attempts = options_->attempts,
+           .phase = "looking for the most triples within the budget"},
+          *control_);
+      plan.steps += found.steps;
+      within.push_back(counted(
+          *job_,
+          {search_name, "any number of changes a step, within the budget", found.lists.front()}));
+    });
+    std::stable_sort(within.begin(), within.end(), tests_more);
+    for (const Candidate& candidate : within) {
+      if (candidate.cost > budget) {
+        throw InternalError(candidate.name + " exceeds the budget");
+      }
+    }
+    plan.candidates = std::move(within);
+  }
+
+  const Job* job_;
+  const PlanOptions* options_;
+  RunControl* control_;
+  Weights weights_;
+};
+
+}  // namespace
+
+Start greedy_for_triples(const Job& job, RunControl& control) {
+  return GreedyForTriples(job, control).run();
+}
+
+RunPlan plan_for_triples(const Job& job, const PlanOptions& options, RunControl& control) {
+  return TriplePlanner(job, options, control).run();
+}
+
+}  // namespace changeover

@@ -1,0 +1,166 @@
+// What a budget can pay for at most.
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "changeover/run/scope.hpp"
+#include "plan/search/weighted.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t choose_two(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
+
+// How many introductions some money pays for at most.
+class Introductions {
+ public:
+  Introductions(const Job& job, const std::vector<bool>& mounted) {
+    std::vector<std::uint64_t> degree(job.names.size(), 0);
+    job.needed.for_each(all_of_them, [&](Element x, Element y) {
+      ++degree[x];
+      ++degree[y];
+    });
+    std::vector<Element> parts;
+    for (Element x = 0; x < job.parts(); ++x) {
+      const bool fills =
+          !job.slot_of.empty() && job.slot_of[x] != no_slot && job.slots[job.slot_of[x]].least > 0;
+      if (!mounted[x] && fills && degree[x] > 0) {
+        degree[x] = unlimited;
+      }
+      if (!mounted[x] && degree[x] > 0) {
+        parts.push_back(x);
+      }
+    }
+    std::sort(parts.begin(), parts.end(),
+              [&](Element x, Element y) { return job.change_costs[x] < job.change_costs[y]; });
+    for (const Element x : parts) {
+      rows_.push_back({job.change_costs[x].millionths, degree[x]});
+    }
+  }
+
+  [[nodiscard]] std::uint64_t operator()(std::uint64_t money, std::uint64_t most) const {
+    std::uint64_t number = 0;
+    for (const auto& [price, times] : rows_) {
+      const std::uint64_t affordable = price == 0 ? times : std::min(times, money / price);
+      number += affordable;
+      money -= affordable * price;
+      if (number >= most || affordable < times) {
+        break;
+      }
+    }
+    return std::min(number, most);
+  }
+
+ private:
+  static constexpr std::uint64_t unlimited = std::uint64_t{1} << 40U;
+  struct Row {
+    std::uint64_t price = 0;
+    std::uint64_t times = 0;
+  };
+  std::vector<Row> rows_;  // the cheapest first
+};
+
+// The most pairs if the introductions of each step are put in an order: each part then meets at most those that were there
+// before it.
+std::uint64_t most_one_by_one(std::uint64_t room, std::uint64_t at_start,
+                              std::uint64_t introductions) {
+  std::uint64_t pairs = choose_two(at_start);
+  const std::uint64_t few = std::min(introductions, room - std::min(room, at_start + 1));
+  pairs += few * at_start + choose_two(few);
+  return pairs + (introductions - few) * (room - 1);
+}
+
+// The most pairs of this many tests and introductions.
+std::uint64_t most_pairs(std::uint64_t room, std::uint64_t at_start, std::uint64_t tests,
+                         std::uint64_t introductions) {
+  const auto brought = [&](std::uint64_t j) { return choose_two(j) + j * (room - j); };
+  std::uint64_t most = 0;
+  for (std::uint64_t j = 0; j <= std::min(room, introductions); ++j) {
+    const std::uint64_t kept = std::min(at_start, room - j);
+    std::uint64_t pairs = choose_two(j) + j * kept + choose_two(kept);
+    if (tests > 1) {
+      const std::uint64_t rest = std::min(introductions - j, room * (tests - 1));
+      const std::uint64_t each = rest / (tests - 1);
+      const std::uint64_t more = rest % (tests - 1);
+      pairs += (tests - 1 - more) * brought(each) + (more == 0 ? 0 : more * brought(each + 1));
+    }
+    most = std::max(most, pairs);
+  }
+  return most;
+}
+
+std::vector<bool> mounted_parts(const Job& job) {
+  std::vector<bool> mounted(job.names.size(), false);
+  for (const Element m : job.mounted) {
+    mounted[m] = true;
+  }
+  return mounted;
+}
+
+}  // namespace
+
+std::uint64_t most_pairs_within(const Job& job, Amount budget) {
+  const std::vector<bool> mounted = mounted_parts(job);
+  std::uint64_t pairs = 0;
+  job.needed.for_each(all_of_them,
+                      [&](Element x, Element y) { pairs += !mounted[x] && !mounted[y] ? 1U : 0U; });
+  std::vector<bool> there(job.names.size(), false);
+  std::uint64_t at_start = 0;
+  for (const Element x : job.start) {
+    there[x] = true;
+    at_start += mounted[x] ? 0U : 1U;
+  }
+  std::uint64_t money = budget.millionths;
+  for (const Element m : job.mounted) {
+    const std::uint64_t price = there[m] ? 0 : job.change_costs[m].millionths;
+    if (price > money) {
+      return 0;
+    }
+    money -= price;
+  }
+  const Introductions affordable(job, mounted);
+  const std::uint64_t room = job.room() - job.mounted.size();
+  const std::uint64_t test = job.test_cost.millionths;
+  std::uint64_t most = 0;
+  for (std::uint64_t t = 1; t <= pairs && (test == 0 || t <= money / test); ++t) {
+    stop_if_asked();
+    const std::uint64_t introductions = affordable(money - t * test, room * t);
+    if (t > introductions + 1) {
+      break;  // Some step would introduce nothing.
+    }
+    most = std::max(most, std::min(most_pairs(room, at_start, t, introductions),
+                                   most_one_by_one(room, at_start, introductions)));
+    if (most >= pairs) {
+      return pairs;
+    }
+  }
+  return most;
+}
+
+Amount most_weight_within(const Job& job, Amount budget) {
+  const std::vector<bool> mounted = mounted_parts(job);
+  std::vector<std::uint64_t> weights;
+  Amount most;
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    if (mounted[x] || mounted[y]) {
+      most += job.weights(x, y);
+    } else {
+      weights.push_back(job.weights(x, y).millionths);
+    }
+  });
+  std::sort(weights.begin(), weights.end(), std::greater<>());
+  std::uint64_t number = weights.size();
+  try {
+    number = most_pairs_within(job, budget);
+  } catch (const Stopped&) {
+    // All of them, then.
+  }
+  for (std::uint64_t i = 0; i < std::min<std::uint64_t>(number, weights.size()); ++i) {
+    most += Amount{weights[static_cast<std::size_t>(i)]};
+  }
+  return most;
+}
+
+}  // namespace changeover

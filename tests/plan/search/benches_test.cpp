@@ -1,0 +1,156 @@
+// The tests of a job on several benches.
+#include "changeover/plan/benches.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "changeover/core/error.hpp"
+#include "cheapest.hpp"
+#include "random_jobs.hpp"
+
+namespace changeover {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+Amount units(std::uint64_t n) { return Amount{n * 1'000'000}; }
+
+BenchPlan planned(const Job& job, BenchOptions options, unsigned threads = 1) {
+  options.plan.steps = options.plan.steps == 0 ? 20'000 : options.plan.steps;
+  options.plan.design_moves = 0;
+  RunControl control({.threads = threads});
+  return make_bench_plan(job, options, control);
+}
+
+// By what is covered at least: the least cost of a list for it, from an empty bench.
+std::vector<std::uint64_t> costs_at_least(const Job& job) {
+  std::vector<std::uint64_t> least = test::least_costs(job);
+  for (std::size_t bit = 1; bit < least.size(); bit *= 2) {
+    for (std::size_t mask = 0; mask < least.size(); ++mask) {
+      if ((mask & bit) == 0) {
+        least[mask] = std::min(least[mask], least[mask | bit]);
+      }
+    }
+  }
+  return least;
+}
+
+// The least largest cost of two or three benches, over all ways to share what has to meet.
+std::uint64_t least_largest(const std::vector<std::uint64_t>& least, int benches) {
+  std::vector<std::uint64_t> best = least;
+  const std::size_t all = least.size() - 1;
+  for (int more = 1; more < benches; ++more) {
+    const std::vector<std::uint64_t> before = best;
+    for (std::size_t mask = 0; mask <= all; ++mask) {
+      for (std::size_t own = mask;; own = (own - 1) & mask) {
+        best[mask] = std::min(best[mask], std::max(least[own], before[mask & ~own]));
+        if (own == 0) {
+          break;
+        }
+      }
+    }
+  }
+  return best[all];
+}
+
+Job without_start(Job job) {
+  job.start.clear();
+  return job;
+}
+
+TEST(Benches, TheLeastLargestCostOfTinyJobs) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    const Job job = without_start(seed % 2 == 0 ? test::random_job(seed, 5)
+                                                : test::random_job_with_slots(seed, 5));
+    const std::vector<std::uint64_t> least = costs_at_least(job);
+    for (const int benches : {2, 3}) {
+      const BenchPlan plan = planned(job, {.benches = static_cast<std::uint64_t>(benches)});
+      const std::uint64_t best = least_largest(least, benches);
+      EXPECT_TRUE(plan.does_the_job());
+      EXPECT_LE(plan.largest_bound.millionths, best) << seed;
+      EXPECT_LE(plan.bound.cost, plan.cost);
+      EXPECT_EQ(plan.largest.millionths, best) << seed << ' ' << benches;
+    }
+  }
+}
+
+TEST(Benches, TheLeastCostTogetherIsThatOfOneBench) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Job job = without_start(test::random_job(seed, 5));
+    const BenchPlan plan = planned(job, {.benches = 2, .objective = BenchObjective::cost});
+    EXPECT_EQ(plan.cost.millionths, test::least_cost(job)) << seed;
+    EXPECT_LE(plan.largest, plan.cost);
+  }
+}
+
+TEST(Benches, NoWorseThanCuttingAndNoBetterThanTheBounds) {
+  for (const auto& [v, k, benches] :
+       {std::tuple{9U, 3U, 2U}, {12U, 4U, 3U}, {15U, 5U, 4U}, {6U, 3U, 9U}}) {
+    const Job job = make_job(v, k, units(2), units(1));
+    const BenchPlan plan = planned(job, {.benches = benches});
+    EXPECT_EQ(plan.sheets.size(), benches);
+    for (const BenchCandidate& c : plan.candidates) {
+      EXPECT_GE(c.largest, plan.largest);
+      EXPECT_GE(c.largest, plan.largest_bound);
+      EXPECT_GE(c.cost, plan.bound.cost);
+      const BenchCount count = count_benches(job, c.lists);
+      EXPECT_TRUE(count.does_the_job()) << c.name;
+      EXPECT_EQ(count.largest, c.largest);
+      EXPECT_EQ(count.cost, c.cost);
+    }
+    std::uint64_t pairs = 0;
+    for (const RunSheet& sheet : plan.sheets) {
+      pairs += sheet.pairs_tested;
+    }
+    EXPECT_EQ(pairs, job.needed.size()) << "each pair is new on one bench";
+  }
+}
+
+TEST(Benches, TheRefereeSeesWhatIsWrong) {
+  Job job = make_job(4, 3, units(1), units(1));
+  EXPECT_TRUE(count_benches(job, {{{0, 1, 2}}, {{0, 3}, {1, 2, 3}}}).does_the_job());
+  EXPECT_FALSE(count_benches(job, {{{0, 1, 2}}, {{1, 2, 3}}}).does_the_job());
+  const BenchCount count = count_benches(job, {{{0, 1, 2}}, {{0, 3}, {1, 2, 3}}});
+  EXPECT_EQ(count.cost, units(4 + 6));
+  EXPECT_EQ(count.largest, units(6));
+  EXPECT_EQ(count.sheets[1].pairs_tested, 3U);
+  job.never.insert(1, 2);
+  job.needed = all_pairs_but(job.never);
+  EXPECT_THAT(count_benches(job, {{{0, 1}}, {{1, 2, 3}}}).faults,
+              Contains(HasSubstr("bench 2: set-up 1 holds 2 and 3, which must never meet")));
+}
+
+TEST(Benches, TriplesMeetOnSomeBench) {
+  Job job = make_job(6, 4, units(1), units(1));
+  need_triples(job);
+  const BenchPlan plan = planned(job, {.benches = 2});
+  EXPECT_TRUE(plan.does_the_job());
+  EXPECT_EQ(plan.triples_tested, 20U);
+  Job tiny = make_job(5, 4, units(1), units(1));
+  need_triples(tiny);
+  EXPECT_EQ(planned(tiny, {.benches = 2}).largest.millionths,
+            least_largest(costs_at_least(tiny), 2));
+}
+
+TEST(Benches, TheSameForAnyNumberOfThreadsAndWhenStopped) {
+  const Job job = make_job(10, 4, units(2), units(1));
+  EXPECT_EQ(planned(job, {.benches = 3}).candidates.front().lists,
+            planned(job, {.benches = 3}, 3).candidates.front().lists);
+  RunControl control({.time = std::chrono::seconds(0)});
+  EXPECT_TRUE(make_bench_plan(job, {.benches = 3}, control).does_the_job());
+}
+
+TEST(Benches, RefuseWhatTheyDoNotServe) {
+  Job job = make_job(5, 3, units(1), units(1));
+  EXPECT_THROW((void)planned(job, {.benches = 0}), BadInput);
+  EXPECT_THROW((void)planned(job, {.benches = 65}), BadInput);
+  EXPECT_THROW((void)planned(job, {.plan = {.budget = units(3)}}), BadInput);
+  job.start = {0};
+  EXPECT_THROW((void)planned(job, {}), BadInput);
+}
+
+}  // namespace
+}  // namespace changeover
