@@ -45,6 +45,7 @@
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/changeover_loadorder.h"
+#include "changeover/loadorder/disjoint.hpp"
 #include "changeover/loadorder/job_results.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"

@@ -38,6 +38,19 @@ TEST_F(LoadOrderExamples, ItemSource) {
   EXPECT_EQ(file.item_count(), 3U);
 }
 
+TEST_F(LoadOrderExamples, Disjoint) {
+  DisjointOrder order = plan_disjoint_order(64, 8, 4);
+  EXPECT_GE(order.facts().span,
+            order.facts().makespan);  // what the slowest loads of all steps add up to
+  LockstepWork work(order);
+  LockstepCheck check(64, 8, 4);
+  std::vector<WorkStep> steps;  // one for each worker
+  while (work.next(steps)) {
+    check.read(steps);
+  }
+  EXPECT_TRUE(check.finish().valid());
+}
+
 class Distances final : public JobResults {
  public:
   std::string describe() const override { return "distances.f64, 300 rows of 300"; }

@@ -1,10 +1,12 @@
 // changeover loadorder: loads and evictions after which every pair of items has been in memory together.
 #include <fmt/format.h>
 
+#include "answer/show_lockstep.hpp"
 #include "answer/step_writer.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/io/output.hpp"
+#include "changeover/loadorder/disjoint.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
@@ -25,6 +27,7 @@ struct LoadOrderRequest {
   std::optional<std::uint64_t> done_items;
   std::string pairs;
   std::optional<std::uint64_t> workers;
+  bool disjoint = false;
   bool prefetch = false;
   bool new_pairs = false;
   bool ordered = false;
@@ -129,6 +132,14 @@ std::string hint(const LoadOrderRequest& request, const LoadOrderFacts& facts) {
              : "--time 30s may find an order with fewer\n";
 }
 
+StepWorkOptions work_options(const LoadOrderRequest& request) {
+  StepWorkOptions options{.ordered = request.ordered, .self = request.self};
+  if (request.shuffle) {
+    options.shuffle = request.run.seed.value_or(1);
+  }
+  return options;
+}
+
 // Streams of steps, one a worker, with what they compute if that is asked for.
 class Work {
  public:
@@ -137,10 +148,7 @@ class Work {
   Work(const LoadOrderRequest& request, const WantedPairs& wanted, std::uint64_t items,
        std::uint64_t room)
       : said_(request.new_pairs), wanted_(wanted), items_(items), room_(room) {
-    options_ = {.ordered = request.ordered, .self = request.self};
-    if (request.shuffle) {
-      options_.shuffle = request.run.seed.value_or(1);
-    }
+    options_ = work_options(request);
   }
 
   // One line about it for `verified`. @throws InternalError
@@ -340,6 +348,18 @@ void check(const LoadOrderRequest& request) {
     throw UsageError{fmt::format("--done-items {}: of --items {} none would be new",
                                  *request.done_items, *request.items)};
   }
+  if (request.disjoint && *request.workers > 1 &&
+      *request.items / *request.workers < *request.room) {
+    throw UsageError{fmt::format(
+        "--disjoint: {} workers with room for {} would hold more than {}; give --room {} or less, or "
+        "fewer workers",
+        *request.workers, *request.room, count_of(*request.items, "item"),
+        *request.items / *request.workers)};
+  }
+  if (request.disjoint && *request.items > max_elements_in_memory) {
+    throw UsageError{
+        fmt::format("--disjoint: at most {} items; make items larger", max_elements_in_memory)};
+  }
   const std::uint64_t most = most_items;
   if (request.items.value_or(0) > most || request.against.value_or(0) > most) {
     throw UsageError{fmt::format("--items and --against are at most {}", most)};
@@ -383,7 +403,17 @@ Answer run(const LoadOrderRequest& request) {
   }
   // Made now, so that what cannot be is said before anything is written.
   Answer answer;
-  if (request.workers) {
+  if (request.disjoint) {
+    const auto order = std::make_shared<const DisjointOrder>(
+        plan_disjoint_order(items, room, *request.workers, options));
+    answer.write = [request, order](OutputFile& out) {
+      show_lockstep(*order,
+                    {.format = request.output.format(),
+                     .work = work_options(request),
+                     .new_pairs = request.new_pairs},
+                    out);
+    };
+  } else if (request.workers) {
     const auto split = std::make_shared<const WorkerSplit>(
         wanted.are_all() ? split_load_order(items, room, *request.workers, options)
                          : split_load_order(wanted, room, *request.workers, options));
@@ -415,6 +445,8 @@ void add_loadorder(Program& program) {
   verb.option("--against", request.against, "B", "each of the P items with each of B others");
   verb.option("--done-items", request.done_items, "N", "the pairs of the first N items are done");
   verb.option("--workers", request.workers, "W", "split it for W workers with room C each");
+  verb.flag("--disjoint", request.disjoint,
+            "workers step together and never hold one item twice, so that items may change");
   verb.flag("--prefetch", request.prefetch,
             "say what is computed when, so that loads overlap computation");
   verb.flag("--new-pairs", request.new_pairs, "say of each step which pairs are computed");
@@ -425,6 +457,8 @@ void add_loadorder(Program& program) {
   request.output.add_to(verb, {"text", "jsonl", "csv"});
   verb.exclude({"--workers", "--prefetch"});
   verb.exclude({"--new-pairs", "--prefetch"});
+  verb.only_with({"--disjoint"}, {"--workers"});
+  verb.never_with({"--disjoint"}, {"--pairs", "--against", "--done-items"});
   verb.only_with({"--ordered", "--self", "--shuffle"}, {"--new-pairs"});
   verb.exclude({"--pairs", "--against", "--done-items"});
   verb.never_with({"--time"}, {"--against", "--done-items"});
@@ -436,6 +470,7 @@ void add_loadorder(Program& program) {
                  "changeover loadorder --items 20 --room 5 --time 20s      search for fewer loads",
                  "changeover loadorder --items 1000 --room 100 --json -o order.jsonl",
                  "changeover loadorder --items 1000 --room 100 --workers 8",
+                 "changeover loadorder --items 64 --room 8 --workers 2 --disjoint   for training",
                  "changeover loadorder --items 64 --room 16 --prefetch",
                  "changeover loadorder --pairs edges.txt --room 10       only some pairs",
                  "changeover loadorder --items 12 --against 20 --room 4  two sets",
