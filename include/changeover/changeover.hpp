@@ -53,6 +53,7 @@
 #include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "changeover/loadorder/write_back.hpp"
 #include "changeover/plan/cost_bound.hpp"
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/job.hpp"

@@ -214,6 +214,22 @@ TEST_F(LoadOrderExamples, Workers) {
   EXPECT_EQ(busiest, split.facts().makespan);
 }
 
+TEST_F(LoadOrderExamples, WriteBack) {
+  LoadOrder order = plan_load_order(24, 6);
+  StepWork work(24, 6);
+  work.start(order.stream());
+  WriteBack back(24);
+  StoreCheck check(24);
+  StoredStep stored;
+  while (work.next(stored.work)) {
+    back.read(stored);  // now stored.store says what is stored
+    check.read({&stored, 1});
+  }
+  back.finish(stored);  // a last step: all that is held goes
+  check.read({&stored, 1});
+  EXPECT_EQ(check.finish(), "");  // no change was lost, nothing stored in vain
+}
+
 TEST_F(LoadOrderExamples, InC) {
   EXPECT_EQ(steps_of_c_example(), plan_load_order(64, 16).facts().steps);
 }

@@ -12,7 +12,8 @@ namespace changeover::cli {
 struct LockstepShown {
   std::string format;
   StepWorkOptions work;
-  bool new_pairs = false;  ///< whether it is said what is computed
+  bool new_pairs = false;   ///< whether it is said what is computed
+  bool write_back = false;  ///< whether it is said what is stored
 };
 
 /// The head, then the steps: those of all workers with the same number after one another. What the steps compute is checked

@@ -16,10 +16,13 @@ void StepWriter::begin(const std::string& json, const std::string& text,
 }
 
 void StepWriter::write(const LoadStep& step, std::optional<std::uint64_t> worker,
-                       const std::vector<ItemPair>* work) {
+                       const std::vector<ItemPair>* work, const std::vector<Element>* store) {
   start(step.number, worker);
   list("load", step.load);
   list("evict", step.evict);
+  if (store != nullptr) {
+    list("store", *store);
+  }
   if (work != nullptr) {
     list("new_pairs", *work);
   }

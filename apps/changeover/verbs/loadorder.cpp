@@ -12,6 +12,7 @@
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "changeover/loadorder/write_back.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"
 #include "request/run_request.hpp"
@@ -28,6 +29,7 @@ struct LoadOrderRequest {
   std::string pairs;
   std::optional<std::uint64_t> workers;
   bool disjoint = false;
+  bool write_back = false;
   bool prefetch = false;
   bool new_pairs = false;
   bool ordered = false;
@@ -147,7 +149,11 @@ class Work {
 
   Work(const LoadOrderRequest& request, const WantedPairs& wanted, std::uint64_t items,
        std::uint64_t room)
-      : said_(request.new_pairs), wanted_(wanted), items_(items), room_(room) {
+      : shown_(request.new_pairs),
+        said_(request.new_pairs || request.write_back),
+        wanted_(wanted),
+        items_(items),
+        room_(room) {
     options_ = work_options(request);
   }
 
@@ -193,13 +199,13 @@ class Work {
   }
 
   [[nodiscard]] const std::vector<ItemPair>* of(const WorkStep& step) const {
-    return said_ ? &step.pairs : nullptr;
+    return shown_ ? &step.pairs : nullptr;
   }
-  [[nodiscard]] std::string columns() const {
-    return said_ ? "step,load,evict,new_pairs" : "step,load,evict";
-  }
+  /// Further columns of a table.
+  [[nodiscard]] std::string columns() const { return shown_ ? ",new_pairs" : ""; }
 
  private:
+  bool shown_;
   bool said_;
   WantedPairs wanted_;
   std::uint64_t items_;
@@ -207,28 +213,96 @@ class Work {
   StepWorkOptions options_;
 };
 
+// What one worker stores, if items change.
+class Stores {
+ public:
+  /// Counts. @throws InternalError
+  Stores(bool asked, const Work& work, const Work::Streams& streams, const LoadOrderFacts& facts)
+      : asked_(asked), facts_(facts) {
+    if (!asked) {
+      return;
+    }
+    StoreCheck check(facts.items);
+    each(work, streams, [&](const StoredStep& step) {
+      check.read({&step, 1});
+      count_ += step.store.size();
+    });
+    if (const std::string fault = check.finish(); !fault.empty()) {
+      throw InternalError("what is stored is wrong: " + fault);
+    }
+  }
+
+  // Calls take(step) for each step, and for one more in which everything goes.
+  template <typename Take>
+  void each(const Work& work, const Work::Streams& streams, Take&& take) const {
+    WriteBack back(facts_.items);
+    StoredStep stored;
+    work.each(
+        streams, [](std::uint64_t) {},
+        [&](const WorkStep& step, std::uint64_t) {
+          stored.work = step;
+          if (asked_) {
+            back.read(stored);
+          }
+          take(stored);
+        });
+    if (asked_) {
+      back.finish(stored);
+      take(stored);
+    }
+  }
+
+  void add_to(JsonWriter& json, bool alone) const {
+    if (asked_) {
+      json.key("stores").value(count_).key("store_bound").value(bound(alone).loads);
+    }
+  }
+  [[nodiscard]] std::string text(bool alone) const {
+    return asked_ ? fmt::format("{}, at least {}: {}\n", count_of(count_, "store"),
+                                bound(alone).loads, bound(alone).reason)
+                  : "";
+  }
+  [[nodiscard]] std::string verified() const { return asked_ ? "; no change is lost" : ""; }
+  [[nodiscard]] std::string column() const { return asked_ ? ",store" : ""; }
+
+ private:
+  [[nodiscard]] LoadBound bound(bool alone) const {
+    return store_lower_bound(facts_.bound, facts_.wanted, facts_.items, alone);
+  }
+
+  bool asked_;
+  const LoadOrderFacts& facts_;
+  std::uint64_t count_ = 0;
+};
+
 void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFile& out) {
   const LoadOrderFacts& facts = order.facts();
   Audit audit(facts, facts.loads, request.run.seed.value_or(1));
   const Work work(request, facts.wanted, facts.items, facts.room);
   const Work::Streams streams{[&order] { return order.stream(); }};
-  const std::string verified = audit.text() + work.verify(streams);
-  JsonWriter json = head_of(facts, facts.bound, facts.items, facts.room, facts.loads);
+  const Stores stores(request.write_back, work, streams, facts);
+  const std::string verified = audit.text() + work.verify(streams) + stores.verified();
+  LoadOrderFacts said = facts;
+  said.steps += request.write_back ? 1 : 0;
+  JsonWriter json = head_of(said, facts.bound, facts.items, facts.room, facts.loads);
+  stores.add_to(json, request.self);
   json.key("gap").value(facts.gap()).key("verified").value(verified).end_object();
   StepWriter writer(out, request.output.format(), names_of(facts.wanted));
-  writer.begin(json.take(),
-               fmt::format("{}{} in {}, {}\n{}{}: {}\nbound: {}\nverified: {}\n",
-                           sentence(facts.wanted, facts.items, facts.room),
-                           count_of(facts.loads, "load"), count_of(facts.steps, "step"),
-                           over(facts.gap(), facts.bound.loads), hint(request, facts), facts.method,
-                           facts.explanation, facts.bound.reason, verified),
-               work.columns());
-  work.each(
-      streams, [](std::uint64_t) {},
-      [&](const WorkStep& step, std::uint64_t) {
-        audit.read(step.loads);
-        writer.write(step.loads, {}, work.of(step));
-      });
+  writer.begin(
+      json.take(),
+      fmt::format("{}{} in {}, {}\n{}{}{}: {}\nbound: {}\nverified: {}\n",
+                  sentence(facts.wanted, facts.items, facts.room), count_of(facts.loads, "load"),
+                  count_of(said.steps, "step"), over(facts.gap(), facts.bound.loads),
+                  stores.text(request.self), hint(request, facts), facts.method, facts.explanation,
+                  facts.bound.reason, verified),
+      "step,load,evict" + stores.column() + work.columns());
+  stores.each(work, streams, [&](const StoredStep& step) {
+    if (step.work.loads.number <= facts.steps) {
+      audit.read(step.work.loads);
+    }
+    writer.write(step.work.loads, {}, work.of(step.work),
+                 request.write_back ? &step.store : nullptr);
+  });
   audit.finish();
   writer.end();
 }
@@ -268,7 +342,8 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
                         count_of(facts.workers[w].steps, "step"));
   }
   StepWriter writer(out, request.output.format(), names_of(whole.wanted));
-  writer.begin(json.end_array().end_object().take(), text, "worker," + work.columns());
+  writer.begin(json.end_array().end_object().take(), text,
+               "worker,step,load,evict" + work.columns());
   work.each(
       streams, [&](std::uint64_t) { audit.start_over(); },
       [&](const WorkStep& step, std::uint64_t w) {
@@ -410,7 +485,8 @@ Answer run(const LoadOrderRequest& request) {
       show_lockstep(*order,
                     {.format = request.output.format(),
                      .work = work_options(request),
-                     .new_pairs = request.new_pairs},
+                     .new_pairs = request.new_pairs,
+                     .write_back = request.write_back},
                     out);
     };
   } else if (request.workers) {
@@ -447,6 +523,8 @@ void add_loadorder(Program& program) {
   verb.option("--workers", request.workers, "W", "split it for W workers with room C each");
   verb.flag("--disjoint", request.disjoint,
             "workers step together and never hold one item twice, so that items may change");
+  verb.flag("--write-back", request.write_back,
+            "items change while they are held: say what is stored when");
   verb.flag("--prefetch", request.prefetch,
             "say what is computed when, so that loads overlap computation");
   verb.flag("--new-pairs", request.new_pairs, "say of each step which pairs are computed");
@@ -458,8 +536,15 @@ void add_loadorder(Program& program) {
   verb.exclude({"--workers", "--prefetch"});
   verb.exclude({"--new-pairs", "--prefetch"});
   verb.only_with({"--disjoint"}, {"--workers"});
+  verb.exclude({"--write-back", "--prefetch"});
+  verb.require([&request = request] {
+    if (request.write_back && request.workers && !request.disjoint) {
+      throw UsageError{
+          "--write-back --workers: two workers would change one item at once; add --disjoint"};
+    }
+  });
   verb.never_with({"--disjoint"}, {"--pairs", "--against", "--done-items"});
-  verb.only_with({"--ordered", "--self", "--shuffle"}, {"--new-pairs"});
+  verb.only_with({"--ordered", "--self", "--shuffle"}, {"--new-pairs", "--write-back"});
   verb.exclude({"--pairs", "--against", "--done-items"});
   verb.never_with({"--time"}, {"--against", "--done-items"});
   verb.require([&request = request] {
