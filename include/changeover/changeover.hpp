@@ -51,6 +51,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/step_work.hpp"
+#include "changeover/loadorder/two_levels.hpp"
 #include "changeover/loadorder/update_pairs.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "changeover/loadorder/workers.hpp"

@@ -186,6 +186,18 @@ TEST_F(LoadOrderExamples, StepWork) {
   EXPECT_EQ(loaded, order.facts().loads);
 }
 
+TEST_F(LoadOrderExamples, TwoLevels) {
+  TwoLevelOrder order = plan_two_levels(200, 40, 8);
+  EXPECT_GE(order.facts().loads, order.facts().load_bound.loads);          // from the disk
+  EXPECT_GE(order.facts().transfers, order.facts().transfer_bound.loads);  // from memory
+  TwoLevelCheck check(200, 40, 8);
+  TwoLevelStep step;
+  for (auto steps = order.stream(); steps->next(step);) {
+    check.read(step);
+  }
+  EXPECT_TRUE(check.finish().valid());
+}
+
 TEST_F(LoadOrderExamples, UpdatePairs) {
   put("embeddings.f32", std::string(24 * 4096, 'x'));
   std::atomic<int> trained = 0;

@@ -44,6 +44,18 @@ void StepWriter::write(const PrefetchStep& step) {
   finish();
 }
 
+void StepWriter::write(const TwoLevelStep& step, bool with_pairs) {
+  start(step.number, {});
+  list("fast_evict", step.fast_evict);
+  list("evict", step.evict);
+  list("load", step.load);
+  list("fast_load", step.fast_load);
+  if (with_pairs) {
+    list("new_pairs", step.pairs);
+  }
+  finish();
+}
+
 void StepWriter::end() {
   out_.write(text_);
   text_.clear();

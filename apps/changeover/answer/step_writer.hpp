@@ -14,6 +14,7 @@
 #include "changeover/io/output.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
+#include "changeover/loadorder/two_levels.hpp"
 
 namespace changeover::cli {
 
@@ -36,6 +37,7 @@ class StepWriter {
              const std::vector<Element>* store = nullptr);
 
   void write(const PrefetchStep& step);
+  void write(const TwoLevelStep& step, bool with_pairs);
 
   void end();
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "answer/show_lockstep.hpp"
+#include "answer/show_two_levels.hpp"
 #include "answer/step_writer.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
@@ -27,6 +28,8 @@ struct LoadOrderRequest {
   std::optional<std::uint64_t> against;
   std::optional<std::uint64_t> done_items;
   std::string pairs;
+  std::optional<std::uint64_t> fast_room;
+  std::optional<std::uint64_t> item_bytes;
   std::optional<std::uint64_t> workers;
   bool disjoint = false;
   bool write_back = false;
@@ -431,9 +434,17 @@ void check(const LoadOrderRequest& request) {
         *request.workers, *request.room, count_of(*request.items, "item"),
         *request.items / *request.workers)};
   }
-  if (request.disjoint && *request.items > max_elements_in_memory) {
-    throw UsageError{
-        fmt::format("--disjoint: at most {} items; make items larger", max_elements_in_memory)};
+  if ((request.disjoint || request.fast_room) && *request.items > max_elements_in_memory) {
+    throw UsageError{fmt::format("{}: at most {} items; make items larger",
+                                 request.disjoint ? "--disjoint" : "--fast-room",
+                                 max_elements_in_memory)};
+  }
+  if (request.fast_room && (*request.fast_room < 2 || *request.fast_room > *request.room)) {
+    throw UsageError{fmt::format("--fast-room {}: of --room {} give 2 to {}", *request.fast_room,
+                                 *request.room, *request.room)};
+  }
+  if (request.item_bytes && *request.item_bytes == 0) {
+    throw UsageError{"--item-bytes 0: give at least 1"};
   }
   const std::uint64_t most = most_items;
   if (request.items.value_or(0) > most || request.against.value_or(0) > most) {
@@ -489,6 +500,12 @@ Answer run(const LoadOrderRequest& request) {
                      .write_back = request.write_back},
                     out);
     };
+  } else if (request.fast_room) {
+    const auto order =
+        std::make_shared<const TwoLevelOrder>(plan_two_levels(items, room, *request.fast_room));
+    answer.write = [request, order](OutputFile& out) {
+      show_two_levels(*order, request.output.format(), request.item_bytes, request.new_pairs, out);
+    };
   } else if (request.workers) {
     const auto split = std::make_shared<const WorkerSplit>(
         wanted.are_all() ? split_load_order(items, room, *request.workers, options)
@@ -520,6 +537,10 @@ void add_loadorder(Program& program) {
               "only the pairs listed there, two items a line; \"-\": standard input");
   verb.option("--against", request.against, "B", "each of the P items with each of B others");
   verb.option("--done-items", request.done_items, "N", "the pairs of the first N items are done");
+  verb.option("--fast-room", request.fast_room, "C",
+              "so many of those in memory are on an accelerator, where pairs meet");
+  verb.option("--item-bytes", request.item_bytes, "N",
+              "bytes an item, to say what both levels move");
   verb.option("--workers", request.workers, "W", "split it for W workers with room C each");
   verb.flag("--disjoint", request.disjoint,
             "workers step together and never hold one item twice, so that items may change");
@@ -537,6 +558,10 @@ void add_loadorder(Program& program) {
   verb.exclude({"--new-pairs", "--prefetch"});
   verb.only_with({"--disjoint"}, {"--workers"});
   verb.exclude({"--write-back", "--prefetch"});
+  verb.never_with({"--fast-room"},
+                  {"--workers", "--prefetch", "--write-back", "--pairs", "--against",
+                   "--done-items", "--ordered", "--self", "--shuffle", "--time"});
+  verb.only_with({"--item-bytes"}, {"--fast-room"});
   verb.require([&request = request] {
     if (request.write_back && request.workers && !request.disjoint) {
       throw UsageError{
@@ -556,6 +581,7 @@ void add_loadorder(Program& program) {
                  "changeover loadorder --items 1000 --room 100 --json -o order.jsonl",
                  "changeover loadorder --items 1000 --room 100 --workers 8",
                  "changeover loadorder --items 64 --room 8 --workers 2 --disjoint   for training",
+                 "changeover loadorder --items 200 --room 40 --fast-room 8      two levels",
                  "changeover loadorder --items 64 --room 16 --prefetch",
                  "changeover loadorder --pairs edges.txt --room 10       only some pairs",
                  "changeover loadorder --items 12 --against 20 --room 4  two sets",
