@@ -4,6 +4,7 @@
 #include "answer/show_lockstep.hpp"
 #include "answer/show_two_levels.hpp"
 #include "answer/step_writer.hpp"
+#include "answer/stored_steps.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/io/output.hpp"
@@ -216,74 +217,15 @@ class Work {
   StepWorkOptions options_;
 };
 
-// What one worker stores, if items change.
-class Stores {
- public:
-  /// Counts. @throws InternalError
-  Stores(bool asked, const Work& work, const Work::Streams& streams, const LoadOrderFacts& facts)
-      : asked_(asked), facts_(facts) {
-    if (!asked) {
-      return;
-    }
-    StoreCheck check(facts.items);
-    each(work, streams, [&](const StoredStep& step) {
-      check.read({&step, 1});
-      count_ += step.store.size();
-    });
-    if (const std::string fault = check.finish(); !fault.empty()) {
-      throw InternalError("what is stored is wrong: " + fault);
-    }
-  }
-
-  // Calls take(step) for each step, and for one more in which everything goes.
-  template <typename Take>
-  void each(const Work& work, const Work::Streams& streams, Take&& take) const {
-    WriteBack back(facts_.items);
-    StoredStep stored;
-    work.each(
-        streams, [](std::uint64_t) {},
-        [&](const WorkStep& step, std::uint64_t) {
-          stored.work = step;
-          if (asked_) {
-            back.read(stored);
-          }
-          take(stored);
-        });
-    if (asked_) {
-      back.finish(stored);
-      take(stored);
-    }
-  }
-
-  void add_to(JsonWriter& json, bool alone) const {
-    if (asked_) {
-      json.key("stores").value(count_).key("store_bound").value(bound(alone).loads);
-    }
-  }
-  [[nodiscard]] std::string text(bool alone) const {
-    return asked_ ? fmt::format("{}, at least {}: {}\n", count_of(count_, "store"),
-                                bound(alone).loads, bound(alone).reason)
-                  : "";
-  }
-  [[nodiscard]] std::string verified() const { return asked_ ? "; no change is lost" : ""; }
-  [[nodiscard]] std::string column() const { return asked_ ? ",store" : ""; }
-
- private:
-  [[nodiscard]] LoadBound bound(bool alone) const {
-    return store_lower_bound(facts_.bound, facts_.wanted, facts_.items, alone);
-  }
-
-  bool asked_;
-  const LoadOrderFacts& facts_;
-  std::uint64_t count_ = 0;
-};
-
 void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFile& out) {
   const LoadOrderFacts& facts = order.facts();
   Audit audit(facts, facts.loads, request.run.seed.value_or(1));
   const Work work(request, facts.wanted, facts.items, facts.room);
   const Work::Streams streams{[&order] { return order.stream(); }};
-  const Stores stores(request.write_back, work, streams, facts);
+  const StoredSteps stores(request.write_back, facts, [&](const auto& take) {
+    work.each(
+        streams, [](std::uint64_t) {}, [&](const WorkStep& step, std::uint64_t) { take(step); });
+  });
   const std::string verified = audit.text() + work.verify(streams) + stores.verified();
   LoadOrderFacts said = facts;
   said.steps += request.write_back ? 1 : 0;
@@ -299,7 +241,7 @@ void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFi
                   stores.text(request.self), hint(request, facts), facts.method, facts.explanation,
                   facts.bound.reason, verified),
       "step,load,evict" + stores.column() + work.columns());
-  stores.each(work, streams, [&](const StoredStep& step) {
+  stores.each([&](const StoredStep& step) {
     if (step.work.loads.number <= facts.steps) {
       audit.read(step.work.loads);
     }
