@@ -38,6 +38,19 @@ TEST_F(LoadOrderExamples, ItemSource) {
   EXPECT_EQ(file.item_count(), 3U);
 }
 
+TEST_F(LoadOrderExamples, Disjoint) {
+  DisjointOrder order = plan_disjoint_order(64, 8, 4);
+  EXPECT_GE(order.facts().span,
+            order.facts().makespan);  // what the slowest loads of all steps add up to
+  LockstepWork work(order);
+  LockstepCheck check(64, 8, 4);
+  std::vector<WorkStep> steps;  // one for each worker
+  while (work.next(steps)) {
+    check.read(steps);
+  }
+  EXPECT_TRUE(check.finish().valid());
+}
+
 class Distances final : public JobResults {
  public:
   std::string describe() const override { return "distances.f64, 300 rows of 300"; }
@@ -173,6 +186,38 @@ TEST_F(LoadOrderExamples, StepWork) {
   EXPECT_EQ(loaded, order.facts().loads);
 }
 
+TEST_F(LoadOrderExamples, TwoLevels) {
+  TwoLevelOrder order = plan_two_levels(200, 40, 8);
+  EXPECT_GE(order.facts().loads, order.facts().load_bound.loads);          // from the disk
+  EXPECT_GE(order.facts().transfers, order.facts().transfer_bound.loads);  // from memory
+  TwoLevelCheck check(200, 40, 8);
+  TwoLevelStep step;
+  for (auto steps = order.stream(); steps->next(step);) {
+    check.read(step);
+  }
+  EXPECT_TRUE(check.finish().valid());
+}
+
+TEST_F(LoadOrderExamples, UpdatePairs) {
+  put("embeddings.f32", std::string(24 * 4096, 'x'));
+  std::atomic<int> trained = 0;
+  const auto train = [&](std::span<std::byte> a, std::span<std::byte> b) {
+    a[0] = b[0] = std::byte{1};
+    ++trained;
+  };
+  DisjointOrder order = plan_disjoint_order(24, 5, 2);
+  UpdateOptions options{.data = "embeddings.f32", .item_bytes = 4096, .journal = "job.journal"};
+  options.checkpoint_every = 10;
+  UpdateReport report = update_pairs(
+      order,
+      [&](const PairUpdate& pair) {
+        train(pair.first.bytes, pair.second.bytes);  // both may be written
+      },
+      options);
+  EXPECT_TRUE(report.finished);
+  EXPECT_EQ(trained, 24 * 23 / 2);
+}
+
 TEST_F(LoadOrderExamples, WantedPairs) {
   put("edges.txt", "0 1\n1 2\n");
   WantedPairs edges = WantedPairs::listed(read_pairs("edges.txt"));  // pairs that a file lists
@@ -199,6 +244,22 @@ TEST_F(LoadOrderExamples, Workers) {
     busiest = std::max(busiest, loads);
   }
   EXPECT_EQ(busiest, split.facts().makespan);
+}
+
+TEST_F(LoadOrderExamples, WriteBack) {
+  LoadOrder order = plan_load_order(24, 6);
+  StepWork work(24, 6);
+  work.start(order.stream());
+  WriteBack back(24);
+  StoreCheck check(24);
+  StoredStep stored;
+  while (work.next(stored.work)) {
+    back.read(stored);  // now stored.store says what is stored
+    check.read({&stored, 1});
+  }
+  back.finish(stored);  // a last step: all that is held goes
+  check.read({&stored, 1});
+  EXPECT_EQ(check.finish(), "");  // no change was lost, nothing stored in vain
 }
 
 TEST_F(LoadOrderExamples, InC) {

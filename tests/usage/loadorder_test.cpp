@@ -105,6 +105,39 @@ TEST(LoadOrderVerb, NeedsNoMemoryForTheStepsOfAMillionItems) {
   EXPECT_EQ(outcome.out.rfind("2999999,", 0), 0U) << outcome.out << outcome.err;
 }
 
+TEST(LoadOrderVerb, GivesDisjointWorkersThatNeverHoldOneItemTwice) {
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run("$changeover loadorder --items 24 --room 5 --workers 3 --disjoint --new-pairs --json",
+          folder.path());
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  EXPECT_EQ(3 * number_in(lines[0], "steps"), lines.size() - 1);
+  EXPECT_EQ(list_in(lines[0], "worker_loads").size(), 3U);
+  std::vector<std::set<unsigned>> memory(3);
+  std::uint64_t loads = 0;
+  for (std::size_t i = 1; i < lines.size(); i += 3) {
+    std::set<unsigned> all;
+    std::size_t held = 0;
+    for (std::size_t w = 0; w < 3; ++w) {
+      EXPECT_EQ(number_in(lines[i + w], "worker"), w);
+      EXPECT_EQ(number_in(lines[i + w], "step"), (i + 2) / 3);
+      for (const unsigned x : list_in(lines[i + w], "evict")) {
+        EXPECT_EQ(memory[w].erase(x), 1U);
+      }
+      for (const unsigned x : list_in(lines[i + w], "load")) {
+        EXPECT_TRUE(memory[w].insert(x).second);
+        ++loads;
+      }
+      EXPECT_LE(memory[w].size(), 5U);
+      all.insert(memory[w].begin(), memory[w].end());
+      held += memory[w].size();
+    }
+    EXPECT_EQ(all.size(), held) << lines[i];
+  }
+  EXPECT_EQ(loads, number_in(lines[0], "loads"));
+}
+
 TEST(LoadOrderVerb, TellsWorkersAndPrefetchApart) {
   const TemporaryFolder folder;
   const Outcome workers =
@@ -135,6 +168,39 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 9 --room 4 --format csv", 0, "step,load,evict"},
            {"--items 9 --room 4 --workers 2", 0, "worker 1 step"},
            {"--items 9 --room 4 --prefetch", 0, "compute"},
+           {"--items 9 --room 4 --workers 2 --disjoint", 0, "no item at two of them"},
+           {"--items 9 --room 4 --workers 1 --disjoint --format csv", 0, "worker,step,load,evict"},
+           {"--items 16 --room 4 --workers 2 --disjoint --time 100ms --quiet", 0,
+            "all evict, wait"},
+           {"--items 9 --room 4 --workers 2 --disjoint --new-pairs --ordered --self --json", 0,
+            "81 pairs computed, each once"},
+           {"--items 7 --room 4 --workers 2 --disjoint", 2, "give --room 3 or less"},
+           {"--items 3 --room 4 --workers 2 --disjoint", 2, "fewer workers"},
+           {"--items 70000 --room 4 --workers 2 --disjoint", 2, "at most 65535"},
+           {"--items 9 --room 4 --write-back", 0, "no change is lost"},
+           {"--items 24 --room 6 --write-back --json", 0, "\"store_bound\":"},
+           {"--items 24 --room 6 --write-back --format csv", 0, "step,load,evict,store"},
+           {"--pairs edges --room 3 --write-back --new-pairs", 0, "; store 0"},
+           {"--items 24 --room 6 --workers 2 --disjoint --write-back", 0, "all store and evict"},
+           {"--items 24 --room 6 --workers 2 --disjoint --write-back --json", 0, "\"stores\":"},
+           {"--items 24 --room 6 --workers 2 --disjoint --write-back --format csv", 0,
+            "worker,step,load,evict,store"},
+           {"--items 24 --room 6 --workers 2 --write-back", 2, "add --disjoint"},
+           {"--items 24 --room 6 --prefetch --write-back", 2, "exclude each other"},
+           {"--items 40 --room 12 --fast-room 4", 0,
+            "pairs computed on the accelerator, each once"},
+           {"--items 40 --room 12 --fast-room 4 --item-bytes 1000 --json", 0, "\"bytes_loaded\":"},
+           {"--items 4 --room 12 --fast-room 4", 0, "4 transfers, the fewest possible"},
+           {"--items 40 --room 12 --fast-room 4 --new-pairs --format csv", 0,
+            "step,fast_evict,evict,load,fast_load,new_pairs"},
+           {"--items 40 --room 12 --fast-room 13", 2, "give 2 to 12"},
+           {"--items 40 --room 12 --fast-room 1", 2, "give 2 to 12"},
+           {"--items 70000 --room 12 --fast-room 4", 2, "at most 65535"},
+           {"--items 40 --room 12 --fast-room 4 --item-bytes 0", 2, "--item-bytes 0"},
+           {"--items 40 --room 12 --item-bytes 9", 2, "--item-bytes"},
+           {"--items 40 --room 12 --fast-room 4 --workers 2", 2, "--fast-room"},
+           {"--items 9 --room 4 --disjoint", 2, "--disjoint is for --workers"},
+           {"--items 9 --room 4 --against 5 --workers 2 --disjoint", 2, "--disjoint"},
            {"--items 13 --room 5 --time 200ms --quiet --threads 1 --seed 3", 0, "loads"},
            {"--pairs edges --room 3", 0, "4 loads in 2 steps, the fewest possible"},
            {"--pairs edges --room 3 --json", 0, "\"wanted_pairs\":4"},

@@ -16,10 +16,13 @@ void StepWriter::begin(const std::string& json, const std::string& text,
 }
 
 void StepWriter::write(const LoadStep& step, std::optional<std::uint64_t> worker,
-                       const std::vector<ItemPair>* work) {
+                       const std::vector<ItemPair>* work, const std::vector<Element>* store) {
   start(step.number, worker);
   list("load", step.load);
   list("evict", step.evict);
+  if (store != nullptr) {
+    list("store", *store);
+  }
   if (work != nullptr) {
     list("new_pairs", *work);
   }
@@ -38,6 +41,18 @@ void StepWriter::write(const PrefetchStep& step) {
   list("evict_late", step.evict_late);
   list("before", step.before);
   list("compute", step.overlap);
+  finish();
+}
+
+void StepWriter::write(const TwoLevelStep& step, bool with_pairs) {
+  start(step.number, {});
+  list("fast_evict", step.fast_evict);
+  list("evict", step.evict);
+  list("load", step.load);
+  list("fast_load", step.fast_load);
+  if (with_pairs) {
+    list("new_pairs", step.pairs);
+  }
   finish();
 }
 

@@ -14,6 +14,7 @@
 #include "changeover/io/output.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
+#include "changeover/loadorder/two_levels.hpp"
 
 namespace changeover::cli {
 
@@ -30,11 +31,13 @@ class StepWriter {
   /// The head in JSON or in text; in CSV the names of the columns.
   void begin(const std::string& json, const std::string& text, const std::string& columns);
 
-  /// `worker` is nothing if there is only one, `work` if it is not to be said what is computed.
+  /// `worker` is nothing if there is only one, `work` if it is not to be said what is computed, `store` what is stored.
   void write(const LoadStep& step, std::optional<std::uint64_t> worker = {},
-             const std::vector<ItemPair>* work = nullptr);
+             const std::vector<ItemPair>* work = nullptr,
+             const std::vector<Element>* store = nullptr);
 
   void write(const PrefetchStep& step);
+  void write(const TwoLevelStep& step, bool with_pairs);
 
   void end();
 

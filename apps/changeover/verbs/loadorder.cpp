@@ -1,15 +1,20 @@
 // changeover loadorder: loads and evictions after which every pair of items has been in memory together.
 #include <fmt/format.h>
 
+#include "answer/show_lockstep.hpp"
+#include "answer/show_two_levels.hpp"
 #include "answer/step_writer.hpp"
+#include "answer/stored_steps.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/io/output.hpp"
+#include "changeover/loadorder/disjoint.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "changeover/loadorder/write_back.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"
 #include "request/run_request.hpp"
@@ -24,7 +29,11 @@ struct LoadOrderRequest {
   std::optional<std::uint64_t> against;
   std::optional<std::uint64_t> done_items;
   std::string pairs;
+  std::optional<std::uint64_t> fast_room;
+  std::optional<std::uint64_t> item_bytes;
   std::optional<std::uint64_t> workers;
+  bool disjoint = false;
+  bool write_back = false;
   bool prefetch = false;
   bool new_pairs = false;
   bool ordered = false;
@@ -129,6 +138,14 @@ std::string hint(const LoadOrderRequest& request, const LoadOrderFacts& facts) {
              : "--time 30s may find an order with fewer\n";
 }
 
+StepWorkOptions work_options(const LoadOrderRequest& request) {
+  StepWorkOptions options{.ordered = request.ordered, .self = request.self};
+  if (request.shuffle) {
+    options.shuffle = request.run.seed.value_or(1);
+  }
+  return options;
+}
+
 // Streams of steps, one a worker, with what they compute if that is asked for.
 class Work {
  public:
@@ -136,11 +153,12 @@ class Work {
 
   Work(const LoadOrderRequest& request, const WantedPairs& wanted, std::uint64_t items,
        std::uint64_t room)
-      : said_(request.new_pairs), wanted_(wanted), items_(items), room_(room) {
-    options_ = {.ordered = request.ordered, .self = request.self};
-    if (request.shuffle) {
-      options_.shuffle = request.run.seed.value_or(1);
-    }
+      : shown_(request.new_pairs),
+        said_(request.new_pairs || request.write_back),
+        wanted_(wanted),
+        items_(items),
+        room_(room) {
+    options_ = work_options(request);
   }
 
   // One line about it for `verified`. @throws InternalError
@@ -185,13 +203,13 @@ class Work {
   }
 
   [[nodiscard]] const std::vector<ItemPair>* of(const WorkStep& step) const {
-    return said_ ? &step.pairs : nullptr;
+    return shown_ ? &step.pairs : nullptr;
   }
-  [[nodiscard]] std::string columns() const {
-    return said_ ? "step,load,evict,new_pairs" : "step,load,evict";
-  }
+  /// Further columns of a table.
+  [[nodiscard]] std::string columns() const { return shown_ ? ",new_pairs" : ""; }
 
  private:
+  bool shown_;
   bool said_;
   WantedPairs wanted_;
   std::uint64_t items_;
@@ -204,23 +222,32 @@ void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFi
   Audit audit(facts, facts.loads, request.run.seed.value_or(1));
   const Work work(request, facts.wanted, facts.items, facts.room);
   const Work::Streams streams{[&order] { return order.stream(); }};
-  const std::string verified = audit.text() + work.verify(streams);
-  JsonWriter json = head_of(facts, facts.bound, facts.items, facts.room, facts.loads);
+  const StoredSteps stores(request.write_back, facts, [&](const auto& take) {
+    work.each(
+        streams, [](std::uint64_t) {}, [&](const WorkStep& step, std::uint64_t) { take(step); });
+  });
+  const std::string verified = audit.text() + work.verify(streams) + stores.verified();
+  LoadOrderFacts said = facts;
+  said.steps += request.write_back ? 1 : 0;
+  JsonWriter json = head_of(said, facts.bound, facts.items, facts.room, facts.loads);
+  stores.add_to(json, request.self);
   json.key("gap").value(facts.gap()).key("verified").value(verified).end_object();
   StepWriter writer(out, request.output.format(), names_of(facts.wanted));
-  writer.begin(json.take(),
-               fmt::format("{}{} in {}, {}\n{}{}: {}\nbound: {}\nverified: {}\n",
-                           sentence(facts.wanted, facts.items, facts.room),
-                           count_of(facts.loads, "load"), count_of(facts.steps, "step"),
-                           over(facts.gap(), facts.bound.loads), hint(request, facts), facts.method,
-                           facts.explanation, facts.bound.reason, verified),
-               work.columns());
-  work.each(
-      streams, [](std::uint64_t) {},
-      [&](const WorkStep& step, std::uint64_t) {
-        audit.read(step.loads);
-        writer.write(step.loads, {}, work.of(step));
-      });
+  writer.begin(
+      json.take(),
+      fmt::format("{}{} in {}, {}\n{}{}{}: {}\nbound: {}\nverified: {}\n",
+                  sentence(facts.wanted, facts.items, facts.room), count_of(facts.loads, "load"),
+                  count_of(said.steps, "step"), over(facts.gap(), facts.bound.loads),
+                  stores.text(request.self), hint(request, facts), facts.method, facts.explanation,
+                  facts.bound.reason, verified),
+      "step,load,evict" + stores.column() + work.columns());
+  stores.each([&](const StoredStep& step) {
+    if (step.work.loads.number <= facts.steps) {
+      audit.read(step.work.loads);
+    }
+    writer.write(step.work.loads, {}, work.of(step.work),
+                 request.write_back ? &step.store : nullptr);
+  });
   audit.finish();
   writer.end();
 }
@@ -260,7 +287,8 @@ void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, Ou
                         count_of(facts.workers[w].steps, "step"));
   }
   StepWriter writer(out, request.output.format(), names_of(whole.wanted));
-  writer.begin(json.end_array().end_object().take(), text, "worker," + work.columns());
+  writer.begin(json.end_array().end_object().take(), text,
+               "worker,step,load,evict" + work.columns());
   work.each(
       streams, [&](std::uint64_t) { audit.start_over(); },
       [&](const WorkStep& step, std::uint64_t w) {
@@ -340,6 +368,26 @@ void check(const LoadOrderRequest& request) {
     throw UsageError{fmt::format("--done-items {}: of --items {} none would be new",
                                  *request.done_items, *request.items)};
   }
+  if (request.disjoint && *request.workers > 1 &&
+      *request.items / *request.workers < *request.room) {
+    throw UsageError{fmt::format(
+        "--disjoint: {} workers with room for {} would hold more than {}; give --room {} or less, or "
+        "fewer workers",
+        *request.workers, *request.room, count_of(*request.items, "item"),
+        *request.items / *request.workers)};
+  }
+  if ((request.disjoint || request.fast_room) && *request.items > max_elements_in_memory) {
+    throw UsageError{fmt::format("{}: at most {} items; make items larger",
+                                 request.disjoint ? "--disjoint" : "--fast-room",
+                                 max_elements_in_memory)};
+  }
+  if (request.fast_room && (*request.fast_room < 2 || *request.fast_room > *request.room)) {
+    throw UsageError{fmt::format("--fast-room {}: of --room {} give 2 to {}", *request.fast_room,
+                                 *request.room, *request.room)};
+  }
+  if (request.item_bytes && *request.item_bytes == 0) {
+    throw UsageError{"--item-bytes 0: give at least 1"};
+  }
   const std::uint64_t most = most_items;
   if (request.items.value_or(0) > most || request.against.value_or(0) > most) {
     throw UsageError{fmt::format("--items and --against are at most {}", most)};
@@ -383,7 +431,24 @@ Answer run(const LoadOrderRequest& request) {
   }
   // Made now, so that what cannot be is said before anything is written.
   Answer answer;
-  if (request.workers) {
+  if (request.disjoint) {
+    const auto order = std::make_shared<const DisjointOrder>(
+        plan_disjoint_order(items, room, *request.workers, options));
+    answer.write = [request, order](OutputFile& out) {
+      show_lockstep(*order,
+                    {.format = request.output.format(),
+                     .work = work_options(request),
+                     .new_pairs = request.new_pairs,
+                     .write_back = request.write_back},
+                    out);
+    };
+  } else if (request.fast_room) {
+    const auto order =
+        std::make_shared<const TwoLevelOrder>(plan_two_levels(items, room, *request.fast_room));
+    answer.write = [request, order](OutputFile& out) {
+      show_two_levels(*order, request.output.format(), request.item_bytes, request.new_pairs, out);
+    };
+  } else if (request.workers) {
     const auto split = std::make_shared<const WorkerSplit>(
         wanted.are_all() ? split_load_order(items, room, *request.workers, options)
                          : split_load_order(wanted, room, *request.workers, options));
@@ -414,7 +479,15 @@ void add_loadorder(Program& program) {
               "only the pairs listed there, two items a line; \"-\": standard input");
   verb.option("--against", request.against, "B", "each of the P items with each of B others");
   verb.option("--done-items", request.done_items, "N", "the pairs of the first N items are done");
+  verb.option("--fast-room", request.fast_room, "C",
+              "so many of those in memory are on an accelerator, where pairs meet");
+  verb.option("--item-bytes", request.item_bytes, "N",
+              "bytes an item, to say what both levels move");
   verb.option("--workers", request.workers, "W", "split it for W workers with room C each");
+  verb.flag("--disjoint", request.disjoint,
+            "workers step together and never hold one item twice, so that items may change");
+  verb.flag("--write-back", request.write_back,
+            "items change while they are held: say what is stored when");
   verb.flag("--prefetch", request.prefetch,
             "say what is computed when, so that loads overlap computation");
   verb.flag("--new-pairs", request.new_pairs, "say of each step which pairs are computed");
@@ -425,7 +498,20 @@ void add_loadorder(Program& program) {
   request.output.add_to(verb, {"text", "jsonl", "csv"});
   verb.exclude({"--workers", "--prefetch"});
   verb.exclude({"--new-pairs", "--prefetch"});
-  verb.only_with({"--ordered", "--self", "--shuffle"}, {"--new-pairs"});
+  verb.only_with({"--disjoint"}, {"--workers"});
+  verb.exclude({"--write-back", "--prefetch"});
+  verb.never_with({"--fast-room"},
+                  {"--workers", "--prefetch", "--write-back", "--pairs", "--against",
+                   "--done-items", "--ordered", "--self", "--shuffle", "--time"});
+  verb.only_with({"--item-bytes"}, {"--fast-room"});
+  verb.require([&request = request] {
+    if (request.write_back && request.workers && !request.disjoint) {
+      throw UsageError{
+          "--write-back --workers: two workers would change one item at once; add --disjoint"};
+    }
+  });
+  verb.never_with({"--disjoint"}, {"--pairs", "--against", "--done-items"});
+  verb.only_with({"--ordered", "--self", "--shuffle"}, {"--new-pairs", "--write-back"});
   verb.exclude({"--pairs", "--against", "--done-items"});
   verb.never_with({"--time"}, {"--against", "--done-items"});
   verb.require([&request = request] {
@@ -436,6 +522,8 @@ void add_loadorder(Program& program) {
                  "changeover loadorder --items 20 --room 5 --time 20s      search for fewer loads",
                  "changeover loadorder --items 1000 --room 100 --json -o order.jsonl",
                  "changeover loadorder --items 1000 --room 100 --workers 8",
+                 "changeover loadorder --items 64 --room 8 --workers 2 --disjoint   for training",
+                 "changeover loadorder --items 200 --room 40 --fast-room 8      two levels",
                  "changeover loadorder --items 64 --room 16 --prefetch",
                  "changeover loadorder --pairs edges.txt --room 10       only some pairs",
                  "changeover loadorder --items 12 --against 20 --room 4  two sets",

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "loadorder/order/pair_assigner.hpp"
+#include "loadorder/order/shuffle_pairs.hpp"
 #include "loadorder/pairs/wanted_set.hpp"
 #include "run/random.hpp"
 
@@ -54,9 +55,7 @@ bool StepWork::next(WorkStep& step) {
     }
   }
   if (state_->options.shuffle) {
-    for (std::size_t i = step.pairs.size(); i > 1; --i) {
-      std::swap(step.pairs[i - 1], step.pairs[state_->random.below(static_cast<std::uint32_t>(i))]);
-    }
+    shuffle_pairs(step.pairs, state_->random);
   }
   return true;
 }

@@ -1,0 +1,273 @@
+#include "changeover/loadorder/disjoint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/workers.hpp"
+#include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
+#include "loadorder/order/lockstep_eras.hpp"
+#include "loadorder/order/lockstep_grown.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t most_items_to_grow = 1000;  // one by one
+
+/// An order of G groups of items with room for some of them.
+struct GroupedOrder {
+  std::uint64_t items = 0;
+  std::uint64_t groups = 0;
+  std::uint64_t room = 0;  // for groups
+  GrownOrder order;
+
+  [[nodiscard]] std::uint64_t largest() const { return ceil_div(items, groups); }
+
+  /// Upper bounds on the span and on all loads.
+  [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> cost(std::uint64_t workers) const {
+    return {largest() * (room + order.steps.size()), largest() * (workers * room + order.changes)};
+  }
+};
+
+/// The steps of a worker of such an order.
+class GroupedSteps final : public StepSource {
+ public:
+  GroupedSteps(std::shared_ptr<const GroupedOrder> order, std::uint64_t worker)
+      : order_(std::move(order)), worker_(worker) {}
+
+  bool next(LoadStep& step) override {
+    const std::vector<std::vector<LockstepChange>>& steps = order_->order.steps;
+    if (number_ > steps.size()) {
+      return false;
+    }
+    step.evict.clear();
+    step.load.clear();
+    if (number_ == 0) {
+      for (std::uint64_t i = 0; i < order_->room; ++i) {
+        put(worker_ * order_->room + i, step.load);
+      }
+    } else {
+      for (const LockstepChange& change : steps[static_cast<std::size_t>(number_ - 1)]) {
+        if (change.worker == worker_) {
+          put(change.out, step.evict);
+          put(change.in, step.load);
+        }
+      }
+    }
+    step.number = ++number_;
+    return true;
+  }
+
+ private:
+  void put(std::uint64_t group, std::vector<Element>& into) const {
+    const std::uint64_t end = (group + 1) * order_->items / order_->groups;
+    for (std::uint64_t x = group * order_->items / order_->groups; x < end; ++x) {
+      into.push_back(static_cast<Element>(x));
+    }
+  }
+
+  std::shared_ptr<const GroupedOrder> order_;
+  std::uint64_t worker_;
+  std::uint64_t number_ = 0;
+};
+
+/// Grows orders and keeps the best.
+class Garden {
+ public:
+  Garden(std::uint64_t items, std::uint64_t room, std::uint64_t workers, std::uint64_t seed)
+      : items_(items), room_(room), workers_(workers), random_(seed) {}
+
+  void sow() {
+    for (std::size_t rule = 0; rule < growth_rules; ++rule) {
+      stop_if_asked();
+      grow(0, growth_rule(rule));
+    }
+  }
+
+  /// Cuts the best one and grows it again. Its last third is where most is lost.
+  void cut_and_grow(std::uint64_t times) {
+    for (std::uint64_t i = 0; i < times && best_ && !best_->steps.empty(); ++i) {
+      stop_if_asked();
+      const auto steps = static_cast<std::uint32_t>(best_->steps.size());
+      const std::uint32_t keep =
+          random_.one_in_two() ? random_.below(steps) : steps - 1 - random_.below(steps / 3 + 1);
+      grow(keep, growth_rule(random_.below(growth_rules)));
+    }
+  }
+
+  [[nodiscard]] const std::optional<GrownOrder>& best() const { return best_; }
+
+ private:
+  void grow(std::size_t keep, GrowthRule rule) {
+    const std::uint64_t most_steps = best_ ? best_->steps.size() : 4 * items_ * items_;
+    auto grown = grow_order(items_, room_, workers_, best_ ? *best_ : GrownOrder(), keep, rule,
+                            most_steps, random_);
+    // One that is as good may lead to a better one.
+    if (grown && (!best_ || !best_->better_than(*grown))) {
+      best_ = std::move(grown);
+    }
+  }
+
+  std::uint64_t items_, room_, workers_;
+  Random random_;
+  std::optional<GrownOrder> best_;
+};
+
+// Cuts and grows, about so many additions of bytes.
+void tend(Garden& garden, std::uint64_t items, std::uint64_t room, std::uint64_t work) {
+  garden.sow();
+  const std::uint64_t one = items * items / room * (items + 10 * room) + 1000;
+  garden.cut_and_grow(std::min<std::uint64_t>(work / one, 3000));
+}
+
+// With few items left beside those that are held, groups that move together are better than single items.
+void consider_groups(std::optional<GroupedOrder>& best, const DisjointFacts& facts,
+                     std::uint64_t seed) {
+  constexpr std::uint64_t most_room = 8;
+  constexpr std::uint64_t most_groups = 120;
+  constexpr std::uint64_t work = 20'000'000;
+  const auto consider = [&](GroupedOrder order) {
+    if (!best || order.cost(facts.workers) < best->cost(facts.workers)) {
+      best = std::move(order);
+    }
+  };
+  if (const std::uint64_t groups = 2 * facts.workers;
+      ceil_div(facts.items, groups) <= facts.room / 2) {
+    consider({facts.items, groups, 2, round_robin_order(facts.workers)});
+  }
+  for (std::uint64_t room = 2; room <= std::min(most_room, facts.room / 2); ++room) {
+    const std::uint64_t groups = ceil_div(facts.items, facts.room / room);
+    if (groups <= most_groups && groups >= room * facts.workers) {
+      Garden garden(groups, room, facts.workers, seed);
+      tend(garden, groups, room, work);
+      if (garden.best()) {
+        consider({facts.items, groups, room, *garden.best()});
+      }
+    }
+  }
+}
+
+std::optional<GroupedOrder> grown_order(const DisjointFacts& facts,
+                                        const LoadOrderOptions& options) {
+  std::optional<GroupedOrder> best;
+  if (facts.items <= most_items_to_grow) {
+    constexpr std::uint64_t work = 400'000'000;
+    Garden garden(facts.items, facts.room, facts.workers, options.seed);
+    tend(garden, facts.items, facts.room, work);
+    if (options.search_pairs) {
+      options.search_pairs([&garden] {
+        try {
+          do {
+            garden.cut_and_grow(16);
+          } while (RunScope::current() != nullptr);
+        } catch (const Stopped&) {
+          // The best so far is what counts.
+        }
+      });
+    }
+    if (garden.best()) {
+      best = {facts.items, facts.items, facts.room, *garden.best()};
+    }
+  }
+  consider_groups(best, facts, options.seed);
+  return best;
+}
+
+// Says in `facts` what it is.
+DisjointOrder::Maker best_steps(DisjointFacts& facts, const LoadOrderOptions& options) {
+  if (facts.workers == 1) {
+    const auto order =
+        std::make_shared<const LoadOrder>(plan_load_order(facts.items, facts.room, options));
+    facts.method = order->facts().method;
+    facts.explanation = order->facts().explanation;
+    return [order](std::uint64_t) { return order->stream(); };
+  }
+  const EraShape shape = best_eras(facts.items, facts.room, facts.workers);
+  const EraCost eras = cost_of_eras(shape);
+  std::optional<GroupedOrder> grown = grown_order(facts, options);
+  if (!grown || std::pair(eras.span, eras.loads) < grown->cost(facts.workers)) {
+    facts.method = "eras";
+    facts.explanation = fmt::format(
+        "{} groups of at most {} items: one stays at each worker while the others pass in turn.",
+        shape.groups, ceil_div(shape.items, shape.groups));
+    return [shape](std::uint64_t worker) { return era_steps(shape, worker); };
+  }
+  if (grown->groups == 2 * facts.workers && grown->room == 2) {
+    facts.method = "round robin";
+    facts.explanation = fmt::format(
+        "{} groups, two at each worker, which keeps one and takes the other from another worker.",
+        grown->groups);
+  } else {
+    facts.method = "grown";
+    facts.explanation = fmt::format(
+        "In each step the changes of one {}, or the exchanges between two workers, that bring most "
+        "new pairs together.",
+        grown->groups == facts.items
+            ? std::string("item")
+            : fmt::format("of {} groups of at most {} items", grown->groups, grown->largest()));
+  }
+  const auto order = std::make_shared<const GroupedOrder>(std::move(*grown));
+  return [order](std::uint64_t worker) { return std::make_unique<GroupedSteps>(order, worker); };
+}
+
+}  // namespace
+
+std::unique_ptr<StepSource> DisjointOrder::stream(std::uint64_t worker) const {
+  if (worker >= facts_.workers) {
+    throw BadInput(
+        fmt::format("worker {} of {}: they are numbered from 0", worker, facts_.workers));
+  }
+  return maker_(worker);
+}
+
+DisjointOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
+                                  const LoadOrderOptions& options) {
+  DisjointFacts facts;
+  facts.items = items;
+  facts.room = room;
+  facts.workers = workers;
+  facts.bound = load_lower_bound(items, room);
+  facts.makespan_bound = makespan_lower_bound(items, room, workers);
+  if (workers > 1 && items / workers < room) {
+    throw BadInput(
+        fmt::format("{} workers with room for {} each would hold more than all {} items; give room "
+                    "for {} or less, or fewer workers",
+                    workers, room, items, items / workers));
+  }
+  if (items > max_elements_in_memory) {
+    throw ImpossibleParameters(
+        fmt::format("{} items: disjoint workers have at most {}; make items larger", items,
+                    max_elements_in_memory));
+  }
+  DisjointOrder::Maker maker = best_steps(facts, options);
+  const DisjointOrder order(facts, maker);
+  LockstepCheck check(items, room, workers);
+  LockstepWork work(order);
+  for (std::vector<WorkStep> steps; work.next(steps);) {
+    stop_if_asked();
+    check.read(steps);
+  }
+  const LockstepVerdict verdict = check.finish();
+  if (!verdict.valid()) {
+    throw InternalError(
+        fmt::format("the order of {} items for {} workers with room for {} is "
+                    "wrong: {} {} pairs missing",
+                    items, workers, room, verdict.fault, verdict.missing));
+  }
+  facts.steps = verdict.steps;
+  facts.loads = verdict.loads;
+  facts.span = verdict.span;
+  facts.worker_loads = verdict.worker_loads;
+  facts.makespan = *std::max_element(facts.worker_loads.begin(), facts.worker_loads.end());
+  facts.certificate =
+      fmt::format("every step read: no item held twice at once, {} pairs computed, each once",
+                  verdict.computed);
+  return {std::move(facts), std::move(maker)};
+}
+
+}  // namespace changeover

@@ -1,0 +1,453 @@
+#include "changeover/loadorder/two_levels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
+#include "loadorder/order/pair_assigner.hpp"
+
+namespace changeover {
+namespace {
+
+/// The orders for the accelerator, each made once: `fresh` items with each other and with `others`, or with the others alone.
+class InnerOrders {
+ public:
+  explicit InnerOrders(std::uint64_t room) : room_(room) {}
+
+  const LoadOrder& get(std::uint64_t others, std::uint64_t fresh, bool each_other) {
+    const auto key = std::tuple(others, fresh, each_other);
+    const auto found = orders_.find(key);
+    if (found != orders_.end()) {
+      return found->second;
+    }
+    LoadOrderOptions quick;
+    quick.planner = false;
+    LoadOrder order =
+        others == 0  ? plan_load_order(fresh, room_, quick)
+        : each_other ? plan_load_order(WantedPairs::beyond(others, others + fresh), room_, quick)
+                     : plan_load_order(WantedPairs::between(others, fresh), room_, quick);
+    return orders_.emplace(key, std::move(order)).first->second;
+  }
+
+ private:
+  std::uint64_t room_;
+  std::map<std::tuple<std::uint64_t, std::uint64_t, bool>, LoadOrder> orders_;
+};
+
+struct Shape {
+  std::uint64_t items = 0;
+  std::uint64_t room = 0;
+  std::uint64_t fast_room = 0;
+  std::uint64_t group_items = 0;
+
+  [[nodiscard]] std::uint64_t groups() const { return ceil_div(items, group_items); }
+  [[nodiscard]] Element begin_of(std::uint64_t group) const {
+    return static_cast<Element>(group * items / groups());
+  }
+  void put(std::uint64_t group, std::vector<Element>& into) const {
+    for (Element x = begin_of(group); x < begin_of(group + 1); ++x) {
+      into.push_back(x);
+    }
+  }
+};
+
+/// Groups are loaded as an order of groups says; then what is new is done on the accelerator.
+class Steps final : public TwoLevelSource {
+ public:
+  Steps(const Shape& shape, std::unique_ptr<StepSource> groups, std::uint64_t group_room)
+      : shape_(shape),
+        assigner_(shape.groups(), group_room),
+        inner_orders_(shape.fast_room),
+        wanted_(static_cast<std::size_t>(shape.items), false),
+        fast_(wanted_),
+        met_(shape.items) {
+    assigner_.start(std::move(groups));
+  }
+
+  bool next(TwoLevelStep& step) override {
+    step.number = number_ + 1;
+    step.fast_evict.clear();
+    step.evict.clear();
+    step.load.clear();
+    step.fast_load.clear();
+    step.pairs.clear();
+    while (true) {
+      if (inner_ && inner_->next(inner_step_)) {
+        follow(step);
+        if (!step.fast_load.empty() || !step.load.empty()) {
+          ++number_;
+          return true;
+        }
+        continue;
+      }
+      inner_.reset();
+      if (next_task_ < tasks_.size()) {
+        begin(tasks_[next_task_++]);
+        continue;
+      }
+      // Loads that nothing has followed are a step of their own.
+      if (!step.load.empty()) {
+        ++number_;
+        return true;
+      }
+      if (!assigner_.next(groups_)) {
+        return false;
+      }
+      load_groups(step);
+    }
+  }
+
+ private:
+  struct Task {
+    std::vector<Element> items;  // others, then those that are fresh
+    std::size_t fresh = 0;
+    bool each_other = false;
+  };
+
+  // What follows the loads of some groups: for each of them what it meets for the first time.
+  void load_groups(TwoLevelStep& step) {
+    for (const Element group : groups_.step.evict) {
+      shape_.put(group, step.evict);
+    }
+    for (const Element x : step.evict) {
+      if (fast_[x]) {
+        take_off(x, step);
+      }
+    }
+    for (const Element group : groups_.step.load) {
+      shape_.put(group, step.load);
+    }
+    tasks_.clear();
+    next_task_ = 0;
+    const std::size_t loaded = groups_.step.load.size();
+    if (groups_.step.number == 1) {  // all that was loaded is new to each other
+      tasks_.push_back({step.load, step.load.size(), true});
+      return;
+    }
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < loaded; ++i) {
+      const Element group = groups_.step.load[i];
+      Task task;
+      for (std::size_t p = begin; p < groups_.arrival_end[i]; ++p) {
+        const auto& [x, y] = groups_.pairs[p];
+        shape_.put(x == group ? y : x, task.items);
+      }
+      begin = groups_.arrival_end[i];
+      // What is on the accelerator already comes first.
+      std::stable_partition(task.items.begin(), task.items.end(),
+                            [&](Element x) { return fast_[x]; });
+      const std::size_t others = task.items.size();
+      shape_.put(group, task.items);
+      task.fresh = task.items.size() - others;
+      task.each_other = groups_.is_new[i];
+      if (others > 0 || (task.each_other && task.fresh > 1)) {
+        tasks_.push_back(std::move(task));
+      }
+    }
+  }
+
+  void begin(const Task& task) {
+    std::fill(wanted_.begin(), wanted_.end(), false);
+    names_ = &task.items;
+    inner_ =
+        inner_orders_.get(task.items.size() - task.fresh, task.fresh, task.each_other).stream();
+  }
+
+  // A step of the order for the accelerator; what is still there is not transferred again, and nothing leaves before it has to.
+  void follow(TwoLevelStep& step) {
+    for (const Element i : inner_step_.evict) {
+      wanted_[(*names_)[i]] = false;
+    }
+    for (const Element i : inner_step_.load) {
+      wanted_[(*names_)[i]] = true;
+    }
+    coming_.clear();
+    for (const Element i : inner_step_.load) {
+      const Element x = (*names_)[i];
+      if (fast_[x]) {
+        std::erase(on_accelerator_, x);  // used last
+        on_accelerator_.push_back(x);
+      } else {
+        coming_.push_back(x);
+      }
+    }
+    while (on_accelerator_.size() + coming_.size() > shape_.fast_room) {
+      const auto goes = std::find_if(on_accelerator_.begin(), on_accelerator_.end(),
+                                     [&](Element y) { return !wanted_[y]; });
+      if (goes == on_accelerator_.end()) {
+        throw InternalError("an order for the accelerator needs more room than there is");
+      }
+      take_off(*goes, step);
+    }
+    for (const Element x : coming_) {
+      for (const Element y : on_accelerator_) {
+        if (!met_.contains(x, y)) {
+          met_.insert(x, y);
+          step.pairs.emplace_back(std::min(x, y), std::max(x, y));
+        }
+      }
+      on_accelerator_.push_back(x);
+      fast_[x] = true;
+      step.fast_load.push_back(x);
+    }
+  }
+
+  // By value: it is erased from where it may stand.
+  void take_off(Element x, TwoLevelStep& step) {
+    std::erase(on_accelerator_, x);
+    fast_[x] = false;
+    step.fast_evict.push_back(x);
+  }
+
+  Shape shape_;
+  PairAssigner assigner_;
+  InnerOrders inner_orders_;
+  AssignedStep groups_;
+  std::vector<Task> tasks_;
+  std::size_t next_task_ = 0;
+  std::unique_ptr<StepSource> inner_;
+  LoadStep inner_step_;
+  const std::vector<Element>* names_ = nullptr;
+  std::vector<bool> wanted_;             // by item: in the memory of the order that is followed
+  std::vector<bool> fast_;               // by item: on the accelerator
+  std::vector<Element> on_accelerator_;  // what was used last comes last
+  std::vector<Element> coming_;
+  PairSet met_;
+  std::uint64_t number_ = 0;
+};
+
+/// The order with groups of a size.
+TwoLevelOrder::Maker with_groups(const Shape& shape) {
+  const std::uint64_t group_room = shape.room / shape.group_items;
+  LoadOrderOptions quick;
+  quick.planner = false;
+  const auto groups =
+      std::make_shared<const LoadOrder>(plan_load_order(shape.groups(), group_room, quick));
+  return [shape, groups, group_room]() -> std::unique_ptr<TwoLevelSource> {
+    return std::make_unique<Steps>(shape, groups->stream(), group_room);
+  };
+}
+
+/// Steps that were made before.
+class KeptSteps final : public TwoLevelSource {
+ public:
+  explicit KeptSteps(std::shared_ptr<const std::vector<TwoLevelStep>> steps)
+      : steps_(std::move(steps)) {}
+
+  bool next(TwoLevelStep& step) override {
+    if (next_ == steps_->size()) {
+      return false;
+    }
+    step = (*steps_)[next_++];
+    return true;
+  }
+
+ private:
+  std::shared_ptr<const std::vector<TwoLevelStep>> steps_;
+  std::size_t next_ = 0;
+};
+
+/// The order for the accelerator alone; what leaves it stays in memory, and what is needed last leaves memory.
+class Cache {
+ public:
+  explicit Cache(const Shape& shape)
+      : shape_(shape),
+        uses_(static_cast<std::size_t>(shape.items)),
+        place_(uses_.size(), Place::disk),
+        met_(shape.items) {
+    const LoadOrder order = plan_load_order(shape.items, shape.fast_room);
+    LoadStep step;
+    for (const auto steps = order.stream(); steps->next(step);) {
+      for (const Element x : step.load) {
+        uses_[x].push_back(step.number);
+      }
+      steps_.push_back(step);
+    }
+    for (std::vector<std::uint64_t>& each : uses_) {
+      std::reverse(each.begin(), each.end());  // the next one last
+    }
+  }
+
+  TwoLevelOrder::Maker run() {
+    const auto made = std::make_shared<std::vector<TwoLevelStep>>();
+    for (const LoadStep& step : steps_) {
+      made->push_back(follow(step));
+    }
+    return
+        [made]() -> std::unique_ptr<TwoLevelSource> { return std::make_unique<KeptSteps>(made); };
+  }
+
+ private:
+  enum class Place : std::uint8_t { disk, memory, accelerator };
+
+  TwoLevelStep follow(const LoadStep& step) {
+    TwoLevelStep out;
+    out.number = step.number;
+    out.fast_evict = step.evict;
+    for (const Element x : step.evict) {
+      place_[x] = Place::memory;
+      std::erase(fast_, x);
+    }
+    for (const Element x : step.load) {
+      uses_[x].pop_back();
+      if (place_[x] == Place::disk) {
+        out.load.push_back(x);
+        memory_.push_back(x);
+      }
+      place_[x] = Place::accelerator;
+    }
+    while (memory_.size() > shape_.room) {
+      const auto goes = std::max_element(memory_.begin(), memory_.end(), [&](Element a, Element b) {
+        return needed_at(a) < needed_at(b);
+      });
+      out.evict.push_back(*goes);
+      place_[*goes] = Place::disk;
+      memory_.erase(goes);
+    }
+    for (const Element x : step.load) {
+      for (const Element y : fast_) {
+        if (!met_.contains(x, y)) {
+          met_.insert(x, y);
+          out.pairs.emplace_back(std::min(x, y), std::max(x, y));
+        }
+      }
+      fast_.push_back(x);
+      out.fast_load.push_back(x);
+    }
+    return out;
+  }
+
+  // What is on the accelerator is needed now.
+  [[nodiscard]] std::uint64_t needed_at(Element x) const {
+    return place_[x] == Place::accelerator ? 0
+           : uses_[x].empty()              ? ~std::uint64_t{0}
+                                           : uses_[x].back();
+  }
+
+  Shape shape_;
+  std::vector<LoadStep> steps_;
+  std::vector<std::vector<std::uint64_t>> uses_;  // by item: numbers of steps that transfer it
+  std::vector<Place> place_;
+  std::vector<Element> memory_;  // what is on the accelerator included
+  std::vector<Element> fast_;
+  PairSet met_;
+};
+
+TwoLevelVerdict verdict_of(const Shape& shape, const TwoLevelOrder::Maker& maker) {
+  TwoLevelCheck check(shape.items, shape.room, shape.fast_room);
+  TwoLevelStep step;
+  for (const auto steps = maker(); steps->next(step);) {
+    stop_if_asked();
+    check.read(step);
+  }
+  TwoLevelVerdict verdict = check.finish();
+  if (!verdict.valid()) {
+    throw InternalError(fmt::format(
+        "the order of {} items with room for {} and {}, in groups of {}, is wrong: {} {} missing",
+        shape.items, shape.room, shape.fast_room, shape.group_items, verdict.fault,
+        verdict.missing));
+  }
+  return verdict;
+}
+
+// Sizes around the most promising ones, the most promising first.
+std::vector<std::uint64_t> sizes_to_try(std::uint64_t items, std::uint64_t room,
+                                        std::uint64_t fast_room) {
+  const std::uint64_t most = std::min(items, std::max<std::uint64_t>(1, room / 2));
+  std::vector<std::uint64_t> sizes;
+  const auto add = [&](std::uint64_t size) {
+    if (size >= 1 && size <= most && std::find(sizes.begin(), sizes.end(), size) == sizes.end()) {
+      sizes.push_back(size);
+    }
+  };
+  add(std::min(fast_room - 1, most));
+  add(2 * (fast_room - 1));
+  add((fast_room - 1) / 2);
+  for (std::uint64_t k = 2; k <= 12; ++k) {
+    add(room / k);
+  }
+  add(3 * (fast_room - 1));
+  for (std::uint64_t size = 1; size <= std::min<std::uint64_t>(most, 12); ++size) {
+    add(size);
+  }
+  return sizes;
+}
+
+}  // namespace
+
+TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room) {
+  TwoLevelFacts facts;
+  facts.items = items;
+  facts.room = room;
+  facts.fast_room = fast_room;
+  facts.load_bound = load_lower_bound(items, room);
+  facts.transfer_bound = load_lower_bound(items, fast_room);
+  if (fast_room > room) {
+    throw BadInput(fmt::format(
+        "the accelerator has room for {} items, but memory only for {}; give less, or one level",
+        fast_room, room));
+  }
+  if (items > max_elements_in_memory) {
+    throw ImpossibleParameters(fmt::format(
+        "{} items: two levels have at most {}; make items larger", items, max_elements_in_memory));
+  }
+  const auto cost = [&](const TwoLevelVerdict& verdict) {
+    return static_cast<double>(verdict.loads) / static_cast<double>(facts.load_bound.loads) +
+           static_cast<double>(verdict.transfers) / static_cast<double>(facts.transfer_bound.loads);
+  };
+  // Each size is tried in full, as long as that takes no more than some seconds.
+  constexpr std::uint64_t most_work = 30'000'000;
+  const std::uint64_t pairs = binomial(items, 2) + items;
+  std::optional<TwoLevelVerdict> best;
+  TwoLevelOrder::Maker best_maker;
+  std::uint64_t work = 0;
+  for (const std::uint64_t size : sizes_to_try(items, room, fast_room)) {
+    work += 4 * pairs;
+    if (best && work > most_work) {
+      break;
+    }
+    const Shape shape{items, room, fast_room, size};
+    const TwoLevelOrder::Maker maker = with_groups(shape);
+    const TwoLevelVerdict verdict = verdict_of(shape, maker);
+    if (!best || cost(verdict) < cost(*best)) {
+      best = verdict;
+      best_maker = maker;
+      facts.group_items = size;
+    }
+  }
+  facts.explanation = fmt::format(
+      "Groups of at most {} items are loaded; what a group meets for the first time is done at once: "
+      "up to {} of its items stay on the accelerator while the others pass.",
+      facts.group_items, fast_room - 1);
+  constexpr std::uint64_t most_kept = 100'000;  // transfers
+  if (facts.transfer_bound.loads <= most_kept) {
+    const Shape shape{items, room, fast_room, 0};
+    const TwoLevelOrder::Maker maker = Cache(shape).run();
+    const TwoLevelVerdict verdict = verdict_of(shape, maker);
+    if (cost(verdict) < cost(*best)) {
+      best = verdict;
+      best_maker = maker;
+      facts.group_items = 0;
+      facts.explanation =
+          "An order for the accelerator alone; what leaves it stays in memory, from which goes what "
+          "is needed last.";
+    }
+  }
+  facts.steps = best->steps;
+  facts.loads = best->loads;
+  facts.transfers = best->transfers;
+  facts.certificate = fmt::format(
+      "every step read: room at both levels, {} pairs computed on the accelerator, each once",
+      best->computed);
+  return {std::move(facts), std::move(best_maker)};
+}
+
+}  // namespace changeover

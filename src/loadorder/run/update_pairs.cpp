@@ -1,0 +1,348 @@
+#include "changeover/loadorder/update_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
+#include "core/checked.hpp"
+#include "loadorder/run/compute_pool.hpp"
+#include "loadorder/run/journal.hpp"
+#include "loadorder/run/versioned_items.hpp"
+
+namespace changeover {
+namespace {
+
+/// Plays a whole order: whether it is one, and a checksum by which it is known again. @throws BadInput
+Checksum checksum_of(const DisjointOrder& order, const StepWorkOptions& options) {
+  const DisjointFacts& facts = order.facts();
+  LockstepCheck check(facts.items, facts.room, facts.workers, options);
+  LockstepWork work(order, options);
+  Sha256 hash;
+  for (std::vector<WorkStep> steps; work.next(steps);) {
+    check.read(steps);
+    for (const WorkStep& step : steps) {
+      for (const std::vector<Element>& list : {step.loads.evict, step.loads.load}) {
+        hash.add(list.data(), list.size() * sizeof(Element));
+        hash.add("|");
+      }
+      for (const auto& [x, y] : step.pairs) {
+        hash.add(fmt::format("{},{} ", x, y));
+      }
+    }
+  }
+  const LockstepVerdict verdict = check.finish();
+  if (!verdict.valid() || verdict.steps != facts.steps) {
+    throw BadInput(fmt::format(
+        "this is no order of {} items for {} workers with room for {}: {}{} pairs are missing",
+        facts.items, facts.workers, facts.room,
+        verdict.fault.empty() ? std::string() : verdict.fault + "; ", verdict.missing));
+  }
+  return hash.finish();
+}
+
+/// What a worker holds.
+class Memory {
+ public:
+  Memory(std::uint64_t room, std::uint64_t item_bytes) {
+    for (std::uint64_t i = 0; i < room; ++i) {
+      free_.emplace_back(static_cast<std::size_t>(item_bytes));
+    }
+  }
+
+  std::span<std::byte> take(Element x) {
+    held_.emplace_back(x, std::move(free_.back()));
+    free_.pop_back();
+    return held_.back().second;
+  }
+
+  void drop(Element x) {
+    const auto place = find(x);
+    free_.push_back(std::move(place->second));
+    held_.erase(place);
+  }
+
+  [[nodiscard]] HeldItem item(Element x) { return {x, find(x)->second}; }
+
+  [[nodiscard]] const std::vector<std::pair<Element, std::vector<std::byte>>>& held() const {
+    return held_;
+  }
+
+ private:
+  std::vector<std::pair<Element, std::vector<std::byte>>>::iterator find(Element x) {
+    const auto place =
+        std::find_if(held_.begin(), held_.end(), [x](const auto& each) { return each.first == x; });
+    if (place == held_.end()) {
+      throw InternalError(fmt::format("item {} is not held", x));
+    }
+    return place;
+  }
+
+  std::vector<std::pair<Element, std::vector<std::byte>>> held_;
+  std::vector<std::vector<std::byte>> free_;
+};
+
+class UpdateJob {
+ public:
+  UpdateJob(const DisjointOrder& order, const PairUpdater& update, const UpdateOptions& options)
+      : facts_(order.facts()),
+        update_(update),
+        options_(options),
+        beside_(options.data + ".versions"),
+        order_checksum_(checksum_of(order, options.work)),
+        work_(order, options.work),
+        steps_(static_cast<std::size_t>(facts_.workers)),
+        stores_(steps_.size()),
+        held_(steps_.size()),
+        changed_(static_cast<std::size_t>(facts_.items), false) {}
+
+  UpdateReport run() {
+    const auto begin = std::chrono::steady_clock::now();
+    report_.steps = facts_.steps;
+    check_data();
+    const std::vector<JournalField> fields = {
+        {"job", fmt::format("'{}'", options_.job)},
+        {"data", fmt::format("'{}', items of {} bytes", options_.data, options_.item_bytes)},
+        {"order", to_hex(order_checksum_)}};
+    Sha256 claim;
+    for (const JournalField& field : fields) {
+      claim.add(field.value + "\n");
+    }
+    VersionedItems items(options_.data, beside_, facts_.items, options_.item_bytes,
+                         {claim.finish(), {}}, options_.before_write);
+    const bool had_journal =
+        std::filesystem::exists(options_.journal) && !std::filesystem::is_empty(options_.journal);
+    if (!had_journal && std::filesystem::exists(beside_)) {
+      throw BadInput(fmt::format(
+          "{}: is there, but its journal {} is not, so {} may be half changed; bring the journal "
+          "back, or restore the data and remove this file",
+          beside_, options_.journal, options_.data));
+    }
+    Journal journal(options_.journal, fields, facts_.steps + 1);
+    report_.note = journal.note();
+    if (!journal.records().empty() && journal.records().back().step == facts_.steps + 1) {
+      std::filesystem::remove(beside_);
+      report_.finished = true;
+      report_.steps_done = report_.steps_resumed = facts_.steps;
+      return report_;
+    }
+    if (!journal.records().empty() && !std::filesystem::exists(beside_)) {
+      throw BadInput(
+          fmt::format("{}: is not there, and without it {} cannot go on; restore both, "
+                      "or restore the data and remove the journal",
+                      beside_, options_.journal));
+    }
+    journal.begin();
+    before_write();
+    items.begin();
+    for (std::uint64_t w = 0; w < facts_.workers; ++w) {
+      memories_.emplace_back(std::min(facts_.room, facts_.items), options_.item_bytes);
+    }
+    ComputePool pool(static_cast<unsigned>(facts_.workers));
+    go_on(journal, items, pool);
+    while (report_.steps_done < facts_.steps && !cancelled()) {
+      compute_step(items, pool);
+      if (report_.steps_done % std::max<std::uint64_t>(1, options_.checkpoint_every) == 0 ||
+          report_.steps_done == facts_.steps || cancelled()) {
+        checkpoint(journal, items, pool);
+      }
+      if (options_.on_step) {
+        options_.on_step(report_.steps_done);
+      }
+    }
+    if (report_.steps_done == facts_.steps) {
+      items.copy_back();
+      before_write();
+      journal.record({facts_.steps + 1, items.checksum()});
+      before_write();
+      std::filesystem::remove(beside_);
+      report_.finished = true;
+    }
+    report_.elapsed = std::chrono::steady_clock::now() - begin;
+    return report_;
+  }
+
+ private:
+  [[nodiscard]] bool cancelled() const {
+    return options_.cancelled != nullptr && options_.cancelled->load(std::memory_order_relaxed);
+  }
+
+  void before_write() const {
+    if (options_.before_write) {
+      options_.before_write();
+    }
+  }
+
+  void check_data() const {
+    if (options_.item_bytes == 0 || options_.journal.empty()) {
+      throw BadInput(options_.journal.empty() ? "a job whose items change needs a journal"
+                                              : "items of 0 bytes; give at least 1");
+    }
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(options_.data, error)) {
+      throw BadInput(options_.data + ": is not there, or no regular file");
+    }
+    const std::uint64_t bytes = std::filesystem::file_size(options_.data);
+    if (bytes != checked_multiply(facts_.items, options_.item_bytes)) {
+      throw BadInput(fmt::format("{}: has {} bytes, but {} items of {} make {}", options_.data,
+                                 bytes, facts_.items, options_.item_bytes,
+                                 facts_.items * options_.item_bytes));
+    }
+  }
+
+  // What the next step of each worker stores, and what is changed and held after it. False at the end.
+  bool plan_step() {
+    if (!work_.next(steps_)) {
+      return false;
+    }
+    for (std::size_t w = 0; w < steps_.size(); ++w) {
+      const LoadStep& loads = steps_[w].loads;
+      stores_[w].clear();
+      for (const Element x : loads.evict) {
+        if (changed_[x]) {
+          stores_[w].push_back(x);
+          changed_[x] = false;
+        }
+        std::erase(held_[w], x);
+      }
+    }
+    // Only now, for what one has dropped another may load.
+    for (std::size_t w = 0; w < steps_.size(); ++w) {
+      const LoadStep& loads = steps_[w].loads;
+      held_[w].insert(held_[w].end(), loads.load.begin(), loads.load.end());
+      for (const auto& [x, y] : steps_[w].pairs) {
+        changed_[x] = true;
+        changed_[y] = true;
+      }
+    }
+    return true;
+  }
+
+  // What a checkpoint stores: what has changed and is held.
+  void plan_checkpoint() {
+    for (std::size_t w = 0; w < steps_.size(); ++w) {
+      stores_[w].clear();
+      for (const Element x : held_[w]) {
+        if (changed_[x]) {
+          stores_[w].push_back(x);
+          changed_[x] = false;
+        }
+      }
+    }
+  }
+
+  // To the state that the journal's last line names.
+  void go_on(const Journal& journal, VersionedItems& items, ComputePool& pool) {
+    std::vector<Element> stored;
+    const auto note_stores = [&] {
+      for (const std::vector<Element>& each : stores_) {
+        stored.insert(stored.end(), each.begin(), each.end());
+      }
+    };
+    for (const JournalRecord& record : journal.records()) {
+      while (report_.steps_done < record.step && plan_step()) {
+        ++report_.steps_done;
+        note_stores();
+      }
+      plan_checkpoint();
+      note_stores();
+      items.replay(stored);
+      stored.clear();
+    }
+    report_.steps_resumed = report_.steps_done;
+    items.read_all();
+    if (journal.records().empty()) {
+      return;
+    }
+    if (items.checksum() != journal.records().back().results) {
+      throw BadInput(fmt::format(
+          "{}: with {} it is not what the journal recorded after step {}: something else has "
+          "changed it; restore both, or begin anew with the data of the beginning",
+          options_.data, beside_, report_.steps_done));
+    }
+    pool.run(steps_.size(), [&](std::size_t w) {
+      for (const Element x : held_[w]) {
+        items.read(x, memories_[w].take(x));
+      }
+    });
+    for (const std::vector<Element>& each : held_) {
+      report_.loads += each.size();
+    }
+  }
+
+  void store(VersionedItems& items, ComputePool& pool) {
+    pool.run(steps_.size(), [&](std::size_t w) {
+      for (const Element x : stores_[w]) {
+        items.store(x, memories_[w].item(x).bytes);
+      }
+    });
+  }
+
+  void compute_step(VersionedItems& items, ComputePool& pool) {
+    if (!plan_step()) {
+      throw InternalError("the order ended before its last step");
+    }
+    ++report_.steps_done;
+    store(items, pool);
+    // Everybody has stored: an item may go from one worker to another.
+    pool.run(steps_.size(), [&](std::size_t w) {
+      for (const Element x : steps_[w].loads.evict) {
+        memories_[w].drop(x);
+      }
+      for (const Element x : steps_[w].loads.load) {
+        items.read(x, memories_[w].take(x));
+      }
+      for (const auto& [x, y] : steps_[w].pairs) {
+        update_({report_.steps_done, w, memories_[w].item(x), memories_[w].item(y)});
+      }
+    });
+    for (std::size_t w = 0; w < steps_.size(); ++w) {
+      report_.loads += steps_[w].loads.load.size();
+      report_.stores += stores_[w].size();
+      report_.updates += steps_[w].pairs.size();
+    }
+  }
+
+  void checkpoint(Journal& journal, VersionedItems& items, ComputePool& pool) {
+    plan_checkpoint();
+    store(items, pool);
+    for (const std::vector<Element>& each : stores_) {
+      report_.checkpoint_stores += each.size();
+    }
+    items.sync();
+    before_write();
+    journal.record({report_.steps_done, items.checksum()});
+    items.commit();
+  }
+
+  const DisjointFacts& facts_;
+  const PairUpdater& update_;
+  const UpdateOptions& options_;
+  std::string beside_;
+  Checksum order_checksum_;
+  LockstepWork work_;
+  std::vector<WorkStep> steps_;               // by worker: the step
+  std::vector<std::vector<Element>> stores_;  // by worker: what it stores now
+  std::vector<std::vector<Element>> held_;    // by worker
+  std::vector<bool> changed_;                 // by item: since it was loaded or stored
+  std::vector<Memory> memories_;
+  UpdateReport report_;
+};
+
+}  // namespace
+
+UpdateReport update_pairs(const DisjointOrder& order, const PairUpdater& update,
+                          const UpdateOptions& options) {
+  if (order.facts().workers > most_job_threads) {
+    throw BadInput(
+        fmt::format("{} workers: a job has at most {}", order.facts().workers, most_job_threads));
+  }
+  return UpdateJob(order, update, options).run();
+}
+
+}  // namespace changeover

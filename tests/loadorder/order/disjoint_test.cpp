@@ -1,0 +1,301 @@
+// Workers that never hold one item twice: against plain sets, against all orders of small parameters, and wrong ones refused.
+#include "changeover/loadorder/disjoint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <map>
+
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/workers.hpp"
+#include "loadorder/order/lockstep_eras.hpp"
+#include "loadorder/order/lockstep_grown.hpp"
+#include "loadorder_support.hpp"
+
+namespace changeover::test {
+namespace {
+
+using Steps = std::vector<std::vector<LoadStep>>;  // by worker
+
+Steps steps_of(const DisjointOrder& order) {
+  Steps all;
+  for (std::uint64_t w = 0; w < order.facts().workers; ++w) {
+    all.emplace_back();
+    const auto steps = order.stream(w);
+    for (LoadStep step; steps->next(step);) {
+      all.back().push_back(step);
+    }
+  }
+  return all;
+}
+
+/// The definition: sets, nothing else. "" if all pairs meet and no item is held twice.
+std::string fault_of(const Steps& all, std::uint64_t items, std::uint64_t room) {
+  std::set<std::pair<Element, Element>> met;
+  std::vector<std::set<Element>> memory(all.size());
+  for (std::size_t s = 0; s < all[0].size(); ++s) {
+    for (std::size_t w = 0; w < all.size(); ++w) {
+      if (all[w].size() != all[0].size() || all[w][s].number != s + 1) {
+        return "numbers";
+      }
+      for (const Element x : all[w][s].evict) {
+        if (memory[w].erase(x) != 1) {
+          return fmt::format("worker {} evicts {} in step {}", w, x, s + 1);
+        }
+      }
+      for (const Element x : all[w][s].load) {
+        if (x >= items || !memory[w].insert(x).second) {
+          return fmt::format("worker {} loads {} in step {}", w, x, s + 1);
+        }
+      }
+      if (memory[w].size() > room) {
+        return fmt::format("worker {} holds {}", w, memory[w].size());
+      }
+    }
+    std::set<Element> held;
+    for (const auto& each : memory) {
+      for (const Element x : each) {
+        if (!held.insert(x).second) {
+          return fmt::format("{} is held twice in step {}", x, s + 1);
+        }
+        for (const Element y : each) {
+          if (x < y) {
+            met.emplace(x, y);
+          }
+        }
+      }
+    }
+  }
+  return met.size() == items * (items - 1) / 2 ? "" : "pairs are missing";
+}
+
+TEST(Disjoint, OrdersOfAllKindsMeetTheDefinition) {
+  for (const std::uint64_t workers : {1U, 2U, 3U, 5U}) {
+    for (const std::uint64_t room : {2U, 3U, 4U, 7U}) {
+      for (const std::uint64_t more : {0U, 1U, 7U, 16U}) {
+        const std::uint64_t items = workers * room + more;
+        const DisjointOrder order = plan_disjoint_order(items, room, workers);
+        const DisjointFacts& facts = order.facts();
+        const std::string what = fmt::format("{} {} {}", items, room, workers);
+        const Steps all = steps_of(order);
+        EXPECT_EQ(fault_of(all, items, room), "") << what;
+        EXPECT_GE(facts.loads, facts.bound.loads) << what;
+        EXPECT_GE(facts.makespan, facts.makespan_bound.loads) << what;
+        EXPECT_GE(facts.span, facts.makespan) << what;
+        std::uint64_t loads = 0;
+        std::uint64_t span = 0;
+        for (std::size_t s = 0; s < all[0].size(); ++s) {
+          std::size_t slowest = 0;
+          for (const auto& worker : all) {
+            loads += worker[s].load.size();
+            slowest = std::max(slowest, worker[s].load.size());
+          }
+          span += slowest;
+        }
+        EXPECT_EQ(loads, facts.loads) << what;
+        EXPECT_EQ(span, facts.span) << what;
+        EXPECT_EQ(all[0].size(), facts.steps) << what;
+      }
+    }
+  }
+}
+
+TEST(Disjoint, ErasMeetTheDefinitionForAllNumbersOfGroups) {
+  for (const std::uint64_t workers : {2U, 3U, 4U, 5U, 7U, 9U}) {
+    for (const std::uint64_t items : {workers * 3, workers * 3 + 1, workers * 7 + 5}) {
+      for (std::uint64_t groups = workers; groups <= items; ++groups) {
+        const EraShape shape{items, workers, groups};
+        Steps all(static_cast<std::size_t>(workers));
+        std::uint64_t loads = 0;
+        for (std::size_t w = 0; w < all.size(); ++w) {
+          const auto steps = era_steps(shape, w);
+          for (LoadStep step; steps->next(step);) {
+            loads += step.load.size();
+            all[w].push_back(step);
+          }
+        }
+        const std::uint64_t largest = (items + groups - 1) / groups;
+        EXPECT_EQ(fault_of(all, items, largest + 1), "")
+            << items << " " << workers << " " << groups;
+        EXPECT_EQ(cost_of_eras(shape).loads, loads);
+        EXPECT_EQ(cost_of_eras(shape).steps, all[0].size());
+      }
+    }
+  }
+}
+
+TEST(Disjoint, EveryRuleGrowsOrdersToTheirEndAndCutsGoOn) {
+  Random random(5);
+  for (std::size_t rule = 0; rule < growth_rules; ++rule) {
+    for (const auto& [items, room, workers] :
+         {std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>{12, 3, 4},
+          {13, 3, 4},
+          {20, 5, 2}}) {
+      const auto whole = grow_order(items, room, workers, {}, 0, growth_rule(rule), 10'000, random);
+      ASSERT_TRUE(whole) << rule << " " << items;
+      const std::size_t keep = whole->steps.size() / 2;
+      const auto again =
+          grow_order(items, room, workers, *whole, keep, growth_rule(rule), 10'000, random);
+      ASSERT_TRUE(again);
+      for (std::size_t s = 0; s < keep; ++s) {
+        ASSERT_EQ(again->steps[s].size(), whole->steps[s].size());
+        for (std::size_t i = 0; i < again->steps[s].size(); ++i) {
+          EXPECT_EQ(again->steps[s][i].in, whole->steps[s][i].in);
+        }
+      }
+      EXPECT_FALSE(grow_order(items, room, workers, {}, 0, growth_rule(rule), 2, random));
+    }
+  }
+}
+
+// The fewest loads of all workers together: a search through everything that two workers can hold and have done.
+std::uint64_t fewest_loads(unsigned items, unsigned room) {
+  using State =
+      std::pair<std::pair<unsigned, unsigned>, std::uint32_t>;  // memories, pairs that met
+  const auto rank = [](unsigned x, unsigned y) {
+    return std::max(x, y) * (std::max(x, y) - 1) / 2 + std::min(x, y);
+  };
+  const std::uint32_t all = (1U << (items * (items - 1) / 2)) - 1;
+  std::map<State, std::uint64_t> loads;
+  std::deque<State> queue{{{0, 0}, 0}};
+  loads[queue.front()] = 0;
+  while (!queue.empty()) {
+    const State state = queue.front();
+    queue.pop_front();
+    const std::uint64_t so_far = loads[state];
+    if (state.second == all) {
+      return so_far;
+    }
+    const auto reach = [&](const State& next, std::uint64_t cost) {
+      const auto [found, is_new] = loads.emplace(next, so_far + cost);
+      if (is_new || so_far + cost < found->second) {
+        found->second = so_far + cost;
+        cost == 0 ? queue.push_front(next) : queue.push_back(next);
+      }
+    };
+    for (int w = 0; w < 2; ++w) {
+      const unsigned mine = w == 0 ? state.first.first : state.first.second;
+      const unsigned theirs = w == 0 ? state.first.second : state.first.first;
+      const auto with = [&](unsigned memory) {
+        return w == 0 ? std::pair(memory, theirs) : std::pair(theirs, memory);
+      };
+      for (unsigned x = 0; x < items; ++x) {
+        if ((mine >> x & 1U) != 0) {
+          reach({with(mine & ~(1U << x)), state.second}, 0);
+        } else if ((theirs >> x & 1U) == 0 &&
+                   static_cast<unsigned>(__builtin_popcount(mine)) < room) {
+          std::uint32_t met = state.second;
+          for (unsigned y = 0; y < items; ++y) {
+            met |= (mine >> y & 1U) != 0 ? 1U << rank(x, y) : 0U;
+          }
+          reach({with(mine | 1U << x), met}, 1);
+        }
+      }
+    }
+  }
+  return 0;
+}
+
+TEST(Disjoint, NoOrderBeatsTheBoundAndSmallOnesAreTheBest) {
+  for (const auto& [items, room] : {std::pair(4U, 2U), {5U, 2U}}) {
+    const std::uint64_t fewest = fewest_loads(items, room);
+    const DisjointFacts facts = plan_disjoint_order(items, room, 2).facts();
+    EXPECT_GE(fewest, facts.bound.loads) << items << " " << room;
+    EXPECT_GE(facts.loads, fewest) << items << " " << room;
+    EXPECT_LE(facts.loads, fewest + 2) << items << " " << room;
+  }
+}
+
+TEST(Disjoint, CutsOfAnOrderForOneWorkerShareItems) {
+  // What --workers alone gives: the check must see it.
+  const WorkerSplit split = split_load_order(32, 8, 2);
+  LockstepCheck check(32, 8, 2);
+  const auto first = split.stream(0);
+  const auto second = split.stream(1);
+  for (std::vector<WorkStep> steps(2);
+       first->next(steps[0].loads) && second->next(steps[1].loads);) {
+    check.read(steps);
+  }
+  EXPECT_NE(check.finish().fault.find("holds"), std::string::npos) << check.finish().fault;
+}
+
+// All steps of an order with what they compute.
+std::vector<std::vector<WorkStep>> work_of(const DisjointOrder& order,
+                                           const StepWorkOptions& options) {
+  std::vector<std::vector<WorkStep>> all;
+  LockstepWork work(order, options);
+  for (std::vector<WorkStep> steps; work.next(steps);) {
+    all.push_back(steps);
+  }
+  return all;
+}
+
+LockstepVerdict verdict_of(const std::vector<std::vector<WorkStep>>& all, std::uint64_t room,
+                           const StepWorkOptions& options = {}) {
+  LockstepCheck check(12, room, 2, options);
+  for (const auto& steps : all) {
+    check.read(steps);
+  }
+  return check.finish();
+}
+
+TEST(Disjoint, ChecksRefuseWhatIsWrong) {
+  const DisjointOrder order = plan_disjoint_order(12, 4, 2);
+  const auto right = work_of(order, {});
+  ASSERT_TRUE(verdict_of(right, 4).valid());
+  EXPECT_EQ(verdict_of(right, 4).computed, 66U);
+  EXPECT_NE(verdict_of(right, 3).fault.find("memory is full"), std::string::npos);
+  const auto refused = [&](const std::string& says, const auto& change) {
+    auto wrong = right;
+    change(wrong);
+    const LockstepVerdict verdict = verdict_of(wrong, 4);
+    EXPECT_FALSE(verdict.valid()) << says;
+    EXPECT_NE(verdict.fault.find(says), std::string::npos) << says << ": " << verdict.fault;
+  };
+  refused("is numbered", [](auto& all) { all[1][0].loads.number = 7; });
+  refused("which it does not hold", [](auto& all) { all[0][1].loads.evict.push_back(0); });
+  refused("which worker 0 holds",
+          [](auto& all) { all[0][1].loads.load[0] = all[0][0].loads.load[0]; });
+  refused("which is no item", [](auto& all) { all[0][1].loads.load[0] = 12; });
+  refused("without holding both", [](auto& all) { std::swap(all[0][0].pairs, all[0][1].pairs); });
+  refused("which is not wanted", [](auto& all) { all[0][0].pairs[0] = {0, 0}; });
+  refused("is of 1 workers", [](auto& all) { all[2].pop_back(); });
+  refused("", [](auto& all) { all[0][0].pairs.pop_back(); });
+  refused("", [](auto& all) { all[0][0].pairs.push_back(all[0][0].pairs[0]); });
+  auto repeated = right;
+  repeated[0][0].pairs.push_back(repeated[0][0].pairs[0]);
+  EXPECT_EQ(verdict_of(repeated, 4).repeated, 1U);
+  EXPECT_FALSE(verdict_of({}, 4).valid());
+}
+
+TEST(Disjoint, WorkHasBothWaysAndItemsAloneIfAskedTo) {
+  const DisjointOrder order = plan_disjoint_order(12, 4, 2);
+  const StepWorkOptions options{.ordered = true, .self = true, .shuffle = 3};
+  const auto all = work_of(order, options);
+  const LockstepVerdict verdict = verdict_of(all, 4, options);
+  EXPECT_TRUE(verdict.valid()) << verdict.fault;
+  EXPECT_EQ(verdict.computed, 144U);
+  EXPECT_EQ(verdict_of(work_of(order, {}), 4, options).missing, 78U);
+}
+
+TEST(Disjoint, ComesCloseToTheBound) {
+  // What was found; a change that loses much of it is seen.
+  EXPECT_LE(plan_disjoint_order(16, 4, 2).facts().span, 27U);
+  EXPECT_LE(plan_disjoint_order(64, 8, 2).facts().span, 180U);
+  EXPECT_LE(plan_disjoint_order(64, 8, 2).facts().loads, 360U);
+  EXPECT_LE(plan_disjoint_order(64, 16, 4).facts().span, 64U);
+  EXPECT_EQ(plan_disjoint_order(64, 2, 32).facts().span, 64U);  // a tournament: the bound
+}
+
+TEST(Disjoint, RefusesTooManyWorkersAndTooManyItems) {
+  EXPECT_THROW(static_cast<void>(plan_disjoint_order(15, 8, 2)), BadInput);
+  EXPECT_THROW(static_cast<void>(plan_disjoint_order(15, 4, 0)), BadInput);
+  EXPECT_THROW(static_cast<void>(plan_disjoint_order(15, 4, 70'000)), BadInput);
+  EXPECT_THROW(static_cast<void>(plan_disjoint_order(70'000, 4, 2)), ImpossibleParameters);
+  EXPECT_THROW(static_cast<void>(plan_disjoint_order(12, 4, 2).stream(2)), BadInput);
+  EXPECT_THROW(LockstepCheck(70'000, 4, 2), MissingResource);
+  EXPECT_THROW(LockstepCheck(7, 4, 0), BadInput);
+}
+
+}  // namespace
+}  // namespace changeover::test

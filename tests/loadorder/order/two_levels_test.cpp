@@ -1,0 +1,154 @@
+// Two levels of memory: against plain sets, and wrong orders refused.
+#include "changeover/loadorder/two_levels.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover::test {
+namespace {
+
+std::vector<TwoLevelStep> steps_of(const TwoLevelOrder& order) {
+  std::vector<TwoLevelStep> all;
+  TwoLevelStep step;
+  for (const auto steps = order.stream(); steps->next(step);) {
+    all.push_back(step);
+  }
+  return all;
+}
+
+/// The definition in sets. Empty, or what is wrong.
+std::string fault_of(const std::vector<TwoLevelStep>& all, std::uint64_t items, std::uint64_t room,
+                     std::uint64_t fast_room) {
+  std::set<Element> memory;
+  std::set<Element> fast;
+  std::set<std::pair<Element, Element>> met;
+  for (const TwoLevelStep& step : all) {
+    for (const Element x : step.fast_evict) {
+      if (fast.erase(x) != 1) {
+        return fmt::format("step {}: {} is not on the accelerator", step.number, x);
+      }
+    }
+    for (const Element x : step.evict) {
+      if (memory.erase(x) != 1 || fast.count(x) != 0) {
+        return fmt::format("step {} evicts {}", step.number, x);
+      }
+    }
+    for (const Element x : step.load) {
+      if (x >= items || !memory.insert(x).second) {
+        return fmt::format("step {} loads {}", step.number, x);
+      }
+    }
+    for (const Element x : step.fast_load) {
+      if (memory.count(x) == 0 || !fast.insert(x).second) {
+        return fmt::format("step {} transfers {}", step.number, x);
+      }
+    }
+    if (memory.size() > room || fast.size() > fast_room) {
+      return fmt::format("step {} holds {} and {}", step.number, memory.size(), fast.size());
+    }
+    std::set<std::pair<Element, Element>> computed;
+    for (const Element x : fast) {
+      for (const Element y : fast) {
+        if (x < y && met.emplace(x, y).second) {
+          computed.emplace(x, y);
+        }
+      }
+    }
+    if (computed != std::set<std::pair<Element, Element>>(step.pairs.begin(), step.pairs.end())) {
+      return fmt::format("step {} computes other pairs than those that meet first", step.number);
+    }
+  }
+  return met.size() == items * (items - 1) / 2 ? "" : "pairs are missing";
+}
+
+TEST(TwoLevels, OrdersMeetTheDefinitionAndTheBounds) {
+  for (const std::uint64_t items : {1U, 2U, 5U, 11U, 24U}) {
+    for (const std::uint64_t room : {2U, 3U, 5U, 8U, 15U, 50U}) {
+      for (const std::uint64_t fast_room : {2U, 3U, 4U, 8U, 15U}) {
+        if (fast_room > room) {
+          continue;
+        }
+        const std::string what = fmt::format("{} {} {}", items, room, fast_room);
+        const TwoLevelOrder order = plan_two_levels(items, room, fast_room);
+        const TwoLevelFacts& facts = order.facts();
+        const auto all = steps_of(order);
+        EXPECT_EQ(fault_of(all, items, room, fast_room), "") << what;
+        std::uint64_t loads = 0;
+        std::uint64_t transfers = 0;
+        for (const TwoLevelStep& step : all) {
+          loads += step.load.size();
+          transfers += step.fast_load.size();
+        }
+        EXPECT_EQ(loads, facts.loads) << what;
+        EXPECT_EQ(transfers, facts.transfers) << what;
+        EXPECT_EQ(all.size(), facts.steps) << what;
+        EXPECT_GE(loads, facts.load_bound.loads) << what;
+        EXPECT_GE(transfers, facts.transfer_bound.loads) << what;
+      }
+    }
+  }
+}
+
+TEST(TwoLevels, EverythingInMemoryIsLoadedOnceAndTransferredAsForOneLevel) {
+  const TwoLevelFacts facts = plan_two_levels(40, 40, 6).facts();
+  EXPECT_EQ(facts.loads, 40U);
+  EXPECT_EQ(facts.transfers, plan_load_order(40, 6).facts().loads);
+}
+
+TEST(TwoLevels, BothLevelsAreCloseToTheirBoundsIfTheyAreFarApart) {
+  const TwoLevelFacts facts = plan_two_levels(300, 60, 7).facts();
+  EXPECT_LE(facts.loads * 10, facts.load_bound.loads * 14);
+  EXPECT_LE(facts.transfers * 10, facts.transfer_bound.loads * 13);
+}
+
+TEST(TwoLevels, ChecksRefuseWhatIsWrong) {
+  const TwoLevelOrder order = plan_two_levels(16, 8, 3);
+  const auto right = steps_of(order);
+  const auto verdict_of = [&](const std::vector<TwoLevelStep>& all, std::uint64_t room = 8,
+                              std::uint64_t fast_room = 3) {
+    TwoLevelCheck check(16, room, fast_room);
+    for (const TwoLevelStep& step : all) {
+      check.read(step);
+    }
+    return check.finish();
+  };
+  ASSERT_TRUE(verdict_of(right).valid());
+  EXPECT_EQ(verdict_of(right).computed, 120U);
+  EXPECT_NE(verdict_of(right, 7).fault.find("memory is full"), std::string::npos);
+  EXPECT_NE(verdict_of(right, 8, 2).fault.find("the accelerator is full"), std::string::npos);
+  EXPECT_FALSE(verdict_of({}).valid());
+  const auto refused = [&](const std::string& says, const auto& change) {
+    auto wrong = right;
+    change(wrong);
+    const TwoLevelVerdict verdict = verdict_of(wrong);
+    EXPECT_FALSE(verdict.valid()) << says;
+    EXPECT_NE(verdict.fault.find(says), std::string::npos) << says << ": " << verdict.fault;
+  };
+  refused("is numbered", [](auto& all) { all[1].number = 9; });
+  refused("transfers 15", [](auto& all) { all[0].fast_load[0] = 15; });
+  refused("loads 16", [](auto& all) { all[0].load[0] = 16; });
+  refused("takes from the accelerator", [](auto& all) { all[0].fast_evict.push_back(0); });
+  refused("evicts", [](auto& all) {
+    all[1].evict.push_back(all[1].fast_load[0]);
+    all[1].evict.push_back(all[1].evict[0]);
+  });
+  refused("without both", [](auto& all) { std::swap(all[0].pairs, all[1].pairs); });
+  refused("", [](auto& all) { all[1].pairs.pop_back(); });
+  refused("", [](auto& all) { all[1].pairs.push_back(all[1].pairs[0]); });
+}
+
+TEST(TwoLevels, RefusesWhatCannotBe) {
+  EXPECT_THROW(static_cast<void>(plan_two_levels(16, 4, 5)), BadInput);
+  EXPECT_THROW(static_cast<void>(plan_two_levels(16, 4, 1)), BadInput);
+  EXPECT_THROW(static_cast<void>(plan_two_levels(0, 4, 2)), BadInput);
+  EXPECT_THROW(static_cast<void>(plan_two_levels(70'000, 40, 4)), ImpossibleParameters);
+  EXPECT_THROW(TwoLevelCheck(70'000, 40, 4), MissingResource);
+  EXPECT_THROW(TwoLevelCheck(7, 0, 4), BadInput);
+}
+
+}  // namespace
+}  // namespace changeover::test
