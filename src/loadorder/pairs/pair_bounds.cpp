@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
+#include "loadorder/pairs/bucket_queue.hpp"
 
 namespace changeover {
 namespace {
@@ -54,37 +55,18 @@ template <typename Visit>
 void peel(const PairGraph& graph, Visit&& visit) {
   const auto n = static_cast<std::size_t>(graph.items());
   std::vector<std::uint32_t> degree(n);
-  std::vector<std::vector<Element>> buckets;
-  const auto put = [&](Element x) {
-    if (degree[x] >= buckets.size()) {
-      buckets.resize(degree[x] + std::size_t{1});
-    }
-    buckets[degree[x]].push_back(x);
-  };
+  BucketQueue queue(n);
   for (Element x = 0; x < n; ++x) {
     degree[x] = static_cast<std::uint32_t>(graph.partners(x).size());
     if (graph.is_needed(x)) {
-      put(x);
+      queue.put(x, degree[x]);
     }
   }
-  std::vector<bool> gone(n, false);
-  for (std::size_t low = 0; low < buckets.size();) {
-    if (buckets[low].empty()) {
-      ++low;
-      continue;
-    }
-    const Element x = buckets[low].back();
-    buckets[low].pop_back();
-    if (gone[x] || degree[x] != low) {
-      continue;
-    }
-    gone[x] = true;
-    visit(x, low);
-    for (const Element y : graph.partners(x)) {
-      if (!gone[y]) {
-        --degree[y];
-        put(y);
-        low = std::min<std::size_t>(low, degree[y]);
+  while (const auto x = queue.take_lowest()) {
+    visit(*x, degree[*x]);
+    for (const Element y : graph.partners(*x)) {
+      if (queue.holds(y)) {
+        queue.put(y, --degree[y]);
       }
     }
   }

@@ -27,7 +27,31 @@ std::optional<Element> item_number(std::string_view word) {
   return plain && number < most_items ? std::optional(number) : std::nullopt;
 }
 
-/// Pairs in pieces, so that more of them move none.
+/// Two items as most files write them: digits, one blank, tab or comma, digits. Nothing for every other line.
+std::optional<std::pair<Element, Element>> plain_pair(std::string_view line) {
+  constexpr std::size_t most_digits = 7;  // below most_items
+  static_assert(most_items == 10'000'000);
+  std::size_t at = 0;
+  const auto number = [&](Element& value) {
+    const std::size_t begin = at;
+    value = 0;
+    for (; at < line.size() && line[at] >= '0' && line[at] <= '9'; ++at) {
+      value =
+          10 * value + static_cast<Element>(line[at] - '0');  // of no use if there are more digits
+    }
+    const std::size_t digits = at - begin;
+    return digits > 0 && digits <= most_digits && (digits == 1 || line[begin] != '0');
+  };
+  std::pair<Element, Element> pair;
+  if (number(pair.first) && at < line.size() && separates(line[at]) &&
+      (++at, number(pair.second)) && at == line.size()) {
+    return pair;
+  }
+  return std::nullopt;
+}
+
+/// Pairs in pieces, so that more of them move none. A piece is so large that the system has it back at once; what is not
+/// used of it takes no memory.
 class Pieces {
  public:
   void add(Element x, Element y) {
@@ -50,7 +74,7 @@ class Pieces {
   void clear() { pieces_.clear(); }
 
  private:
-  static constexpr std::size_t piece = 1 << 16;
+  static constexpr std::size_t piece = std::size_t{1} << 22;
   std::vector<std::vector<ItemPair>> pieces_;
 };
 
@@ -67,6 +91,12 @@ class PairReader {
     for (auto next = lines_.next(); next != InputLines::Next::end; next = lines_.next()) {
       if (next == InputLines::Next::too_long) {
         fail("a line of more than 65536 bytes; give two items a line");
+      }
+      if (!named_ && seen_any_ && first_line_.empty()) {
+        if (const auto pair = plain_pair(lines_.line())) {
+          add_numbers(pair->first, pair->second);
+          continue;
+        }
       }
       std::array<std::string_view, 2> words;
       if (split(lines_.line(), words)) {
@@ -142,14 +172,18 @@ class PairReader {
       pairs_.add(a, b);
       return;
     }
-    for (const Element z : {*x, *y}) {
+    add_numbers(*x, *y);
+  }
+
+  void add_numbers(Element x, Element y) {
+    for (const Element z : {x, y}) {
       if (options_.items && z >= *options_.items) {
         fail(fmt::format("item {}, but --items {} numbers them from 0 to {}", z, *options_.items,
                          *options_.items - 1));
       }
       largest_ = std::max(largest_, z);
     }
-    pairs_.add(*x, *y);
+    pairs_.add(x, y);
   }
 
   // Words over numbers are the names of columns.
