@@ -138,23 +138,6 @@ LoadBound bound_of_list(const PairGraph& graph, std::uint64_t room) {
   return bound;
 }
 
-// Most pairs of two sets that `loads` loads bring together.
-std::uint64_t most_between(std::uint64_t loads, std::uint64_t room) {
-  const std::uint64_t first = std::min(loads, room);
-  return checked_add(first / 2 * (first - first / 2), checked_multiply(loads - first, room - 1));
-}
-
-std::uint64_t least_between(std::uint64_t pairs, std::uint64_t room) {
-  if (const std::uint64_t first = most_between(room, room); pairs > first) {
-    return checked_add(room, ceil_div(pairs - first, room - 1));
-  }
-  std::uint64_t loads = 0;
-  while (most_between(loads, room) < pairs) {
-    ++loads;
-  }
-  return loads;
-}
-
 LoadBound bound_between(const WantedPairs& wanted, std::uint64_t room) {
   const std::uint64_t items = wanted.items();
   const std::uint64_t by_pairs = least_between(wanted.count(), room);
@@ -205,6 +188,22 @@ std::uint64_t least_loads(std::uint64_t pairs, std::uint64_t room) {
   return low;
 }
 
+std::uint64_t most_between(std::uint64_t loads, std::uint64_t room) {
+  const std::uint64_t first = std::min(loads, room);
+  return checked_add(first / 2 * (first - first / 2), checked_multiply(loads - first, room - 1));
+}
+
+std::uint64_t least_between(std::uint64_t pairs, std::uint64_t room) {
+  if (const std::uint64_t first = most_between(room, room); pairs > first) {
+    return checked_add(room, ceil_div(pairs - first, room - 1));
+  }
+  std::uint64_t loads = 0;
+  while (most_between(loads, room) < pairs) {
+    ++loads;
+  }
+  return loads;
+}
+
 std::uint64_t needed_items(const WantedPairs& wanted) {
   std::uint64_t count = 0;
   for (Element x = 0; x < wanted.items(); ++x) {
@@ -218,6 +217,8 @@ LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room) {
     throw BadInput(
         fmt::format("room for {}: no two items could meet; give room for at least 2", room));
   }
+  // More room than items changes nothing.
+  room = std::min(room, std::max<std::uint64_t>(2, wanted.items()));
   switch (wanted.kind()) {
     case WantedPairs::Kind::between:
       return bound_between(wanted, room);
