@@ -246,7 +246,7 @@ void listed(benchmark::State& state) {
   }
   state.counters["ours"] = static_cast<double>(loads);
   state.counters["pairs"] = static_cast<double>(graph->pairs());
-  each_start(*graph, [&](const std::string& name, const std::vector<Element>& order) {
+  each_start(*graph, room, [&](const std::string& name, const std::vector<Element>& order) {
     state.counters[name] = static_cast<double>(Closing(*graph, room, order).run());
     return true;
   });

@@ -16,6 +16,7 @@
 #include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/held_order.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
+#include "loadorder/pairs/small_search.hpp"
 #include "loadorder/pairs/starts.hpp"
 
 namespace changeover {
@@ -100,17 +101,23 @@ class ListSearch {
  private:
   void search(bool until_stopped) {
     until_stopped_ = until_stopped;
-    each_start(graph_, [this](const std::string& name, std::vector<Element> start) {
-      try_start(name, std::move(start));
-      return best_.moves.size() > bound_.loads && !in_a_hurry();
-    });
+    each_start(
+        graph_, room_,
+        [this](const std::string& name, std::vector<Element> start) {
+          try_start(name, std::move(start));
+          return best_.moves.size() > bound_.loads && !in_a_hurry();
+        },
+        [this] { return in_a_hurry(); });
     // An order takes as long to improve as many runs of it.
     constexpr std::uint64_t most_work = 1'000'000'000;  // some seconds
     constexpr std::uint64_t work_a_pair = 1'000'000;
     constexpr std::uint64_t runs = 50;
     const std::uint64_t work = std::min(most_work, work_a_pair * (graph_.pairs() + 1));
     const std::uint64_t least = checked_multiply(runs, work_of_run_);
-    if (best_.moves.size() > bound_.loads && !in_a_hurry() && (until_stopped || least <= work)) {
+    if (SmallSearch::serves(graph_)) {
+      improve_small();
+    } else if (best_.moves.size() > bound_.loads && !in_a_hurry() &&
+               (until_stopped || least <= work)) {
       improve(std::max(work, least));
     }
   }
@@ -131,6 +138,37 @@ class ListSearch {
       best_.method = "closing, " + name;
       best_start_ = std::move(start);
       work_of_run_ = closing.work_of_run();
+    }
+  }
+
+  void improve_small() {
+    constexpr std::uint64_t work = 1'000'000'000;  // some seconds
+    constexpr std::uint64_t most_looks = 500'000;
+    SmallSearch small(graph_, room_);
+    Random random(options_.seed);
+    const auto stop = [this] { return in_a_hurry(); };
+    for (std::uint64_t effort = std::min(work, most_looks * small.work_of_look());
+         best_.moves.size() > bound_.loads && !in_a_hurry(); effort = checked_multiply(effort, 2)) {
+      SmallSearch::Found found = small.anneal(best_start_, bound_.loads, effort, random, stop);
+      if (found.moves.size() <= best_.moves.size()) {
+        best_start_ = std::move(found.order);
+        best_.moves = std::move(found.moves);
+        best_.method = "closing, improved";
+      }
+      tell(effort);
+      if (!until_stopped_) {
+        return;
+      }
+    }
+  }
+
+  void tell(std::uint64_t effort) const {
+    if (progress_due()) {
+      report_progress({.phase = "improving the load order",
+                       .steps = effort,
+                       .unit = "looks at a pair",
+                       .best = best_.moves.size(),
+                       .lower_bound = bound_.loads});
     }
   }
 
@@ -161,13 +199,7 @@ class ListSearch {
       } else {
         closing.take_order(before);
       }
-      if (progress_due()) {
-        report_progress({.phase = "improving the load order",
-                         .steps = effort,
-                         .unit = "looks at a pair",
-                         .best = best_.moves.size(),
-                         .lower_bound = bound_.loads});
-      }
+      tell(effort);
       if (!until_stopped_) {
         return;
       }
@@ -233,7 +265,9 @@ void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts) {
                                     verdict.valid() ? "it does not keep its promise"
                                                     : verdict.fault + verdict.uncovered_example));
   }
-  facts.certificate = fmt::format("every step read, all {} wanted pairs met", facts.wanted.count());
+  const std::uint64_t pairs = facts.wanted.count();
+  facts.certificate = pairs == 1 ? "every step read, the wanted pair met"
+                                 : fmt::format("every step read, all {} wanted pairs met", pairs);
 }
 
 LoadOrder order_of_groups(LoadOrderFacts facts, const LoadOrderOptions& options) {
@@ -286,7 +320,9 @@ LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
   facts.room = room;
   facts.wanted = wanted;
   if (facts.items > most_items) {
-    throw ImpossibleParameters(fmt::format("{} items: at most {}", facts.items, most_items));
+    throw ImpossibleParameters(
+        fmt::format("{}: that is {} items together, and {} is the most; take fewer",
+                    wanted.describe(), facts.items, most_items));
   }
   if (needed_items(wanted) <= room) {
     return order_in_one_step(std::move(facts));

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "loadorder/pairs/bucket_queue.hpp"
+#include "loadorder/pairs/lacking.hpp"
 
 namespace changeover {
 namespace {
@@ -118,17 +119,28 @@ class Frontier {
 }  // namespace
 
 void each_start(
-    const PairGraph& graph,
-    const std::function<bool(const std::string& name, std::vector<Element> order)>& visit) {
+    const PairGraph& graph, std::uint64_t room,
+    const std::function<bool(const std::string& name, std::vector<Element> order)>& visit,
+    const std::function<bool()>& give_up) {
   const Order roots = ends(graph);
-  if (!visit("frontier", Frontier(graph).order(roots))) {
+  const Order frontier = Frontier(graph).order(roots);
+  if (!visit("frontier", frontier)) {
     return;
   }
   Order numbered(static_cast<std::size_t>(graph.items()));
   std::iota(numbered.begin(), numbered.end(), 0U);
-  if (visit("numbered", std::move(numbered))) {
-    visit("breadth", breadth(graph, roots));
+  if (!visit("numbered", std::move(numbered))) {
+    return;
   }
+  for (const auto ties : {BucketQueue::Ties::oldest, BucketQueue::Ties::newest}) {
+    Order lacking = lacking_order(graph, room, frontier, ties, give_up);
+    const char* const name =
+        ties == BucketQueue::Ties::oldest ? "lacking, oldest" : "lacking, newest";
+    if (lacking.empty() || !visit(name, std::move(lacking))) {
+      return;
+    }
+  }
+  visit("breadth", breadth(graph, roots));
 }
 
 }  // namespace changeover
