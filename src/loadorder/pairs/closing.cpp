@@ -70,23 +70,19 @@ void Closing::take_order(std::vector<Element> order) {
   }
 }
 
-std::uint32_t Closing::first_needed(Element x, Element other_than) {
-  std::uint32_t first = position_[x];
-  std::size_t looked = 0;
-  const std::size_t most = hurrying_ ? looked_at_in_a_hurry : partners_looked_at;
-  for (std::uint64_t i = front_[x]; i < begin_[x + 1] && looked < most; ++i) {
-    ++work_;
-    if ((partners_[i] & met) == 0 && partners_[i] != other_than) {
-      first = std::min(first, position_[partners_[i]]);
-      ++looked;
-    }
-  }
-  return first + 1;
-}
-
 std::uint32_t Closing::needed(Element x) {
   if (needed_[x] == 0) {
-    needed_[x] = first_needed(x, x);
+    std::uint32_t first = position_[x];
+    std::size_t looked = 0;
+    const std::size_t most = hurrying_ ? looked_at_in_a_hurry : partners_looked_at;
+    for (std::uint64_t i = front_[x]; i < begin_[x + 1] && looked < most; ++i) {
+      ++work_;
+      if ((partners_[i] & met) == 0) {
+        first = std::min(first, position_[partners_[i]]);
+        ++looked;
+      }
+    }
+    needed_[x] = first + 1;
   }
   return needed_[x];
 }
@@ -206,13 +202,8 @@ std::uint64_t Closing::close(Element x, std::uint64_t limit) {
       missing_.push_back(partners_[i]);
     }
   }
-  // What is needed for this pair only passes first, what is needed soon stays.
-  for (const Element y : missing_) {
-    needed_[y] = open_[y] == 1 ? ~std::uint32_t{0} : first_needed(y, x);
-  }
-  std::sort(missing_.begin(), missing_.end(), [&](Element a, Element b) {
-    return needed_[a] != needed_[b] ? needed_[a] > needed_[b] : a < b;
-  });
+  // What is needed for this pair only passes first.
+  std::stable_partition(missing_.begin(), missing_.end(), [&](Element y) { return open_[y] == 1; });
   for (std::size_t i = 0; i < missing_.size() && loads <= limit; ++i) {
     make_room(x);
     load(missing_[i]);

@@ -81,7 +81,6 @@ class Closing {
   void load(Element x);
   void make_room(Element keep);
   void evict(Element x);
-  [[nodiscard]] std::uint32_t first_needed(Element x, Element other_than);
   [[nodiscard]] std::uint32_t needed(Element x);
   void meet(Element x, std::uint64_t at_x, Element y);
   std::uint64_t trial(const Window& window, std::uint64_t limit);

@@ -131,6 +131,9 @@ class ListSearch {
   }
 
   void try_start(const std::string& name, std::vector<Element> start) {
+    if (SmallSearch::serves(graph_)) {
+      starts_.push_back(start);
+    }
     Closing closing(graph_, room_, start);
     const std::uint64_t limit = best_start_.empty() ? Closing::no_limit : best_.moves.size() - 1;
     if (closing.run(limit, [this] { return in_a_hurry(); }) <= limit) {
@@ -141,15 +144,26 @@ class ListSearch {
     }
   }
 
+  // Every start for a while, and the best of them for longer.
   void improve_small() {
     constexpr std::uint64_t work = 1'000'000'000;  // some seconds
     constexpr std::uint64_t most_looks = 500'000;
     SmallSearch small(graph_, room_);
     Random random(options_.seed);
     const auto stop = [this] { return in_a_hurry(); };
+    const auto anneal = [&](const std::vector<Element>& start, std::uint64_t effort) {
+      return small.anneal(start, bound_.loads, effort, random, stop);
+    };
     for (std::uint64_t effort = std::min(work, most_looks * small.work_of_look());
          best_.moves.size() > bound_.loads && !in_a_hurry(); effort = checked_multiply(effort, 2)) {
-      SmallSearch::Found found = small.anneal(best_start_, bound_.loads, effort, random, stop);
+      SmallSearch::Found found = anneal(best_start_, effort / 8);
+      for (const std::vector<Element>& start : starts_) {
+        if (SmallSearch::Found other = anneal(start, effort / 8);
+            other.moves.size() < found.moves.size()) {
+          found = std::move(other);
+        }
+      }
+      found = anneal(found.order, effort / 2);
       if (found.moves.size() <= best_.moves.size()) {
         best_start_ = std::move(found.order);
         best_.moves = std::move(found.moves);
@@ -212,6 +226,7 @@ class ListSearch {
   const LoadOrderOptions& options_;
   ListedOrder best_;
   std::vector<Element> best_start_;
+  std::vector<std::vector<Element>> starts_;  // of a short list
   std::uint64_t work_of_run_ = 0;
   bool until_stopped_ = false;
 };
