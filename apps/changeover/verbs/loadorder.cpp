@@ -15,6 +15,7 @@
 #include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/loadorder/write_back.hpp"
+#include "changeover/run/scope.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"
 #include "request/run_request.hpp"
@@ -355,6 +356,10 @@ void check(const LoadOrderRequest& request) {
     throw UsageError{
         fmt::format("--room {}: no two items could meet; give room for at least 2", *request.room)};
   }
+  if (*request.room > most_items) {
+    throw UsageError{fmt::format("--room {}: give at most {}, the most items that there can be",
+                                 *request.room, most_items)};
+  }
   if (request.workers && *request.workers == 0) {
     throw UsageError{"--workers 0: give at least 1 worker"};
   }
@@ -392,6 +397,11 @@ void check(const LoadOrderRequest& request) {
   if (request.items.value_or(0) > most || request.against.value_or(0) > most) {
     throw UsageError{fmt::format("--items and --against are at most {}", most)};
   }
+  if (request.against && *request.items + *request.against > most) {
+    throw UsageError{fmt::format("--items {} and --against {} are {} items together; at most {}",
+                                 *request.items, *request.against,
+                                 *request.items + *request.against, most)};
+  }
 }
 
 WantedPairs wanted_by(const LoadOrderRequest& request) {
@@ -407,11 +417,27 @@ WantedPairs wanted_by(const LoadOrderRequest& request) {
   return {};
 }
 
+// When memory is full for the first time, all pairs in it are new.
+void require_memory_for_a_step(const LoadOrderRequest& request, const WantedPairs& wanted,
+                               std::uint64_t items, std::uint64_t room) {
+  const std::uint64_t there = std::min(room, items);
+  std::uint64_t pairs = there * (there - 1) / 2;
+  if (!wanted.are_all()) {
+    pairs = std::min(pairs, wanted.count());
+  }
+  const std::uint64_t copies = request.ordered ? 3 : 2;  // as they are found, and as they are said
+  require_memory(pairs * copies * sizeof(ItemPair),
+                 fmt::format("a step of --new-pairs with --room {}", room));
+}
+
 Answer run(const LoadOrderRequest& request) {
   check(request);
   const WantedPairs wanted = wanted_by(request);
   const std::uint64_t items = wanted.are_all() ? *request.items : wanted.items();
   const std::uint64_t room = *request.room;
+  if (request.new_pairs) {
+    require_memory_for_a_step(request, wanted, items, room);
+  }
   LoadOrderOptions options;
   options.seed = request.run.seed.value_or(1);
   OutputRequest output = request.output;

@@ -11,7 +11,9 @@
 // lines that begin with # or % are skipped, and so is a first line of two words over lines of numbers. If all are whole
 // numbers below 10⁷ they are the numbers of the items, from 0. Otherwise they are names, of up to 255 bytes without
 // blanks, and items are numbered as they first occur. A pair may come twice and either way round; an item
-// with itself has to be loaded and needs nobody else. Items that do not occur are not loaded.
+// with itself has to be loaded and needs nobody else. Items that do not occur are not loaded. Refused are numbers that are
+// written in another way than whole numbers before them ("01", "1.0"), two names of one number, and names with characters
+// that nobody sees.
 //
 // Memory: 8 bytes a pair and 8 an item, and 16 a pair while a file is read.
 #pragma once

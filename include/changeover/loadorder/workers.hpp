@@ -65,6 +65,8 @@ class WorkerSplit {
 
  private:
   friend WorkerSplit split_order(LoadOrder, std::uint64_t, std::uint64_t, std::uint64_t);
+  friend WorkerSplit split_load_order(const WantedPairs&, std::uint64_t, std::uint64_t,
+                                      const LoadOrderOptions&);
   WorkerSplit(SplitFacts facts, LoadOrder order);
 
   SplitFacts facts_;
@@ -89,7 +91,8 @@ class WorkerSplit {
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
-/// The same for some pairs, whose items are not grouped.
+/// The same for some pairs, whose items are not grouped. Two sets may be cut instead: then each worker has a part of one
+/// with a part of the other.
 [[nodiscard]] WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});

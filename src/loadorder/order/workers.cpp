@@ -13,6 +13,7 @@
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/streamed_order.hpp"
+#include "loadorder/pairs/held_blocks.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
 
 namespace changeover {
@@ -134,15 +135,45 @@ void verify_split(const WorkerSplit& split) {
 namespace {
 
 // `pairs` among all that are loaded, one worker alone needing so many loads.
-LoadBound bound_by_pairs(std::uint64_t pairs, std::uint64_t least_items, std::uint64_t alone,
-                         std::uint64_t room, std::uint64_t workers) {
+LoadBound bound_by_pairs(std::uint64_t pairs, bool between, std::uint64_t least_items,
+                         std::uint64_t alone, std::uint64_t room, std::uint64_t workers) {
   const std::uint64_t needed = ceil_div(pairs, workers);
-  const std::uint64_t low =
-      std::min(alone, std::max(ceil_div(least_items, workers), least_loads(needed, room)));
+  const std::uint64_t least = between ? least_between(needed, room) : least_loads(needed, room);
+  const std::uint64_t low = std::min(alone, std::max(ceil_div(least_items, workers), least));
   return {low,
           fmt::format("one of {} workers brings at least {} of {} pairs together; {} loads are "
                       "enough for {} at most",
-                      workers, needed, pairs, low, most_pairs(low, room))};
+                      workers, needed, pairs, low,
+                      between ? most_between(low, room) : most_pairs(low, room))};
+}
+
+std::string count_of_parts(std::uint64_t parts) {
+  return parts == 1 ? "1 part" : fmt::format("{} parts", parts);
+}
+
+// One block a worker.
+std::pair<SplitFacts, LoadOrder> split_of_blocks(HeldBlocks blocks, const WorkerSplit& other) {
+  SplitFacts facts = other.facts();
+  LoadOrderFacts whole = other.order().facts();
+  facts.loads = whole.steps = 0;
+  facts.makespan = blocks.makespan();
+  for (std::size_t w = 0; w < facts.workers.size(); ++w) {
+    WorkerFacts& worker = facts.workers[w] = {};
+    if (w < blocks.shapes.size()) {
+      worker = {whole.steps + 1, blocks.shapes[w].steps, blocks.shapes[w].loads};
+      whole.steps += worker.steps;
+      facts.loads += worker.loads;
+    }
+  }
+  whole.loads = facts.loads;
+  whole.method = "held groups, a block a worker";
+  whole.explanation = fmt::format("{} of the first set with {} of the other; the first pair: {}",
+                                  count_of_parts(blocks.first_parts),
+                                  count_of_parts(blocks.other_parts), blocks.shapes[0].explain());
+  const auto shared = std::make_shared<const HeldBlocks>(std::move(blocks));
+  const std::uint64_t items = whole.items;
+  return {std::move(facts),
+          LoadOrder(std::move(whole), [shared, items] { return block_steps(shared, items); })};
 }
 
 }  // namespace
@@ -151,9 +182,10 @@ LoadBound makespan_lower_bound(const WantedPairs& wanted, std::uint64_t room,
                                std::uint64_t workers) {
   check_workers(workers);
   const LoadBound alone = load_lower_bound(wanted, room);
-  return workers == 1
-             ? alone
-             : bound_by_pairs(wanted.count(), needed_items(wanted), alone.loads, room, workers);
+  room = std::min(room, std::max<std::uint64_t>(2, wanted.items()));
+  return workers == 1 ? alone
+                      : bound_by_pairs(wanted.count(), wanted.kind() == WantedPairs::Kind::between,
+                                       needed_items(wanted), alone.loads, room, workers);
 }
 
 LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uint64_t workers) {
@@ -162,7 +194,8 @@ LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uin
   if (workers == 1) {
     return alone;
   }
-  LoadBound by_pairs = bound_by_pairs(binomial(items, 2), items, alone.loads, room, workers);
+  room = std::min(room, std::max<std::uint64_t>(2, items));
+  LoadBound by_pairs = bound_by_pairs(binomial(items, 2), false, items, alone.loads, room, workers);
   const Introductions all = least_introductions(items, std::min(items, room));
   if (const std::uint64_t each = ceil_div(all.count, workers); each > by_pairs.loads) {
     return {each, fmt::format("all {} workers together load at least {}P - {}C = {} items "
@@ -276,6 +309,13 @@ WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std:
   check_workers(workers);
   WorkerSplit split =
       split_order(plan_load_order(wanted, room, options), wanted.items(), room, workers);
+  if (wanted.kind() == WantedPairs::Kind::between && workers > 1) {
+    auto blocks = best_held_blocks(wanted, room, workers);
+    if (blocks && blocks->makespan() < split.facts().makespan) {
+      auto [facts, order] = split_of_blocks(std::move(*blocks), split);
+      split = WorkerSplit(std::move(facts), std::move(order));
+    }
+  }
   if (split.order().facts().every_step_read) {
     verify_split(split);
   }

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <numeric>
 
+#include "changeover/run/scope.hpp"
+
 namespace changeover {
 namespace {
 
 constexpr std::size_t partners_looked_at = 64;
 constexpr std::size_t items_looked_at = 1024;
+constexpr std::size_t looked_at_in_a_hurry = 8;
 constexpr std::size_t items_in_a_window = 250;
-constexpr std::uint64_t no_limit = ~std::uint64_t{0};
 
 }  // namespace
 
@@ -22,15 +24,18 @@ Closing::Closing(const PairGraph& graph, std::uint64_t room, const std::vector<E
     ours[order[i]] = static_cast<Element>(i);
   }
   begin_.resize(n + 1, 0);
-  partners_.reserve(static_cast<std::size_t>(2 * graph.pairs()));
   alone_.resize(n, false);
   for (std::size_t i = 0; i < n; ++i) {
-    for (const Element y : graph.partners(order[i])) {
-      partners_.push_back(ours[y]);
-    }
-    std::sort(partners_.begin() + static_cast<std::ptrdiff_t>(begin_[i]), partners_.end());
-    begin_[i + 1] = partners_.size();
+    begin_[i + 1] = begin_[i] + graph.partners(order[i]).size();
     alone_[i] = begin_[i + 1] == begin_[i] && graph.is_needed(order[i]);
+  }
+  partners_.resize(static_cast<std::size_t>(begin_[n]));
+  // Every item writes itself to its partners, in order: so they come sorted.
+  front_.assign(begin_.begin(), begin_.end() - 1);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const Element y : graph.partners(order[i])) {
+      partners_[front_[ours[y]]++] = static_cast<Element>(i);
+    }
   }
   order_.resize(n);
   std::iota(order_.begin(), order_.end(), 0U);
@@ -55,6 +60,7 @@ void Closing::reset() {
   log_.clear();
   log_owner_.clear();
   moves_.clear();
+  hurrying_ = false;
 }
 
 void Closing::take_order(std::vector<Element> order) {
@@ -68,7 +74,8 @@ std::uint32_t Closing::needed(Element x) {
   if (needed_[x] == 0) {
     std::uint32_t first = position_[x];
     std::size_t looked = 0;
-    for (std::uint64_t i = front_[x]; i < begin_[x + 1] && looked < partners_looked_at; ++i) {
+    const std::size_t most = hurrying_ ? looked_at_in_a_hurry : partners_looked_at;
+    for (std::uint64_t i = front_[x]; i < begin_[x + 1] && looked < most; ++i) {
       ++work_;
       if ((partners_[i] & met) == 0) {
         first = std::min(first, position_[partners_[i]]);
@@ -102,10 +109,11 @@ void Closing::make_room(Element keep) {
   }
   Element last = LoadMove::nothing;
   std::uint32_t when = 0;
-  const std::size_t count = std::min(memory_.size(), items_looked_at);
+  const std::size_t most = hurrying_ ? looked_at_in_a_hurry : items_looked_at;
+  const std::size_t count = std::min(memory_.size(), most);
   for (std::size_t i = 0; i < count || last == LoadMove::nothing; ++i) {
     cursor_ = cursor_ + 1 < memory_.size() ? cursor_ + 1 : 0;
-    const Element x = memory_[memory_.size() <= items_looked_at ? i : cursor_];
+    const Element x = memory_[memory_.size() <= most ? i : cursor_];
     if (x != keep) {
       if (const std::uint32_t n = needed(x); n > when) {
         when = n;
@@ -194,14 +202,8 @@ std::uint64_t Closing::close(Element x, std::uint64_t limit) {
       missing_.push_back(partners_[i]);
     }
   }
-  // What is needed for this pair only passes first, what is needed soon stays.
-  for (const Element y : missing_) {
-    needed_[y] = 0;
-    needed_[y] = open_[y] == 1 ? ~std::uint32_t{0} : needed(y);
-  }
-  std::sort(missing_.begin(), missing_.end(), [&](Element a, Element b) {
-    return needed_[a] != needed_[b] ? needed_[a] > needed_[b] : a < b;
-  });
+  // What is needed for this pair only passes first.
+  std::stable_partition(missing_.begin(), missing_.end(), [&](Element y) { return open_[y] == 1; });
   for (std::size_t i = 0; i < missing_.size() && loads <= limit; ++i) {
     make_room(x);
     load(missing_[i]);
@@ -210,16 +212,31 @@ std::uint64_t Closing::close(Element x, std::uint64_t limit) {
   return loads;
 }
 
-std::uint64_t Closing::run() {
+std::uint64_t Closing::run(std::uint64_t limit, const std::function<bool()>& in_a_hurry) {
   reset();
   trying_ = false;
-  for (const Element x : order_) {
-    close(x, no_limit);
+  const std::uint64_t start = work_;
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    close(order_[i], no_limit);
+    if (moves_.size() > limit) {
+      return moves_.size();
+    }
+    if (in_a_hurry && !hurrying_ && in_a_hurry()) {
+      if (limit != no_limit) {
+        return limit + 1;
+      }
+      hurrying_ = true;
+    }
+    if (progress_due()) {
+      report_progress({.phase = "closing items", .steps = i, .unit = "items"});
+    }
   }
+  work_of_run_ = work_ - start;
   return moves_.size();
 }
 
 void Closing::take_back(const Memory& before) {
+  work_ += log_.size() + memory_.size() + before.items.size();
   for (std::size_t i = 0; i < log_.size(); ++i) {
     partners_[log_[i]] &= ~met;
     ++open_[log_owner_[i]];

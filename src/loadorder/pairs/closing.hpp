@@ -2,7 +2,7 @@
 //
 //     Closing closing(graph, room, order);      // order: every item once
 //     closing.run();                            // closes all of them
-//     closing.moves();                          // what was loaded, and what went for it
+//     closing.take_moves();                     // what was loaded, and what went for it
 //
 // An item is open while a pair of it has not met. To close it is to load it, unless it is there, and then all
 // partners that it still lacks, one after another; afterwards it may go. Where memory is full, what is closed goes
@@ -14,6 +14,8 @@
 // Items are renamed by the order at the start, so partners are sorted by when they are closed. Looking for when
 // an item is needed next ends after some partners, and looking for what goes after some items of a large
 // memory: that makes results worse now and then, never wrong.
+//
+// Memory: 8 bytes a pair, some 40 an item and 8 a load.
 #pragma once
 
 #include <cstdint>
@@ -36,11 +38,18 @@ class Closing {
  public:
   Closing(const PairGraph& graph, std::uint64_t room, const std::vector<Element>& order);
 
-  /// Loads that closing all items in order takes.
-  std::uint64_t run();
+  static constexpr std::uint64_t no_limit = ~std::uint64_t{0};
 
-  /// Of run(); in the names of the graph.
-  [[nodiscard]] const std::vector<LoadMove>& moves() const { return moves_; }
+  /// Loads that closing all items in order takes; gives up where they are more than `limit`, and says so by what it
+  /// returns. Once in_a_hurry() says yes it gives up, too, if there is a limit; otherwise it goes on to the end without care
+  /// for what is evicted. It may throw; then nothing is left but to destroy this.
+  std::uint64_t run(std::uint64_t limit = no_limit, const std::function<bool()>& in_a_hurry = {});
+
+  /// Of the last run() that did not give up; in the names of the graph. They are gone from here.
+  [[nodiscard]] std::vector<LoadMove> take_moves() { return std::move(moves_); }
+
+  /// How much the last run() looked at, in the unit of improve().
+  [[nodiscard]] std::uint64_t work_of_run() const { return work_of_run_; }
 
   /// The order now, in names of its own.
   [[nodiscard]] const std::vector<Element>& closing_order() const { return order_; }
@@ -98,7 +107,9 @@ class Closing {
   Element went_ = LoadMove::nothing;
   std::vector<Element> missing_;
   bool trying_ = false;
+  bool hurrying_ = false;
   std::uint64_t work_ = 0;
+  std::uint64_t work_of_run_ = 0;
   std::size_t cursor_ = 0;
 };
 

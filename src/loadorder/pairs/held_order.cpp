@@ -208,10 +208,15 @@ std::string HeldShape::explain() const {
       groups.size() == 1 ? "1 group" : fmt::format("{} groups", groups.size()), most);
 }
 
-HeldShape best_held_shape(const WantedPairs& wanted, std::uint64_t room) {
-  std::optional<HeldShape> best;
-  const auto consider = [&](const ItemRange& held, const ItemRange& others, bool grow_less) {
-    const std::uint64_t least = ceil_div(held.size(), room - 1);
+namespace {
+
+/// Keeps the best of the shapes that it is shown.
+class BestShape {
+ public:
+  explicit BestShape(std::uint64_t room) : room_(room) {}
+
+  void consider(const ItemRange& held, const ItemRange& others, bool others_grow_less) {
+    const std::uint64_t least = ceil_div(held.size(), room_ - 1);
     constexpr std::uint64_t more_groups = 2;
     for (std::uint64_t groups = least; groups <= std::min(held.size(), least + more_groups);
          ++groups) {
@@ -219,22 +224,39 @@ HeldShape best_held_shape(const WantedPairs& wanted, std::uint64_t room) {
         if (!balanced && groups != least) {
           continue;
         }
-        HeldShape shape = shape_of(held, groups, balanced, others, grow_less, room);
-        if (!best || std::pair(shape.loads, shape.steps) < std::pair(best->loads, best->steps)) {
-          best = std::move(shape);
+        HeldShape shape = shape_of(held, groups, balanced, others, others_grow_less, room_);
+        if (!best_ || std::pair(shape.loads, shape.steps) < std::pair(best_->loads, best_->steps)) {
+          best_ = std::move(shape);
         }
       }
     }
-  };
+  }
+
+  HeldShape take() { return std::move(*best_); }
+
+ private:
+  std::uint64_t room_;
+  std::optional<HeldShape> best_;
+};
+
+}  // namespace
+
+HeldShape best_held_shape(const ItemRange& some, const ItemRange& others, std::uint64_t room) {
+  BestShape best(room);
+  best.consider(some, others, false);
+  best.consider(others, some, false);
+  return best.take();
+}
+
+HeldShape best_held_shape(const WantedPairs& wanted, std::uint64_t room) {
   const ItemRange low{0, wanted.first()};
   const ItemRange high{wanted.first(), wanted.items()};
   if (wanted.kind() == WantedPairs::Kind::between) {
-    consider(low, high, false);
-    consider(high, low, false);
-  } else {
-    consider(high, {0, wanted.items()}, true);
+    return best_held_shape(low, high, room);
   }
-  return std::move(*best);
+  BestShape best(room);
+  best.consider(high, {0, wanted.items()}, true);
+  return best.take();
 }
 
 std::unique_ptr<StepSource> held_steps(HeldShape shape) {

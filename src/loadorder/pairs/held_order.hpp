@@ -40,6 +40,10 @@ struct HeldShape {
 /// The shape with the fewest loads for between() or beyond().
 [[nodiscard]] HeldShape best_held_shape(const WantedPairs& wanted, std::uint64_t room);
 
+/// The same for all items of one range with all of another one that has none of them.
+[[nodiscard]] HeldShape best_held_shape(const ItemRange& some, const ItemRange& others,
+                                        std::uint64_t room);
+
 [[nodiscard]] std::unique_ptr<StepSource> held_steps(HeldShape shape);
 
 }  // namespace changeover

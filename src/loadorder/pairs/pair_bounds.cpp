@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
+#include "loadorder/pairs/bucket_queue.hpp"
 
 namespace changeover {
 namespace {
@@ -54,37 +55,18 @@ template <typename Visit>
 void peel(const PairGraph& graph, Visit&& visit) {
   const auto n = static_cast<std::size_t>(graph.items());
   std::vector<std::uint32_t> degree(n);
-  std::vector<std::vector<Element>> buckets;
-  const auto put = [&](Element x) {
-    if (degree[x] >= buckets.size()) {
-      buckets.resize(degree[x] + std::size_t{1});
-    }
-    buckets[degree[x]].push_back(x);
-  };
+  BucketQueue queue(n);
   for (Element x = 0; x < n; ++x) {
     degree[x] = static_cast<std::uint32_t>(graph.partners(x).size());
     if (graph.is_needed(x)) {
-      put(x);
+      queue.put(x, degree[x]);
     }
   }
-  std::vector<bool> gone(n, false);
-  for (std::size_t low = 0; low < buckets.size();) {
-    if (buckets[low].empty()) {
-      ++low;
-      continue;
-    }
-    const Element x = buckets[low].back();
-    buckets[low].pop_back();
-    if (gone[x] || degree[x] != low) {
-      continue;
-    }
-    gone[x] = true;
-    visit(x, low);
-    for (const Element y : graph.partners(x)) {
-      if (!gone[y]) {
-        --degree[y];
-        put(y);
-        low = std::min<std::size_t>(low, degree[y]);
+  while (const auto x = queue.take_lowest()) {
+    visit(*x, degree[*x]);
+    for (const Element y : graph.partners(*x)) {
+      if (queue.holds(y)) {
+        queue.put(y, --degree[y]);
       }
     }
   }
@@ -156,23 +138,6 @@ LoadBound bound_of_list(const PairGraph& graph, std::uint64_t room) {
   return bound;
 }
 
-// Most pairs of two sets that `loads` loads bring together.
-std::uint64_t most_between(std::uint64_t loads, std::uint64_t room) {
-  const std::uint64_t first = std::min(loads, room);
-  return checked_add(first / 2 * (first - first / 2), checked_multiply(loads - first, room - 1));
-}
-
-std::uint64_t least_between(std::uint64_t pairs, std::uint64_t room) {
-  if (const std::uint64_t first = most_between(room, room); pairs > first) {
-    return checked_add(room, ceil_div(pairs - first, room - 1));
-  }
-  std::uint64_t loads = 0;
-  while (most_between(loads, room) < pairs) {
-    ++loads;
-  }
-  return loads;
-}
-
 LoadBound bound_between(const WantedPairs& wanted, std::uint64_t room) {
   const std::uint64_t items = wanted.items();
   const std::uint64_t by_pairs = least_between(wanted.count(), room);
@@ -223,6 +188,22 @@ std::uint64_t least_loads(std::uint64_t pairs, std::uint64_t room) {
   return low;
 }
 
+std::uint64_t most_between(std::uint64_t loads, std::uint64_t room) {
+  const std::uint64_t first = std::min(loads, room);
+  return checked_add(first / 2 * (first - first / 2), checked_multiply(loads - first, room - 1));
+}
+
+std::uint64_t least_between(std::uint64_t pairs, std::uint64_t room) {
+  if (const std::uint64_t first = most_between(room, room); pairs > first) {
+    return checked_add(room, ceil_div(pairs - first, room - 1));
+  }
+  std::uint64_t loads = 0;
+  while (most_between(loads, room) < pairs) {
+    ++loads;
+  }
+  return loads;
+}
+
 std::uint64_t needed_items(const WantedPairs& wanted) {
   std::uint64_t count = 0;
   for (Element x = 0; x < wanted.items(); ++x) {
@@ -236,6 +217,8 @@ LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room) {
     throw BadInput(
         fmt::format("room for {}: no two items could meet; give room for at least 2", room));
   }
+  // More room than items changes nothing.
+  room = std::min(room, std::max<std::uint64_t>(2, wanted.items()));
   switch (wanted.kind()) {
     case WantedPairs::Kind::between:
       return bound_between(wanted, room);

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/held_order.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
+#include "loadorder/pairs/small_search.hpp"
 #include "loadorder/pairs/starts.hpp"
 
 namespace changeover {
@@ -54,72 +57,179 @@ bool stop_wanted() {
   return control != nullptr && control->stop_wanted();
 }
 
+/// Says yes some time after a stop was wanted.
+class Patience {
+ public:
+  bool operator()() {
+    constexpr std::chrono::milliseconds grace{200};
+    if (!since_ && stop_wanted()) {
+      since_ = RunControl::Clock::now();
+    }
+    return since_ && RunControl::Clock::now() - *since_ > grace;
+  }
+
+ private:
+  std::optional<RunControl::Clock::time_point> since_;
+};
+
 struct ListedOrder {
   Moves moves;
   std::string method;
   std::string explanation;
 };
 
-// Searches from the best start, for a fixed amount of work or until it is stopped.
-void improve_listed(Closing& closing, const LoadBound& bound, const LoadOrderOptions& options,
-                    std::uint64_t work, ListedOrder& best) {
-  Random random(options.seed);
-  const auto rounds = [&](bool until_stopped) {
-    for (std::uint64_t effort = work; best.moves.size() > bound.loads;
-         effort = checked_multiply(effort, 2)) {
-      const std::vector<Element> before = closing.closing_order();
-      closing.improve(effort, random, stop_wanted);
-      if (closing.run() <= best.moves.size()) {
-        best.moves = closing.moves();
-        best.method = "closing, improved";
-      } else {
-        closing.take_order(before);
+// Looks for an order of a list: starts first, then changes to the best of them.
+class ListSearch {
+ public:
+  ListSearch(const PairGraph& graph, std::uint64_t room, const LoadBound& bound,
+             const LoadOrderOptions& options)
+      : graph_(graph), room_(room), bound_(bound), options_(options) {
+    best_.explanation =
+        "Items are closed one after another: what an item lacks is loaded while it stays; what is "
+        "needed last is evicted.";
+  }
+
+  ListedOrder result() {
+    if (options_.search_pairs) {
+      options_.search_pairs([this] { search(true); });
+    } else {
+      search(false);
+    }
+    return std::move(best_);
+  }
+
+ private:
+  void search(bool until_stopped) {
+    until_stopped_ = until_stopped;
+    each_start(
+        graph_, room_,
+        [this](const std::string& name, std::vector<Element> start) {
+          try_start(name, std::move(start));
+          return best_.moves.size() > bound_.loads && !in_a_hurry();
+        },
+        [this] { return in_a_hurry(); });
+    // An order takes as long to improve as many runs of it.
+    constexpr std::uint64_t most_work = 1'000'000'000;  // some seconds
+    constexpr std::uint64_t work_a_pair = 1'000'000;
+    constexpr std::uint64_t runs = 50;
+    const std::uint64_t work = std::min(most_work, work_a_pair * (graph_.pairs() + 1));
+    const std::uint64_t least = checked_multiply(runs, work_of_run_);
+    if (SmallSearch::serves(graph_)) {
+      improve_small();
+    } else if (best_.moves.size() > bound_.loads && !in_a_hurry() &&
+               (until_stopped || least <= work)) {
+      improve(std::max(work, least));
+    }
+  }
+
+  // Of a search that goes on until it is stopped: whether it is. Otherwise whoever asked for all of this may stop it.
+  bool in_a_hurry() const {
+    if (!until_stopped_) {
+      stop_if_asked();
+    }
+    return until_stopped_ && stop_wanted();
+  }
+
+  void try_start(const std::string& name, std::vector<Element> start) {
+    if (SmallSearch::serves(graph_)) {
+      starts_.push_back(start);
+    }
+    Closing closing(graph_, room_, start);
+    const std::uint64_t limit = best_start_.empty() ? Closing::no_limit : best_.moves.size() - 1;
+    if (closing.run(limit, [this] { return in_a_hurry(); }) <= limit) {
+      best_.moves = closing.take_moves();
+      best_.method = "closing, " + name;
+      best_start_ = std::move(start);
+      work_of_run_ = closing.work_of_run();
+    }
+  }
+
+  // Every start for a while, and the best of them for longer.
+  void improve_small() {
+    constexpr std::uint64_t work = 1'000'000'000;  // some seconds
+    constexpr std::uint64_t most_looks = 500'000;
+    SmallSearch small(graph_, room_);
+    Random random(options_.seed);
+    const auto stop = [this] { return in_a_hurry(); };
+    const auto anneal = [&](const std::vector<Element>& start, std::uint64_t effort) {
+      return small.anneal(start, bound_.loads, effort, random, stop);
+    };
+    for (std::uint64_t effort = std::min(work, most_looks * small.work_of_look());
+         best_.moves.size() > bound_.loads && !in_a_hurry(); effort = checked_multiply(effort, 2)) {
+      SmallSearch::Found found = anneal(best_start_, effort / 8);
+      for (const std::vector<Element>& start : starts_) {
+        if (SmallSearch::Found other = anneal(start, effort / 8);
+            other.moves.size() < found.moves.size()) {
+          found = std::move(other);
+        }
       }
-      if (progress_due()) {
-        report_progress({.phase = "improving the load order",
-                         .steps = effort,
-                         .unit = "looks at a pair",
-                         .best = best.moves.size(),
-                         .lower_bound = bound.loads});
+      found = anneal(found.order, effort / 2);
+      if (found.moves.size() <= best_.moves.size()) {
+        best_start_ = std::move(found.order);
+        best_.moves = std::move(found.moves);
+        best_.method = "closing, improved";
       }
-      if (!until_stopped || stop_wanted()) {
+      tell(effort);
+      if (!until_stopped_) {
         return;
       }
     }
-  };
-  if (options.search_pairs) {
-    options.search_pairs([&] { rounds(true); });
-  } else {
-    rounds(false);
   }
-}
 
-ListedOrder order_of_list(const PairGraph& graph, std::uint64_t room, const LoadBound& bound,
-                          const LoadOrderOptions& options) {
-  ListedOrder best;
-  std::vector<Element> best_start;
-  for (auto& [name, start] : start_orders(graph)) {
-    stop_if_asked();
-    Closing closing(graph, room, start);
-    const std::uint64_t loads = closing.run();
-    if (best_start.empty() || loads < best.moves.size()) {
-      best.moves = closing.moves();
-      best.method = "closing, " + name;
-      best_start = std::move(start);
+  void tell(std::uint64_t effort) const {
+    if (progress_due()) {
+      report_progress({.phase = "improving the load order",
+                       .steps = effort,
+                       .unit = "looks at a pair",
+                       .best = best_.moves.size(),
+                       .lower_bound = bound_.loads});
     }
   }
-  best.explanation =
-      "Items are closed one after another: what an item lacks is loaded while it stays; what is "
-      "needed last is evicted.";
-  constexpr std::uint64_t most_work = 1'000'000'000;  // some seconds
-  constexpr std::uint64_t work_a_pair = 1'000'000;
-  if (best.moves.size() > bound.loads) {
-    Closing closing(graph, room, best_start);
-    improve_listed(closing, bound, options, std::min(most_work, work_a_pair * (graph.pairs() + 1)),
-                   best);
+
+  // For a fixed amount of work or until it is stopped. What a round found is run once more; there must be time for that.
+  void improve(std::uint64_t work) {
+    Closing closing(graph_, room_, best_start_);
+    Random random(options_.seed);
+    std::chrono::duration<double> a_run{0};
+    const auto enough = [&] {
+      RunControl* const control = RunScope::current();
+      const auto left = control != nullptr ? control->time_left() : std::nullopt;
+      return stop_wanted() || (until_stopped_ && left && *left < a_run);
+    };
+    const auto run = [&] {
+      const auto begin = RunControl::Clock::now();
+      const std::uint64_t loads = closing.run(best_.moves.size(), Patience());
+      a_run = RunControl::Clock::now() - begin;
+      return loads;
+    };
+    run();
+    for (std::uint64_t effort = work; best_.moves.size() > bound_.loads && !enough();
+         effort = checked_multiply(effort, 2)) {
+      const std::vector<Element> before = closing.closing_order();
+      closing.improve(effort, random, enough);
+      if (run() <= best_.moves.size()) {
+        best_.moves = closing.take_moves();
+        best_.method = "closing, improved";
+      } else {
+        closing.take_order(before);
+      }
+      tell(effort);
+      if (!until_stopped_) {
+        return;
+      }
+    }
   }
-  return best;
-}
+
+  const PairGraph& graph_;
+  std::uint64_t room_;
+  const LoadBound& bound_;
+  const LoadOrderOptions& options_;
+  ListedOrder best_;
+  std::vector<Element> best_start_;
+  std::vector<std::vector<Element>> starts_;  // of a short list
+  std::uint64_t work_of_run_ = 0;
+  bool until_stopped_ = false;
+};
 
 // Each load with what goes for it.
 Moves moves_of(LoadOrder& order) {
@@ -170,7 +280,9 @@ void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts) {
                                     verdict.valid() ? "it does not keep its promise"
                                                     : verdict.fault + verdict.uncovered_example));
   }
-  facts.certificate = fmt::format("every step read, all {} wanted pairs met", facts.wanted.count());
+  const std::uint64_t pairs = facts.wanted.count();
+  facts.certificate = pairs == 1 ? "every step read, the wanted pair met"
+                                 : fmt::format("every step read, all {} wanted pairs met", pairs);
 }
 
 LoadOrder order_of_groups(LoadOrderFacts facts, const LoadOrderOptions& options) {
@@ -223,7 +335,9 @@ LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
   facts.room = room;
   facts.wanted = wanted;
   if (facts.items > most_items) {
-    throw ImpossibleParameters(fmt::format("{} items: at most {}", facts.items, most_items));
+    throw ImpossibleParameters(
+        fmt::format("{}: that is {} items together, and {} is the most; take fewer",
+                    wanted.describe(), facts.items, most_items));
   }
   if (needed_items(wanted) <= room) {
     return order_in_one_step(std::move(facts));
@@ -231,7 +345,7 @@ LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
   if (wanted.graph() == nullptr) {
     return order_of_groups(std::move(facts), options);
   }
-  ListedOrder best = order_of_list(*wanted.graph(), room, facts.bound, options);
+  ListedOrder best = ListSearch(*wanted.graph(), room, facts.bound, options).result();
   consider_all_pairs(*wanted.graph(), room, options, best);
   const auto moves = std::make_shared<const Moves>(std::move(best.moves));
   facts.loads = moves->size();

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "loadorder/pairs/bucket_queue.hpp"
+#include "loadorder/pairs/lacking.hpp"
+
 namespace changeover {
 namespace {
 
@@ -71,21 +74,21 @@ class Frontier {
   explicit Frontier(const PairGraph& graph)
       : graph_(graph),
         untouched_(static_cast<std::size_t>(graph.items())),
-        state_(static_cast<std::size_t>(graph.items()), State::untouched) {
+        is_touched_(static_cast<std::size_t>(graph.items()), false),
+        touched_(static_cast<std::size_t>(graph.items())) {
     for (Element x = 0; x < graph.items(); ++x) {
       untouched_[x] = static_cast<std::uint32_t>(graph.partners(x).size());
     }
   }
 
   Order order(const Order& roots) {
+    order_.reserve(static_cast<std::size_t>(graph_.items()));
     for (const Element root : roots) {
       touch(root);
-      Element x = 0;
-      while (take(x)) {
-        state_[x] = State::closed;
-        order_.push_back(x);
-        for (const Element y : graph_.partners(x)) {
-          if (state_[y] == State::untouched) {
+      while (const auto x = touched_.take_lowest()) {
+        order_.push_back(*x);
+        for (const Element y : graph_.partners(*x)) {
+          if (!is_touched_[y]) {
             touch(y);
           }
         }
@@ -95,62 +98,49 @@ class Frontier {
   }
 
  private:
-  enum class State : std::uint8_t { untouched, touched, closed };
-
   void touch(Element x) {
-    state_[x] = State::touched;
-    put(x);
+    is_touched_[x] = true;
+    touched_.put(x, untouched_[x]);
     for (const Element y : graph_.partners(x)) {
       --untouched_[y];
-      if (state_[y] == State::touched) {
-        put(y);
+      if (touched_.holds(y)) {
+        touched_.put(y, untouched_[y]);
       }
     }
-  }
-
-  // An item may be in several buckets; only the one of its number counts.
-  void put(Element x) {
-    const std::size_t bucket = untouched_[x];
-    if (bucket >= buckets_.size()) {
-      buckets_.resize(bucket + 1);
-    }
-    buckets_[bucket].push_back(x);
-    lowest_ = std::min(lowest_, bucket);
-  }
-
-  bool take(Element& x) {
-    for (; lowest_ < buckets_.size(); ++lowest_) {
-      std::vector<Element>& bucket = buckets_[lowest_];
-      while (!bucket.empty()) {
-        x = bucket.back();
-        bucket.pop_back();
-        if (state_[x] == State::touched && untouched_[x] == lowest_) {
-          return true;
-        }
-      }
-    }
-    return false;
   }
 
   const PairGraph& graph_;
   std::vector<std::uint32_t> untouched_;  // partners
-  std::vector<State> state_;
-  std::vector<std::vector<Element>> buckets_;
-  std::size_t lowest_ = 0;
+  std::vector<bool> is_touched_;
+  BucketQueue touched_;  // and not closed
   Order order_;
 };
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::vector<Element>>> start_orders(const PairGraph& graph) {
-  std::vector<std::pair<std::string, Order>> starts;
+void each_start(
+    const PairGraph& graph, std::uint64_t room,
+    const std::function<bool(const std::string& name, std::vector<Element> order)>& visit,
+    const std::function<bool()>& give_up) {
+  const Order roots = ends(graph);
+  const Order frontier = Frontier(graph).order(roots);
+  if (!visit("frontier", frontier)) {
+    return;
+  }
   Order numbered(static_cast<std::size_t>(graph.items()));
   std::iota(numbered.begin(), numbered.end(), 0U);
-  starts.emplace_back("numbered", std::move(numbered));
-  const Order roots = ends(graph);
-  starts.emplace_back("breadth", breadth(graph, roots));
-  starts.emplace_back("frontier", Frontier(graph).order(roots));
-  return starts;
+  if (!visit("numbered", std::move(numbered))) {
+    return;
+  }
+  for (const auto ties : {BucketQueue::Ties::oldest, BucketQueue::Ties::newest}) {
+    Order lacking = lacking_order(graph, room, frontier, ties, give_up);
+    const char* const name =
+        ties == BucketQueue::Ties::oldest ? "lacking, oldest" : "lacking, newest";
+    if (lacking.empty() || !visit(name, std::move(lacking))) {
+      return;
+    }
+  }
+  visit("breadth", breadth(graph, roots));
 }
 
 }  // namespace changeover

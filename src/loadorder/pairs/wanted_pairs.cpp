@@ -131,16 +131,20 @@ std::uint64_t WantedPairs::count() const {
 }
 
 std::string WantedPairs::describe() const {
+  const auto count_of = [](std::uint64_t n, std::string_view singular) {
+    return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
+  };
+  const std::uint64_t rest = items_ - first_;
   switch (kind_) {
     case Kind::all:
       return "all pairs";
     case Kind::between:
-      return fmt::format("{} items with {} others", first_, items_ - first_);
+      return fmt::format("{} with {}", count_of(first_, "item"), count_of(rest, "other"));
     case Kind::beyond:
-      return fmt::format("{} new items with each other and with {} old ones", items_ - first_,
-                         first_);
+      return fmt::format("{} with {}{}", count_of(rest, "new item"),
+                         rest == 1 ? "" : "each other and with ", count_of(first_, "old one"));
     default:
-      return fmt::format("{} listed pairs", graph_->pairs());
+      return count_of(graph_->pairs(), "listed pair");
   }
 }
 

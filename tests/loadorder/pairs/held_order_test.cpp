@@ -8,6 +8,8 @@
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "loadorder/pairs/held_blocks.hpp"
+#include "loadorder/pairs/pair_bounds.hpp"
 #include "pairs_support.hpp"
 
 namespace changeover::test {
@@ -99,6 +101,93 @@ TEST(HeldOrder, IsPrefetchedAndSplit) {
     EXPECT_EQ(verdict.computed, wanted.count());
     const WorkerSplit split = split_load_order(wanted, 5, 3);
     EXPECT_GE(split.facts().makespan, split.facts().makespan_bound.loads);
+  }
+}
+
+// What the workers bring together, each alone.
+std::string defect_of_split(const WorkerSplit& split, const WantedPairs& wanted,
+                            std::uint64_t room) {
+  const SplitFacts& facts = split.facts();
+  std::set<ItemPair> met;
+  std::uint64_t loads = 0;
+  std::uint64_t makespan = 0;
+  for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
+    const auto steps = split.stream(w);
+    const Simulation played = simulate(*steps, wanted.items(), room);
+    if (!played.fault.empty() || played.loads != facts.workers[w].loads) {
+      return fmt::format("worker {}: {} loads, {}", w, played.loads, played.fault);
+    }
+    met.insert(played.met.begin(), played.met.end());
+    loads += played.loads;
+    makespan = std::max(makespan, played.loads);
+  }
+  for (const ItemPair& pair : pairs_of(wanted)) {
+    if (met.count(pair) == 0) {
+      return fmt::format("{{{},{}}} did not meet", pair.first, pair.second);
+    }
+  }
+  return loads == facts.loads && makespan == facts.makespan &&
+                 makespan >= facts.makespan_bound.loads
+             ? ""
+             : fmt::format("{} loads, makespan {}", loads, makespan);
+}
+
+RC_GTEST_PROP(HeldBlocks, BringTwoSetsTogetherForEveryNumberOfWorkers, ()) {
+  const auto a = *rc::gen::inRange<std::uint64_t>(1, 30);
+  const auto b = *rc::gen::inRange<std::uint64_t>(1, 30);
+  const auto room = *rc::gen::inRange<std::uint64_t>(2, 40);
+  const auto workers = *rc::gen::inRange<std::uint64_t>(1, 12);
+  const WantedPairs wanted = WantedPairs::between(a, b);
+  RC_ASSERT(defect_of_split(split_load_order(wanted, room, workers), wanted, room) ==
+            std::string());
+  // Blocks alone, whether they are better or not.
+  const auto blocks = best_held_blocks(wanted, room, workers);
+  RC_ASSERT(blocks && blocks->shapes.size() <= workers);
+  const auto shared = std::make_shared<const HeldBlocks>(*blocks);
+  const auto steps = block_steps(shared, wanted.items());
+  const Simulation played = simulate(*steps, wanted.items(), room);
+  RC_ASSERT(played.fault == std::string());
+  for (const ItemPair& pair : pairs_of(wanted)) {
+    RC_ASSERT(played.met.count(pair) == 1U);
+  }
+}
+
+TEST(HeldBlocks, SplitWhatFitsIntoMemory) {
+  // Four workers have 50 items with 50 others each; all 200 would fit.
+  const WantedPairs wanted = WantedPairs::between(100, 100);
+  const WorkerSplit split = split_load_order(wanted, 200, 4);
+  EXPECT_EQ(split.facts().makespan, 100U);
+  EXPECT_EQ(split.facts().loads, 400U);
+  EXPECT_EQ(split.facts().makespan_bound.loads, 100U);
+  EXPECT_EQ(defect_of_split(split, wanted, 200), "");
+}
+
+TEST(HeldBlocks, AreNotReadIfTheyAreTooMany) {
+  const WantedPairs wanted = WantedPairs::between(100'000, 60'000);
+  const WorkerSplit split = split_load_order(wanted, 2000, 4);
+  LoadCheckOptions options;
+  options.all_pairs = false;
+  options.wanted = wanted;
+  LoadCheck check(wanted.items(), 2000, options);
+  LoadStep step;
+  for (std::uint64_t w = 0; w < 4; ++w) {
+    check.start_over();
+    for (const auto steps = split.stream(w); steps->next(step);) {
+      check.read(step);
+    }
+  }
+  const LoadVerdict verdict = check.finish();
+  EXPECT_TRUE(verdict.valid()) << verdict.fault << verdict.uncovered_example;
+  EXPECT_EQ(verdict.loads, split.facts().loads);
+}
+
+TEST(PairBounds, OfTwoSetsCountPairsOneLoadAfterAnother) {
+  for (std::uint64_t room = 2; room < 7; ++room) {
+    for (std::uint64_t loads = 1; loads < 30; ++loads) {
+      const std::uint64_t most = most_between(loads, room);
+      EXPECT_LE(least_between(most, room), loads);
+      EXPECT_GT(least_between(most + 1, room), loads);
+    }
   }
 }
 

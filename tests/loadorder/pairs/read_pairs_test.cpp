@@ -52,8 +52,8 @@ TEST(ReadPairs, NumbersAreItemsAndEachPairCountsOnce) {
 }
 
 TEST(ReadPairs, OneWordMakesNamesOfAll) {
-  const auto graph = read("7 8\n8 x\nx 7\n007 7\n");
-  EXPECT_THAT(graph->names(), ElementsAre("7", "8", "x", "007"));
+  const auto graph = read("7 8\n8 x\nx 7\nx7 7\n");
+  EXPECT_THAT(graph->names(), ElementsAre("7", "8", "x", "x7"));
   EXPECT_EQ(graph->pairs(), 4U);
   EXPECT_EQ(read("a b")->names().size(), 2U);
   EXPECT_EQ(read("12345678901 1")->names().size(), 2U);  // too large for the number of an item
@@ -64,6 +64,42 @@ TEST(ReadPairs, WordsOverNumbersAreColumns) {
   EXPECT_EQ(read("from,to\n0,1\n")->pairs(), 1U);
   EXPECT_THAT(read("from,to\na,b\n")->names(), ElementsAre("from", "to", "a", "b"));
   EXPECT_THAT(read("a 1\n2 3\n")->names(), ElementsAre("a", "1", "2", "3"));
+}
+
+TEST(ReadPairs, ANumberIsWrittenInOneWay) {
+  const std::string mend = "is not written like the whole numbers before it; write 1, or begin";
+  for (const std::string word : {"01", "1.0", "+1", "1.", "0001.000"}) {
+    EXPECT_THAT(fault("0 1\n2 " + word + "\n"), HasSubstr("f:2: '" + word + "' " + mend));
+  }
+  EXPECT_THAT(fault("0 1\n2 -1\n2 00\n"), HasSubstr("f:3: '0' and '00' are one number"));
+  EXPECT_THAT(fault("0 1\n2 1.50\n"), HasSubstr("write 1.5, or"));
+  EXPECT_EQ(fault("01 02\n1 2\n"),
+            "f:2: '01' and '1' are one number and two names; write it in one way");
+  EXPECT_THAT(fault("a 1\nb 1.0\n"), HasSubstr("f:2: '1' and '1.0' are one number"));
+  // Names of equally many digits, large numbers, dates: none of them is another one.
+  EXPECT_THAT(read("001 002\n002 100\n")->names(), ElementsAre("001", "002", "100"));
+  EXPECT_THAT(read("1 10000000\n")->names(), ElementsAre("1", "10000000"));
+  EXPECT_THAT(read("2.5.1 2.5\n1.2.3 .5\n- 1e3\n")->names(),
+              ElementsAre("2.5.1", "2.5", "1.2.3", ".5", "-", "1e3"));
+}
+
+TEST(ReadPairs, ANameHasNoCharacterThatIsNotSeen) {
+  const std::string sharp =
+      "f:2: the name 'b\xE2\x80\x8B' has a character that cannot be seen, U+200B; remove it";
+  EXPECT_EQ(fault("a b\na b\xE2\x80\x8B\n"), sharp);
+  EXPECT_THAT(fault("a b\xC2\xA0\n"), HasSubstr("U+00A0"));
+  EXPECT_THAT(fault("a \xF3\xA0\x84\x80z\n"), HasSubstr("U+E0100"));
+  EXPECT_THAT(read("\xC3\xA9 \xE4\xB8\xAD\n\xF0\x9F\x98\x80 e\n")->names(),
+              ElementsAre("\xC3\xA9", "\xE4\xB8\xAD", "\xF0\x9F\x98\x80", "e"));
+}
+
+TEST(ReadPairs, LinesAreReadTheSameHoweverTheyAreWritten) {
+  const auto plain = read("0 1\n9999999 12\n12 0\n7 7\n");
+  const auto other = read("# first\n0  1\n9999999\t12 \n;12,0\n 7;7\r\n");
+  EXPECT_EQ(WantedPairs::listed(plain).hash(), WantedPairs::listed(other).hash());
+  EXPECT_EQ(plain->items(), 10'000'000U);
+  EXPECT_THAT(fault("0 1\n0 10000000\n1\n"), HasSubstr("f:3: one item"));
+  EXPECT_THAT(fault("0 1\n5 9\n", {.items = 9}), HasSubstr("f:2: item 9, but --items 9"));
 }
 
 TEST(ReadPairs, SaysWhatIsWrongAndWhere) {
