@@ -11,8 +11,9 @@
 // Candidates. Single-, double- and m-change designs over the parts with needed pairs, those that are known
 // or that local search (search/local_search.hpp) makes of them, relabelled so that dear parts stand where
 // introductions are rare; a list that takes the best next step again and again; a covering with few set-ups,
-// in a cheap order; and the result of a local search over lists with any number of changes a step, which starts
-// from the best of the others. If a plan is under way, its rest, with what it lacks and without what it need not; so no new plan
+// in a cheap order; and the result of a local search over lists with any number of changes a step, in rounds that start
+// from the best of the others or forget it; without a time, they end when a round finds nothing better or the gap to the
+// bound is under one percent. If a plan is under way, its rest, with what it lacks and without what it need not; so no new plan
 // is dearer than going on. Under a budget: the plan that tests the most needed pairs, at least as many as the longest
 // affordable part of the cheapest complete plan does.
 //
@@ -57,8 +58,8 @@ struct Candidate {
 };
 
 struct PlanOptions {
-  std::uint64_t steps = 0;     ///< of each local search; 0: as many as suit the job
-  unsigned attempts = 4;       ///< local searches, each with its own random numbers
+  std::uint64_t steps = 0;     ///< of each local search, in one round; 0: as many as suit the job
+  unsigned attempts = 4;       ///< local searches a round at most, each with its own random numbers
   bool until_stopped = false;  ///< go on with longer searches until the control says stop
   std::optional<Amount> budget = {};
   std::vector<Block> rest = {};  ///< of a plan that is under way: going on with it is a candidate

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "changeover/core/error.hpp"
 
@@ -23,20 +24,51 @@ const std::array<double, 4096>& log_table() {
   return table;
 }
 
+// 2^(−i/256), rounded likewise.
+const std::array<double, 256>& root_table() {
+  static const auto table = [] {
+    std::array<double, 256> values{};
+    constexpr double steps = 1 << 20;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] =
+          std::round(std::exp2(-static_cast<double>(i) / static_cast<double>(values.size())) *
+                     steps) /
+          steps;
+    }
+    return values;
+  }();
+  return table;
+}
+
+// About 2^−octaves, for octaves ≥ 0.
+double two_to_minus(double octaves) {
+  const auto whole = static_cast<std::size_t>(octaves);
+  const auto part = static_cast<std::size_t>((octaves - static_cast<double>(whole)) * 256.0);
+  double value = root_table()[part];
+  for (std::size_t i = 0; i < whole; ++i) {
+    value *= 0.5;
+  }
+  return value;
+}
+
 class Annealer {
  public:
   Annealer(Sequence& sequence, const Annealing& options, Random& random)
       : s_(&sequence), options_(options), random_(&random), penalty_(options.penalty) {
-    energy_ = energy();
+    constrained_ = s_->fitting().has_slots() || s_->job().never.size() > 0;
+    constexpr double parts = 1024;
+    octaves_ = std::round(std::log2(options.hot / options.cold) * parts) / parts;
+    constexpr std::size_t long_list = 20'000;
+    note_seldom_ = s_->size() * s_->job().room() > long_list;
   }
 
   AnnealedPlan run(RunControl& control) {
-    record();
+    record(true);
     constexpr std::uint64_t batch = 1024;
     // A move on a long list of large set-ups takes as long as thousands on a short one.
     constexpr std::uint64_t work = 1'000'000;
     const std::uint64_t room = s_->job().room();
-    const std::uint64_t work_a_move = 1 + s_->size() + room * room;
+    const std::uint64_t work_a_move = 1 + s_->size() / 8 + room * room;
     const std::uint64_t look = std::clamp<std::uint64_t>(work / work_a_move, 1, batch);
     std::uint64_t step = 0;
     const auto began = control.elapsed();
@@ -51,11 +83,16 @@ class Annealer {
         const double steps = static_cast<double>(step) / static_cast<double>(options_.steps);
         constexpr double early = 0.1;
         cool(std::min(1.0, time_gone < early ? steps : std::max(time_gone, steps)));
+        record(true);
         if (control.progress_due()) {
           control.tell({.phase = options_.phase, .steps = step, .missing = s_->uncovered()});
         }
       }
       move();
+    }
+    record(true);
+    if (best_.uncovered != none_met) {
+      best_.setups = Sequence::setups_of(best_list_);
     }
     best_.steps = step;
     return std::move(best_);
@@ -64,53 +101,91 @@ class Annealer {
  private:
   // Sets temperature and penalty for the moment when so much is done.
   void cool(double done) {
-    constexpr double higher = 1.7;
-    constexpr double lower = 0.3;
-    const double search = 1.0 - options_.finish;
-    const bool finishing = options_.finish > 0 && done >= search;
-    const double left = finishing ? (1.0 - done) / options_.finish : 1.0 - done / search;
-    const double from = finishing ? options_.cold : options_.hot;
-    const double to = finishing ? lower * options_.cold : options_.cold;
-    temperature_ = to + (from - to) * left * left * left;
-    const double penalty = finishing ? higher * options_.penalty : options_.penalty;
-    if (penalty > penalty_) {
-      penalty_ = penalty;
-      energy_ = energy();
+    if (options_.budget) {
+      const double left = 1.0 - done;
+      temperature_ = options_.cold + (options_.hot - options_.cold) * left * left * left;
+      return;
     }
+    const auto needed = static_cast<double>(s_->job().needed.size());
+    const auto open = static_cast<double>(s_->uncovered());
+    const double a_pair = static_cast<double>(s_->cost()) / std::max(1.0, needed - open);
+    constexpr double at_first = 2.0;  // for a moment, until the list is one of this temperature
+    constexpr double later = 2.8;
+    constexpr double moment = 0.05;
+    const double base = a_pair * (done < moment ? at_first : later);
+    temperature_ = options_.hot * base * two_to_minus(octaves_ * done);
+    // In the second part, so many pairs may be open.
+    constexpr double second = 0.5;
+    constexpr double speed = 5.0;
+    constexpr double none_from = 0.9;
+    const double left = std::max(0.0, none_from - done);
+    const double allowed = 0.1 * needed * left * left;
+    if (done > second) {
+      const double excess = (open - allowed) / (open + allowed + 1.0);
+      raise_ *= 1.0 + std::clamp(speed * (done - done_) * excess, -0.5, 0.5);
+    }
+    raise_ = std::max(1.0, raise_);
+    penalty_ = base * raise_;
+    done_ = done;
   }
 
-  [[nodiscard]] double energy() const {
-    const auto cost = static_cast<double>(s_->cost());
-    const double missing = penalty_ * static_cast<double>(s_->uncovered());
+  [[nodiscard]] double energy(std::int64_t cost, std::int64_t uncovered) const {
+    const double missing = penalty_ * static_cast<double>(uncovered);
+    const auto paid = static_cast<double>(cost);
     if (!options_.budget) {
-      return cost + missing;
+      return paid + missing;
     }
-    const double over = std::max(0.0, cost - static_cast<double>(*options_.budget));
-    return cost * 0.25 + over * 4.0 + missing;
+    const double over = std::max(0.0, paid - static_cast<double>(*options_.budget));
+    return paid * 0.25 + over * 4.0 + missing;
   }
 
-  // Whether to keep the move that was just made.
+  struct Standing {
+    std::int64_t cost = 0;
+    std::int64_t uncovered = 0;
+  };
+
+  [[nodiscard]] Standing now() const {
+    return {s_->cost(), static_cast<std::int64_t>(s_->uncovered())};
+  }
+
+  // Whether a move that adds so much to a list is to be made.
+  [[nodiscard]] bool acceptable(const Rise& rise) { return acceptable(rise, now()); }
+  [[nodiscard]] bool acceptable(const Rise& rise, const Standing& from) {
+    const double higher = options_.budget
+                              ? energy(from.cost + rise.cost, from.uncovered + rise.uncovered) -
+                                    energy(from.cost, from.uncovered)
+                              : energy(rise.cost, rise.uncovered);
+    return higher <= 0 || higher <= temperature_ * log_table()[random_->next() >> 52];
+  }
+
+  // Notes where the list is before a move that is made before it is looked at.
+  void begin() { before_ = now(); }
+
+  // Whether to keep the move that was made since begin().
   bool keep() {
-    const double now = energy();
-    const double rise = now - energy_;
-    if (rise > 0 && rise > temperature_ * log_table()[random_->next() >> 52]) {
+    const Standing after = now();
+    if (!acceptable({after.cost - before_.cost, after.uncovered - before_.uncovered}, before_)) {
       return false;
     }
-    energy_ = now;
-    if (rise < 0) {
-      record();
-    }
+    record();
     return true;
   }
 
-  void record() {
-    const bool better = options_.budget
-                            ? s_->cost() <= *options_.budget &&
-                                  (!best_.setups || s_->uncovered() < best_.uncovered ||
-                                   (s_->uncovered() == best_.uncovered && s_->cost() < best_.cost))
-                            : s_->uncovered() == 0 && (!best_.setups || s_->cost() < best_.cost);
+  // Long lists are not noted at every step down.
+  void record(bool now = false) {
+    if (note_seldom_ && !now) {
+      return;
+    }
+    const bool better =
+        options_.budget
+            ? s_->cost() <= *options_.budget &&
+                  (s_->uncovered() < best_.uncovered ||
+                   (s_->uncovered() == best_.uncovered && s_->cost() < best_.cost))
+            : s_->uncovered() == 0 && (best_.uncovered == none_met || s_->cost() < best_.cost);
     if (better) {
-      best_ = {s_->setups(), s_->cost(), s_->uncovered(), 0};
+      s_->write_to(best_list_);
+      best_.cost = s_->cost();
+      best_.uncovered = s_->uncovered();
     }
   }
 
@@ -124,20 +199,134 @@ class Annealer {
       insert();
       return;
     }
-    const std::size_t dice = below(64);
-    if (dice < 44) {
+    const std::size_t dice = below(128);
+    if (dice < 74) {
+      shift();
+    } else if (dice < 90) {
+      replace();
+    } else if (dice < 104) {
+      replace_aimed();
+    } else if (dice < 109) {
       dice % 2 == 0 && s_->uncovered() > 0 ? exchange_aimed() : exchange();
-    } else if (dice < 50) {
-      change_run();
-    } else if (dice < 54) {
+    } else if (dice < 116) {
       take_out();
-    } else if (dice < 60) {
-      insert();
-    } else if (dice < 62) {
+    } else if (dice < 120) {
+      copy();
+    } else if (dice < 122) {
+      change_run();
+    } else if (dice < 124) {
+      below(constrained_ ? 2 : 16) == 0 ? insert() : copy();
+    } else if (dice < 127) {
       reverse();
     } else {
       rotate();
     }
+  }
+
+  void try_replacing(std::size_t at, Element x, Element y) {
+    if (constrained_ && !s_->may_join(at, y, x)) {
+      return;
+    }
+    const Rise rise = s_->rise_of_replace(at, x, y);
+    if (acceptable(rise)) {
+      s_->replace(at, x, y, rise);
+      record();
+    }
+  }
+
+  // One part stays a set-up longer and what comes for it comes later, or it leaves sooner.
+  void shift() {
+    const std::size_t at = below(s_->size());
+    const std::size_t earlier = at == 0 ? s_->size() : at - 1;
+    const auto coming = s_->some_difference(at, earlier, random_->next32());
+    const auto leaving = s_->some_difference(earlier, at, random_->next32());
+    const bool later = random_->one_in_two();
+    if (coming && leaving) {
+      if (later) {
+        try_replacing(at, *coming, *leaving);
+      } else if (at > 0) {
+        try_replacing(at - 1, *leaving, *coming);
+      }
+    } else if (later && leaving) {
+      add_at(at, *leaving);
+    } else if (!later && coming && at > 0) {
+      add_at(at - 1, *coming);
+    }
+  }
+
+  void add_at(std::size_t at, Element y) {
+    if (s_->full(at) || !s_->may_join(at, y, y)) {
+      return;
+    }
+    begin();
+    s_->add({at, at}, y);
+    if (!keep()) {
+      s_->remove({at, at}, y);
+    }
+  }
+
+  void replace() {
+    const std::size_t at = below(s_->size());
+    const Element y = s_->movable()[below(s_->movable().size())];
+    if (s_->holds(at, y)) {
+      return;
+    }
+    if (const auto x = someone_for(at, y, std::nullopt)) {
+      try_replacing(at, *x, y);
+    }
+  }
+
+  void replace_aimed() {
+    if (s_->uncovered() == 0) {
+      replace();
+      return;
+    }
+    const auto [kept, coming] = aim();
+    const auto at = some_holder(kept);
+    if (!at || !s_->is_movable(coming)) {
+      return;
+    }
+    if (const auto x = someone_for(*at, coming, kept); x && *x != coming) {
+      try_replacing(*at, *x, coming);
+    }
+  }
+
+  // An uncovered pair, in any order.
+  std::pair<Element, Element> aim() {
+    auto [x, y] = s_->uncovered_pair(below(s_->uncovered()));
+    return random_->one_in_two() ? std::pair(y, x) : std::pair(x, y);
+  }
+
+  // A set-up comes once more, perhaps with a part of an uncovered pair in place of another.
+  void copy() {
+    if (s_->size() >= options_.most_tests) {
+      return;
+    }
+    std::optional<std::size_t> at = below(s_->size());
+    Element x = 0;
+    Element y = 0;
+    if (s_->uncovered() > 0 && random_->one_in_two()) {
+      const auto [kept, coming] = aim();
+      at = some_holder(kept);
+      if (!at || !s_->is_movable(coming)) {
+        return;
+      }
+      const auto leaving = someone_for(*at, coming, kept);
+      if (!leaving || !s_->may_join(*at, coming, *leaving)) {
+        return;
+      }
+      x = *leaving;
+      y = coming;
+    }
+    if (!acceptable(s_->rise_of_copy(*at, x, y))) {
+      return;
+    }
+    Block setup(s_->setup(*at).begin(), s_->setup(*at).end());
+    if (x != y) {
+      *std::find(setup.begin(), setup.end(), x) = y;
+    }
+    s_->insert(*at + 1, setup);
+    record();
   }
 
   // A movable part of a set-up other than `kept`.
@@ -188,10 +377,7 @@ class Annealer {
   }
 
   void exchange_aimed() {
-    auto [kept, coming] = s_->uncovered_pair(below(s_->uncovered()));
-    if (random_->one_in_two()) {
-      std::swap(kept, coming);
-    }
+    const auto [kept, coming] = aim();
     const auto at = some_holder(kept);
     if (!at || !s_->is_movable(coming)) {
       return;
@@ -243,6 +429,7 @@ class Annealer {
       where = stretch(at, choice,
                       [&](std::size_t i) { return s_->holds(i, x) && exchangeable(i, x, y); });
     }
+    begin();
     s_->exchange(where, x, y);
     if (!keep()) {
       s_->exchange(where, x, y);
@@ -257,6 +444,7 @@ class Annealer {
     const Stretch where = choice == 3 ? Stretch{at, at} : stretch(at, choice, [&](std::size_t i) {
       return !s_->full(i) && !s_->holds(i, y) && s_->may_join(i, y, y);
     });
+    begin();
     s_->add(where, y);
     if (!keep()) {
       s_->remove(where, y);
@@ -277,6 +465,7 @@ class Annealer {
     const Stretch where = stretch(at, below(3), [&](std::size_t i) {
       return s_->holds(i, *x) && s_->setup(i).size() > 1 && s_->may_leave(i, *x);
     });
+    begin();
     s_->remove(where, *x);
     if (!keep()) {
       s_->add(where, *x);
@@ -288,11 +477,9 @@ class Annealer {
       return;
     }
     const std::size_t at = below(s_->size());
-    const std::uint32_t handle = s_->take_out(at);
-    if (keep()) {
-      s_->forget(handle);
-    } else {
-      s_->put_back(at, handle);
+    if (acceptable(s_->rise_of_take_out(at))) {
+      s_->forget(s_->take_out(at));
+      record();
     }
   }
 
@@ -330,6 +517,7 @@ class Annealer {
       }
       setup = *whole;
     }
+    begin();
     s_->insert(at, setup);
     if (!keep()) {
       s_->forget(s_->take_out(at));
@@ -383,9 +571,9 @@ class Annealer {
     if (where.first > where.last) {
       std::swap(where.first, where.last);
     }
-    s_->reverse(where);
-    if (!keep()) {
+    if (acceptable({s_->rise_of_reverse(where), 0})) {
       s_->reverse(where);
+      record();
     }
   }
 
@@ -396,9 +584,9 @@ class Annealer {
     if (cuts[0] == cuts[1] || cuts[1] == cuts[2]) {
       return;
     }
-    s_->rotate(cuts[0], cuts[1], cuts[2]);
-    if (!keep()) {
-      s_->rotate(cuts[0], cuts[0] + cuts[2] - cuts[1], cuts[2]);
+    if (acceptable({s_->rise_of_rotate(cuts[0], cuts[1], cuts[2]), 0})) {
+      s_->rotate(cuts[0], cuts[1], cuts[2]);
+      record();
     }
   }
 
@@ -406,9 +594,17 @@ class Annealer {
   Annealing options_;
   Random* random_;
   double penalty_;
+  static constexpr std::size_t none_met = std::numeric_limits<std::size_t>::max();
+
   double temperature_ = 0;
-  double energy_ = 0;
-  AnnealedPlan best_;
+  double octaves_ = 0;  // between the first temperature and the last
+  double done_ = 0;
+  double raise_ = 1;
+  bool note_seldom_ = false;
+  bool constrained_ = false;  // by slots or forbidden pairs
+  Standing before_;
+  AnnealedPlan best_{.setups = {}, .cost = 0, .uncovered = none_met, .steps = 0};
+  std::vector<Element> best_list_;
   Block protected_;
 };
 

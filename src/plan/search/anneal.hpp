@@ -3,11 +3,14 @@
 //     energy = cost + penalty · (uncovered needed pairs)
 // and under a budget
 //     energy = cost/4 + 4 · max(0, cost − budget) + penalty · (uncovered needed pairs).
-// The temperature falls with the third power of what is left. If there is a `finish`, this part of the steps at the end
-// has a higher penalty and goes on below `cold`: what the rest of the search left uncovered is covered then.
-// Moves: exchange two parts in a stretch of set-ups, mount or take out a part in a stretch, take out a
-// set-up, insert one beside a set-up that it resembles, reverse a stretch, move one. Half of the exchanges
-// aim at an uncovered pair. Deterministic: integers, and floating point with + − × and comparisons only.
+// Without a budget, temperature and penalty are measured by what a covered pair costs in the list as it is now, so one
+// schedule suits all jobs. The temperature falls geometrically; in the second half the penalty rises whenever more pairs
+// are uncovered than the schedule has for this moment, none in the end. Under a budget the penalty is fixed and the temperature falls
+// with the third power of what is left.
+// Most moves look at one step: what it puts in comes one set-up earlier or later in exchange for what it takes out, which
+// stays as long. Others put any part, or one of an uncovered pair, in the place of another, in one set-up or in
+// a stretch; mount or take out a part; take out a set-up, or insert one like that beside it; reverse a stretch, or move one.
+// Deterministic: integers, and floating point with + − × ÷ and comparisons only.
 #pragma once
 
 #include <chrono>
@@ -24,11 +27,10 @@ namespace changeover {
 
 struct Annealing {
   std::uint64_t steps = 0;
-  double penalty =
-      0;  ///< of an uncovered pair; this and the temperatures in the unit of the weights
-  double hot = 0;
-  double cold = 0;
-  double finish = 0;  ///< which part of all steps
+  double hot = 0.8;  ///< first and last temperature, in about three times what a covered pair costs
+  double cold = 0.03;
+  /// Of an uncovered pair, under a budget; this and the temperatures are then in the unit of the weights.
+  double penalty = 0;
   /// The schedule ends when this time is up, even if steps are left.
   std::optional<std::chrono::duration<double>> time = {};
   std::optional<std::int64_t> budget = {};

@@ -12,22 +12,22 @@
 namespace changeover {
 namespace {
 
-// How attempts differ: the penalty of an uncovered pair as a multiple of what a pair costs in the best
-// list, and the temperatures as multiples of the penalty.
+// How attempts differ in their temperatures. Hot ones forget where they started; the last one does not.
 struct Style {
+  double hot;
+  double cold;
+};
+constexpr std::array<Style, 4> styles{{{0.8, 0.03}, {0.4, 0.05}, {0.6, 0.03}, {0.5, 0.04}}};
+constexpr Style warm{0.16, 0.03};
+
+// Under a budget: the penalty of an uncovered pair as a multiple of what a pair costs in the best list, and the
+// temperatures as multiples of the penalty.
+struct BudgetStyle {
   double penalty;
   double hot;
   double cold;
-  double finish = 0;
 };
-// The hot ones leave a good list far behind, and are best where lists are long.
-constexpr std::array<Style, 4> styles{{
-    {2.0, 0.60, 0.30, 0.2},
-    {1.8, 0.25, 0.10},
-    {2.0, 0.25, 0.08},
-    {2.2, 0.60, 0.20, 0.2},
-}};
-constexpr std::array<Style, 4> budget_styles{{
+constexpr std::array<BudgetStyle, 4> budget_styles{{
     {2.0, 0.30, 0.10},
     {1.8, 0.25, 0.10},
     {2.0, 0.25, 0.08},
@@ -54,11 +54,23 @@ std::size_t most_tests(const Job& job, std::size_t tests) {
 
 }  // namespace
 
+bool Attempts::are_short(const Candidate& like) const {
+  constexpr std::uint64_t places = 300;
+  return like.tests() * job_->room() < places;
+}
+
 std::uint64_t Attempts::suitable_steps(const Candidate& like) const {
-  // A move costs some tens of nanoseconds for each part of each set-up of its stretch.
-  constexpr std::uint64_t least = 400'000;
-  constexpr std::uint64_t most = 24'000'000;
-  return std::clamp<std::uint64_t>(like.tests() * job_->room() * 12'000, least, most);
+  constexpr std::uint64_t a_place = 12'000;
+  constexpr std::uint64_t least = 200'000;
+  constexpr std::uint64_t most = 100'000'000;
+  return std::clamp<std::uint64_t>(like.tests() * job_->room() * a_place, least, most);
+}
+
+std::uint64_t Attempts::steps_until(std::chrono::duration<double> left) const {
+  constexpr double before_any = 5e6;  // moves a second
+  const double speed = busy_ > 0 ? static_cast<double>(annealed_) / busy_ : before_any;
+  constexpr double most = 1e18;
+  return static_cast<std::uint64_t>(std::min(most, std::max(1.0, speed * left.count())));
 }
 
 Start Attempts::covering(const Candidate& from, std::uint64_t steps) {
@@ -67,18 +79,11 @@ Start Attempts::covering(const Candidate& from, std::uint64_t steps) {
   // Set-ups are all that counts; changes break ties.
   Weights weights{.test = 1000, .change = std::vector<std::uint64_t>(job_->names.size(), 1)};
   Sequence sequence(*job_, weights, from.setups);
-  const double per_pair =
-      1000.0 * static_cast<double>(from.tests()) / static_cast<double>(job_->needed.size());
-  const double penalty = std::max(1.5 * per_pair, 300.0);
   Random random(control_->seed(), 1'000'000);
-  const AnnealedPlan found = anneal(sequence,
-                                    {.steps = steps,
-                                     .penalty = penalty,
-                                     .hot = 0.4 * penalty,
-                                     .cold = 0.04 * penalty,
-                                     .most_tests = limit,
-                                     .phase = "looking for a covering with few tests"},
-                                    random, *control_);
+  const AnnealedPlan found = anneal(
+      sequence,
+      {.steps = steps, .most_tests = limit, .phase = "looking for a covering with few tests"},
+      random, *control_);
   steps_ += found.steps;
   std::vector<Block> setups = found.setups.value_or(from.setups);
   if (repair(sequence, *control_) && sequence.size() < setups.size()) {
@@ -105,38 +110,43 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
     std::vector<Block> setups;
     std::string from;
   };
+  struct Took {
+    std::uint64_t steps = 0;
+    double seconds = 0;
+  };
+  std::vector<Took> took(attempts);
   // Whatever cuts an attempt short, nothing is worse than the best.
   std::vector<Result> results(attempts,
                               {std::numeric_limits<std::int64_t>::max(), best.setups, best.name});
   in_parallel(*control_, attempts, [&](std::size_t i) {
-    // Every other attempt starts elsewhere: what is cheapest may be far from what could be.
-    const Candidate& from =
-        i % 2 == 0 || others.empty() ? best : others[(i / 2 + round) % others.size()];
     Sequence sequence(*job_, weights, best.setups);
     prune(sequence, *control_);
     results[i] = {sequence.cost(), sequence.setups(), best.name};
     if (control_->stop_wanted()) {
       return;
     }
-    const Style& style = styles[i % styles.size()];
     const auto time = time_for(*control_, i, attempts);
-    const double per_pair =
-        static_cast<double>(sequence.cost()) / static_cast<double>(job_->needed.size());
-    const double penalty = style.penalty * per_pair;
+    // Too few moves for each place to forget a good list, or a good one from the rounds before.
+    constexpr std::uint64_t few = 500;
+    const bool stay_near = steps / few < best.tests() * job_->room() ||
+                           (are_short(best) ? round % 4 != 0 : round > 0 && i % 2 == 1);
+    const Style& style = stay_near ? warm : styles[(i + round) % styles.size()];
+    const Candidate& from =
+        stay_near || i % 2 == 0 || others.empty() ? best : others[(i / 2 + round) % others.size()];
     Random random(control_->seed(), std::uint64_t{round} * attempts + i);
     sequence = Sequence(*job_, weights, from.setups);
+    const auto began = control_->elapsed();
     const AnnealedPlan found =
         anneal(sequence,
                {.steps = steps,
-                .penalty = penalty,
-                .hot = style.hot * penalty,
-                .cold = style.cold * penalty,
-                .finish = style.finish,
+                .hot = style.hot,
+                .cold = style.cold,
                 .time = time,
                 .most_tests = limit,
                 .phase = fmt::format("local search {} of {}", i + 1, attempts)},
                random, *control_);
     steps_ += found.steps;
+    took[i] = {found.steps, (control_->elapsed() - began).count()};
     if (repair(sequence, *control_) && sequence.cost() < results[i].cost) {
       results[i] = {sequence.cost(), sequence.setups(), from.name};
     }
@@ -152,6 +162,10 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
       }
     }
   });
+  for (const Took& one : took) {
+    annealed_ += one.steps;
+    busy_ += one.seconds;
+  }
   const Result& cheapest =
       *std::min_element(results.begin(), results.end(),
                         [](const Result& a, const Result& b) { return a.cost < b.cost; });
@@ -169,7 +183,7 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
   std::vector<AnnealedPlan> results(attempts);
   in_parallel(*control_, attempts, [&](std::size_t i) {
     Sequence sequence(*job_, weights, best.setups);
-    const Style& style = budget_styles[i % budget_styles.size()];
+    const BudgetStyle& style = budget_styles[i % budget_styles.size()];
     const double per_pair = static_cast<double>(bound_->cost.millionths) /
                             static_cast<double>(weights.unit) /
                             static_cast<double>(job_->needed.size());
@@ -178,9 +192,9 @@ Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps
     results[i] =
         anneal(sequence,
                {.steps = steps,
-                .penalty = penalty,
                 .hot = style.hot * penalty,
                 .cold = style.cold * penalty,
+                .penalty = penalty,
                 .budget = most,
                 .most_tests = limit,
                 .phase = fmt::format("local search {} of {} within the budget", i + 1, attempts)},

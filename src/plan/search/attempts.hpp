@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -19,8 +20,14 @@ class Attempts {
   Attempts(const Job& job, const CostBound& bound, RunControl& control)
       : job_(&job), bound_(&bound), control_(&control) {}
 
-  /// Moves of an annealing that take some seconds at most for a list like this one.
+  /// Whether lists are so short that many annealings, most of them from the best so far, find more than a long one.
+  [[nodiscard]] bool are_short(const Candidate& like) const;
+
+  /// Moves of a first annealing of a list like this one: a second for some hundred places, ten for some thousand.
   [[nodiscard]] std::uint64_t suitable_steps(const Candidate& like) const;
+
+  /// Moves that an annealing on one thread makes in this time, going by those so far.
+  [[nodiscard]] std::uint64_t steps_until(std::chrono::duration<double> left) const;
 
   /// A covering with few set-ups, found from this list, in a cheap order.
   [[nodiscard]] Start covering(const Candidate& from, std::uint64_t steps);
@@ -41,6 +48,8 @@ class Attempts {
   const CostBound* bound_;
   RunControl* control_;
   std::atomic<std::uint64_t> steps_{0};
+  std::uint64_t annealed_ = 0;  // moves of those that were timed
+  double busy_ = 0;             // seconds that they took, each on its thread
 };
 
 }  // namespace changeover

@@ -121,9 +121,7 @@ class Planner {
 
   void search(RunPlan& plan) {
     std::vector<Candidate>& all = plan.candidates;
-    for (const Start& start : design_starts(*job_, options_->design_moves, *control_)) {
-      add(plan, start);
-    }
+    add_designs(plan);
     const auto best = [&]() -> const Candidate& {
       return *std::min_element(all.begin(), all.end(), cheaper);
     };
@@ -137,23 +135,75 @@ class Planner {
                                                       [](const Candidate& a, const Candidate& b) {
                                                         return a.tests() < b.tests();
                                                       }),
-                                    steps / 4));
+                                    options_->steps == 0 ? steps / 8 : steps / 4));
       }
-      // Longer and longer searches, if that is wished, each from the best so far.
+      // Longer and longer searches, each from the best so far, as long as that helps or is wished.
       for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
-        add(plan, attempts.cheaper_than(best(), next_best(all), steps, options_->attempts, round));
+        const Amount before = best().cost;
+        const Round next = round_of(attempts, steps, attempts.are_short(best()));
+        add(plan, attempts.cheaper_than(best(), next_best(all), next.steps, next.attempts, round));
         if (round == 0 && best().cost > plan.bound.cost && options_->states > 0 &&
             is_small(*job_)) {
           look_at_all(plan, best().cost);
         }
-        if (!options_->until_stopped) {
+        const bool many = attempts.are_short(best());
+        if (!options_->until_stopped && enough(plan, before, best().cost, round, many)) {
           break;
         }
         constexpr std::uint64_t longest = std::uint64_t{1} << 60;
-        steps = std::min(longest, steps + steps / 2);
+        steps = std::min(longest, many ? steps + steps / 4 : 3 * steps);
       }
     });
     plan.steps += attempts.steps();
+  }
+
+  // Designs have an eighth of the time: other lists need it more.
+  void add_designs(RunPlan& plan) const {
+    constexpr double share = 0.125;
+    const auto left = control_->time_left();
+    std::optional<RunControl> part;
+    if (left) {
+      part.emplace(*control_, *left * share);
+    }
+    for (const Start& start :
+         design_starts(*job_, options_->design_moves, part ? *part : *control_)) {
+      add(plan, start);
+    }
+  }
+
+  struct Round {
+    std::uint64_t steps = 0;
+    unsigned attempts = 0;
+  };
+
+  // The next round of so many steps; if there is a time to use and not much would be left after it, one that uses it up. Few
+  // long annealings find more than many short ones where lists are long.
+  [[nodiscard]] Round round_of(const Attempts& attempts, std::uint64_t steps, bool many) const {
+    if (options_->steps != 0) {
+      return {steps, options_->attempts};
+    }
+    const auto left = control_->time_left();
+    if (!options_->until_stopped || !left) {
+      constexpr unsigned usual = 2;
+      return {steps, std::min(usual, options_->attempts)};
+    }
+    const unsigned each_thread_one = std::min(control_->threads(), options_->attempts);
+    const std::uint64_t all = attempts.steps_until(*left);
+    const std::uint64_t much = many ? 2 : 8;
+    // The clock ends a schedule of more steps than there will be.
+    return {all / much < steps ? 4 * all : steps, each_thread_one};
+  }
+
+  // Whether a search that nobody gave a time has gone on for long enough.
+  [[nodiscard]] bool enough(const RunPlan& plan, Amount before, Amount now, unsigned round,
+                            bool many) const {
+    const unsigned most_rounds = many ? 8 : 3;
+    const unsigned fruitless = many ? 4 : 1;  // rounds that are made in any case
+    constexpr std::uint64_t small_gap = 100;  // one in so many
+    const Amount gap = now - plan.bound.cost;
+    return options_->steps != 0 || round + 1 >= most_rounds ||
+           (round >= fruitless && now == before) ||
+           gap.millionths < plan.bound.cost.millionths / small_gap;
   }
 
   // A small job is done: its cheapest list is found, or the best so far is proved to be one. Where that takes too

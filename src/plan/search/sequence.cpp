@@ -42,8 +42,8 @@ Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& se
       fitting_(job),
       weights_(std::move(weights)),
       parts_(job.names.size()),
-      room_(static_cast<std::size_t>(job.room())) {
-  const std::size_t words = (parts_ + 63) / 64;
+      room_(static_cast<std::size_t>(job.room())),
+      words_((parts_ + 63) / 64) {
   one_weight_ = std::all_of(weights_.change.begin(), weights_.change.end(),
                             [&](std::uint64_t w) { return w == weights_.change.front(); });
   is_movable_.assign(parts_, false);
@@ -52,7 +52,7 @@ Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& se
   constexpr auto all = std::numeric_limits<std::uint64_t>::max();
   job.needed.for_each(all, [&](Element x, Element y) {
     is_movable_[x] = is_movable_[y] = true;
-    count_[pair_index(x, y)] = 0;
+    count_[x * parts_ + y] = count_[y * parts_ + x] = 0;
     place_[pair_index(x, y)] = static_cast<std::uint32_t>(uncovered_.size());
     uncovered_.push_back(static_cast<std::uint32_t>(pair_index(x, y)));
   });
@@ -62,23 +62,24 @@ Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& se
   for (const Element m : job.mounted) {
     is_movable_[m] = false;
   }
+  movable_bits_.assign(words_, 0);
   for (Element x = 0; x < parts_; ++x) {
     if (is_movable_[x]) {
       movable_.push_back(x);
+      movable_bits_[x >> 6] |= std::uint64_t{1} << (x & 63);
     }
   }
   has_never_ = job.never.size() > 0;
   if (has_never_) {
-    never_.assign(parts_, Bits(words, 0));
+    never_.assign(parts_, std::vector<std::uint64_t>(words_, 0));
     job.never.for_each(all, [&](Element x, Element y) {
       never_[x][y >> 6] |= std::uint64_t{1} << (y & 63);
       never_[y][x >> 6] |= std::uint64_t{1} << (x & 63);
     });
   }
-  start_.bits.assign(words, 0);
-  start_.of_slot.assign(fitting_.slots(), 0);
+  const std::uint32_t start = new_handle();
   for (const Element x : job.start) {
-    put(start_, x);
+    put(start, x);
   }
   for (const Block& setup : setups) {
     stop_if_asked();
@@ -86,14 +87,30 @@ Sequence::Sequence(const Job& job, Weights weights, const std::vector<Block>& se
   }
 }
 
-std::vector<Block> Sequence::setups() const {
+void Sequence::write_to(std::vector<Element>& flat) const {
+  flat.clear();
+  for (std::size_t at = 0; at < size(); ++at) {
+    const auto members = setup(at);
+    flat.push_back(static_cast<Element>(members.size()));
+    flat.insert(flat.end(), members.begin(), members.end());
+  }
+}
+
+std::vector<Block> Sequence::setups_of(const std::vector<Element>& flat) {
   std::vector<Block> result;
-  result.reserve(size());
-  for (const std::uint32_t handle : order_) {
-    result.push_back(places_[handle].elements);
+  for (auto at = flat.begin(); at != flat.end();) {
+    const auto end = at + 1 + static_cast<std::ptrdiff_t>(*at);
+    result.emplace_back(at + 1, end);
     std::sort(result.back().begin(), result.back().end());
+    at = end;
   }
   return result;
+}
+
+std::vector<Block> Sequence::setups() const {
+  std::vector<Element> flat;
+  write_to(flat);
+  return setups_of(flat);
 }
 
 std::pair<Element, Element> Sequence::uncovered_pair(std::size_t index) const {
@@ -102,68 +119,118 @@ std::pair<Element, Element> Sequence::uncovered_pair(std::size_t index) const {
 }
 
 bool Sequence::may_join(std::size_t at, Element y, Element leaving) const {
-  const Place& place = places_[order_[at]];
+  const std::uint32_t h = order_[at];
   if (fitting_.has_slots() && (leaving == y || fitting_.slot(leaving) != fitting_.slot(y)) &&
-      (!has_place(place, y) || (leaving != y && !has_to_spare(place, leaving)))) {
+      (!has_place(h, y) || (leaving != y && !has_to_spare(h, leaving)))) {
     return false;
   }
   if (!has_never_) {
     return true;
   }
-  return std::none_of(place.elements.begin(), place.elements.end(),
-                      [&](Element z) { return z != leaving && bit(never_[y], z); });
+  const auto members = setup(at);
+  return std::none_of(members.begin(), members.end(), [&](Element z) {
+    return z != leaving && (never_[y][z >> 6] >> (z & 63) & 1) != 0;
+  });
 }
 
-std::int64_t Sequence::step(const Place& from, const Place& to) const {
+std::optional<Element> Sequence::some_difference(std::size_t in, std::size_t without,
+                                                 std::uint32_t choice) const {
+  const std::uint64_t* const has = bits_of(in == size() ? 0 : order_[in]);
+  const std::uint64_t* const lacks = bits_of(without == size() ? 0 : order_[without]);
+  std::uint32_t number = 0;
+  for (std::size_t w = 0; w < words_; ++w) {
+    number += static_cast<std::uint32_t>(std::popcount(has[w] & ~lacks[w] & movable_bits_[w]));
+  }
+  if (number == 0) {
+    return std::nullopt;
+  }
+  auto skip = static_cast<int>((std::uint64_t{choice} * number) >> 32U);
+  for (std::size_t w = 0;; ++w) {
+    std::uint64_t found = has[w] & ~lacks[w] & movable_bits_[w];
+    const int here = std::popcount(found);
+    if (skip < here) {
+      for (; skip > 0; --skip) {
+        found &= found - 1;
+      }
+      return static_cast<Element>(64 * w) + static_cast<Element>(std::countr_zero(found));
+    }
+    skip -= here;
+  }
+}
+
+std::int64_t Sequence::step(std::uint32_t from, std::uint32_t to) const {
   if (one_weight_) {
     std::int64_t kept = 0;
-    for (std::size_t w = 0; w < to.bits.size(); ++w) {
-      kept += std::popcount(from.bits[w] & to.bits[w]);
+    for (std::size_t w = 0; w < words_; ++w) {
+      kept += std::popcount(bits_of(from)[w] & bits_of(to)[w]);
     }
-    return (static_cast<std::int64_t>(to.elements.size()) - kept) *
-           static_cast<std::int64_t>(weights_.change.front());
+    return (static_cast<std::int64_t>(sizes_[to]) - kept) * weight(0);
   }
-  std::int64_t weight = 0;
-  for (const Element x : to.elements) {
-    weight += bit(from.bits, x) ? 0 : static_cast<std::int64_t>(weights_.change[x]);
+  std::int64_t total = 0;
+  const Element* const elements = elements_of(to);
+  for (std::size_t i = 0; i < sizes_[to]; ++i) {
+    total += bit(from, elements[i]) ? 0 : weight(elements[i]);
   }
-  return weight;
+  return total;
 }
 
 std::int64_t Sequence::introductions(Element x, Stretch where) const {
   std::int64_t times = 0;
-  bool before = bit(place_before(where.first).bits, x);
+  bool was_there = bit(before(where.first), x);
   for (std::size_t at = where.first; at <= std::min(where.last + 1, size() - 1); ++at) {
     const bool now = holds(at, x);
-    times += now && !before ? 1 : 0;
-    before = now;
+    times += now && !was_there ? 1 : 0;
+    was_there = now;
   }
-  return times * static_cast<std::int64_t>(weights_.change[x]);
+  return times * weight(x);
 }
 
-void Sequence::put(Place& place, Element y) {
-  place.elements.push_back(y);
-  place.bits[y >> 6] |= std::uint64_t{1} << (y & 63);
-  place.weight += static_cast<std::int64_t>(weights_.change[y]);
+std::uint32_t Sequence::new_handle() {
+  std::uint32_t h = 0;
+  if (free_.empty()) {
+    h = static_cast<std::uint32_t>(sizes_.size());
+    elements_.resize(elements_.size() + room_);
+    sizes_.push_back(0);
+    bits_.resize(bits_.size() + words_);
+    mounting_.push_back(0);
+    of_slot_.resize(of_slot_.size() + fitting_.slots());
+  } else {
+    h = free_.back();
+    free_.pop_back();
+    sizes_[h] = 0;
+    std::fill_n(bits_.begin() + static_cast<std::ptrdiff_t>(h * words_), words_, std::uint64_t{0});
+    mounting_[h] = 0;
+    std::fill_n(of_slot_.begin() + static_cast<std::ptrdiff_t>(h * fitting_.slots()),
+                fitting_.slots(), 0U);
+  }
+  return h;
+}
+
+void Sequence::put(std::uint32_t h, Element y) {
+  elements_of(h)[sizes_[h]++] = y;
+  flip(h, y);
+  mounting_[h] += weight(y);
   if (const std::size_t s = fitting_.slot(y); s < fitting_.slots()) {
-    ++place.of_slot[s];
+    ++of_slot_[h * fitting_.slots() + s];
   }
 }
 
-void Sequence::drop(Place& place, Element x) {
-  auto found = std::find(place.elements.begin(), place.elements.end(), x);
-  *found = place.elements.back();
-  place.elements.pop_back();
-  place.bits[x >> 6] &= ~(std::uint64_t{1} << (x & 63));
-  place.weight -= static_cast<std::int64_t>(weights_.change[x]);
+void Sequence::drop(std::uint32_t h, Element x) {
+  Element* const elements = elements_of(h);
+  Element* const found = std::find(elements, elements + sizes_[h], x);
+  *found = elements[--sizes_[h]];
+  flip(h, x);
+  mounting_[h] -= weight(x);
   if (const std::size_t s = fitting_.slot(x); s < fitting_.slots()) {
-    --place.of_slot[s];
+    --of_slot_[h * fitting_.slots() + s];
   }
 }
 
 void Sequence::cover(Element x, Element y) {
-  const std::size_t pair = pair_index(x, y);
-  if (count_[pair]++ == 0) {
+  const std::uint32_t count = count_[x * parts_ + y]++;
+  count_[y * parts_ + x] = count + 1;
+  if (count == 0) {
+    const std::size_t pair = pair_index(x, y);
     const std::uint32_t last = uncovered_.back();
     uncovered_[place_[pair]] = last;
     place_[last] = place_[pair];
@@ -172,44 +239,81 @@ void Sequence::cover(Element x, Element y) {
 }
 
 void Sequence::uncover(Element x, Element y) {
-  const std::size_t pair = pair_index(x, y);
-  if (--count_[pair] == 0) {
+  const std::uint32_t count = --count_[x * parts_ + y];
+  count_[y * parts_ + x] = count;
+  if (count == 0) {
+    const std::size_t pair = pair_index(x, y);
     place_[pair] = static_cast<std::uint32_t>(uncovered_.size());
     uncovered_.push_back(static_cast<std::uint32_t>(pair));
   }
 }
 
-void Sequence::cover_all(const Place& place) {
-  for (std::size_t i = 1; i < place.elements.size(); ++i) {
+void Sequence::cover_all(std::uint32_t h) {
+  const Element* const elements = elements_of(h);
+  for (std::size_t i = 1; i < sizes_[h]; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      cover(place.elements[i], place.elements[j]);
+      cover(elements[i], elements[j]);
     }
   }
-  occupied_ += place.elements.size();
+  occupied_ += sizes_[h];
 }
 
-void Sequence::uncover_all(const Place& place) {
-  for (std::size_t i = 1; i < place.elements.size(); ++i) {
+void Sequence::uncover_all(std::uint32_t h) {
+  const Element* const elements = elements_of(h);
+  for (std::size_t i = 1; i < sizes_[h]; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      uncover(place.elements[i], place.elements[j]);
+      uncover(elements[i], elements[j]);
     }
   }
-  occupied_ -= place.elements.size();
+  occupied_ -= sizes_[h];
+}
+
+std::int64_t Sequence::rise_of_cost(std::size_t at, Element x, Element y) const {
+  const std::uint32_t earlier = before(at);
+  std::int64_t rise = (bit(earlier, y) ? 0 : weight(y)) - (bit(earlier, x) ? 0 : weight(x));
+  if (at + 1 < size()) {
+    const std::uint32_t later = order_[at + 1];
+    rise += (bit(later, x) ? weight(x) : 0) - (bit(later, y) ? weight(y) : 0);
+  }
+  return rise;
+}
+
+Rise Sequence::rise_of_replace(std::size_t at, Element x, Element y) const {
+  Rise rise{rise_of_cost(at, x, y), 0};
+  const std::uint32_t* const with_x = &count_[x * parts_];
+  const std::uint32_t* const with_y = &count_[y * parts_];
+  for (const Element z : setup(at)) {
+    rise.uncovered += (with_x[z] == 1 ? 1 : 0) - (with_y[z] == 0 ? 1 : 0);
+  }
+  // x itself was looked at as one of those beside it.
+  rise.uncovered += (with_y[x] == 0 ? 1 : 0) - (with_x[x] == 1 ? 1 : 0);
+  return rise;
+}
+
+void Sequence::replace(std::size_t at, Element x, Element y, const Rise& rise) {
+  const std::uint32_t h = order_[at];
+  drop(h, x);
+  for (const Element z : setup(at)) {
+    uncover(x, z);
+    cover(y, z);
+  }
+  put(h, y);
+  cost_ += rise.cost;
 }
 
 void Sequence::exchange(Stretch where, Element x, Element y) {
   cost_ -= introductions(x, where) + introductions(y, where);
   for (std::size_t at = where.first; at <= where.last; ++at) {
-    Place& place = places_[order_[at]];
-    const bool has_x = bit(place.bits, x);
+    const std::uint32_t h = order_[at];
+    const bool has_x = bit(h, x);
     const Element leaving = has_x ? x : y;
     const Element coming = has_x ? y : x;
-    drop(place, leaving);
-    for (const Element z : place.elements) {
+    drop(h, leaving);
+    for (const Element z : setup(at)) {
       uncover(leaving, z);
       cover(coming, z);
     }
-    put(place, coming);
+    put(h, coming);
   }
   cost_ += introductions(x, where) + introductions(y, where);
 }
@@ -217,11 +321,10 @@ void Sequence::exchange(Stretch where, Element x, Element y) {
 void Sequence::add(Stretch where, Element y) {
   cost_ -= introductions(y, where);
   for (std::size_t at = where.first; at <= where.last; ++at) {
-    Place& place = places_[order_[at]];
-    for (const Element z : place.elements) {
+    for (const Element z : setup(at)) {
       cover(y, z);
     }
-    put(place, y);
+    put(order_[at], y);
     ++occupied_;
   }
   cost_ += introductions(y, where);
@@ -230,9 +333,8 @@ void Sequence::add(Stretch where, Element y) {
 void Sequence::remove(Stretch where, Element y) {
   cost_ -= introductions(y, where);
   for (std::size_t at = where.first; at <= where.last; ++at) {
-    Place& place = places_[order_[at]];
-    drop(place, y);
-    for (const Element z : place.elements) {
+    drop(order_[at], y);
+    for (const Element z : setup(at)) {
       uncover(y, z);
     }
     --occupied_;
@@ -240,10 +342,43 @@ void Sequence::remove(Stretch where, Element y) {
   cost_ += introductions(y, where);
 }
 
+Rise Sequence::rise_of_take_out(std::size_t at) const {
+  const std::uint32_t h = order_[at];
+  Rise rise{-static_cast<std::int64_t>(weights_.test) - step_into(at), 0};
+  if (at + 1 < size()) {
+    rise.cost += step(before(at), order_[at + 1]) - step(h, order_[at + 1]);
+  }
+  const auto members = setup(at);
+  for (std::size_t i = 1; i < members.size(); ++i) {
+    const std::uint32_t* const with = &count_[members[i] * parts_];
+    for (std::size_t j = 0; j < i; ++j) {
+      rise.uncovered += with[members[j]] == 1 ? 1 : 0;
+    }
+  }
+  return rise;
+}
+
+Rise Sequence::rise_of_copy(std::size_t at, Element x, Element y) const {
+  Rise rise{static_cast<std::int64_t>(weights_.test), 0};
+  if (x == y) {
+    return rise;
+  }
+  rise.cost += weight(y);
+  if (at + 1 < size()) {
+    const std::uint32_t later = order_[at + 1];
+    rise.cost += (bit(later, x) ? weight(x) : 0) - (bit(later, y) ? weight(y) : 0);
+  }
+  const std::uint32_t* const with_y = &count_[y * parts_];
+  for (const Element z : setup(at)) {
+    rise.uncovered -= z != x && with_y[z] == 0 ? 1 : 0;
+  }
+  return rise;
+}
+
 std::uint32_t Sequence::take_out(std::size_t at) {
   const std::uint32_t handle = order_[at];
   cost_ -= static_cast<std::int64_t>(weights_.test) + step_into(at) + step_into(at + 1);
-  uncover_all(places_[handle]);
+  uncover_all(handle);
   order_.erase(order_.begin() + static_cast<std::ptrdiff_t>(at));
   cost_ += step_into(at);
   return handle;
@@ -252,67 +387,50 @@ std::uint32_t Sequence::take_out(std::size_t at) {
 void Sequence::put_back(std::size_t at, std::uint32_t handle) {
   cost_ -= step_into(at);
   order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(at), handle);
-  cover_all(places_[handle]);
+  cover_all(handle);
   cost_ += static_cast<std::int64_t>(weights_.test) + step_into(at) + step_into(at + 1);
 }
 
 void Sequence::insert(std::size_t at, std::span<const Element> setup) {
-  std::uint32_t handle = 0;
-  if (free_.empty()) {
-    handle = static_cast<std::uint32_t>(places_.size());
-    places_.emplace_back();
-    places_.back().elements.reserve(room_);
-  } else {
-    handle = free_.back();
-    free_.pop_back();
-  }
-  Place& place = places_[handle];
-  place.elements.clear();
-  place.bits.assign((parts_ + 63) / 64, 0);
-  place.of_slot.assign(fitting_.slots(), 0);
-  place.weight = 0;
+  const std::uint32_t handle = new_handle();
   for (const Element x : setup) {
-    put(place, x);
+    put(handle, x);
   }
   put_back(at, handle);
 }
 
 std::int64_t Sequence::rise_of_reverse(Stretch where) const {
-  const Place& first = places_[order_[where.first]];
-  const Place& last = places_[order_[where.last]];
-  std::int64_t rise = step(place_before(where.first), last) - step_into(where.first);
+  const std::uint32_t first = order_[where.first];
+  const std::uint32_t last = order_[where.last];
+  std::int64_t rise = step(before(where.first), last) - step_into(where.first);
   if (where.last + 1 < size()) {
-    rise += step(first, places_[order_[where.last + 1]]) - step_into(where.last + 1);
+    rise += step(first, order_[where.last + 1]) - step_into(where.last + 1);
   }
-  return rise + first.weight - last.weight;
+  return rise + mounting_[first] - mounting_[last];
 }
 
 std::int64_t Sequence::rise_of_rotate(std::size_t first, std::size_t middle,
                                       std::size_t end) const {
-  const auto place = [&](std::size_t at) -> const Place& { return places_[order_[at]]; };
-  std::int64_t rise = step(place_before(first), place(middle)) - step_into(first) +
-                      step(place(end - 1), place(first)) - step_into(middle);
+  std::int64_t rise = step(before(first), order_[middle]) - step_into(first) +
+                      step(order_[end - 1], order_[first]) - step_into(middle);
   if (end < size()) {
-    rise += step(place(middle - 1), place(end)) - step_into(end);
+    rise += step(order_[middle - 1], order_[end]) - step_into(end);
   }
   return rise;
 }
 
 void Sequence::reverse(Stretch where) {
   // Inside, introductions become leavings: the difference is that of the weights of the two ends.
-  cost_ -= step_into(where.first) + step_into(where.last + 1);
-  cost_ += places_[order_[where.first]].weight - places_[order_[where.last]].weight;
+  cost_ += rise_of_reverse(where);
   std::reverse(order_.begin() + static_cast<std::ptrdiff_t>(where.first),
                order_.begin() + static_cast<std::ptrdiff_t>(where.last) + 1);
-  cost_ += step_into(where.first) + step_into(where.last + 1);
 }
 
 void Sequence::rotate(std::size_t first, std::size_t middle, std::size_t end) {
-  cost_ -= step_into(first) + step_into(middle) + step_into(end);
+  cost_ += rise_of_rotate(first, middle, end);
   std::rotate(order_.begin() + static_cast<std::ptrdiff_t>(first),
               order_.begin() + static_cast<std::ptrdiff_t>(middle),
               order_.begin() + static_cast<std::ptrdiff_t>(end));
-  cost_ += step_into(first) + step_into(first + (end - middle)) + step_into(end);
 }
 
 }  // namespace changeover

@@ -1,11 +1,13 @@
 // The state of the search for cheap lists of set-ups: a list, its cost and what it leaves uncovered,
 // kept up to date under every move.
 //
-// Moves are made at once and can be taken back by their inverse, so a search makes one, looks at
-// cost() and uncovered(), and keeps it or not. A move on a stretch of L set-ups costs O(L·at_once).
+// The frequent moves can be looked at before they are made: rise_of_replace(), rise_of_take_out() and the like say
+// what they would add to cost() and to uncovered(), in O(at_once) and O(at_once²). The others are made at once and
+// can be taken back by their inverse. A move on a stretch of L set-ups costs O(L·at_once).
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,6 +35,12 @@ struct Stretch {
   std::size_t last = 0;
 };
 
+/// What a move would add.
+struct Rise {
+  std::int64_t cost = 0;
+  std::int64_t uncovered = 0;
+};
+
 class Sequence {
  public:
   /// Set-ups that break no constraint but may leave pairs uncovered. The job must outlive this.
@@ -43,6 +51,9 @@ class Sequence {
   [[nodiscard]] std::size_t uncovered() const { return uncovered_.size(); }
   [[nodiscard]] std::size_t size() const { return order_.size(); }
   [[nodiscard]] std::vector<Block> setups() const;
+  /// The set-ups one after another, each with its size before its parts; setups_of() reads them.
+  void write_to(std::vector<Element>& flat) const;
+  [[nodiscard]] static std::vector<Block> setups_of(const std::vector<Element>& flat);
   [[nodiscard]] const Job& job() const { return *job_; }
   [[nodiscard]] const Weights& weights() const { return weights_; }
 
@@ -52,28 +63,34 @@ class Sequence {
   /// Uncovered needed pair number `index`, index < uncovered().
   [[nodiscard]] std::pair<Element, Element> uncovered_pair(std::size_t index) const;
   [[nodiscard]] std::span<const Element> setup(std::size_t at) const {
-    const Place& place = places_[order_[at]];
-    return {place.elements.data(), place.elements.size()};
+    const std::uint32_t h = order_[at];
+    return {elements_of(h), sizes_[h]};
   }
-  [[nodiscard]] bool holds(std::size_t at, Element x) const {
-    return bit(places_[order_[at]].bits, x);
-  }
-  [[nodiscard]] bool full(std::size_t at) const {
-    return places_[order_[at]].elements.size() >= room_;
-  }
+  [[nodiscard]] bool holds(std::size_t at, Element x) const { return bit(order_[at], x); }
+  [[nodiscard]] bool full(std::size_t at) const { return sizes_[order_[at]] >= room_; }
   /// Room left over all set-ups.
   [[nodiscard]] std::uint64_t slack() const { return size() * room_ - occupied_; }
   /// Whether y may be where `leaving` goes; pass y itself if none goes.
   [[nodiscard]] bool may_join(std::size_t at, Element y, Element leaving) const;
   /// Whether the slot of x has a part to spare here.
   [[nodiscard]] bool may_leave(std::size_t at, Element x) const {
-    return !fitting_.has_slots() || has_to_spare(places_[order_[at]], x);
+    return !fitting_.has_slots() || has_to_spare(order_[at], x);
   }
   /// Whether the slot of y has no place left here.
   [[nodiscard]] bool slot_full(std::size_t at, Element y) const {
-    return fitting_.has_slots() && !has_place(places_[order_[at]], y);
+    return fitting_.has_slots() && !has_place(order_[at], y);
   }
   [[nodiscard]] const Fitting& fitting() const { return fitting_; }
+
+  /// Of the movable parts that position `in` has and `without` lacks, number `choice` modulo how many there are; nothing
+  /// if there is none. Position size() stands for what is on the bench at the start.
+  [[nodiscard]] std::optional<Element> some_difference(std::size_t in, std::size_t without,
+                                                       std::uint32_t choice) const;
+
+  /// y in place of x, which is there, in one set-up, which lacks y.
+  [[nodiscard]] Rise rise_of_replace(std::size_t at, Element x, Element y) const;
+  /// Makes it; `rise` is what rise_of_replace() says.
+  void replace(std::size_t at, Element x, Element y, const Rise& rise);
 
   /// Exchanges x and y in a stretch whose set-ups hold exactly one of them, where may_join() allows it. Its
   /// own inverse.
@@ -81,6 +98,9 @@ class Sequence {
   /// Adds y to set-ups that have room for it and lack it; the inverse of remove().
   void add(Stretch where, Element y);
   void remove(Stretch where, Element y);
+  [[nodiscard]] Rise rise_of_take_out(std::size_t at) const;
+  /// What a copy of a set-up, right after it, with y for x or, if y is x, as it is, would add.
+  [[nodiscard]] Rise rise_of_copy(std::size_t at, Element x, Element y) const;
   /// Takes out a set-up and returns a handle by which put_back() inserts it again, before position `at`.
   [[nodiscard]] std::uint32_t take_out(std::size_t at);
   void put_back(std::size_t at, std::uint32_t handle);
@@ -98,39 +118,44 @@ class Sequence {
                                             std::size_t end) const;
 
  private:
-  using Bits = std::vector<std::uint64_t>;
-  struct Place {
-    Block elements;
-    Bits bits;
-    std::int64_t weight = 0;             // of all changes that mount it on an empty bench
-    std::vector<std::uint32_t> of_slot;  // by slot of the job: its parts here; empty without slots
-  };
-
-  static bool bit(const Bits& bits, Element x) { return (bits[x >> 6] >> (x & 63) & 1) != 0; }
-  [[nodiscard]] bool has_to_spare(const Place& place, Element x) const {
+  // A set-up is a handle: its parts, in no order, and its bits lie at a fixed place.
+  [[nodiscard]] Element* elements_of(std::uint32_t h) { return &elements_[h * room_]; }
+  [[nodiscard]] const Element* elements_of(std::uint32_t h) const { return &elements_[h * room_]; }
+  [[nodiscard]] const std::uint64_t* bits_of(std::uint32_t h) const { return &bits_[h * words_]; }
+  [[nodiscard]] bool bit(std::uint32_t h, Element x) const {
+    return (bits_[h * words_ + (x >> 6)] >> (x & 63) & 1) != 0;
+  }
+  void flip(std::uint32_t h, Element x) {
+    bits_[h * words_ + (x >> 6)] ^= std::uint64_t{1} << (x & 63);
+  }
+  [[nodiscard]] bool has_to_spare(std::uint32_t h, Element x) const {
     const std::size_t s = fitting_.slot(x);
-    return s == fitting_.slots() || place.of_slot[s] > fitting_.least(s);
+    return s == fitting_.slots() || of_slot_[h * fitting_.slots() + s] > fitting_.least(s);
   }
-  [[nodiscard]] bool has_place(const Place& place, Element y) const {
+  [[nodiscard]] bool has_place(std::uint32_t h, Element y) const {
     const std::size_t s = fitting_.slot(y);
-    return s == fitting_.slots() || place.of_slot[s] < fitting_.most(s);
+    return s == fitting_.slots() || of_slot_[h * fitting_.slots() + s] < fitting_.most(s);
   }
-  [[nodiscard]] const Place& place_before(std::size_t at) const {
-    return at == 0 ? start_ : places_[order_[at - 1]];
+  // The start has a handle too.
+  [[nodiscard]] std::uint32_t before(std::size_t at) const { return at == 0 ? 0 : order_[at - 1]; }
+  [[nodiscard]] std::int64_t weight(Element x) const {
+    return static_cast<std::int64_t>(weights_.change[x]);
   }
-  /// Weight of the introductions from one set-up to the next.
-  [[nodiscard]] std::int64_t step(const Place& from, const Place& to) const;
+  // Of the introductions from one set-up to the next.
+  [[nodiscard]] std::int64_t step(std::uint32_t from, std::uint32_t to) const;
   [[nodiscard]] std::int64_t step_into(std::size_t at) const {
-    return at >= size() ? 0 : step(place_before(at), places_[order_[at]]);
+    return at >= size() ? 0 : step(before(at), order_[at]);
   }
-  /// Weight of the introductions of x from position `first` to `last` + 1.
+  // Of the introductions of x from position `first` to `last` + 1.
   [[nodiscard]] std::int64_t introductions(Element x, Stretch where) const;
-  void put(Place& place, Element y);
-  void drop(Place& place, Element x);
+  [[nodiscard]] std::int64_t rise_of_cost(std::size_t at, Element x, Element y) const;
+  [[nodiscard]] std::uint32_t new_handle();
+  void put(std::uint32_t h, Element y);
+  void drop(std::uint32_t h, Element x);
   void cover(Element x, Element y);
   void uncover(Element x, Element y);
-  void cover_all(const Place& place);
-  void uncover_all(const Place& place);
+  void cover_all(std::uint32_t h);
+  void uncover_all(std::uint32_t h);
   [[nodiscard]] std::size_t pair_index(Element x, Element y) const {
     return x < y ? std::size_t{y} * parts_ + x : std::size_t{x} * parts_ + y;
   }
@@ -140,16 +165,22 @@ class Sequence {
   Weights weights_;
   std::size_t parts_;
   std::size_t room_;
+  std::size_t words_;
   bool one_weight_ = false;
   bool has_never_ = false;
-  std::vector<Bits> never_;  // by part, if there are forbidden pairs
+  std::vector<std::vector<std::uint64_t>> never_;  // by part, if there are forbidden pairs
   std::vector<Element> movable_;
   std::vector<bool> is_movable_;
-  std::vector<Place> places_;
+  std::vector<std::uint64_t> movable_bits_;
+  std::vector<Element> elements_;
+  std::vector<std::uint32_t> sizes_;
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::int64_t> mounting_;  // by handle: of all changes that mount it on an empty bench
+  std::vector<std::uint32_t> of_slot_;  // by handle and slot: its parts there
   std::vector<std::uint32_t> free_;
   std::vector<std::uint32_t> order_;
-  Place start_;
-  std::vector<std::uint32_t> count_;  // by pair: set-ups that hold it, and one if it is not needed
+  std::vector<std::uint32_t>
+      count_;  // by two parts: set-ups that hold both, and one if they need not meet
   std::vector<std::uint32_t> uncovered_, place_;
   std::int64_t cost_ = 0;
   std::uint64_t occupied_ = 0;

@@ -134,6 +134,21 @@ TEST(RunPlan, DearPartsStandWhereIntroductionsAreRare) {
   EXPECT_EQ(dear, 3U);
 }
 
+// Where parts differ in price, lists with any number of changes a step are far cheaper than what they start from.
+TEST(RunPlan, TheSearchLeavesItsStartsFarBehind) {
+  for (const std::uint64_t test : {2U, 10U}) {
+    Job job = make_job(30, 5, units(test), Amount{});
+    for (Element x = 0; x < 30; ++x) {
+      job.change_costs[x] = Amount{(1 + x * 7 % 19) * 500'000ULL};
+    }
+    const RunPlan plan = planned(job, {.steps = 1'500'000, .attempts = 1});
+    ASSERT_EQ(plan.candidates.front().name, "local search");
+    EXPECT_LT(plan.sheet.cost, plan.candidates[1].cost) << test;
+    EXPECT_LT(plan.sheet.cost.millionths * 5, candidate(plan, "greedy list").cost.millionths * 4)
+        << test;
+  }
+}
+
 TEST(RunPlan, IsTheSameAgainForAnyNumberOfThreads) {
   Job job = make_job(12, 4, units(3), units(2));
   job.change_costs[5] = units(9);

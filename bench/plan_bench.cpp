@@ -1,0 +1,83 @@
+// What run sheets cost after some seconds, ours and those of a plain annealer (plan_peer.hpp), one thread each.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "changeover/plan/run_plan.hpp"
+#include "plan_jobs.hpp"
+#include "plan_peer.hpp"
+
+namespace changeover::bench {
+namespace {
+
+double seconds_of_processor() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double in_units(Amount amount) { return static_cast<double>(amount.millionths) / 1e6; }
+
+// Ours has so many seconds of the clock, CHANGEOVER_BENCH_SECONDS or 10; the peer then has the processor time that ours
+// got in them, so that other work on the machine favours neither.
+void plan_against_plain_annealing(benchmark::State& state) {
+  const Job job =
+      priced_job(static_cast<std::uint64_t>(state.range(0)),
+                 static_cast<std::uint64_t>(state.range(1)), std::to_string(state.range(2)), 1);
+  const char* const given = std::getenv("CHANGEOVER_BENCH_SECONDS");
+  const double seconds = given == nullptr ? 10.0 : std::atof(given);
+  const auto seed = static_cast<std::uint64_t>(state.range(3));
+  for (auto _ : state) {
+    RunControl control({.time = std::chrono::duration<double>(seconds), .seed = seed});
+    const double before = seconds_of_processor();
+    const RunPlan ours = make_run_plan(job, {.until_stopped = true}, control);
+    const double used = seconds_of_processor() - before;
+    std::vector<double> prices;
+    for (const Amount cost : job.change_costs) {
+      prices.push_back(in_units(cost));
+    }
+    const PlainPlan plain = anneal_plainly(prices, static_cast<std::size_t>(job.room()),
+                                           in_units(job.test_cost), used, seed);
+    const RunSheet peer = run_sheet(job, {plain.setups.begin(), plain.setups.end()});
+    if (!peer.does_the_job() || !ours.sheet.does_the_job()) {
+      state.SkipWithError("a list does not do the job");
+      return;
+    }
+    state.counters["bound"] = in_units(ours.bound.cost);
+    state.counters["ours"] = in_units(ours.sheet.cost);
+    state.counters["peer"] = in_units(peer.cost);
+    state.counters["ratio"] = in_units(peer.cost) / in_units(ours.sheet.cost);
+    state.counters["cpu_s"] = used;
+  }
+}
+
+// Parts, room, test cost, seed of both searches.
+void jobs(benchmark::internal::Benchmark* bench) {
+  for (const auto& [parts, room, test] : {std::array<std::int64_t, 3>{20, 4, 5},
+                                          {30, 5, 2},
+                                          {40, 6, 10},
+                                          {60, 8, 2},
+                                          {60, 8, 40},
+                                          {100, 10, 5},
+                                          {120, 12, 5},
+                                          {200, 12, 5}}) {
+    for (std::int64_t seed = 1; seed <= 5; ++seed) {
+      bench->Args({parts, room, test, seed});
+    }
+  }
+}
+
+BENCHMARK(plan_against_plain_annealing)
+    ->ArgNames({"parts", "room", "test", "seed"})
+    ->Apply(jobs)
+    ->Iterations(1)
+    ->UseRealTime()
+    ->Unit(benchmark::kSecond);
+
+}  // namespace
+}  // namespace changeover::bench
