@@ -55,8 +55,11 @@ class Input {
 /// A string as input.
 [[nodiscard]] std::unique_ptr<Input> input_from_text(std::string text, std::string name = "<text>");
 
-/// All bytes to the end. @throws MissingResource as read(), and if there are more than `limit`.
-[[nodiscard]] std::string read_to_end(Input& input, std::size_t limit = std::size_t{1} << 32);
+/// All bytes to the end. @throws MissingResource as read(), and if there are more than `limit`; the line then ends
+/// with `how_to_mend`.
+[[nodiscard]] std::string read_to_end(
+    Input& input, std::size_t limit = std::size_t{1} << 32,
+    std::string_view how_to_mend = "write it as text with a first line '# changeover design v=…'");
 
 // What all readers of designs share: the rules by which blocks from outside become a design.
 //

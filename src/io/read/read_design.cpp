@@ -6,51 +6,11 @@
 
 #include "changeover/io/formats.hpp"
 #include "io/read/declared.hpp"
+#include "io/read/peeked_input.hpp"
 #include "io/read/place.hpp"
 
 namespace changeover {
 namespace {
-
-// An input of which some bytes were read to look at them: they are handed out again first.
-class PeekedInput final : public Input {
- public:
-  explicit PeekedInput(std::unique_ptr<Input> inner)
-      : Input(inner->name()), inner_(std::move(inner)), peeked_(4096) {
-    while (size_ < peeked_.size()) {
-      const std::size_t count = inner_->read(std::span(peeked_).subspan(size_));
-      if (count == 0) {
-        break;
-      }
-      size_ += count;
-    }
-  }
-
-  std::string_view beginning() const { return {peeked_.data(), size_}; }
-
-  std::size_t read(std::span<char> buffer) override {
-    if (position_ == size_) {
-      return inner_->read(buffer);
-    }
-    const std::size_t count = std::min(buffer.size(), size_ - position_);
-    std::copy_n(peeked_.data() + position_, count, buffer.data());
-    position_ += count;
-    return count;
-  }
-
-  bool rewind() override {
-    if (!inner_->rewind()) {
-      return false;
-    }
-    position_ = size_;  // what was peeked comes from the inner input again
-    return true;
-  }
-
- private:
-  std::unique_ptr<Input> inner_;
-  std::vector<char> peeked_;
-  std::size_t size_ = 0;
-  std::size_t position_ = 0;
-};
 
 // A design in memory as something that was read.
 class MemoryInput final : public DesignInput {
