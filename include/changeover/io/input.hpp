@@ -114,10 +114,11 @@ class DesignInput : public BlockSource {
 //     auto stream = open_design("huge.txt", {.kind = Kind::circular});
 //     Verdict verdict = verify(*stream);
 //
-// The first byte that is not blank decides: `{` or `[` is JSON; otherwise, a first line with a comma or
-// semicolon (before any `#`) is CSV; all else is text. Names of files mean nothing.
+// The first byte that is not blank decides: `{` or `[` is JSON, `<` is XML of designtheory.org; otherwise, a design as GAP
+// or Sage write it is one (io/other_formats.hpp), a first line with a comma or semicolon (before any `#`) is CSV; all else
+// is text. Names of files mean nothing.
 
-enum class Format : std::uint8_t { text, json, csv };
+enum class Format : std::uint8_t { text, json, csv, xml, literal };
 
 /// The format of a file that begins like this; a few hundred bytes are enough.
 [[nodiscard]] Format guess_format(std::string_view beginning);
@@ -128,8 +129,8 @@ enum class Format : std::uint8_t { text, json, csv };
 [[nodiscard]] Design read_design(const std::string& path, const ReadOptions& options = {});
 [[nodiscard]] Design read_design(std::unique_ptr<Input> input, const ReadOptions& options = {});
 
-/// The design as a stream: text is read as it is needed (see io/formats.hpp for when it is kept), JSON
-/// and CSV are held in memory. @throws as read_design(), from here or from next().
+/// The design as a stream: text is read as it is needed (see io/formats.hpp for when it is kept), all
+/// other formats are held in memory. @throws as read_design(), from here or from next().
 [[nodiscard]] std::unique_ptr<DesignInput> open_design(const std::string& path,
                                                        const ReadOptions& options = {});
 [[nodiscard]] std::unique_ptr<DesignInput> open_design(std::unique_ptr<Input> input,

@@ -3,6 +3,7 @@
 #include <expat.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <utility>
@@ -63,6 +64,10 @@ struct XmlReader::State {
         of(self).handler->text(std::string_view(text, static_cast<std::size_t>(length)));
       });
     });
+    XML_SetProcessingInstructionHandler(
+        parser, [](void* self, const char* target, const char* words) {
+          of(self).guarded([&] { of(self).handler->instruction(target, words); });
+        });
     XML_SetEntityDeclHandler(parser, [](void* self, const char*, int, const char*, int, const char*,
                                         const char*, const char*, const char*) {
       of(self).guarded([&] { of(self).fail("an entity is declared; write out what it says"); });
@@ -146,6 +151,10 @@ void XmlReader::feed(std::string_view piece) {
 void XmlReader::finish() { state_->parse({}, true); }
 
 Place XmlReader::place() const { return state_->place(); }
+
+std::size_t XmlReader::offset() const {
+  return static_cast<std::size_t>(std::max<XML_Index>(0, XML_GetCurrentByteIndex(state_->parser)));
+}
 
 void XmlReader::fail(std::string_view what) const { state_->fail(what); }
 

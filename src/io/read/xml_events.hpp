@@ -38,6 +38,8 @@ class XmlHandler {
   virtual void end(std::string_view name) = 0;
   /// A piece of text: one text may come in several.
   virtual void text(std::string_view piece) = 0;
+  /// A processing instruction, <?target words?>.
+  virtual void instruction(std::string_view /*target*/, std::string_view /*words*/) {}
 
  protected:
   XmlHandler() = default;
@@ -62,6 +64,8 @@ class XmlReader {
 
   /// Where the event stands that the handler is looking at.
   [[nodiscard]] Place place() const;
+  /// The same, in bytes.
+  [[nodiscard]] std::size_t offset() const;
   /// @throws BadInput there.
   [[noreturn]] void fail(std::string_view what) const;
 

@@ -98,7 +98,8 @@ constexpr std::string_view style = R"(
     .whole td:nth-child(6)::before { content: "New pairs: "; }
     .whole td:nth-child(7)::before { content: "Cost so far: "; }
     .whole td:nth-child(n+6) { flex-basis: auto; }
-    th, td { padding: .3rem .25rem; } }
+    th, td { padding: .3rem .25rem; }
+    .n { white-space: normal; } }
 )";
 
 // Long names stand one a line, short ones side by side.

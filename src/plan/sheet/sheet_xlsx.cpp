@@ -45,9 +45,8 @@ void check(lxw_error error) {
     throw std::bad_alloc();
   }
   if (error != LXW_NO_ERROR) {
-    throw MissingResource(fmt::format(
-        "cannot make the workbook: {}; is there room in the folder for temporary files (TMPDIR)?",
-        lxw_strerror(error)));
+    throw MissingResource(fmt::format("cannot make the workbook: {}; make room for temporary files",
+                                      lxw_strerror(error)));
   }
 }
 
