@@ -17,5 +17,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/generated/changeoverConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindCaDiCaL.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindBliss.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindLibZip.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindXlsxWriter.cmake"
   DESTINATION "${package_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -46,6 +46,7 @@
 #include "changeover/io/figures.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"
+#include "changeover/io/other_formats.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/io/tables.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"

@@ -86,6 +86,14 @@ TEST_F(InputExamples, ReadDesign) {
   EXPECT_EQ(verdict.parameters.kind, Kind::circular);
 }
 
+TEST_F(InputExamples, OtherFormats) {
+  put("from_gap.g", "BlockDesign(6, [[1,2,3,4],[3,4,5,6],[1,2,5,6]]);\n");
+  Design design = read_design("from_gap.g");  // known by its content, like all formats
+  StringSink sink;
+  write_gap(design, sink);  // D := BlockDesign(6, [ … ]);
+  EXPECT_THAT(sink.text(), HasSubstr("D := BlockDesign(6, [\n[1,2,3,4],\n"));
+}
+
 TEST_F(IoExamples, OutputFile) {
   put("mine.json", "what was there before");
   OutputFile file("mine.json");  // "" or "-": standard output

@@ -66,7 +66,7 @@ TEST(Plan, WritesEveryFormat) {
           {"cat s.html", 0, "class=\"box\""},
           {plan + " --what-if", 0, "Your costs are at the ratio"},
           {plan + " --what-if --json", 0, "changeover-what-if/1"},
-          {plan + " --compact --format html", 0, "class=\"compact\""},
+          {plan + " --compact --format html", 0, "class=\"compact two\""},
           {plan + " --compact", 0, "take out  put in"},
           {plan + " --compact --format csv", 2, "--compact has no meaning with --format csv"},
           {plan + " --shuffle 7", 0, "shuffled with seed 7"},

@@ -7,6 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/figures.hpp"
 #include "changeover/io/formats.hpp"
+#include "changeover/io/other_formats.hpp"
 #include "changeover/io/tables.hpp"
 #include "cli/terminal.hpp"
 
@@ -19,6 +20,11 @@ Design in_memory(BlockSource& source, const Exhibit& exhibit) {
   return design;
 }
 
+// Formats of other programs.
+bool is_for_others(const std::string& format) {
+  return format == "gap" || format == "sage" || format == "designtheory" || format == "ljcr";
+}
+
 void write_design(BlockSource& source, const Exhibit& exhibit, const std::string& format,
                   OutputFile& out) {
   if (format == "text") {
@@ -28,6 +34,12 @@ void write_design(BlockSource& source, const Exhibit& exhibit, const std::string
                [&] { return std::optional<DesignVerdict>(exhibit.judgement.verdict); });
   } else if (format == "csv") {
     write_csv(source, out, exhibit.header.labels);
+  } else if (is_for_others(format)) {
+    const Design design = in_memory(source, exhibit);
+    (format == "gap"    ? write_gap
+     : format == "sage" ? write_sage
+     : format == "ljcr" ? write_ljcr
+                        : write_designtheory)(design, out);
   } else if (format == "latex") {
     LatexOptions options;
     options.leaving = exhibit.leaving;
@@ -57,8 +69,9 @@ void write_design(BlockSource& source, const Exhibit& exhibit, const std::string
 }  // namespace
 
 const std::vector<std::string>& design_formats() {
-  static const std::vector<std::string> formats{"table", "text", "json", "csv",
-                                                "latex", "svg",  "tikz"};
+  static const std::vector<std::string> formats{"table", "text",         "json", "csv",
+                                                "latex", "svg",          "tikz", "gap",
+                                                "sage",  "designtheory", "ljcr"};
   return formats;
 }
 

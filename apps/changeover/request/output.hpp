@@ -16,7 +16,7 @@ struct OutputRequest {
   /// Must live as long as the verb. The first word is the default. --json is for "json", or for "jsonl" if that is a word.
   void add_to(Verb& verb, const std::vector<std::string>& formats);
 
-  /// The chosen format. A rule of the verb refuses --json and --format that contradict each other.
+  /// The chosen format; if none was chosen, "xlsx" where that is a word and FILE ends so. A rule of the verb refuses --json and --format that contradict each other.
   [[nodiscard]] const std::string& format() const;
   [[nodiscard]] bool json() const { return format() == "json"; }
 
@@ -29,6 +29,7 @@ struct OutputRequest {
  private:
   std::string asked_;  // --format
   bool json_ = false;
+  std::string workbook_word_;  // "xlsx" if that is a word
   std::string usual_;
   std::string json_word_ = "json";
 };

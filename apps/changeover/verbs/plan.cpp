@@ -114,7 +114,7 @@ Asked parts_of(const PlanRequest& request) {
       return Asked{std::move(job), {}, {}, {}};
     });
   }
-  const auto input = open_input(request.parts);
+  const auto input = open_list(request.parts);
   PartList list = read_parts(*input, request.header      ? Header::given
                                      : request.no_header ? Header::none
                                                          : Header::guessed);
@@ -143,7 +143,7 @@ Asked parts_of(const PlanRequest& request) {
   } else {
     std::vector<Slot> slots = request.slots.empty()
                                   ? from_option("--slot", [&] { return parse_slots(request.slot); })
-                                  : read_slots(*open_input(request.slots));
+                                  : read_slots(*open_list(request.slots));
     set_slots(job, list.slots, std::move(slots));
   }
   Asked asked{std::move(job), {}, {}, {}};
@@ -160,7 +160,7 @@ void take_done(const PlanRequest& request, Asked& asked) {
     return;
   }
   Job& job = asked.job;
-  const auto input = open_input(request.done);
+  const auto input = open_list(request.done);
   const DoneList list = read_done(*input, job.names, job.at_once);
   const std::size_t all = list.setups.size();
   if (request.done_first.value_or(0) > all) {
@@ -291,11 +291,11 @@ Asked asked_of(const PlanRequest& request) {
   Asked asked = parts_of(request);
   Job& job = asked.job;
   if (!request.never.empty()) {
-    job.never = read_pairs(*open_input(request.never), job.names);
+    job.never = read_pairs(*open_list(request.never), job.names);
     job.needed = all_pairs_but(job.never);
   }
   if (!request.pairs.empty()) {
-    const auto input = open_input(request.pairs);
+    const auto input = open_list(request.pairs);
     job.needed = read_pairs(*input, job.names);
     if (job.needed.size() == 0) {
       throw BadInput(fmt::format("{}: no pair is listed; write A,B, a pair a line", input->name()));
@@ -328,6 +328,7 @@ Asked asked_of(const PlanRequest& request) {
 
 std::string plan_text(const SheetDocument& document, const std::string& format, std::size_t width) {
   return format == "csv"        ? sheet_as_csv(document)
+         : format == "xlsx"     ? sheet_as_xlsx(document)
          : format == "json"     ? sheet_as_json(document)
          : format == "markdown" ? sheet_as_markdown(document)
          : format == "html"     ? sheet_as_html(document)
@@ -394,18 +395,18 @@ Answer run(const PlanRequest& request) {
     output.require("--compact", {"table", "html"});
   }
   if (!request.title.empty()) {
-    output.require("--title", {"table", "json", "markdown", "html"});
+    output.require("--title", {"table", "json", "markdown", "html", "xlsx"});
   }
   if (const auto defect = text_defect(request.title)) {
     throw UsageError{"--title: " + *defect};
   }
-  check_inputs(output, {{"the parts list", request.parts},
-                        {"--pairs", request.pairs},
-                        {"--never", request.never},
-                        {"--slots", request.slots},
-                        {"--first", request.first},
-                        {"--priority", request.priority},
-                        {"--done", request.done}});
+  check_inputs(output, {{"the parts list", list_file(request.parts)},
+                        {"--pairs", list_file(request.pairs)},
+                        {"--never", list_file(request.never)},
+                        {"--slots", list_file(request.slots)},
+                        {"--first", list_file(request.first)},
+                        {"--priority", list_file(request.priority)},
+                        {"--done", list_file(request.done)}});
   PlanOptions options;
   options.budget = amount("--budget", request.budget);
   // A time that was asked for is used; otherwise as many moves as suit, so that answers repeat.
@@ -461,8 +462,8 @@ Answer run(const PlanRequest& request) {
 void add_plan(Program& program) {
   auto [verb, request] =
       program.add("plan", "the cheapest order of tests: a run sheet, from your costs", run);
-  verb.positional("PARTS", request.parts, "CSV file: a part a line, with its change cost or not",
-                  false);
+  verb.positional("PARTS", request.parts,
+                  "CSV or .xlsx: a part a line, with its change cost or not", false);
   verb.flag("--header", request.header, "the first row of the parts list heads its columns");
   verb.flag("--no-header", request.no_header, "the first row of the parts list is a part");
   verb.option("--items", request.items, "N", "N parts called 1, …, N instead of a list");
@@ -486,7 +487,7 @@ void add_plan(Program& program) {
               "what pairs are worth, A,B,weight a line; others are worth 1");
   verb.option("--budget", request.budget, "Z", "test as many pairs as this pays for");
   verb.option("--done", request.done, "FILE",
-              "tests already done, a set-up a line or the CSV of a run sheet: plan the rest");
+              "tests already done, a set-up a line or a run sheet (CSV, .xlsx): plan the rest");
   verb.option("--done-first", request.done_first, "N", "only the first N of them were done");
   verb.option("--benches", request.benches, "N",
               "on N benches side by side, each with parts of its own");
@@ -502,7 +503,7 @@ void add_plan(Program& program) {
   verb.option("--title", request.title, "TEXT", "the heading of the run sheet");
   verb.option("--steps", request.steps, "N", "moves of each local search (default: as suits)");
   request.run.add_to(verb, "60s", request.output);
-  request.output.add_to(verb, {"table", "csv", "json", "markdown", "html"});
+  request.output.add_to(verb, {"table", "csv", "json", "markdown", "html", "xlsx"});
   verb.exclude({"--header", "--no-header"});
   verb.exclude({"--slots", "--slot"});
   verb.only_with({"--objective"}, {"--benches"});
@@ -540,6 +541,7 @@ void add_plan(Program& program) {
   verb.examples(
       {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --format html -o sheet.html",
+       "changeover plan parts.xlsx:Costs -k 5 --test-cost 12.50 -o run.xlsx",
        "changeover plan server.csv -k 8 --test-cost 5 --slot CPU=1,PSU=1,disk=2..4",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --budget 600 --start 1,2,3",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --done sheet.csv --done-first 7",

@@ -55,8 +55,11 @@ class Input {
 /// A string as input.
 [[nodiscard]] std::unique_ptr<Input> input_from_text(std::string text, std::string name = "<text>");
 
-/// All bytes to the end. @throws MissingResource as read(), and if there are more than `limit`.
-[[nodiscard]] std::string read_to_end(Input& input, std::size_t limit = std::size_t{1} << 32);
+/// All bytes to the end. @throws MissingResource as read(), and if there are more than `limit`; the line then ends
+/// with `how_to_mend`.
+[[nodiscard]] std::string read_to_end(
+    Input& input, std::size_t limit = std::size_t{1} << 32,
+    std::string_view how_to_mend = "write it as text with a first line '# changeover design v=…'");
 
 // What all readers of designs share: the rules by which blocks from outside become a design.
 //
@@ -111,10 +114,11 @@ class DesignInput : public BlockSource {
 //     auto stream = open_design("huge.txt", {.kind = Kind::circular});
 //     Verdict verdict = verify(*stream);
 //
-// The first byte that is not blank decides: `{` or `[` is JSON; otherwise, a first line with a comma or
-// semicolon (before any `#`) is CSV; all else is text. Names of files mean nothing.
+// The first byte that is not blank decides: `{` or `[` is JSON, `<` is XML of designtheory.org; otherwise, a design as GAP
+// or Sage write it is one (io/other_formats.hpp), a first line with a comma or semicolon (before any `#`) is CSV; all else
+// is text. Names of files mean nothing.
 
-enum class Format : std::uint8_t { text, json, csv };
+enum class Format : std::uint8_t { text, json, csv, xml, literal };
 
 /// The format of a file that begins like this; a few hundred bytes are enough.
 [[nodiscard]] Format guess_format(std::string_view beginning);
@@ -125,8 +129,8 @@ enum class Format : std::uint8_t { text, json, csv };
 [[nodiscard]] Design read_design(const std::string& path, const ReadOptions& options = {});
 [[nodiscard]] Design read_design(std::unique_ptr<Input> input, const ReadOptions& options = {});
 
-/// The design as a stream: text is read as it is needed (see io/formats.hpp for when it is kept), JSON
-/// and CSV are held in memory. @throws as read_design(), from here or from next().
+/// The design as a stream: text is read as it is needed (see io/formats.hpp for when it is kept), all
+/// other formats are held in memory. @throws as read_design(), from here or from next().
 [[nodiscard]] std::unique_ptr<DesignInput> open_design(const std::string& path,
                                                        const ReadOptions& options = {});
 [[nodiscard]] std::unique_ptr<DesignInput> open_design(std::unique_ptr<Input> input,

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -206,9 +207,19 @@ std::uint64_t need_triples(Job& job);
 //   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/sheet_formats.hpp) is taken too: its
 //     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, its column result, and
 //     its rows in their order.
+// Each of them may be a sheet of a workbook (.xlsx) instead, known by its content: the first sheet, or open_list() names
+// one. Its cells are what they say, so no row is a comment and no name needs quotes; a number is taken in full, a formula
+// for the value that the file holds, line ends within a cell for blanks; what stands right of the columns that the header names says nothing. Places are then `parts.xlsx:Costs!B3`.
+//
 // Lists are UTF-8; control characters and those that turn the direction of writing around are refused.
 // They are read a line at a time: at most 16 MiB a line, 1 GiB and 4,194,304 rows in all.
 // A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`.
+
+/// Opens a list as open_input() does, or one sheet of a workbook: "parts.xlsx:Costs" is the sheet Costs of parts.xlsx if
+/// there is no file of the whole name. @throws as open_input(); the readers below if there is no such sheet.
+[[nodiscard]] std::unique_ptr<Input> open_list(const std::string& path);
+/// The file of it: "parts.xlsx".
+[[nodiscard]] std::string list_file(const std::string& path);
 
 /// Whether a parts list has a header.
 enum class Header { guessed, given, none };

@@ -17,6 +17,9 @@
 // in columns of their own, called `slot_1 CPU`. What is taken out and put
 // in is a list for people; the result is to be filled in. No cell is a formula to a spreadsheet: a text that would be one begins with an
 // apostrophe (io/write/csv_cell.hpp), which read_setups() takes back; numbers stay numbers.
+// Workbook (.xlsx), three sheets: `Run sheet` with the columns of the CSV and one for notes, as people print and fill it in;
+// `Plan` with costs, bound and what was compared; `Parts`, which read_parts() reads. Names are text, whatever they look
+// like, and so are costs of more than 15 digits; other numbers are numbers. read_setups() and read_done() read it back.
 // JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot (or null; with slots only)}], at_once,
 // slots [{name, least, most}], test_cost, mounted,
 // start, first [[part]], tests_done, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
@@ -48,6 +51,9 @@ struct SheetDocument {
 [[nodiscard]] std::string sheet_as_table(const SheetDocument& document, std::size_t width);
 /// As shown above, with names quoted and escaped where CSV and spreadsheets need it.
 [[nodiscard]] std::string sheet_as_csv(const SheetDocument& document);
+/// The bytes of a workbook, as described above; the same for the same document. @throws MissingResource if there is no
+/// room for temporary files.
+[[nodiscard]] std::string sheet_as_xlsx(const SheetDocument& document);
 /// One line, as described above.
 [[nodiscard]] std::string sheet_as_json(const SheetDocument& document);
 /// Tables in the style of GitHub.

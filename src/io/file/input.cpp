@@ -120,7 +120,7 @@ std::unique_ptr<Input> input_from_text(std::string text, std::string name) {
   return std::make_unique<TextInput>(std::move(text), std::move(name));
 }
 
-std::string read_to_end(Input& input, std::size_t limit) {
+std::string read_to_end(Input& input, std::size_t limit, std::string_view how_to_mend) {
   constexpr std::size_t piece = std::size_t{1} << 18;
   std::string text;
   for (;;) {
@@ -135,10 +135,8 @@ std::string read_to_end(Input& input, std::size_t limit) {
       return text;
     }
     if (text.size() > limit) {
-      throw MissingResource(
-          fmt::format("{}: more than the {} MiB that are held in memory; write it as text with a "
-                      "first line '# changeover design v=…'",
-                      input.name(), limit >> 20));
+      throw MissingResource(fmt::format("{}: more than the {} MiB that are held in memory; {}",
+                                        input.name(), limit >> 20, how_to_mend));
     }
   }
 }

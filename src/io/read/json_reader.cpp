@@ -90,6 +90,13 @@ class DesignHandler final : public JsonHandler {
     if (!has_blocks_) {
       json_->fail(end_, "no key \"blocks\"; this is no design");
     }
+    // Others count points from 1: then these are names, and all of them occur.
+    const auto v = file_.v;
+    const bool from_one =
+        !is_ours_ && v && !options.v && !labels_ && least_ == 1 && greatest_ == *v;
+    if (from_one) {
+      file_.v.reset();
+    }
     Collector::Context context{
         .name = json_->name,
         .declared = merged(json_->name, options, file_),
@@ -99,6 +106,12 @@ class DesignHandler final : public JsonHandler {
         .named = false,
         .place_of_word = [this](std::uint64_t word) { return place_of_element(word); }};
     Design design = collector_.finish(context);
+    if (from_one && design.parameters().v != *v) {
+      json_->fail(start_,
+                  fmt::format("points are counted from 1 to v={}, but only {} of them occur; "
+                              "count them from 0, or correct v",
+                              *v, design.parameters().v));
+    }
     design.recipe = std::move(recipe_);
     return design;
   }
@@ -146,11 +159,15 @@ class DesignHandler final : public JsonHandler {
       return;
     }
     if (key_ == "format") {
+      is_ours_ = true;
       if (event.type != Type::string || event.text != "changeover-design/1") {
         json_->fail(event.offset,
                     "format is not \"changeover-design/1\"; this is another kind of "
                     "file, or of a later version");
       }
+    } else if (key_ == "t" && !is_ours_ && event.type == Type::natural) {
+      key_ = "strength";  // as repositories of coverings call it
+      declare(event);
     } else if (key_ == "v" || key_ == "k" || key_ == "change" || key_ == "strength") {
       if (event.type != Type::natural && event.type != Type::other_number) {
         wrong(event, "the number " + key_);
@@ -239,6 +256,8 @@ class DesignHandler final : public JsonHandler {
   void on_element(const JsonEvent& event) {
     std::optional<std::string> defect;
     if (event.type == Type::natural) {
+      least_ = std::min(least_, event.natural);
+      greatest_ = std::max(greatest_, event.natural);
       defect = collector_.add(event.text == "-0" ? "0" : event.text);
     } else if (event.type == Type::string) {
       quoted_.assign(1, '"').append(event.text);
@@ -279,6 +298,9 @@ class DesignHandler final : public JsonHandler {
   std::size_t key_offset_ = 0;
   std::string quoted_;
   ReadOptions file_;
+  bool is_ours_ = false;
+  std::uint64_t least_ = UINT64_MAX;  // of the elements that are numbers
+  std::uint64_t greatest_ = 0;
   std::optional<std::vector<std::string>> labels_;
   std::size_t labels_offset_ = 0;
   TokenTable known_labels_;

@@ -5,52 +5,13 @@
 #include <vector>
 
 #include "changeover/io/formats.hpp"
+#include "changeover/io/other_formats.hpp"
 #include "io/read/declared.hpp"
+#include "io/read/peeked_input.hpp"
 #include "io/read/place.hpp"
 
 namespace changeover {
 namespace {
-
-// An input of which some bytes were read to look at them: they are handed out again first.
-class PeekedInput final : public Input {
- public:
-  explicit PeekedInput(std::unique_ptr<Input> inner)
-      : Input(inner->name()), inner_(std::move(inner)), peeked_(4096) {
-    while (size_ < peeked_.size()) {
-      const std::size_t count = inner_->read(std::span(peeked_).subspan(size_));
-      if (count == 0) {
-        break;
-      }
-      size_ += count;
-    }
-  }
-
-  std::string_view beginning() const { return {peeked_.data(), size_}; }
-
-  std::size_t read(std::span<char> buffer) override {
-    if (position_ == size_) {
-      return inner_->read(buffer);
-    }
-    const std::size_t count = std::min(buffer.size(), size_ - position_);
-    std::copy_n(peeked_.data() + position_, count, buffer.data());
-    position_ += count;
-    return count;
-  }
-
-  bool rewind() override {
-    if (!inner_->rewind()) {
-      return false;
-    }
-    position_ = size_;  // what was peeked comes from the inner input again
-    return true;
-  }
-
- private:
-  std::unique_ptr<Input> inner_;
-  std::vector<char> peeked_;
-  std::size_t size_ = 0;
-  std::size_t position_ = 0;
-};
 
 // A design in memory as something that was read.
 class MemoryInput final : public DesignInput {
@@ -76,7 +37,7 @@ struct Opened {
   Format format;
 };
 
-// JSON and CSV are read whole before they are understood, which would take long for a device or for what
+// All but text is read whole before they are understood, which would take long for a device or for what
 // only happens to begin like them.
 void refuse_binary(const PeekedInput& input) {
   const std::string_view beginning = input.beginning();
@@ -99,6 +60,23 @@ Opened look_at(std::unique_ptr<Input> input) {
   return {std::move(peeked), format};
 }
 
+// The design in any format but text, which is streamed.
+std::optional<Design> read_whole(const Opened& opened, const ReadOptions& options) {
+  switch (opened.format) {
+    case Format::json:
+      return read_json(*opened.input, options);
+    case Format::csv:
+      return read_csv(*opened.input, options);
+    case Format::xml:
+      return read_designtheory(*opened.input, options);
+    case Format::literal:
+      return read_literal(*opened.input, options);
+    case Format::text:
+      break;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Format guess_format(std::string_view beginning) {
@@ -109,6 +87,12 @@ Format guess_format(std::string_view beginning) {
   }
   if (beginning[start] == '{' || beginning[start] == '[') {
     return Format::json;
+  }
+  if (beginning[start] == '<') {
+    return Format::xml;
+  }
+  if (begins_like_a_literal(beginning)) {
+    return Format::literal;
   }
   if (beginning.substr(start).starts_with("# changeover design") || table_defect(beginning)) {
     return Format::text;
@@ -126,15 +110,8 @@ Format guess_format(std::string_view beginning) {
 
 Design read_design(std::unique_ptr<Input> input, const ReadOptions& options) {
   Opened opened = look_at(std::move(input));
-  switch (opened.format) {
-    case Format::json:
-      return read_json(*opened.input, options);
-    case Format::csv:
-      return read_csv(*opened.input, options);
-    case Format::text:
-      break;
-  }
-  return read_text(std::move(opened.input), options);
+  auto design = read_whole(opened, options);
+  return design ? std::move(*design) : read_text(std::move(opened.input), options);
 }
 
 Design read_design(const std::string& path, const ReadOptions& options) {
@@ -143,13 +120,8 @@ Design read_design(const std::string& path, const ReadOptions& options) {
 
 std::unique_ptr<DesignInput> open_design(std::unique_ptr<Input> input, const ReadOptions& options) {
   Opened opened = look_at(std::move(input));
-  switch (opened.format) {
-    case Format::json:
-      return std::make_unique<MemoryInput>(read_json(*opened.input, options));
-    case Format::csv:
-      return std::make_unique<MemoryInput>(read_csv(*opened.input, options));
-    case Format::text:
-      break;
+  if (auto design = read_whole(opened, options)) {
+    return std::make_unique<MemoryInput>(std::move(*design));
   }
   return open_text(std::move(opened.input), options);
 }

@@ -46,9 +46,9 @@ class PartFinder {
     return std::nullopt;
   }
 
-  // What stands in a cell that csv_cell() wrote, or that a spreadsheet made of it.
-  [[nodiscard]] std::optional<Element> find_cell(const std::string& cell, bool names_only) const {
-    const std::string text(csv_text(cell));
+  // What stands in a cell, which says `text` if it was written by csv_cell() and not by a spreadsheet.
+  [[nodiscard]] std::optional<Element> find_cell(const std::string& cell, const std::string& text,
+                                                 bool names_only) const {
     if (names_only) {
       const auto found = by_name_.find(is_name(text) ? text : cell);
       return found == by_name_.end() ? std::nullopt : std::optional(found->second);
@@ -69,6 +69,15 @@ class PartFinder {
                        [&](const std::string& name) { return lower(name) == lower(word); });
   }
   [[nodiscard]] std::size_t size() const { return names_->size(); }
+
+  // Of names that begin or end with blanks, as only quotes in a text can say, a workbook has them in full.
+  void restore_blanks(Row& row) const {
+    for (Field& field : row) {
+      if (!field.in_full.empty() && is_name(field.in_full)) {
+        field.text = field.in_full;
+      }
+    }
+  }
 
   // What to say of a word that is no part: with the name that differs in its case only, if there is one.
   [[nodiscard]] std::string complaint(const std::string& word) const {
@@ -192,7 +201,7 @@ void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
     reader.fail(row.back(), "the row ends before its last slot; it is cut off, complete it");
   }
   for (std::size_t i = header.size(); i < row.size(); ++i) {
-    if (!row[i].text.empty()) {
+    if (!row[i].text.empty() && !reader.is_workbook()) {  // there it is a note beside the table
       reader.fail(row[i],
                   fmt::format("more fields than the {} of the header; quote those with a comma",
                               header.size()));
@@ -247,7 +256,8 @@ class CostReader {
       text[at] = '.';
     }
     const bool point = !comma && text.find('.') != std::string::npos;
-    if ((comma && points_) || (point && commas_)) {
+    // A number in a workbook has no sign of its own.
+    if (!reader_->is_workbook() && ((comma && points_) || (point && commas_))) {
       reader_->fail(field, "some costs have a decimal comma and some a point; use one of them");
     }
     commas_ = commas_ || comma;
@@ -293,7 +303,7 @@ PartList read_parts(Input& input, Header header) {
                   "a third field; write a name and a change cost, or a header with a word for each "
                   "column, and quote a name with a comma");
     }
-    if (row.size() > fields) {
+    if (row.size() > fields && !reader.is_workbook()) {  // there it is a note beside the table
       reader.fail(row[fields],
                   fmt::format("more fields than the {} of the header; quote those with "
                               "a comma",
@@ -343,7 +353,8 @@ PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
   const PartFinder finder(names);
   PairSet pairs(names.size());
   bool first = true;
-  while (const auto row = reader.next()) {
+  while (auto row = reader.next()) {
+    finder.restore_blanks(*row);
     if (std::exchange(first, false) && heads_pairs(*row, finder)) {
       continue;
     }
@@ -423,12 +434,16 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
   Row header;
   bool first = true;
   const auto find = [&](const std::string& word) { return finder.find(word); };
+  // A text may have the apostrophe of csv_cell(); a cell of a workbook is what it says.
+  const auto text_of = [&](const std::string& cell) {
+    return reader.is_workbook() ? cell : std::string(csv_text(cell));
+  };
   const auto find_cell = [&](const std::string& cell) {
-    return finder.find_cell(cell, names_only);
+    return finder.find_cell(cell, text_of(cell), names_only);
   };
   const auto leave_out_gone = [&](Row& parts) {
     const std::size_t left_out = std::erase_if(parts, [&](const Field& field) {
-      const std::string name(csv_text(field.text));
+      const std::string name = text_of(field.text);
       const bool is_gone =
           forgiving && !name.empty() && !find_cell(field.text) && !finder.is_name_in_any_case(name);
       if (is_gone && std::find(list.gone.begin(), list.gone.end(), name) == list.gone.end()) {
@@ -441,6 +456,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
   const auto fail = [&](const Field& field, const std::string& what) { reader.fail(field, what); };
   while (auto next = reader.next()) {
     Row& row = *next;
+    finder.restore_blanks(row);
     if (std::exchange(first, false)) {
       columns = setup_columns(row, finder);
       if (columns.header) {
@@ -458,7 +474,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
     list.lacks.push_back(false);
     list.lines.push_back(row.front().line);
     if (columns.result && *columns.result < row.size()) {
-      list.results.back() = csv_text(row[*columns.result].text);
+      list.results.back() = text_of(row[*columns.result].text);
     }
     if (!columns.header) {
       if (row.size() == 1 && !finder.find(row.front().text)) {

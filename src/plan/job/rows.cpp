@@ -19,6 +19,10 @@ constexpr std::size_t longest_line = std::size_t{1} << 24;
 constexpr std::uint64_t most_rows = std::uint64_t{1} << 22;
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 30;
 
+constexpr std::size_t most_workbook_bytes = std::size_t{1} << 26;
+constexpr std::size_t mark_bytes = 8;        // by which a workbook is known
+constexpr std::size_t most_columns = 2'048;  // of a sheet: a part in each, and what else is said
+
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 // The first separator of a line outside quotes; none if it is a single field.
@@ -97,14 +101,32 @@ std::optional<TextDefect> split(std::string_view line, char separator, Row& row,
 }  // namespace
 
 void RowReader::fail(std::size_t offset, std::string_view what) const {
+  if (sheet_) {
+    throw BadInput(fmt::format("{}: {}", sheet_->place(offset, sheet_row_), what));
+  }
   changeover::fail(lines_.name(), {std::max<std::uint64_t>(1, lines_.number()), offset + 1}, what);
 }
 
 void RowReader::fail(const Field& field, std::string_view what) const {
+  if (sheet_) {
+    throw BadInput(fmt::format("{}: {}", sheet_->place(field.offset, field.line), what));
+  }
   changeover::fail(lines_.name(), {field.line, field.offset + 1}, what);
 }
 
-RowReader::RowReader(Input& input) : lines_(input, longest_line) {}
+RowReader::RowReader(Input& input) : input_(input, mark_bytes), lines_(input_, longest_line) {
+  const auto* const part = dynamic_cast<const SheetInput*>(&input);
+  if (begins_like_a_workbook(input_.beginning())) {
+    sheet_.emplace(
+        read_to_end(input_, most_workbook_bytes, "save only the sheet that is needed, or as CSV"),
+        input.name(), part != nullptr ? std::optional(part->sheet()) : std::nullopt);
+    separator_ = '\t';
+  } else if (part != nullptr) {
+    throw BadInput(
+        fmt::format("{}: not a workbook (.xlsx), so it has no sheet {}; give the file alone",
+                    input.name(), shown(part->sheet())));
+  }
+}
 
 bool RowReader::next_line() {
   switch (lines_.next()) {
@@ -124,7 +146,47 @@ bool RowReader::next_line() {
   return true;
 }
 
+std::optional<Row> RowReader::next_of_sheet() {
+  while (auto cells = sheet_->next()) {
+    sheet_row_ = cells->number;
+    Row row;
+    for (SheetCell& cell : cells->cells) {
+      const std::size_t start = cell.text.find_first_not_of(' ');
+      if (start == std::string::npos) {
+        continue;
+      }
+      if (cell.column >= most_columns) {
+        fail(cell.column, fmt::format("a cell beyond column {}; remove it", most_columns));
+      }
+      if (const auto defect = first_defect(cell.text, false)) {
+        fail(cell.column, defect->what);
+      }
+      while (row.size() <= cell.column) {
+        row.push_back({.text = "", .offset = row.size(), .line = sheet_row_});
+      }
+      Field& field = row.back();
+      field.in_quotes = true;
+      const std::size_t end = cell.text.find_last_not_of(' ') + 1;
+      field.text = cell.text.substr(start, end - start);
+      if (field.text.size() < cell.text.size()) {
+        field.in_full = std::move(cell.text);
+      }
+    }
+    if (!row.empty()) {
+      while (row.size() < width_) {
+        row.push_back({.text = "", .offset = row.size(), .line = sheet_row_});
+      }
+      width_ = width_ == 0 ? row.size() : width_;
+      return row;
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<Row> RowReader::next() {
+  if (sheet_) {
+    return next_of_sheet();
+  }
   while (next_line()) {
     constexpr std::uint64_t now_and_then = 256;
     if (lines_.number() % now_and_then == 0) {

@@ -1,29 +1,53 @@
-// Rows of fields out of a text, each field with its place.
+// Rows of fields out of a text or a sheet of a workbook, each field with its place.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "changeover/io/input.hpp"
 #include "io/read/input_lines.hpp"
+#include "io/read/peeked_input.hpp"
+#include "io/workbook/workbook_sheet.hpp"
 
 namespace changeover {
 
 struct Field {
-  std::string text;        ///< without quotes and the blanks around it
-  std::size_t offset = 0;  ///< of its first byte in the line
-  std::uint64_t line = 1;  ///< where it stands
-  bool in_quotes = false;  ///< it was written in quotes
+  std::string text;          ///< without quotes and the blanks around it
+  std::size_t offset = 0;    ///< of its first byte in the line; in a workbook its column, from 0
+  std::uint64_t line = 1;    ///< where it stands
+  bool in_quotes = false;    ///< it was written in quotes, or is a cell of a workbook
+  std::string in_full = {};  ///< with the blanks around it, in a workbook and if there are any
 };
 using Row = std::vector<Field>;
 
-/// Reads an input row by row; it holds a line at a time, so that endless inputs end with a fault.
+/// One sheet of a workbook as an input. To whoever does not know this type, it is the file.
+class SheetInput final : public Input {
+ public:
+  SheetInput(std::unique_ptr<Input> file, std::string sheet)
+      : Input(file->name()), file_(std::move(file)), sheet_(std::move(sheet)) {}
+
+  [[nodiscard]] const std::string& sheet() const { return sheet_; }
+  std::size_t read(std::span<char> buffer) override { return file_->read(buffer); }
+  bool rewind() override { return file_->rewind(); }
+
+ private:
+  std::unique_ptr<Input> file_;
+  std::string sheet_;
+};
+
+/// Reads an input row by row; it holds a line at a time, so that endless inputs end with a fault. An input that begins
+/// like a workbook is one: its first sheet is read, or that of a SheetInput. Every row of a sheet has at least as many
+/// fields as the first one, and no row of it is a comment.
 class RowReader {
  public:
-  /// The input must outlive this.
+  /// The input must outlive this. @throws MissingResource if reading fails; BadInput for a workbook that cannot be
+  /// read.
   explicit RowReader(Input& input);
 
   /// The next row but comments and blank ones; nothing at the end. Rows are split at what comes first outside
@@ -41,11 +65,21 @@ class RowReader {
   /// What splits the rows: ',', ';' or a tab; a comma as long as no row needs any.
   [[nodiscard]] char separator() const { return separator_ == '\0' ? ',' : separator_; }
 
+  /// The cells of a workbook say what they say; those of a text may have the apostrophe of csv_cell().
+  [[nodiscard]] bool is_workbook() const { return sheet_.has_value(); }
+
  private:
   /// Goes to the next line; false at the end of the input.
   bool next_line();
 
+  /// The next row of the sheet that is not blank.
+  std::optional<Row> next_of_sheet();
+
+  PeekedInput input_;
   InputLines lines_;
+  std::optional<WorkbookSheet> sheet_;
+  std::uint64_t sheet_row_ = 1;  // the last one
+  std::size_t width_ = 0;        // of the first row of the sheet
   std::uint64_t rows_ = 0;
   char separator_ = '\0';  // not known yet
 };

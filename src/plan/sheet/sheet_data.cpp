@@ -1,12 +1,13 @@
 // Run sheets as CSV, JSON and Markdown.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <optional>
 
 #include "changeover/plan/job.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/sheet_words.hpp"
+#include "plan/sheet/slot_columns.hpp"
 
 namespace changeover {
 namespace {
@@ -49,37 +50,15 @@ std::string markdown(const std::string& text) {
 std::string sheet_as_csv(const SheetDocument& document) {
   const Job& job = *document.job;
   const Money money(job, document.budget);
-  // By slot, the last for none: how many columns its parts need.
-  const std::size_t kinds = job.slots.size();
-  std::vector<std::size_t> columns(kinds + 1, 0);
-  const auto kind_of = [&](Element x) {
-    return job.slot_of.empty() || job.slot_of[x] == no_slot ? kinds : job.slot_of[x];
-  };
-  const auto by_kind = [&](const RunStep& step) {
-    std::vector<Block> parts(kinds + 1);
-    for (const Element x : step.setup) {
-      parts[kind_of(x)].push_back(x);
-    }
-    return parts;
-  };
-  for (const RunStep& step : document.plan->sheet.steps) {
-    const std::vector<Block> parts = by_kind(step);
-    for (std::size_t kind = 0; kind <= kinds; ++kind) {
-      columns[kind] = std::max(columns[kind], parts[kind].size());
-    }
-  }
+  const SlotColumns columns(job, document.plan->sheet);
   std::vector<std::string> cells;  // by part: made once, for a part may be in every set-up
   cells.reserve(job.names.size());
   for (const std::string& name : job.names) {
     cells.push_back("," + csv_cell(name));
   }
   std::string text = "step,take_out,put_in";
-  std::size_t column = 0;
-  for (std::size_t kind = 0; kind <= kinds; ++kind) {
-    for (std::size_t i = 0; i < columns[kind]; ++i) {
-      const std::string head = fmt::format("slot_{}", ++column);
-      text += "," + csv_cell(kind == kinds ? head : head + " " + job.slots[kind].name);
-    }
+  for (const std::string& head : columns.heads()) {
+    text += "," + csv_cell(head);
   }
   const bool weighs = !job.weights.empty();
   text += fmt::format(",new_{},cost,cost_so_far{},result\n", what_meets(job),
@@ -88,11 +67,8 @@ std::string sheet_as_csv(const SheetDocument& document) {
   for (const RunStep& step : document.plan->sheet.steps) {
     text += fmt::format("{},{},{}", ++number, csv_cell(parts_text(step.take_out, job.names)),
                         csv_cell(parts_text(step.put_in, job.names)));
-    const std::vector<Block> parts = by_kind(step);
-    for (std::size_t kind = 0; kind <= kinds; ++kind) {
-      for (std::size_t i = 0; i < columns[kind]; ++i) {
-        text += i < parts[kind].size() ? cells[parts[kind][i]] : ",";
-      }
+    for (const std::optional<Element> x : columns.row(step.setup)) {
+      text += x ? cells[*x] : ",";
     }
     text += fmt::format(",{},{},{}{},\n", new_here(job, step), money(step.cost),
                         money(step.cost_so_far),

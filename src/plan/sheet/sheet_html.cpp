@@ -59,39 +59,68 @@ constexpr std::string_view style = R"(
   .n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
   .in { font-weight: 600; }
   .part { white-space: nowrap; }
+  .part:not(:last-child)::after { content: " \00b7"; }
+  .wide { white-space: normal; }
   .lines .part { display: block; }
-  .lines .wide { white-space: normal; padding-left: 1em; text-indent: -1em; }
+  .lines .part::after { content: none !important; }
+  .lines .wide { padding-left: 1em; text-indent: -1em; }
+  .lines .flow .part { display: inline; padding: 0; }
+  .lines .flow .part:not(:last-child)::after { content: " \00b7" !important; }
   .box { display: inline-block; width: 1em; height: 1em; border: 1.5px solid #000;
          vertical-align: -.12em; }
   .verdict { white-space: nowrap; width: 1%; }
   .notes { width: 30%; min-width: 45mm; }
   .bench { break-before: page; }
-  .compact { columns: 2; column-gap: 8mm; font-size: .85em; }
+  .many .setup { width: 40%; }
+  .many .notes { width: 10%; min-width: 22mm; }
+  .compact { font-size: .85em; }
+  .two { columns: 2; column-gap: 8mm; }
   .compact td { border-bottom: 1px solid #999; padding: .15rem .3rem; }
-  .compact .notes { min-width: 20mm; }
-  @media print { body { margin: 0; max-width: none; padding: 0; font-size: 9pt; }
+  .compact .notes { width: 18%; min-width: 20mm; }
+  @media print { body { margin: 0; max-width: none; padding: 0; font-size: 9pt; line-height: 1.25; }
                  dl { gap: .5rem 1.4rem; } dd { font-size: 11pt; }
                  h2 { break-after: avoid; } }
+  @media screen and (max-width: 40rem) {
+    body { margin: 1rem auto; }
+    .two { columns: 1; }
+    .compact { font-size: 1em; }
+    .steps, .steps tbody { display: block; }
+    .steps thead { display: none; }
+    .steps tr { display: flex; flex-wrap: wrap; gap: .15rem 1rem; padding: .5rem 0;
+                border-bottom: 1px solid #999; }
+    .steps td { display: block; padding: 0; border: 0; text-align: left; width: auto; }
+    .steps td:nth-child(2) { font-weight: 600; }
+    .steps td:nth-child(n+3) { flex-basis: 100%; }
+    .steps td:empty { display: none; }
+    .steps .part { display: inline !important; padding: 0; }
+    .steps .part:not(:last-child)::after { content: " \00b7" !important; }
+    .steps td:nth-child(2)::before { content: "Step "; }
+    .steps td:nth-child(3)::before { content: "Take out: "; }
+    .steps td:nth-child(4)::before { content: "Put in: "; }
+    .whole td:nth-child(5)::before { content: "Set-up: "; }
+    .whole td:nth-child(6)::before { content: "New pairs: "; }
+    .whole td:nth-child(7)::before { content: "Cost so far: "; }
+    .whole td:nth-child(n+6) { flex-basis: auto; }
+    th, td { padding: .3rem .25rem; }
+    .n { white-space: normal; } }
 )";
 
-// Long names stand one a line, short ones side by side with dots between them.
+// Long names stand one a line, short ones side by side.
 bool has_long_names(const Job& job) {
   constexpr std::size_t long_name = 8;
   return std::any_of(job.names.begin(), job.names.end(),
                      [](const std::string& name) { return name.size() > long_name; });
 }
 
-// A list of parts; the marked ones are bold.
+// A list of parts; the marked ones are bold. The style puts dots between them where they stand side by side.
 std::string list(const Job& job, const Block& parts, const Block& marked) {
   constexpr std::size_t wide_name = 26;
-  const bool side_by_side = !has_long_names(job);
   std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const bool bold = std::find(marked.begin(), marked.end(), parts[i]) != marked.end();
-    text += fmt::format("{}<span class=\"part{}{}\">{}{}</span>", i > 0 && side_by_side ? " " : "",
-                        bold ? " in" : "", job.names[parts[i]].size() > wide_name ? " wide" : "",
-                        html_text(job.names[parts[i]]),
-                        side_by_side && i + 1 < parts.size() ? " ·" : "");
+  for (const Element x : parts) {
+    const bool bold = std::find(marked.begin(), marked.end(), x) != marked.end();
+    text += fmt::format("{}<span class=\"part{}{}\">{}</span>", text.empty() ? "" : " ",
+                        bold ? " in" : "", job.names[x].size() > wide_name ? " wide" : "",
+                        html_text(job.names[x]));
   }
   return text;
 }
@@ -149,14 +178,23 @@ std::string html_steps(const SheetDocument& document) {
   const Job& job = *document.job;
   const Money money(job, document.budget);
   const bool whole = !document.compact;
-  std::string text = fmt::format("{}<table{}>\n", whole ? "" : "<div class=\"compact\">\n",
-                                 has_long_names(job) ? " class=\"lines\"" : "");
+  const bool long_names = has_long_names(job);
+  // One name a line would make a step as high as a third of a page.
+  constexpr std::uint64_t most_lines = 6;
+  const bool flows = whole && long_names && job.room() > most_lines;
+  std::string text =
+      whole ? "" : fmt::format("<div class=\"compact{}\">\n", long_names ? "" : " two");
+  text += fmt::format("<table class=\"steps{}{}\">\n",
+                      !whole       ? ""
+                      : long_names ? " whole lines"
+                                   : " whole",
+                      flows ? " many" : "");
   text += fmt::format(
       "<thead><tr><th>Pass Fail</th><th class=\"n\">Step</th><th>Take out</th><th>Put in</th>"
       "{}<th class=\"notes\">Notes</th></tr></thead>\n<tbody>\n",
       whole
           ? fmt::format(
-                "<th>Set-up</th><th class=\"n\">New<br>{}</th><th class=\"n\">Cost<br>so far</th>",
+                "<th class=\"setup\">Set-up</th><th class=\"n\">New<br>{}</th><th class=\"n\">Cost<br>so far</th>",
                 what_meets(job))
           : "");
   std::uint64_t number = job.tests_done;
@@ -166,7 +204,8 @@ std::string html_steps(const SheetDocument& document) {
         "<td class=\"n\">{}</td><td>{}</td><td>{}</td>",
         ++number, list(job, step.take_out, {}), list(job, step.put_in, step.put_in));
     if (whole) {
-      text += fmt::format("<td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>",
+      text += fmt::format("<td{}>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>",
+                          flows ? " class=\"flow\"" : "",
                           list(job, without_mounted(job, step.setup), step.put_in),
                           new_here(job, step), money(step.cost_so_far));
     }

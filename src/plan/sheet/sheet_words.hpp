@@ -14,6 +14,7 @@ class Money {
  public:
   Money(const Job& job, std::optional<Amount> budget = {});
   [[nodiscard]] std::string operator()(Amount amount) const { return to_string(amount, decimals_); }
+  [[nodiscard]] unsigned decimals() const { return decimals_; }
 
  private:
   unsigned decimals_ = 0;

@@ -138,7 +138,20 @@ TEST_F(SheetFormats, TheCompactFormLeavesOutWholeSetUps) {
   EXPECT_THAT(sheet_as_table(document, 200),
               HasSubstr("   3  Pump, Valve, large  <b>\"Motor\"</b>"));
   EXPECT_THAT(sheet_as_html(document), HasSubstr("<div class=\"compact\">"));
-  EXPECT_THAT(sheet_as_html(document), Not(HasSubstr("<th>Set-up</th>")));
+  EXPECT_THAT(sheet_as_html(document), Not(HasSubstr("Set-up</th>")));
+  job.names = {"1", "2", "3", "4"};
+  EXPECT_THAT(sheet_as_html(document), HasSubstr("<div class=\"compact two\">"));
+}
+
+TEST_F(SheetFormats, LongListsOfLongNamesFlow) {
+  EXPECT_THAT(sheet_as_html(document), Not(HasSubstr("class=\"flow\"")));
+  EXPECT_THAT(sheet_as_html(document), HasSubstr("class=\"setup\">Set-up</th>"));
+  job = make_job(9, 7, parse_amount("2"), parse_amount("1"));
+  plan.sheet = run_sheet(job, {{0, 1, 2, 3, 4, 5, 6}});
+  plan.bound = CostBound{};
+  EXPECT_THAT(sheet_as_html(document), Not(HasSubstr("class=\"flow\"")));
+  job.names[0] = "a name of some length";
+  EXPECT_THAT(sheet_as_html(document), HasSubstr("<td class=\"flow\">"));
 }
 
 TEST_F(SheetFormats, CsvHasColumnsForEachSlot) {

@@ -1,0 +1,132 @@
+#include "io/read/point_blocks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "io/read/collector.hpp"
+#include "io/read/token_table.hpp"
+
+namespace changeover {
+namespace {
+
+// Takes the next word; empty at the end.
+std::string_view next_word(std::string_view& words) {
+  words.remove_prefix(std::min(words.find_first_not_of(" \t\r\n"), words.size()));
+  const std::string_view word = words.substr(0, words.find_first_of(" \t\r\n"));
+  words.remove_prefix(word.size());
+  return word;
+}
+
+}  // namespace
+
+void PointBlocks::comment(std::string_view words, std::size_t offset) {
+  const std::string_view first = next_word(words);
+  if (first == "labels:") {
+    read_labels(words, offset);
+  } else if (first == "changeover" && next_word(words) == "design") {
+    header_ = offset;
+    for (std::string_view word = next_word(words); !word.empty(); word = next_word(words)) {
+      const std::size_t equals = std::min(word.find('='), word.size() - 1);
+      if (const auto defect = declare(file_, word.substr(0, equals), word.substr(equals + 1))) {
+        fail(offset, *defect);
+      }
+    }
+  }
+}
+
+void PointBlocks::read_labels(std::string_view words, std::size_t offset) {
+  if (labels_) {
+    fail(offset, "labels are listed twice; list them once");
+  }
+  labels_.emplace();
+  labels_offset_ = offset;
+  TokenTable known;
+  for (std::string_view word = next_word(words); !word.empty(); word = next_word(words)) {
+    if (const auto defect = word_defect(word)) {
+      fail(offset, *defect);
+    }
+    if (known.find(word) != TokenTable::none) {
+      fail(offset, fmt::format("label {} is listed twice; remove or correct one", shown(word)));
+    }
+    if (labels_->size() == max_elements_in_memory) {
+      fail(offset, *label_count_defect(labels_->size() + 1, {}));
+    }
+    known.add(word);
+    labels_->emplace_back(word);
+  }
+}
+
+void PointBlocks::declare_v(std::string_view number, std::size_t offset) {
+  if (v_) {
+    fail(offset, "the number of points is given twice; give it once");
+  }
+  const auto value = plain_number(number);
+  if (!value || *value == 0 || *value > max_elements_in_memory) {
+    fail(offset, fmt::format("{} points; give a whole number from 1 to {}", shown(number),
+                             max_elements_in_memory));
+  }
+  v_ = *value;
+  v_offset_ = offset;
+}
+
+void PointBlocks::add(std::string_view number, std::size_t offset) {
+  const auto value = plain_number(number);
+  if (!value || *value > max_elements_in_memory) {
+    fail(offset, fmt::format("{} is no point; points are whole numbers up to {}", shown(number),
+                             max_elements_in_memory));
+  }
+  add(static_cast<std::uint32_t>(*value), offset);
+}
+
+void PointBlocks::add(std::uint32_t number, std::size_t offset) {
+  least_ = std::min(least_, number);
+  greatest_ = std::max(greatest_, number);
+  points_.push_back({number, static_cast<std::uint32_t>(offset)});
+}
+
+void PointBlocks::end_block(std::size_t offset) {
+  // A point is two bytes at least, so there are not more of them than bytes.
+  ends_.push_back({static_cast<std::uint32_t>(points_.size()), static_cast<std::uint32_t>(offset)});
+}
+
+Design PointBlocks::finish(const ReadOptions& options, std::uint32_t first) {
+  if (v_ && file_.v && *v_ != *file_.v) {
+    fail(v_offset_, fmt::format("{} points, but a comment says v={}; correct one", *v_, *file_.v));
+  }
+  if (v_) {
+    file_.v = v_;
+  }
+  Collector collector;
+  std::size_t next = 0;
+  for (const Point& end : ends_) {
+    for (; next < end.number; ++next) {
+      const Point& point = points_[next];
+      if (point.number < first || (file_.v && point.number - first >= *file_.v)) {
+        fail(point.offset,
+             fmt::format("{} is no point; they are numbered from {} to {}", point.number, first,
+                         file_.v ? std::to_string(*file_.v - 1 + first) : "v"));
+      }
+      if (const auto defect = collector.add(std::to_string(point.number - first))) {
+        fail(point.offset, *defect);
+      }
+    }
+    if (const auto defect = collector.end_block()) {
+      fail(end.offset, *defect);
+    }
+  }
+  const Collector::Context context{.name = *name_,
+                                   .declared = merged(*name_, options, file_),
+                                   .labels = std::move(labels_),
+                                   .labels_place = place_of(text_, labels_offset_),
+                                   .place = place_of(text_, header_),
+                                   .named = false,
+                                   .place_of_word = [this](std::uint64_t word) {
+                                     return place_of(
+                                         text_, points_[static_cast<std::size_t>(word)].offset);
+                                   }};
+  return collector.finish(context);
+}
+
+}  // namespace changeover

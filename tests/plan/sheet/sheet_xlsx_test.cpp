@@ -1,0 +1,86 @@
+#include <gmock/gmock.h>
+
+#include "changeover/plan/sheet_formats.hpp"
+#include "plan/job/rows.hpp"
+#include "zip_files.hpp"
+
+namespace changeover {
+namespace {
+
+using test::unzipped;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+class SheetXlsx : public testing::Test {
+ protected:
+  SheetXlsx() {
+    job.names = {"=1+1", "Valve, large", " x ", "0042"};
+    job.change_costs[1] = parse_amount("0.75");
+    job.change_costs[3] = parse_amount("8000000000000.123456");
+    setups = {{0, 1, 2}, {0, 1, 3}, {2, 3}};
+    plan.sheet = run_sheet(job, setups);
+    plan.bound = cost_bound(job);
+    Candidate& candidate = plan.candidates.emplace_back();
+    candidate.name = "greedy list";
+    candidate.setups = setups;
+  }
+
+  std::unique_ptr<Input> sheet(const std::string& name) const {
+    return std::make_unique<SheetInput>(input_from_text(sheet_as_xlsx(document), "f.xlsx"), name);
+  }
+
+  Job job = make_job(4, 3, parse_amount("2"), parse_amount("1"));
+  std::vector<Block> setups;
+  RunPlan plan;
+  SheetDocument document{.job = &job, .plan = &plan, .title = "Bench & Co"};
+};
+
+TEST_F(SheetXlsx, IsReadBack) {
+  EXPECT_EQ(read_setups(*sheet("Run sheet"), job.names), setups);
+  const PartList parts = read_parts(*sheet("Parts"));
+  EXPECT_THAT(parts.names, ElementsAre("=1+1", "Valve, large", "x", "0042"));
+  EXPECT_THAT(parts.change_costs, ElementsAre(job.change_costs[0], job.change_costs[1],
+                                              job.change_costs[2], job.change_costs[3]));
+}
+
+TEST_F(SheetXlsx, HoldsNoFormula) {
+  for (const auto& [name, text] : unzipped(sheet_as_xlsx(document))) {
+    EXPECT_THAT(text, Not(HasSubstr("<f>"))) << name;
+    EXPECT_THAT(text, Not(HasSubstr("hyperlink"))) << name;
+  }
+}
+
+TEST_F(SheetXlsx, NumbersAreNumbersAndThePageIsSetUp) {
+  auto members = unzipped(sheet_as_xlsx(document));
+  const std::string& steps = members["xl/worksheets/sheet1.xml"];
+  EXPECT_THAT(steps, HasSubstr("<v>4.75</v>"));
+  EXPECT_THAT(steps, HasSubstr("state=\"frozen\""));
+  EXPECT_THAT(steps, HasSubstr("fitToHeight=\"0\""));
+  EXPECT_THAT(steps, HasSubstr("&amp;LBench &amp;&amp; Co"));
+  EXPECT_THAT(steps, HasSubstr("Page &amp;P of &amp;N"));
+  EXPECT_THAT(steps, HasSubstr("\"pass,fail,unclear\""));
+  EXPECT_THAT(steps, HasSubstr("sqref=\"J2:J4\""));
+  EXPECT_THAT(members["xl/workbook.xml"], HasSubstr("'Run sheet'!$1:$1"));
+  EXPECT_THAT(members["xl/styles.xml"], HasSubstr("#,##0.000000"));
+}
+
+TEST_F(SheetXlsx, TheSameAgain) { EXPECT_EQ(sheet_as_xlsx(document), sheet_as_xlsx(document)); }
+
+TEST_F(SheetXlsx, SlotsHaveColumnsOfTheirOwn) {
+  set_slots(job, {"CPU", "disk", "disk", ""}, {{"CPU", 0, 1}, {"disk", 0, 2}});
+  EXPECT_EQ(read_setups(*sheet("Run sheet"), job.names), setups);
+  EXPECT_THAT(unzipped(sheet_as_xlsx(document))["xl/sharedStrings.xml"], HasSubstr("slot_3 disk"));
+  EXPECT_THAT(read_parts(*sheet("Parts")).slots, ElementsAre("CPU", "disk", "disk", ""));
+}
+
+TEST_F(SheetXlsx, LongTitlesAndNoTest) {
+  document.title.assign(300, '&');
+  document.title += "\xE2\x88\x9E";
+  plan.sheet = run_sheet(job, {});
+  plan.bound = CostBound{};
+  EXPECT_TRUE(read_setups(*sheet("Run sheet"), job.names).empty());
+}
+
+}  // namespace
+}  // namespace changeover
