@@ -12,7 +12,7 @@ TEST(CatalogVerbs, AnswerWhatIsAsked) {
   expect(
       {
           {"$changeover catalog show 26 4", 0, "26.4.2.circular.65.08c35011"},
-          {"$changeover catalog show 26.4.2.circular", 0, "proved"},
+          {"$changeover catalog show 26.4.2.circular", 0, "minimum"},
           {"$changeover catalog show 26.4.2.circular.65", 0, "how it is made"},
           {"$changeover 26.4.2.circular.65.08c3", 0, "SHA-256"},
           {"$changeover catalog show 20 5 --json", 0, "\"status\":\"minimum\""},
@@ -24,7 +24,7 @@ TEST(CatalogVerbs, AnswerWhatIsAsked) {
           {"$changeover catalog show 999 4", 4, "changeover bounds"},
           {"$changeover catalog show 4 2 --json", 4, "[]"},
           {"$changeover catalog show pigs 4", 2, "neither a label"},
-          {"$changeover catalog list --k 4 --v 5..12 --change 1 --linear", 0, "8 designs"},
+          {"$changeover catalog list --k 4 --v 5..12 --change 1 --linear --strength 2", 0, "8 designs"},
           {"$changeover catalog list --k 4 --v 5..12 --gap 1 --json", 0, "["},
           {"$changeover catalog list --k 20 --v 60 --format csv", 0, "60.20.3.circular"},
           {"$changeover catalog list --since tomorrow", 2, "--since"},
