@@ -25,18 +25,29 @@ struct Deletion {
   std::uint64_t r = 0;
 };
 
+/// The numbers that steps are made of: u = 2cK+1, K = k−1.
+struct CycleNumbers {
+  CycleNumbers(std::uint64_t k, const Deletion& deletion)
+      : c(deletion.c), big(k - 1), u(2 * deletion.c * (k - 1) + 1), r(deletion.r) {}
+
+  std::uint64_t c;
+  std::uint64_t big;  // K
+  std::uint64_t u;
+  std::uint64_t r;
+};
+
 /// The steps of such a design, a leg for each of the u = 2cK+1 windows. The circular list begins with the last block of
 /// window −1. The linear list begins after the last step of window `before`, with the block that its next step makes;
 /// that last step's own block is left out.
 class LegsOfWindows : public SwapPlan {
  public:
-  LegsOfWindows(std::uint64_t windows, Kind kind, std::uint64_t before)
-      : windows_(windows), first_(kind == Kind::linear ? before + 1 : 0), kind_(kind) {}
+  LegsOfWindows(const CycleNumbers& numbers, Kind kind, std::uint64_t before)
+      : is_(numbers), first_(kind == Kind::linear ? before + 1 : 0), kind_(kind) {}
 
   [[nodiscard]] Block start() const final {
     Block block;
     if (kind_ == Kind::circular) {
-      block = last_of(windows_ - 1);
+      block = last_of(is_.u - 1);
     } else {
       block = last_of(first_ - 1);
       const Swap step = swaps_of(first_).front();
@@ -47,11 +58,11 @@ class LegsOfWindows : public SwapPlan {
   }
 
   bool leg(std::uint64_t index, std::vector<Swap>& swaps) const final {
-    if (index == windows_) {
+    if (index == is_.u) {
       return false;
     }
-    std::vector<Swap> all = swaps_of((first_ + index) % windows_);
-    if (index == windows_ - 1) {
+    std::vector<Swap> all = swaps_of((first_ + index) % is_.u);
+    if (index == is_.u - 1) {
       all.pop_back();  // it leads back to the first block, or makes the block that is left out
     }
     if (kind_ == Kind::linear && index == 0) {
@@ -66,9 +77,10 @@ class LegsOfWindows : public SwapPlan {
   [[nodiscard]] virtual std::vector<Swap> swaps_of(std::uint64_t j) const = 0;
   /// The block after them.
   [[nodiscard]] virtual Block last_of(std::uint64_t j) const = 0;
+  [[nodiscard]] const CycleNumbers& numbers() const { return is_; }
 
  private:
-  std::uint64_t windows_;
+  CycleNumbers is_;
   std::uint64_t first_;
   Kind kind_;
 };

@@ -24,17 +24,13 @@ namespace {
 class ClosedUpCycle final : public LegsOfWindows {
  public:
   ClosedUpCycle(std::uint64_t k, const Deletion& deletion, Kind kind)
-      : LegsOfWindows(2 * deletion.c * (k - 1) + 1, kind, k - 1 + deletion.r - 1),
-        c_(deletion.c),
-        big_(k - 1),
-        u_(2 * deletion.c * big_ + 1),
-        r_(deletion.r) {}
+      : LegsOfWindows({k, deletion}, kind, k - 1 + deletion.r - 1) {}
 
  protected:
   // Asked for j = u−1, where the next K elements that are left are there, and for j = K+r−1, where nobody holds a place.
   [[nodiscard]] Block last_of(std::uint64_t j) const override {
-    const std::uint64_t next = j == u_ - 1 ? r_ : j + 1;
-    Block block(static_cast<std::size_t>(big_));
+    const std::uint64_t next = j == numbers().u - 1 ? numbers().r : j + 1;
+    Block block(static_cast<std::size_t>(numbers().big));
     std::iota(block.begin(), block.end(), static_cast<Element>(number(next)));
     block.push_back(static_cast<Element>(number(j)));
     return block;
@@ -48,13 +44,13 @@ class ClosedUpCycle final : public LegsOfWindows {
       out = x;
     };
     const bool held = deleted(j);  // whoever stayed for it is there already
-    for (std::uint64_t p = c_; p >= 2; --p) {
-      const std::uint64_t visitor = (j + p * big_) % u_;
-      if (!deleted(visitor) && !(held && p == 2 && deleted(j + big_))) {
+    for (std::uint64_t p = numbers().c; p >= 2; --p) {
+      const std::uint64_t visitor = (j + p * numbers().big) % numbers().u;
+      if (!deleted(visitor) && !(held && p == 2 && deleted(j + numbers().big))) {
         enter(visitor);
       }
     }
-    const std::uint64_t next = (j + big_) % u_;
+    const std::uint64_t next = (j + numbers().big) % numbers().u;
     if (!deleted(next) && !held) {
       enter(next);
     }
@@ -62,22 +58,17 @@ class ClosedUpCycle final : public LegsOfWindows {
   }
 
  private:
-  [[nodiscard]] bool deleted(std::uint64_t x) const { return x < r_; }
-  [[nodiscard]] std::uint64_t number(std::uint64_t x) const { return x - r_; }
+  [[nodiscard]] bool deleted(std::uint64_t x) const { return x < numbers().r; }
+  [[nodiscard]] std::uint64_t number(std::uint64_t x) const { return x - numbers().r; }
 
   // Who makes room when the window moves to W_j: j−1, or if there is no such element the last visitor of W_{j−1}.
   [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
-    const std::uint64_t before = (j + u_ - 1) % u_;
+    const std::uint64_t before = (j + numbers().u - 1) % numbers().u;
     if (!deleted(before)) {
       return before;
     }
-    return before + (deleted(before + big_) ? 3 : 2) * big_;
+    return before + (deleted(before + numbers().big) ? 3 : 2) * numbers().big;
   }
-
-  std::uint64_t c_;
-  std::uint64_t big_;  // K
-  std::uint64_t u_;
-  std::uint64_t r_;
 };
 
 constexpr Description description{

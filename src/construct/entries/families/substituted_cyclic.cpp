@@ -23,51 +23,43 @@ namespace {
 class SubstitutedCycle final : public LegsOfWindows {
  public:
   SubstitutedCycle(std::uint64_t k, const Deletion& deletion, Kind kind)
-      : LegsOfWindows(2 * deletion.c * (k - 1) + 1, kind, (deletion.c - 1) * (k - 1)),
-        c_(deletion.c),
-        big_(k - 1),
-        u_(2 * deletion.c * big_ + 1),
-        r_(deletion.r) {}
+      : LegsOfWindows({k, deletion}, kind, (deletion.c - 1) * (k - 1)) {}
 
  protected:
   // W_j + (j+K).
   [[nodiscard]] Block last_of(std::uint64_t j) const override {
     Block block;
-    for (std::uint64_t x = 0; x <= big_; ++x) {
-      block.push_back(static_cast<Element>(in_window((j + x) % u_)));
+    for (std::uint64_t x = 0; x <= numbers().big; ++x) {
+      block.push_back(static_cast<Element>(in_window((j + x) % numbers().u)));
     }
     return block;
   }
 
   [[nodiscard]] std::vector<Swap> swaps_of(std::uint64_t j) const override {
     std::vector<Swap> swaps;
-    std::uint64_t out = in_window((j + u_ - 1) % u_);
+    std::uint64_t out = in_window((j + numbers().u - 1) % numbers().u);
     const auto enter = [&](std::uint64_t number) {
       swaps.push_back({.leaves = out, .enters = number});
       out = number;
     };
-    for (std::uint64_t p = c_; p >= 2; --p) {
-      const std::uint64_t visitor = (j + p * big_) % u_;
+    for (std::uint64_t p = numbers().c; p >= 2; --p) {
+      const std::uint64_t visitor = (j + p * numbers().big) % numbers().u;
       if (visits(visitor)) {
-        enter(visitor - r_);
+        enter(visitor - numbers().r);
       }
     }
-    enter(in_window((j + big_) % u_));
+    enter(in_window((j + numbers().big) % numbers().u));
     return swaps;
   }
 
  private:
   [[nodiscard]] std::uint64_t in_window(std::uint64_t x) const {
-    return (x < r_ ? x + c_ * big_ : x) - r_;
+    return (x < numbers().r ? x + numbers().c * numbers().big : x) - numbers().r;
   }
   [[nodiscard]] bool visits(std::uint64_t x) const {
-    return x >= r_ && (x < c_ * big_ || x >= c_ * big_ + r_);
+    return x >= numbers().r &&
+           (x < numbers().c * numbers().big || x >= numbers().c * numbers().big + numbers().r);
   }
-
-  std::uint64_t c_;
-  std::uint64_t big_;  // K
-  std::uint64_t u_;
-  std::uint64_t r_;
 };
 
 constexpr Description description{
