@@ -1,12 +1,17 @@
 // Families that leave out neighbours of the tight circular SCCD(2cK+1, k), K = k−1: v = 2cK+1−r, 0 < r < 2K.
 //
-//     class ClosedUp final : public WithoutNeighbours { … };  // says which it serves, what it saves, and the steps
+//     class ClosedUp final : public WithoutNeighbours { … };  // says which it serves, what it saves, and the legs
+//
+// In each of these designs some block is needed for one pair only if the list begins with the next block, and this pair meets
+// elsewhere too. A linear design leaves it out.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "construct/entry.hpp"
 #include "construct/tools/swaps.hpp"
@@ -20,6 +25,66 @@ struct Deletion {
   std::uint64_t r = 0;
 };
 
+/// The numbers that steps are made of: u = 2cK+1, K = k−1.
+struct CycleNumbers {
+  CycleNumbers(std::uint64_t k, const Deletion& deletion)
+      : c(deletion.c), big(k - 1), u(2 * deletion.c * (k - 1) + 1), r(deletion.r) {}
+
+  std::uint64_t c;
+  std::uint64_t big;  // K
+  std::uint64_t u;
+  std::uint64_t r;
+};
+
+/// The steps of such a design, a leg for each of the u = 2cK+1 windows. The circular list begins with the last block of
+/// window −1. The linear list begins after the last step of window `before`, with the block that its next step makes;
+/// that last step's own block is left out.
+class LegsOfWindows : public SwapPlan {
+ public:
+  LegsOfWindows(const CycleNumbers& numbers, Kind kind, std::uint64_t before)
+      : is_(numbers), first_(kind == Kind::linear ? before + 1 : 0), kind_(kind) {}
+
+  [[nodiscard]] Block start() const final {
+    Block block;
+    if (kind_ == Kind::circular) {
+      block = last_of(is_.u - 1);
+    } else {
+      block = last_of(first_ - 1);
+      const Swap step = swaps_of(first_).front();
+      std::ranges::replace(block, static_cast<Element>(step.leaves),
+                           static_cast<Element>(step.enters));
+    }
+    return block;
+  }
+
+  bool leg(std::uint64_t index, std::vector<Swap>& swaps) const final {
+    if (index == is_.u) {
+      return false;
+    }
+    std::vector<Swap> all = swaps_of((first_ + index) % is_.u);
+    if (index == is_.u - 1) {
+      all.pop_back();  // it leads back to the first block, or makes the block that is left out
+    }
+    if (kind_ == Kind::linear && index == 0) {
+      all.erase(all.begin());  // it makes the first block
+    }
+    swaps.insert(swaps.end(), all.begin(), all.end());
+    return true;
+  }
+
+ protected:
+  /// The steps of window j, the one that moves it there first.
+  [[nodiscard]] virtual std::vector<Swap> swaps_of(std::uint64_t j) const = 0;
+  /// The block after them.
+  [[nodiscard]] virtual Block last_of(std::uint64_t j) const = 0;
+  [[nodiscard]] const CycleNumbers& numbers() const { return is_; }
+
+ private:
+  CycleNumbers is_;
+  std::uint64_t first_;
+  Kind kind_;
+};
+
 class WithoutNeighbours : public Family {
  protected:
   using Family::Family;
@@ -28,8 +93,8 @@ class WithoutNeighbours : public Family {
   [[nodiscard]] virtual bool serves(std::uint64_t k, const Deletion& deletion) const = 0;
   /// How many blocks fewer than the tight design.
   [[nodiscard]] virtual std::uint64_t saved(const Deletion& deletion) const = 0;
-  [[nodiscard]] virtual std::unique_ptr<SwapPlan> steps(std::uint64_t k,
-                                                        const Deletion& deletion) const = 0;
+  [[nodiscard]] virtual std::unique_ptr<SwapPlan> steps(std::uint64_t k, const Deletion& deletion,
+                                                        Kind kind) const = 0;
   [[nodiscard]] virtual std::string explanation(const Parameters& p,
                                                 const Deletion& deletion) const = 0;
 
@@ -44,7 +109,8 @@ class WithoutNeighbours : public Family {
   }
 
   [[nodiscard]] std::uint64_t block_count(const Parameters& p, const Deletion& deletion) const {
-    return checked_multiply(deletion.c, p.v + deletion.r) - saved(deletion);
+    return checked_multiply(deletion.c, p.v + deletion.r) - saved(deletion) -
+           (p.kind == Kind::linear ? 1 : 0);
   }
 
   [[nodiscard]] std::optional<Promise> promise(const Parameters& p) const final {
@@ -54,7 +120,7 @@ class WithoutNeighbours : public Family {
 
   [[nodiscard]] std::unique_ptr<BlockSource> blocks(const Parameters& p) const final {
     const Deletion deletion = deletion_of(p).value();
-    return std::make_unique<SwapSource>(p, block_count(p, deletion), steps(p.k, deletion));
+    return std::make_unique<SwapSource>(p, block_count(p, deletion), steps(p.k, deletion, p.kind));
   }
 
   [[nodiscard]] std::string explanation(const Parameters& p) const final {

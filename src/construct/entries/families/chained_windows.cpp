@@ -1,9 +1,14 @@
-// Linear SCCD(4k−3+w, k) for 2 ≤ w ≤ k−3 and k ≥ 6, one block fewer than visited-windows has: 8(k−1) + 5w [docs/theorems.md, Theorem 11].
+// Linear SCCD(4k−3+w, k) for 2 ≤ w ≤ k−3 and k ≥ 6, one block fewer than visited-windows has: 8(k−1) + 5w, and yet one fewer for
+// k ≥ 7 and w ≥ 3 [docs/theorems.md, Theorem 11].
 //
 // With K = k−1 and W_j = {j, …, j+K−1} over Z_u, u = 4K+1, the tight design is W_j + (j+2K), W_j + (j+K). In two *chains*, j = K, 2K, 3K
 // and j = K+1, 2K+1, 3K+1, the visitor j+2K stays while the window moves, so that j never meets j+K but j+K meets j+2K. What the chains lose at their
 // beginning is in the first blocks; what they gain at their end saves K−1 and K from coming back there. The new elements
 // x_1, …, x_w meet 0, …, K−1, 2K and each other in the first blocks, and visit W_K, W_{2K+1} and W_{3K+1}.
+//
+// For the last saving x_w does not meet K−2 in the first blocks. It comes while the window moves to W_{2K+1} and to W_{3K}, there beside the
+// visitor K−2. Then 3K−1 misses 4K−1, which visits W_{2K} instead of W_{2K−1}; and 2K−1, which it misses there, is with it in the last block, for which 1
+// leaves early.
 #include <fmt/format.h>
 
 #include <memory>
@@ -18,9 +23,12 @@
 namespace changeover {
 namespace {
 
+bool spares_a_block(std::uint64_t k, std::uint64_t w) { return k >= 7 && w >= 3; }
+
 class Chained final : public SwapPlan {
  public:
-  Chained(std::uint64_t k, std::uint64_t w) : big_(k - 1), u_(4 * big_ + 1), w_(w) {}
+  Chained(std::uint64_t k, std::uint64_t w)
+      : big_(k - 1), u_(4 * big_ + 1), w_(w), spares_(spares_a_block(k, w)) {}
 
   // 0, 2K, the x, and as many of K−1, K−2, … as there is room for.
   [[nodiscard]] Block start() const override {
@@ -29,7 +37,9 @@ class Chained final : public SwapPlan {
       block.push_back(static_cast<Element>(x(i)));
     }
     for (std::uint64_t y = lowest(); y < big_; ++y) {
-      block.push_back(static_cast<Element>(y));
+      if (!is_late(y)) {
+        block.push_back(static_cast<Element>(y));
+      }
     }
     return block;
   }
@@ -41,21 +51,40 @@ class Chained final : public SwapPlan {
       return true;
     }
     const std::uint64_t j = index + 1;
-    if (j > 4 * big_) {
+    if (j > 4 * big_ || (spares_ && j == 4 * big_)) {
       return false;
     }
-    std::uint64_t out = in_chain(j - 1) ? (j - 1 + 2 * big_) % u_ : j - 1;
+    std::uint64_t out = leaving_before(j);
     const auto visit = [&](std::uint64_t y) {
       swaps.push_back({.leaves = out, .enters = y});
       out = y;
     };
+    // j goes for one that comes, and then j+K comes for one that leaves.
+    const auto slide = [&](std::uint64_t comes, std::uint64_t leaves) {
+      swaps.push_back({.leaves = j, .enters = comes});
+      swaps.push_back({.leaves = leaves, .enters = j + big_});
+    };
     if (j == big_ || j == 2 * big_ + 1 || j == 3 * big_ + 1) {
       for (std::uint64_t i = 1; i <= w_; ++i) {
-        visit(x(i));
+        if (!spares_ || i < w_ || j == big_) {
+          visit(x(i));
+        }
       }
     }
+    if (spares_ && j == 2 * big_ - 1) {
+      visit(j + big_);
+      swaps.push_back({.leaves = j, .enters = j + 2 * big_});
+      return true;
+    }
     visit((j + 2 * big_) % u_);
-    if (in_chain(j)) {
+    if (spares_ && j == 2 * big_) {
+      slide(x(w_), x(w_));
+    } else if (spares_ && j == 3 * big_ - 1) {
+      slide(x(w_), late());
+    } else if (spares_ && j == 4 * big_ - 1) {
+      visit(2 * big_ - 1);
+      swaps.push_back({.leaves = 1, .enters = late()});
+    } else if (in_chain(j)) {
       swaps.push_back({.leaves = j, .enters = (j + big_) % u_});
     } else if (j < 4 * big_) {
       visit((j + big_) % u_);
@@ -65,31 +94,44 @@ class Chained final : public SwapPlan {
 
  private:
   [[nodiscard]] std::uint64_t x(std::uint64_t i) const { return u_ + i - 1; }
-  // Of 2, …, K−1 those from here on are in the first block.
-  [[nodiscard]] std::uint64_t lowest() const { return w_ + 1; }
+  // Of 2, …, K−1 those from here on are in the first block, but for the late one.
+  [[nodiscard]] std::uint64_t lowest() const { return spares_ ? w_ : w_ + 1; }
+  // Who comes into the first blocks for x_w.
+  [[nodiscard]] std::uint64_t late() const { return big_ - 2; }
+  [[nodiscard]] bool is_late(std::uint64_t y) const { return spares_ && y == late(); }
   // Whether the visitor j+2K stays while j leaves for j+K; 1 leaves in begin().
   [[nodiscard]] bool in_chain(std::uint64_t j) const {
     return j < 3 * big_ + 2 && (j % big_ <= 1) && j > 0;
+  }
+  // Who makes room when the window moves to W_j: j−1, or if that has left the visitor.
+  [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
+    if (spares_ && j == 3 * big_) {
+      return x(w_);
+    }
+    return in_chain(j - 1) || (spares_ && j == 2 * big_) ? (j - 1 + 2 * big_) % u_ : j - 1;
   }
 
   void begin(std::vector<Swap>& swaps) const {
     const auto step = [&](std::uint64_t leaves, std::uint64_t enters) {
       swaps.push_back({.leaves = leaves, .enters = enters});
     };
-    // 2, …, w come, one at a time, and go but for the last; so all of 2, …, K−1 meet 2K and all x.
+    // 2, 3, … come, one at a time, and go but for the last; so all of 2, …, K−1 but the late one meet 2K and all x.
     std::vector<std::uint64_t> gone;
-    std::uint64_t out = lowest();
+    std::uint64_t out = is_late(lowest()) ? big_ - 1 : lowest();
     for (std::uint64_t y = 2; y < lowest(); ++y) {
       step(out, y);
       gone.push_back(out);
       out = y;
     }
     step(0, 1);
+    if (spares_) {
+      step(x(w_), late());
+    }
     step(x(1), big_);
     step(2 * big_, 2 * big_ + 1);
     step(x(2), big_ + 1);
-    for (std::uint64_t i = 3; i <= w_; ++i) {
-      step(x(i), gone.at(static_cast<std::size_t>(i - 3)));
+    for (std::size_t i = 0; i + 1 < gone.size(); ++i) {
+      step(x(i + 3), gone[i]);
     }
     step(1, gone.back());
   }
@@ -97,6 +139,7 @@ class Chained final : public SwapPlan {
   std::uint64_t big_;  // K
   std::uint64_t u_;
   std::uint64_t w_;
+  bool spares_;
 };
 
 bool is_served(const Parameters& p) {
@@ -104,13 +147,16 @@ bool is_served(const Parameters& p) {
          p.v + 6 <= 5 * p.k;
 }
 
-std::uint64_t blocks_of(const Parameters& p) { return 8 * (p.k - 1) + 5 * (p.v + 3 - 4 * p.k); }
+std::uint64_t blocks_of(const Parameters& p) {
+  const std::uint64_t w = p.v + 3 - 4 * p.k;
+  return 8 * (p.k - 1) + 5 * w - (spares_a_block(p.k, w) ? 1 : 0);
+}
 
 constexpr Description description{
     .name = "chained-windows",
     .summary = "a window slides over a cycle, and some visitors stay while it moves",
     .preconditions = "linear, m = 1, k >= 6, v = 4k-3+w with 2 <= w <= k-3",
-    .guarantee = "b = 8(k-1) + 5w",
+    .guarantee = "b = 8(k-1) + 5w, 1 less if k >= 7 and w >= 3",
     .place = "docs/theorems.md, Theorem 11",
 };
 

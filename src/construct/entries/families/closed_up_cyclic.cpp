@@ -1,11 +1,12 @@
-// The tight circular SCCD(2cK+1, k), K = k−1, without r of its elements, closed up: a circular SCCD(2cK+1−r, k), and cut open
-// a linear one, with c(2cK+1) − (c+1)r blocks [docs/theorems.md, Theorem 10].
+// The tight circular SCCD(2cK+1, k), K = k−1, without r of its elements, closed up: a circular SCCD(2cK+1−r, k) with c(2cK+1) −
+// (c+1)r blocks, and a linear one with one block fewer [docs/theorems.md, Theorem 10].
 //
 // With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1, for j = 0, …, u−1. Let
 // D = {0, …, r−1} be the elements that are left out. Where the place of d in D would begin, at j = d−K, the last visitor d+K stays, so that it
 // need not come again at j = d (if d+K is in D too, then d+2K does so). So each of D saves its own c stays and one of another element.
+// For d = r−1 the stay of d+K ends with W_{d+K} + (d+2K), a block that is needed for {d+K, d+2K} only; these two meet at j = d, too.
 //
-// Element x is number x − r. The first block is {u−1, r, …, r+K−1}.
+// Element x is number x − r. The first block of a circular design is {u−1, r, …, r+K−1}.
 #include <fmt/format.h>
 
 #include <memory>
@@ -20,68 +21,61 @@ namespace changeover {
 namespace {
 
 // Leg j makes the blocks with W_j.
-class ClosedUpCycle final : public SwapPlan {
+class ClosedUpCycle final : public LegsOfWindows {
  public:
-  ClosedUpCycle(std::uint64_t k, const Deletion& deletion)
-      : c_(deletion.c), big_(k - 1), u_(2 * deletion.c * big_ + 1), r_(deletion.r) {}
+  ClosedUpCycle(std::uint64_t k, const Deletion& deletion, Kind kind)
+      : LegsOfWindows({k, deletion}, kind, k - 1 + deletion.r - 1) {}
 
-  [[nodiscard]] Block start() const override {
-    Block block(static_cast<std::size_t>(big_));
-    std::iota(block.begin(), block.end(), Element{0});
-    block.push_back(static_cast<Element>(number(u_ - 1)));
+ protected:
+  // Asked for j = u−1, where the next K elements that are left are there, and for j = K+r−1, where nobody holds a place.
+  [[nodiscard]] Block last_of(std::uint64_t j) const override {
+    const std::uint64_t next = j == numbers().u - 1 ? numbers().r : j + 1;
+    Block block(static_cast<std::size_t>(numbers().big));
+    std::iota(block.begin(), block.end(), static_cast<Element>(number(next)));
+    block.push_back(static_cast<Element>(number(j)));
     return block;
   }
 
-  bool leg(std::uint64_t j, std::vector<Swap>& swaps) const override {
-    if (j == u_) {
-      return false;
-    }
+  [[nodiscard]] std::vector<Swap> swaps_of(std::uint64_t j) const override {
+    std::vector<Swap> swaps;
     std::uint64_t out = leaving_before(j);
     const auto enter = [&](std::uint64_t x) {
       swaps.push_back({.leaves = number(out), .enters = number(x)});
       out = x;
     };
     const bool held = deleted(j);  // whoever stayed for it is there already
-    for (std::uint64_t p = c_; p >= 2; --p) {
-      const std::uint64_t visitor = (j + p * big_) % u_;
-      if (!deleted(visitor) && !(held && p == 2 && deleted(j + big_))) {
+    for (std::uint64_t p = numbers().c; p >= 2; --p) {
+      const std::uint64_t visitor = (j + p * numbers().big) % numbers().u;
+      if (!deleted(visitor) && !(held && p == 2 && deleted(j + numbers().big))) {
         enter(visitor);
       }
     }
-    const std::uint64_t next = (j + big_) % u_;
+    const std::uint64_t next = (j + numbers().big) % numbers().u;
     if (!deleted(next) && !held) {
       enter(next);
     }
-    if (j == u_ - 1) {
-      swaps.pop_back();  // it leads back to the first block
-    }
-    return true;
+    return swaps;
   }
 
  private:
-  [[nodiscard]] bool deleted(std::uint64_t x) const { return x < r_; }
-  [[nodiscard]] std::uint64_t number(std::uint64_t x) const { return x - r_; }
+  [[nodiscard]] bool deleted(std::uint64_t x) const { return x < numbers().r; }
+  [[nodiscard]] std::uint64_t number(std::uint64_t x) const { return x - numbers().r; }
 
   // Who makes room when the window moves to W_j: j−1, or if there is no such element the last visitor of W_{j−1}.
   [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
-    const std::uint64_t before = (j + u_ - 1) % u_;
+    const std::uint64_t before = (j + numbers().u - 1) % numbers().u;
     if (!deleted(before)) {
       return before;
     }
-    return before + (deleted(before + big_) ? 3 : 2) * big_;
+    return before + (deleted(before + numbers().big) ? 3 : 2) * numbers().big;
   }
-
-  std::uint64_t c_;
-  std::uint64_t big_;  // K
-  std::uint64_t u_;
-  std::uint64_t r_;
 };
 
 constexpr Description description{
     .name = "closed-up-cyclic",
     .summary = "a tight circular single-change design without some neighbours, closed up",
     .preconditions = "m = 1, k >= 3, v = 2c(k-1)+1-r, c >= 2, 1 <= r < 2(k-1); r < k if c = 2",
-    .guarantee = "b = c(2c(k-1)+1) - (c+1)r",
+    .guarantee = "b = c(2c(k-1)+1) - (c+1)r; linear 1 less",
     .place = "docs/theorems.md, Theorem 10",
 };
 
@@ -96,8 +90,9 @@ class ClosedUpCyclic final : public WithoutNeighbours {
   std::uint64_t saved(const Deletion& deletion) const override {
     return (deletion.c + 1) * deletion.r;
   }
-  std::unique_ptr<SwapPlan> steps(std::uint64_t k, const Deletion& deletion) const override {
-    return std::make_unique<ClosedUpCycle>(k, deletion);
+  std::unique_ptr<SwapPlan> steps(std::uint64_t k, const Deletion& deletion,
+                                  Kind kind) const override {
+    return std::make_unique<ClosedUpCycle>(k, deletion, kind);
   }
   std::string explanation(const Parameters& p, const Deletion& deletion) const override {
     return fmt::format(

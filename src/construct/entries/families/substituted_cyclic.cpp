@@ -1,9 +1,10 @@
 // The tight circular SCCD(2cK+1, k), K = k−1, in which r elements are left out and r others take their places in the window: a
-// circular SCCD(2cK+1−r, k), and cut open a linear one, with c(2cK+1) − 2(c−1)r blocks [docs/theorems.md, Theorem 10].
+// circular SCCD(2cK+1−r, k) with c(2cK+1) − 2(c−1)r blocks, and a linear one with one block fewer [docs/theorems.md, Theorem 10].
 //
 // With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+pK), p = c, …, 1, for j = 0, …, u−1. In place of d = 0,
 // …, r−1 write d + cK in the windows. That element is then in a window twice, far apart, and meets all others there, those of
 // the windows and those that visit them: it need visit no window itself. So each d saves c−1 visits, and its substitute as many.
+// The block W_{(c−1)K} + cK is needed for {(c−1)K, cK} only, and (c−1)K visits W_0, in which cK takes the place of 0.
 //
 // Element x is number x − r.
 #include <fmt/format.h>
@@ -19,53 +20,46 @@ namespace changeover {
 namespace {
 
 // Leg j makes the blocks with W_j.
-class SubstitutedCycle final : public SwapPlan {
+class SubstitutedCycle final : public LegsOfWindows {
  public:
-  SubstitutedCycle(std::uint64_t k, const Deletion& deletion)
-      : c_(deletion.c), big_(k - 1), u_(2 * deletion.c * big_ + 1), r_(deletion.r) {}
+  SubstitutedCycle(std::uint64_t k, const Deletion& deletion, Kind kind)
+      : LegsOfWindows({k, deletion}, kind, (deletion.c - 1) * (k - 1)) {}
 
-  // W_{−1} + (K−1).
-  [[nodiscard]] Block start() const override {
-    Block block{static_cast<Element>(in_window(u_ - 1))};
-    for (std::uint64_t x = 0; x < big_; ++x) {
-      block.push_back(static_cast<Element>(in_window(x)));
+ protected:
+  // W_j + (j+K).
+  [[nodiscard]] Block last_of(std::uint64_t j) const override {
+    Block block;
+    for (std::uint64_t x = 0; x <= numbers().big; ++x) {
+      block.push_back(static_cast<Element>(in_window((j + x) % numbers().u)));
     }
     return block;
   }
 
-  bool leg(std::uint64_t j, std::vector<Swap>& swaps) const override {
-    if (j == u_) {
-      return false;
-    }
-    std::uint64_t out = in_window((j + u_ - 1) % u_);
+  [[nodiscard]] std::vector<Swap> swaps_of(std::uint64_t j) const override {
+    std::vector<Swap> swaps;
+    std::uint64_t out = in_window((j + numbers().u - 1) % numbers().u);
     const auto enter = [&](std::uint64_t number) {
       swaps.push_back({.leaves = out, .enters = number});
       out = number;
     };
-    for (std::uint64_t p = c_; p >= 2; --p) {
-      const std::uint64_t visitor = (j + p * big_) % u_;
+    for (std::uint64_t p = numbers().c; p >= 2; --p) {
+      const std::uint64_t visitor = (j + p * numbers().big) % numbers().u;
       if (visits(visitor)) {
-        enter(visitor - r_);
+        enter(visitor - numbers().r);
       }
     }
-    if (j < u_ - 1) {  // the last step leads back to the first block
-      enter(in_window((j + big_) % u_));
-    }
-    return true;
+    enter(in_window((j + numbers().big) % numbers().u));
+    return swaps;
   }
 
  private:
   [[nodiscard]] std::uint64_t in_window(std::uint64_t x) const {
-    return (x < r_ ? x + c_ * big_ : x) - r_;
+    return (x < numbers().r ? x + numbers().c * numbers().big : x) - numbers().r;
   }
   [[nodiscard]] bool visits(std::uint64_t x) const {
-    return x >= r_ && (x < c_ * big_ || x >= c_ * big_ + r_);
+    return x >= numbers().r &&
+           (x < numbers().c * numbers().big || x >= numbers().c * numbers().big + numbers().r);
   }
-
-  std::uint64_t c_;
-  std::uint64_t big_;  // K
-  std::uint64_t u_;
-  std::uint64_t r_;
 };
 
 constexpr Description description{
@@ -73,7 +67,7 @@ constexpr Description description{
     .summary =
         "a tight circular single-change design without some neighbours, others in their places",
     .preconditions = "m = 1, k >= 3, v = 2c(k-1)+1-r, c >= 3, 1 <= r < k",
-    .guarantee = "b = c(2c(k-1)+1) - 2(c-1)r",
+    .guarantee = "b = c(2c(k-1)+1) - 2(c-1)r; linear 1 less",
     .place = "docs/theorems.md, Theorem 10",
 };
 
@@ -88,8 +82,9 @@ class SubstitutedCyclic final : public WithoutNeighbours {
   std::uint64_t saved(const Deletion& deletion) const override {
     return 2 * (deletion.c - 1) * deletion.r;
   }
-  std::unique_ptr<SwapPlan> steps(std::uint64_t k, const Deletion& deletion) const override {
-    return std::make_unique<SubstitutedCycle>(k, deletion);
+  std::unique_ptr<SwapPlan> steps(std::uint64_t k, const Deletion& deletion,
+                                  Kind kind) const override {
+    return std::make_unique<SubstitutedCycle>(k, deletion, kind);
   }
   std::string explanation(const Parameters& p, const Deletion& deletion) const override {
     return fmt::format(
