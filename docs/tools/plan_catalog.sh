@@ -2,15 +2,16 @@
 # Writes what constructions and closure rules know today into the catalog that comes with the program: catalog/planned/*.jsonl gets a line for
 # each cell of its range (construct/standard_catalog.hpp) that has no design yet, or a better one. Lines that are there stay: labels last.
 # Takes some minutes; build the program anew afterwards, and once more from here if designs were added, until nothing is added.
-# usage: docs/tools/plan_catalog.sh
+# usage: docs/tools/plan_catalog.sh [M…]   change numbers, all if none is named
 set -euo pipefail
+[[ $# -gt 0 ]] || set -- 1 2 3
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 export CHANGEOVER_CATALOG=
-program=build/release/changeover
+program=${CHANGEOVER_PROGRAM:-build/release/changeover}
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 mkdir -p catalog/planned
-for change in 1 2 3; do
+for change in "$@"; do
   for kind in linear circular; do
     file=catalog/planned/m$change-$kind.jsonl
     : >"$work/new"
