@@ -10,6 +10,7 @@
 //   run          limits, stop and progress of all that takes long
 //   verify       the verdict on a list of blocks
 //   bounds       how few blocks there can be
+//   catalog      designs that are known, with labels that last
 //   construct    designs by recipe: the registry, recursions, plans of whole ranges
 //   io           files in and out, tables and pictures
 //   isomorphism  the same up to names, and the groups
@@ -20,12 +21,16 @@
 #pragma once
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/catalog/entry.hpp"
+#include "changeover/catalog/label.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/construct/partial_expansion.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
+#include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/automorphism.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
@@ -35,6 +40,7 @@
 #include "changeover/core/pair_set.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/core/recipe.hpp"
+#include "changeover/core/sha256.hpp"
 #include "changeover/core/transitions.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/figures.hpp"
