@@ -16,6 +16,7 @@
 //   isomorphism  the same up to names, and the groups
 //   proof        checked proofs that there is none
 //   search       designs that are found, and proofs that there are none
+//   curator      designs into the catalog and out of it, and what it says held to what is built
 //   plan         run sheets for experiments
 //   loadorder    load orders, and all-pairs jobs that run them
 #pragma once
@@ -43,6 +44,9 @@
 #include "changeover/core/sha256.hpp"
 #include "changeover/core/transitions.hpp"
 #include "changeover/core/version.hpp"
+#include "changeover/curator/add.hpp"
+#include "changeover/curator/audit.hpp"
+#include "changeover/curator/exchange.hpp"
 #include "changeover/io/figures.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"

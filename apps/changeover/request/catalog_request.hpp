@@ -20,10 +20,13 @@ struct CatalogRequest {
   /// The catalog: what comes with the program, and the user's designs in FILE if one was named. What is wrong with the user's file
   /// is said on stderr.
   [[nodiscard]] Catalog& open() const;
+
+  /// The same to write to it: what is wrong with the user's file is then the fault of the verb.
+  [[nodiscard]] Catalog& open_to_write() const;
 };
 
 /// [--k A..B] [--v C..D] [--change M] [--circular | --linear] [--strength T] [--status WORD] [--gap N] [--construction NAME]
-/// [--since DATE] [--all] [--users].
+/// [--since DATE] [--all | --best] [--users].
 struct FilterRequest {
   std::string k, v, status, construction, since;
   std::optional<std::uint64_t> change, strength, gap;
@@ -31,7 +34,9 @@ struct FilterRequest {
   bool all = false;
   bool users = false;
 
-  void add_to(Verb& verb);
+  /// When all designs of a cell are meant, and not the best only.
+  enum class Unless : std::uint8_t { all_is_not_asked_for, best_is_asked_for };
+  void add_to(Verb& verb, Unless unless = Unless::all_is_not_asked_for);
 
   /// @throws UsageError
   [[nodiscard]] CatalogFilter filter() const;
