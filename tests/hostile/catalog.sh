@@ -65,14 +65,16 @@ for ((i = 1; i <= kills; ++i)); do
   attacks=$((attacks + 1))
   printf -v pause '0.%03d' $((RANDOM % 120))
   at=$((1 + (i * 3) % 390))
+  answer=$scratch/said/answer
+  : >"$answer" # The process may be killed before it does so itself.
   if ((i % 3 == 0)); then
     tried="catalog import all.jsonl, killed after $pause s"
     rm -f import.db import.db-wal import.db-shm
     [[ $((i % 2)) == 0 ]] || add import.db "$known" >/dev/null
-    "$CHANGEOVER" catalog import all.jsonl --quiet --catalog import.db >"$out" 2>/dev/null </dev/null &
+    "$CHANGEOVER" catalog import all.jsonl --quiet --catalog import.db >"$answer" 2>/dev/null </dev/null &
   else
     tried="catalog add of two designs, killed after $pause s"
-    add own.db "$designs/$at" "$designs/$((at + 1))" >"$out" 2>/dev/null </dev/null &
+    add own.db "$designs/$at" "$designs/$((at + 1))" >"$answer" 2>/dev/null </dev/null &
   fi
   process=$!
   sleep "$pause"
@@ -83,11 +85,11 @@ for ((i = 1; i <= kills; ++i)); do
     whole "$tried" import.db "$scratch/tools/none"
     there=$(comm -12 "$scratch/tools/all" "$scratch/tools/there" | wc -l)
     ((there == 0 || there == count)) || fault "$tried: $there of $count designs are there"
-    if grep -q '^added' "$out" && ((there != count)); then
-      fault "$tried: it said that it was done, and $there of $count are there"
+    if grep -q '^added' "$answer" && ((there != count)); then
+      fault "$tried: it said \"$(head -1 "$answer")\", and $there of $count are there; the list has $(wc -l <"$scratch/tools/there") lines"
     fi
   else
-    said_in "$out" >>"$scratch/tools/said_added"
+    said_in "$answer" >>"$scratch/tools/said_added"
     sort -u -o "$scratch/tools/said_added" "$scratch/tools/said_added"
     whole "$tried" own.db "$scratch/tools/said_added"
   fi
