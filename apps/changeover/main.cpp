@@ -35,6 +35,8 @@ int main(int argc, char** argv) {
   add_catalog_import(program);
   add_catalog_verify(program);
   add_catalog_diff(program);
+  add_catalog_improve(program);
+  add_catalog_submit(program);
   add_completion(program);
   add_describe(program);
   const int code = program.run(argc, argv);

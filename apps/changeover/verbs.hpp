@@ -32,6 +32,8 @@ void add_catalog_export(Program& program);
 void add_catalog_import(Program& program);
 void add_catalog_verify(Program& program);
 void add_catalog_diff(Program& program);
+void add_catalog_improve(Program& program);
+void add_catalog_submit(Program& program);
 void add_completion(Program& program);
 void add_describe(Program& program);
 

@@ -47,6 +47,7 @@
 #include "changeover/curator/add.hpp"
 #include "changeover/curator/audit.hpp"
 #include "changeover/curator/exchange.hpp"
+#include "changeover/curator/improve.hpp"
 #include "changeover/io/figures.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"

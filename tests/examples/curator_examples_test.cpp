@@ -47,5 +47,17 @@ TEST_F(CuratorExamples, Exchange) {
   }
 }
 
+TEST_F(CuratorExamples, Improve) {
+  Catalog catalog({.shipped = {}, .user = "mine.db"});
+  put("mine.txt", "0 1 2\n0 1 3\n0 2 3\n1 2 3\n");
+  catalog.add(*newcomer_of(read_design("mine.txt"), {}).entry);
+  StringSink sink;
+  RunControl control({.time = std::chrono::seconds(2)});
+  const auto finds = improve_catalog(catalog, {.v_to = 9, .k_to = 4}, control);
+  const Submission submission = write_submission(catalog, sink);
+  EXPECT_LE(submission.entries, 1U);
+  EXPECT_EQ(finds.size(), 1U);
+}
+
 }  // namespace
 }  // namespace changeover::test

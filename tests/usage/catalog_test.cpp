@@ -113,6 +113,18 @@ TEST_F(CatalogUsage, Verify) {
          folder);
 }
 
+TEST_F(CatalogUsage, ImproveAndSubmit) {
+  expect({{mine("add four.txt"), 0, "added: 4.3.1.linear.4."},
+          {mine("submit"), 4, "Nothing of yours is better than what comes with the program."},
+          {mine("improve --users --time 20s --who Me"), 10,
+           "better: 4.3.1.linear  4 -> 3  4.3.1.linear.3."},
+          {mine("improve --users --time 20s"), 30, "0 designs better"},
+          {mine("improve --time nonsense"), 2, "--time"},
+          {mine("improve --each nonsense"), 2, "--each"},
+          {mine("list --users"), 0, "4.3.1.linear.3."}},
+         folder);
+}
+
 TEST_F(CatalogUsage, Diff) {
   expect({{mine("add four.txt && ") + mine("export --users -o old.jsonl"), 0, "added: "},
           {mine("add three.txt && ") + mine("export --users -o new.jsonl"), 0, "added: "},
