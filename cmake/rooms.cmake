@@ -2,7 +2,7 @@
 # place that says so: the libraries are linked from it, and tests/architecture holds the includes
 # to it. A room's public headers are include/changeover/<room>/, all the rest of it is src/<room>/.
 
-set(CHANGEOVER_ROOMS core run verify bounds io catalog construct paper proof isomorphism search loadorder plan)
+set(CHANGEOVER_ROOMS core run verify bounds io catalog construct paper proof isomorphism search curator loadorder plan)
 
 # Rooms that are built with the others but are no part of the installed library.
 set(CHANGEOVER_ROOMS_OF_THE_HOUSE paper)
@@ -18,6 +18,7 @@ set(CHANGEOVER_KNOWS_paper core run verify bounds io catalog construct)
 set(CHANGEOVER_KNOWS_proof core)
 set(CHANGEOVER_KNOWS_isomorphism core run)
 set(CHANGEOVER_KNOWS_search core run verify bounds io catalog construct proof isomorphism)
+set(CHANGEOVER_KNOWS_curator core run verify bounds io catalog construct isomorphism search)
 set(CHANGEOVER_KNOWS_plan core run verify bounds io catalog construct search)
 set(CHANGEOVER_KNOWS_loadorder core run verify bounds io catalog construct search)
 

@@ -28,6 +28,15 @@ int main(int argc, char** argv) {
   add_catalog_history(program);
   add_catalog_cite(program);
   add_catalog_completeness(program);
+  add_catalog_add(program);
+  add_catalog_retract(program);
+  add_catalog_alias(program);
+  add_catalog_export(program);
+  add_catalog_import(program);
+  add_catalog_verify(program);
+  add_catalog_diff(program);
+  add_catalog_improve(program);
+  add_catalog_submit(program);
   add_completion(program);
   add_describe(program);
   const int code = program.run(argc, argv);

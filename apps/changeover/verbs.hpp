@@ -25,6 +25,15 @@ void add_catalog_list(Program& program);
 void add_catalog_history(Program& program);
 void add_catalog_cite(Program& program);
 void add_catalog_completeness(Program& program);
+void add_catalog_add(Program& program);
+void add_catalog_retract(Program& program);
+void add_catalog_alias(Program& program);
+void add_catalog_export(Program& program);
+void add_catalog_import(Program& program);
+void add_catalog_verify(Program& program);
+void add_catalog_diff(Program& program);
+void add_catalog_improve(Program& program);
+void add_catalog_submit(Program& program);
 void add_completion(Program& program);
 void add_describe(Program& program);
 

@@ -10,12 +10,13 @@
 //   run          limits, stop and progress of all that takes long
 //   verify       the verdict on a list of blocks
 //   bounds       how few blocks there can be
-//   catalog      designs that are known, by label
+//   catalog      designs that are known, with labels that last
 //   construct    designs by recipe: the registry, recursions, plans of whole ranges
 //   io           files in and out, tables and pictures
 //   isomorphism  the same up to names, and the groups
 //   proof        checked proofs that there is none
 //   search       designs that are found, and proofs that there are none
+//   curator      designs into the catalog and out of it, and what it says held to what is built
 //   plan         run sheets for experiments
 //   loadorder    load orders, and all-pairs jobs that run them
 #pragma once
@@ -43,6 +44,10 @@
 #include "changeover/core/sha256.hpp"
 #include "changeover/core/transitions.hpp"
 #include "changeover/core/version.hpp"
+#include "changeover/curator/add.hpp"
+#include "changeover/curator/audit.hpp"
+#include "changeover/curator/exchange.hpp"
+#include "changeover/curator/improve.hpp"
 #include "changeover/io/figures.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"

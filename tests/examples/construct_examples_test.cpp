@@ -68,5 +68,13 @@ TEST(ConstructExamples, Registry) {
   EXPECT_TRUE(built);
 }
 
+TEST(ConstructExamples, StandardCatalog) {
+  std::string label;
+  if (const auto entry = standard_catalog().best({.v = 20, .k = 6, .change = 1})) {
+    label = entry->label();
+  }
+  EXPECT_THAT(label, testing::StartsWith("20.6.1.linear.37."));
+}
+
 }  // namespace
 }  // namespace changeover::test

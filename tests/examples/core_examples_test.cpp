@@ -115,6 +115,14 @@ TEST(CoreExamples, Recipe) {
   EXPECT_TRUE(verify(*Registry::standard().build(recipe)).tight());
 }
 
+TEST(CoreExamples, Sha256) {
+  Sha256 hash;
+  hash.add("ab");
+  hash.add("c");
+  EXPECT_EQ(to_hex(hash.finish()),
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
 TEST(CoreExamples, Transitions) {
   const Design design = three_blocks();
   std::vector<Block> drawn;

@@ -1,66 +1,141 @@
-// changeover catalog: looking up what is known.
-#include <gtest/gtest.h>
+// changeover catalog …: what goes into a catalog of one's own, and out of it.
+#include <gmock/gmock.h>
+
+#include <sstream>
 
 #include "cases.hpp"
-#include "changeover/core/sha256.hpp"
 
 namespace changeover::test {
 namespace {
 
-TEST(CatalogVerbs, AnswerWhatIsAsked) {
-  const TemporaryFolder folder;
+using testing::HasSubstr;
+
+// A folder with files, whose catalog is mine.db.
+class CatalogUsage : public testing::Test {
+ protected:
+  CatalogUsage() {
+    spit(folder.file("three.txt"), "0 1 2\n0 1 3\n0 2 3\n");
+    spit(folder.file("same.txt"), "0 1 3\n0 1 2\n0 3 2\n");
+    spit(folder.file("four.txt"), "0 1 2\n0 1 3\n0 2 3\n1 2 3\n");
+    spit(folder.file("bad.txt"), "0 1 2\n0 1 3\n");
+    spit(folder.file("steps.txt"), "0 1 2\n0 1 3\n2 4 0\n");
+    spit(folder.file("words.txt"), "0 1\n0 1 2\n");
+  }
+
+  std::string with(const std::string& catalog, const std::string& command) const {
+    return "CHANGEOVER_CATALOG='" + folder.file(catalog) + "' $changeover catalog " + command;
+  }
+  std::string mine(const std::string& command) const { return with("mine.db", command); }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(CatalogUsage, Add) {
   expect(
-      {
-          {"$changeover catalog show 26 4", 0, "26.4.2.circular.65.08c35011"},
-          {"$changeover catalog show 26.4.2.circular", 0, "minimum"},
-          {"$changeover catalog show 26.4.2.circular.65", 0, "how it is made"},
-          {"$changeover 26.4.2.circular.65.08c3", 0, "SHA-256"},
-          {"$changeover catalog show 20 5 --json", 0, "\"status\":\"minimum\""},
-          {"$changeover catalog show 26.4.2.circular --format csv", 0, "block,element_1"},
-          {"$changeover catalog show 26.4.2.circular --format text | $changeover verify -", 0, "tight"},
-          {"$changeover catalog show 6 4 --strength 3 --change 1", 0, ".t3."},
-          {"$changeover catalog show 26.4.2.circular.66", 4, "has no design"},
-          {"$changeover catalog show 999 3 --change 900", 2, "change"},
-          {"$changeover catalog show 999 4", 4, "changeover bounds"},
-          {"$changeover catalog show 4 2 --json", 4, "[]"},
-          {"$changeover catalog show pigs 4", 2, "neither a label"},
-          {"$changeover catalog list --k 4 --v 5..12 --change 1 --linear --strength 2", 0, "8 designs"},
-          {"$changeover catalog list --k 4 --v 5..12 --gap 1 --json", 0, "["},
-          {"$changeover catalog list --k 20 --v 60 --format csv", 0, "60.20.3.circular"},
-          {"$changeover catalog list --since tomorrow", 2, "--since"},
-          {"$changeover catalog list --k 9..3", 2, "the range is empty"},
-          {"$changeover catalog history 20.6.1.linear", 0, "38"},
-          {"$changeover catalog history 20.6", 2, "no label of a cell"},
-          {"$changeover catalog cite 26.4.2.circular.65", 0, "@misc{changeover-26.4.2.circular.65"},
-          {"$changeover catalog cite 40.9.2.circular", 4, "has no design"},
-          {"$changeover catalog cite", 0, "A catalog of change covering designs"},
-          {"$changeover catalog completeness --k 3..4 --change 1 --linear", 0, "(100 %)"},
-          {"$changeover catalog --help", 0, "completeness"},
-          {"$changeover catalog", 2, "there are show"},
-          {"$changeover catalog shwo", 2, "did you mean show"},
-          {"$changeover catalog list --kk 3", 2, "catalog list has no option --kk"},
-          {"CHANGEOVER_CATALOG=/nowhere/at/all.db $changeover catalog list --users", 0, "0 designs"},
-      },
+      {{mine("add three.txt --who Me --note 'by hand'"), 0,
+        "added: 4.3.1.linear.3.fdc879cf, linear SCCD(4,3) with 3 blocks, minimum"},
+       {mine("add three.txt"), 0, "there already: 4.3.1.linear.3.fdc879cf"},
+       {mine("add - <three.txt --json"), 0, "\"outcome\":\"already there\""},
+       {mine("add same.txt"), 0,
+        "not added: 4.3.1.linear.3.2fc52240 is 4.3.1.linear.3.fdc879cf up to names"},
+       {mine("add same.txt --even-isomorphic"), 0, "  it is 4.3.1.linear.3.fdc879cf up to"},
+       {mine("add four.txt bad.txt"), 1,
+        "INVALID: bad.txt: 1 of 6 pairs are in no block, as {2,3}\nnothing was added"},
+       {mine("add steps.txt"), 1, "the first from block 2 to block 3"},
+       {mine("show 4.3.1.linear.4"), 4, "4.3.1.linear.4"},
+       {mine("add four.txt"), 0,
+        "the best that is known of its cell has 3 blocks: 4.3.1.linear.3."},
+       {mine("add words.txt"), 3, "words.txt"},
+       {mine("add nothing.txt"), 4, "nothing.txt"},
+       {mine("add three.txt --note \"$(printf 'a\\nb')\""), 3, "note"},
+       {mine("add"), 2, "FILE"},
+       {mine("add - - <three.txt"), 2, "standard input"},
+       {"CHANGEOVER_CATALOG= $changeover catalog add three.txt", 4, "--catalog"},
+       {"CHANGEOVER_CATALOG= $changeover catalog add three.txt --catalog other.db", 0, "added: "},
+       {mine("show 4.3.1.linear.3.fdc879cf"), 0, "Me"},
+       {mine("list --users --all"), 0, "3 designs"}},
       folder);
 }
 
-// The checksum is that of the lines that everybody can make.
-TEST(CatalogVerbs, AChecksumIsThatOfTheLinesOfBlocks) {
-  const TemporaryFolder folder;
-  const Outcome text =
-      run("$changeover catalog show 26.4.2.circular.65 --format text | grep -v '^#'", folder.path());
-  EXPECT_TRUE(to_hex(sha256(text.out)).starts_with("08c35011"));
+// What comes with the program is not added again.
+TEST_F(CatalogUsage, NotWhatIsShipped) {
+  expect({{"$changeover design 9 4 --change 2 --circular --format text -o nine.txt && " +
+               mine("add nine.txt"),
+           0, "there already: 9.4.2.circular."},
+          {mine("list --users --all"), 0, "0 designs"}},
+         folder);
 }
 
-TEST(CatalogVerbs, SayThatTheUsersFileIsNoCatalogAndGoOn) {
-  const TemporaryFolder folder;
-  ASSERT_EQ(run("echo 'my diary, and no catalog of designs at all' > mine.db", folder.path()).code, 0);
-  const Outcome outcome =
-      run("CHANGEOVER_CATALOG=mine.db $changeover bounds 26 4 --circular", folder.path());
-  EXPECT_EQ(outcome.code, 0);
-  EXPECT_NE(outcome.out.find("b <= 65"), std::string::npos);
-  EXPECT_NE(outcome.err.find("mine.db"), std::string::npos);
-  EXPECT_NE(run("cat mine.db", folder.path()).out.find("my diary"), std::string::npos);
+TEST_F(CatalogUsage, RetractAndAlias) {
+  expect({{mine("add three.txt four.txt"), 0, "added: "},
+          {mine("alias nice 4.3.1.linear.3.fdc8"), 0, "nice leads to 4.3.1.linear.3.fdc879cf"},
+          {mine("show nice"), 0, "4.3.1.linear.3.fdc879cf"},
+          {mine("alias nice 4.3.1.linear.4"), 3, "choose another word"},
+          {mine("alias 4.3.1.linear 4.3.1.linear.4"), 3, "is a label"},
+          {mine("retract 4.3.1.linear.3.fdc879cf"), 2, "--why"},
+          {mine("retract 4.3.1.linear.3.00000000 --why x"), 3, "there is no design"},
+          {mine("retract nice --why 'a misprint'"), 0, "retracted: 4.3.1.linear.3.fdc879cf"},
+          {mine("show nice"), 0, "a misprint"},
+          {mine("list --users"), 0, "4.3.1.linear.4."}},
+         folder);
+}
+
+TEST_F(CatalogUsage, ExportAndImport) {
+  expect({{mine("add three.txt same.txt four.txt --even-isomorphic"), 0, "added: "},
+          {mine("export --users -o one.jsonl && wc -l <one.jsonl"), 0, "4"},
+          {with("theirs.db", "import one.jsonl"), 0, "added: 3 designs"},
+          {with("theirs.db", "import one.jsonl"), 0, "there already: 3"},
+          {with("theirs.db", "export --users -o two.jsonl") +
+               " && cmp one.jsonl two.jsonl && echo same",
+           0, "same"},
+          {mine("export --users --best | wc -l"), 0, "2"},
+          {"sed 's/\\[0,1,3\\]/[0,1,2]/' one.jsonl >bad.jsonl; " + with("x.db", "import bad.jsonl"),
+           3, "bad.jsonl:"},
+          {"test ! -e x.db && echo none", 0, "none"},
+          {with("x.db", "import three.txt"), 3, "three.txt:1:"},
+          {with("x.db", "import nothing.jsonl"), 4, "nothing.jsonl"},
+          {"(cat one.jsonl; echo x) | " + with("x.db", "import - --skip-bad"), 1,
+           "left out: <stdin>:5:"},
+          {with("x.db", "export --users") + " | cmp - one.jsonl && echo same", 0, "same"}},
+         folder);
+}
+
+TEST_F(CatalogUsage, Verify) {
+  expect({{mine("add three.txt four.txt"), 0, "added: "},
+          {mine("verify --users --resume done.txt"), 0, "2 of 2 designs built and verified"},
+          {mine("verify --users --resume done.txt"), 0,
+           "0 of 2 designs built and verified (2 before)"},
+          {mine("add same.txt --even-isomorphic"), 0, "added: "},
+          {mine("verify --users --resume done.txt --json"), 0,
+           "\"checked\":3,\"checked_before\":0,\"complete\":true"},
+          {mine("verify --users --resume three.txt"), 3, "no list of what catalog verify has done"},
+          {mine("verify --k 4 --v 10..20 --change 1 --threads 2"), 0, "all as they say"}},
+         folder);
+}
+
+TEST_F(CatalogUsage, ImproveAndSubmit) {
+  expect({{mine("add four.txt"), 0, "added: 4.3.1.linear.4."},
+          {mine("submit"), 4, "Nothing of yours is better than what comes with the program."},
+          {mine("improve --users --time 20s --who Me"), 10,
+           "better: 4.3.1.linear  4 -> 3  4.3.1.linear.3."},
+          {mine("improve --users --time 20s"), 30, "0 designs better"},
+          {mine("improve --time nonsense"), 2, "--time"},
+          {mine("improve --each nonsense"), 2, "--each"},
+          {mine("list --users"), 0, "4.3.1.linear.3."}},
+         folder);
+}
+
+TEST_F(CatalogUsage, Diff) {
+  expect({{mine("add four.txt && ") + mine("export --users -o old.jsonl"), 0, "added: "},
+          {mine("add three.txt && ") + mine("export --users -o new.jsonl"), 0, "added: "},
+          {mine("diff old.jsonl new.jsonl"), 0,
+           "better  4.3.1.linear  4 -> 3\n1 better, 0 worse, 0 new, 0 gone"},
+          {mine("diff new.jsonl old.jsonl"), 0, "worse   4.3.1.linear  3 -> 4"},
+          {mine("diff new.jsonl old.jsonl --json"), 0,
+           R"([{"cell":"4.3.1.linear","change":"worse","before":3,"after":4}])"},
+          {mine("diff new.jsonl"), 0, "0 better, 0 worse, "},
+          {mine("diff three.txt"), 3, "three.txt:1:"}},
+         folder);
 }
 
 }  // namespace

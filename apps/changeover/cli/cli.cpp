@@ -451,7 +451,8 @@ int Program::run(int argc, char** argv) {
         return (*verb)->state_->action();
       },
       chosen().get_name());
-  if (const std::string problem = standard_catalog_problem(); !problem.empty()) {
+  const bool answered = code <= exit_code::refuted || code >= exit_code::found;
+  if (const std::string problem = answered ? standard_catalog_problem() : ""; !problem.empty()) {
     complain(code, "your own catalog was left out: " + problem);
   }
   return code;

@@ -19,7 +19,7 @@ Catalog& CatalogRequest::open() const {
   return standard_catalog();
 }
 
-void FilterRequest::add_to(Verb& verb) {
+void FilterRequest::add_to(Verb& verb, Unless unless) {
   verb.option("--k", k, "A..B", "block sizes");
   verb.option("--v", v, "C..D", "numbers of elements");
   verb.option("-m,--change", change, "M", "elements in which consecutive blocks differ");
@@ -29,7 +29,13 @@ void FilterRequest::add_to(Verb& verb) {
   verb.option("--gap", gap, "N", "so many blocks over the lower bound, or more");
   verb.option("--construction", construction, "NAME", "made by that construction");
   verb.option("--since", since, "DATE", "credited on that day or later, as 2026-11-22");
-  verb.flag("--all", all, "of each cell all designs, not the best only");
+  if (unless == Unless::all_is_not_asked_for) {
+    verb.flag("--all", all, "of each cell all designs, not the best only");
+  } else {
+    all = true;
+    verb.flag(
+        "--best", [this] { all = false; }, "of each cell the best design only");
+  }
   verb.flag("--users", users, "the user's designs only");
 }
 

@@ -23,7 +23,7 @@ struct CatalogRequest {
 };
 
 /// [--k A..B] [--v C..D] [--change M] [--circular | --linear] [--strength T] [--status WORD] [--gap N] [--construction NAME]
-/// [--since DATE] [--all] [--users].
+/// [--since DATE] [--all | --best] [--users].
 struct FilterRequest {
   std::string k, v, status, construction, since;
   std::optional<std::uint64_t> change, strength, gap;
@@ -31,7 +31,9 @@ struct FilterRequest {
   bool all = false;
   bool users = false;
 
-  void add_to(Verb& verb);
+  /// When all designs of a cell are meant, and not the best only.
+  enum class Unless : std::uint8_t { all_is_not_asked_for, best_is_asked_for };
+  void add_to(Verb& verb, Unless unless = Unless::all_is_not_asked_for);
 
   /// @throws UsageError
   [[nodiscard]] CatalogFilter filter() const;

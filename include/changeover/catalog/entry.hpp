@@ -1,16 +1,17 @@
 // One design in the catalog: a line of text.
 //
 //     CatalogEntry entry = entry_from_line(
-//         R"({"label":"4.3.1.linear.3.93d18a17","b":3,"lower_bound":3,"reason":"counting","recipe":)"
-//         R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear","blocks":[[0,1,2],[0,1,3],[0,2,3]]},)"
-//         R"("sha256":"93d18a174fbd68c0d44ee38d0afe5a7567c75b3bb5eb3dd8d1c5d1dbcb1ed30a"})",
+//         R"({"label":"4.3.1.linear.3.fdc879cf","b":3,"lower_bound":3,"reason":"counting","recipe":)"
+//         R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear","arguments":{},"inputs":[],)"
+//         R"("blocks":[[0,1,2],[0,1,3],[0,2,3]]},)"
+//         R"("sha256":"fdc879cf58d819b2f1550061bf579ec55c0ec7cd10f723344cd6bba2b4e4cf12"})",
 //         "mine.jsonl", 1, {});
 //     entry.status();                        // "minimum": as many blocks as the bound says
 //     line_of(entry, {});                    // the same line
 //
 // A file is such lines, one JSON object each, after a first line that says what it is and what its lines share:
 //
-//     {"format":"changeover-catalog/1","credit":{"who":"…","date":"2026-11-22","program":"changeover 0.1.0"}}
+//     {"format":"changeover-catalog/1","credit":{"who":"A. Researcher","date":"2026-11-22","program":"changeover 0.1.0"}}
 //
 // Keys come in this order; those in brackets may be missing: label, b, lower_bound, reason, recipe, sha256, [cites], [note],
 // [credit], [retracted]. The label says the parameters. A recipe is data (core/recipe.hpp): blocks ("literal"), base
@@ -74,8 +75,8 @@ inline constexpr std::size_t longest_catalog_line = std::size_t{64} << 20;
 /// An entry from its line. What is not said in it: credit is `shared`. Nothing is built: that the blocks have this checksum and are a
 /// design is for whoever takes the entry in.
 /// @param name of the file, and the line's number, for messages.
-/// @throws BadInput with file and line if it is malformed, a key is unknown or twice there, label and recipe do not agree, or
-/// a text has characters that are no text.
+/// @throws BadInput with file and line if it is malformed, a key is unknown or twice there, label and recipe do not agree, there are no
+/// blocks or fewer than the bound, or a text has characters that are no text.
 [[nodiscard]] CatalogEntry entry_from_line(std::string_view line, const std::string& name,
                                            std::uint64_t number, const Credit& shared);
 

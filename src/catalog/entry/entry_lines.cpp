@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <utility>
 
 #include "changeover/catalog/entry.hpp"
@@ -50,9 +51,25 @@ bool is_date(std::string_view text) {
       return false;
     }
   }
-  const int month = (text[5] - '0') * 10 + text[6] - '0';
-  const int day = (text[8] - '0') * 10 + text[9] - '0';
-  return month >= 1 && month <= 12 && day >= 1 && day <= 31;
+  const auto number = [&](std::size_t from, std::size_t digits) {
+    int value = 0;
+    for (const char digit : text.substr(from, digits)) {
+      value = value * 10 + digit - '0';
+    }
+    return value;
+  };
+  return std::chrono::year_month_day(std::chrono::year(number(0, 4)),
+                                     std::chrono::month(static_cast<unsigned>(number(5, 2))),
+                                     std::chrono::day(static_cast<unsigned>(number(8, 2))))
+      .ok();
+}
+
+// Whether all words of a recipe may be shown.
+bool words_are_printable(const Recipe& recipe) {
+  return is_printable(recipe.construction) && is_printable(recipe.provenance) &&
+         std::ranges::all_of(recipe.arguments,
+                             [](const auto& each) { return is_printable(each.first); }) &&
+         std::ranges::all_of(recipe.inputs, words_are_printable);
 }
 
 // The object of one line, key by key.
@@ -117,6 +134,7 @@ class LineHandler final : public JsonHandler {
   [[nodiscard]] bool has(std::string_view key) const {
     return std::find(seen_.begin(), seen_.end(), key) != seen_.end();
   }
+  [[nodiscard]] const std::vector<std::string>& seen() const { return seen_; }
 
   CatalogEntry entry;
   std::string label;
@@ -280,6 +298,13 @@ CatalogEntry entry_from_line(std::string_view line, const std::string& name, std
   } catch (const ImpossibleParameters& fault) {
     json.fail(0, std::string(fault.what()) + "; correct the recipe");
   }
+  if (!words_are_printable(entry.recipe)) {
+    json.fail(0, "the recipe has characters that are no text; take them out");
+  }
+  if (entry.b == 0 || entry.b < entry.lower_bound) {
+    json.fail(0, fmt::format("{} blocks, where the lower bound is {}; correct the line", entry.b,
+                             entry.lower_bound));
+  }
   if (handler.label != entry.label()) {
     json.fail(0, fmt::format("the label {} does not fit its entry, which is {}; correct it",
                              shown(handler.label), entry.label()));
@@ -309,6 +334,12 @@ Credit shared_from_header(std::string_view line, const std::string& name) {
     json.fail(0, fmt::format("a catalog of the form {}, which this program does not know; "
                              "use a newer one",
                              shown(handler.format_name)));
+  }
+  for (const std::string& key : handler.seen()) {
+    if (key != "format" && !key.starts_with("credit")) {
+      json.fail(0,
+                fmt::format("the first line says {}; it has format and credit only", shown(key)));
+    }
   }
   return handler.entry.credit;
 }

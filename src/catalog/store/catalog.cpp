@@ -51,12 +51,15 @@ class Shelf {
   Statement& counts(const Parameters& p) { return of(counts_, p); }
   Statement& entry(std::string_view label) { return label_.with(label); }
   Statement& begins(std::string_view text) { return begins_.with(text); }
-  [[nodiscard]] bool has(std::string_view label) { return has_.with(label).step(); }
+  [[nodiscard]] bool has(std::string_view label) {
+    const ResetLater later(has_);
+    return has_.with(label).step();
+  }
   [[nodiscard]] std::optional<std::string> alias(std::string_view text) {
-    return alias_.with(text).step() ? std::optional(alias_.text(0)) : std::nullopt;
+    return word(alias_, text);
   }
   [[nodiscard]] std::optional<std::string> retraction(std::string_view label) {
-    return retraction_.with(label).step() ? std::optional(retraction_.text(0)) : std::nullopt;
+    return word(retraction_, label);
   }
 
   // The entry of a row of entry_columns.
@@ -64,7 +67,11 @@ class Shelf {
     const std::string& name = database_.name();
     const Credit credit = shared_from_header(row.view(2), name);
     try {
-      return entry_from_line(row.view(1), name, 1, credit);
+      CatalogEntry entry = entry_from_line(row.view(1), name, 1, credit);
+      if (entry.label() != row.view(0)) {
+        throw BadInput("its line is that of " + entry.label());
+      }
+      return entry;
     } catch (const BadInput& fault) {
       throw BadInput(
           fmt::format("{}: the entry {} is damaged: {}", name, row.view(0), fault.what()));
@@ -72,6 +79,11 @@ class Shelf {
   }
 
  private:
+  static std::optional<std::string> word(Statement& statement, std::string_view key) {
+    const ResetLater later(statement);
+    return statement.with(key).step() ? std::optional(statement.text(0)) : std::nullopt;
+  }
+
   static Statement& of(Statement& statement, const Parameters& p) {
     return statement.with(p.k, p.v, p.change, code_of(p.kind), std::uint64_t{p.strength});
   }
@@ -122,9 +134,17 @@ struct Row {
   std::array<std::uint64_t, 5> cell;  // change, strength, kind, k, v
   std::uint64_t b = 0;
   std::string label;
+  bool users = false;
 
-  [[nodiscard]] auto key() const { return std::tie(cell, b, label); }
+  [[nodiscard]] auto name() const { return std::tie(cell, b, label); }
+  [[nodiscard]] auto key() const { return std::tie(cell, b, label, users); }
+  [[nodiscard]] auto rank() const { return std::tie(cell, b, users, label); }  // as best() has it
 };
+
+// What no entry has.
+bool is_beyond(const Parameters& p) {
+  return std::max({p.v, p.k, p.change}) > std::numeric_limits<Element>::max();
+}
 
 bool may_write(const std::string& path) { return access(path.c_str(), W_OK) == 0; }
 
@@ -162,6 +182,9 @@ class Catalog::Store {
       } catch (const InternalError&) {
         throw;
       } catch (const Error& fault) {
+        if (writing) {
+          throw;
+        }
         problem = fault.what();  // It stays open: whoever called may be reading from it, too.
       }
     }
@@ -190,6 +213,7 @@ class Catalog::Store {
 
   // The first row that is not retracted.
   std::optional<CatalogEntry> first_good(Shelf& shelf, Statement& rows) {
+    const ResetLater later(rows);
     while (rows.step()) {
       CatalogEntry entry = read(shelf, rows);
       if (entry.retracted.empty()) {
@@ -214,13 +238,17 @@ class Catalog::Store {
   }
 
   std::optional<Known> fewest(const Parameters& p, bool carries_blocks) {
-    if (std::max({p.v, p.k, p.change}) > std::numeric_limits<std::uint32_t>::max()) {
-      return std::nullopt;
-    }
     const auto look = [&](Shelf& shelf) -> std::optional<Known> {
-      for (Statement& rows = shelf.counts(p); rows.step();) {
+      Statement& rows = shelf.counts(p);
+      const ResetLater later(rows);
+      while (rows.step()) {
         if ((!carries_blocks || rows.integer(2) != 0) && retraction(rows.view(0)).empty()) {
-          return Known{rows.text(0), rows.integer(1)};
+          const auto label = parse_design_label(rows.view(0));
+          if (!label || label->b != rows.integer(1)) {
+            throw BadInput(
+                fmt::format("{}: the entry {} is damaged", shelf.database().name(), rows.view(0)));
+          }
+          return Known{rows.text(0), label->b};
         }
       }
       return std::nullopt;
@@ -233,6 +261,7 @@ class Catalog::Store {
   std::optional<CatalogEntry> exact(std::string_view label) {
     const auto read_it = [&](Shelf& shelf) {
       Statement& row = shelf.entry(label);
+      const ResetLater later(row);
       return row.step() ? std::optional(read(shelf, row)) : std::nullopt;
     };
     if (shipped) {
@@ -291,6 +320,7 @@ class Catalog::Store {
   std::optional<Shelf> user;
   std::string user_path;
   std::string problem;
+  bool writing = false;  // What cannot be read then is a fault of the writing.
   std::map<std::string, std::string, std::less<>> distrusted;  // label, why
   std::mutex mutex;
 
@@ -319,15 +349,37 @@ class Catalog::Store {
   }
 };
 
+namespace {
+
+// Sets a mark while it lives.
+class WhileWriting {
+ public:
+  explicit WhileWriting(bool& mark) : mark_(&mark) { *mark_ = true; }
+  ~WhileWriting() { *mark_ = false; }
+  WhileWriting(const WhileWriting&) = delete;
+  WhileWriting& operator=(const WhileWriting&) = delete;
+
+ private:
+  bool* mark_;
+};
+
+}  // namespace
+
 Catalog::Catalog(Files files) : store_(std::make_unique<Store>(std::move(files))) {}
 Catalog::~Catalog() = default;
 
 std::optional<CatalogEntry> Catalog::best(const Parameters& p) const {
+  if (is_beyond(p)) {
+    return std::nullopt;
+  }
   const std::lock_guard lock(store_->mutex);
   return store_->first_good_of_both([&](Shelf& shelf) -> Statement& { return shelf.cell(p); });
 }
 
 std::optional<Catalog::Known> Catalog::fewest(const Parameters& p, bool carries_blocks) const {
+  if (is_beyond(p)) {
+    return std::nullopt;
+  }
   const std::lock_guard lock(store_->mutex);
   return store_->fewest(p, carries_blocks);
 }
@@ -350,7 +402,9 @@ std::optional<CatalogEntry> Catalog::find(std::string_view label) const {
   const std::string beginning = is_count ? wanted + "." : wanted;
   std::set<std::string> labels;
   const auto collect = [&](Shelf& shelf) {
-    for (Statement& rows = shelf.begins(beginning); rows.step();) {
+    Statement& rows = shelf.begins(beginning);
+    const ResetLater later(rows);
+    while (rows.step()) {
       labels.insert(rows.text(0));
     }
     return true;
@@ -369,11 +423,16 @@ std::optional<CatalogEntry> Catalog::find(std::string_view label) const {
 }
 
 std::vector<CatalogEntry> Catalog::cell(const Parameters& p) const {
-  const std::lock_guard lock(store_->mutex);
   std::vector<CatalogEntry> entries;
+  if (is_beyond(p)) {
+    return entries;
+  }
+  const std::lock_guard lock(store_->mutex);
   const auto collect = [&](Shelf& shelf) {
     std::vector<CatalogEntry> found;
-    for (Statement& rows = shelf.cell(p); rows.step();) {
+    Statement& rows = shelf.cell(p);
+    const ResetLater later(rows);
+    while (rows.step()) {
       found.push_back(store_->read(shelf, rows));
     }
     return found;
@@ -412,23 +471,25 @@ void Catalog::each(const CatalogFilter& filter,
     if (filter.kind) {
       sql += fmt::format(" AND kind = {}", code_of(*filter.kind));
     }
-    const auto collect = [&](Shelf& shelf) {
+    const auto collect = [&](Shelf& shelf, bool users) {
       for (Statement query = shelf.database().prepare(sql); query.step();) {
         rows.push_back({{query.integer(0), query.integer(1), query.integer(2), query.integer(3),
                          query.integer(4)},
                         query.integer(5),
-                        query.text(6)});
+                        query.text(6),
+                        users});
       }
       return true;
     };
     if (store_->shipped && !filter.users_only) {
-      collect(*store_->shipped);
+      collect(*store_->shipped, false);
     }
-    store_->from_users(true, collect);
+    store_->from_users(true, [&](Shelf& shelf) { return collect(shelf, true); });
   }
   std::ranges::sort(rows, {}, &Row::key);
-  const auto twins = std::ranges::unique(rows, {}, &Row::key);
+  const auto twins = std::ranges::unique(rows, {}, &Row::name);
   rows.erase(twins.begin(), twins.end());
+  std::ranges::sort(rows, {}, &Row::rank);
   const bool wants_retracted = filter.status == "retracted";
   const decltype(Row::cell)* taken = nullptr;  // the cell whose best was handed out
   for (const Row& row : rows) {
@@ -507,6 +568,7 @@ bool Catalog::is_shipped(std::string_view label) const {
 std::vector<Added> Catalog::add(std::span<const CatalogEntry> entries) {
   const std::lock_guard lock(store_->mutex);
   Shelf& own = store_->to_write();
+  const WhileWriting writing(store_->writing);
   std::vector<Added> results;
   Transaction transaction(own.database());
   Filler filler(own.database());

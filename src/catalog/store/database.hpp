@@ -57,6 +57,18 @@ class Statement {
   std::string name_;
 };
 
+/// Resets a statement at the end of a block: one that stopped at a row keeps the whole connection looking at the database as it was then.
+class ResetLater {
+ public:
+  explicit ResetLater(Statement& statement) : statement_(&statement) {}
+  ~ResetLater() { statement_->reset(); }
+  ResetLater(const ResetLater&) = delete;
+  ResetLater& operator=(const ResetLater&) = delete;
+
+ private:
+  Statement* statement_;
+};
+
 enum class Access : std::uint8_t {
   read,
   read_unchanging,  ///< the file and its folder cannot be written by anybody, as SQLite is told

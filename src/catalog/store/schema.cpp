@@ -43,6 +43,25 @@ int version_of(const Database& database) {
   return static_cast<int>(database.integer("PRAGMA user_version"));
 }
 
+// What the tables and the index are, as SQLite keeps it.
+std::string shape_of(const Database& database) {
+  Statement rows = database.prepare("SELECT name, sql FROM sqlite_schema ORDER BY name");
+  std::string shape;
+  while (rows.step()) {
+    shape += rows.text(0) + "\n" + rows.text(1) + "\n";
+  }
+  return shape;
+}
+
+const std::string& shape_as_made() {
+  static const std::string shape = [] {
+    const Database fresh = Database::in_memory();
+    make_tables(fresh);
+    return shape_of(fresh);
+  }();
+  return shape;
+}
+
 std::string name_of_copy(const std::string& path, int version) {
   std::string copy = fmt::format("{}.version-{}", path, version);
   for (int number = 2; std::filesystem::exists(copy); ++number) {
@@ -74,6 +93,12 @@ void check_catalog(const Database& database, int version, std::span<const Migrat
         "{}: written by a newer program (version {} of a catalog, here {}); use that one, "
         "or name another file by --catalog",
         name, found, version));
+  }
+  if (found == catalog_schema_version && shape_of(database) != shape_as_made()) {
+    throw BadInput(
+        fmt::format("{}: damaged (its tables are not those of a catalog); it stays as it is: put "
+                    "it aside and restore a copy, or name another file by --catalog",
+                    name));
   }
   if (found < version &&
       std::ranges::none_of(migrations, [&](const Migration& step) { return step.from == found; })) {

@@ -43,13 +43,14 @@ class Found final : public Entry {
   std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
     const Catalog& catalog = standard_catalog();
     while (const auto known = catalog.fewest(p, true)) {
-      if (!trusted_entry(catalog, known->label)) {
+      const auto entry = trusted_entry(catalog, known->label);
+      if (!entry) {
         continue;  // It is left out from now on.
       }
       Offer offer;
       offer.recipe = recipe_of(p);
       offer.recipe.provenance = known->label;
-      offer.b = known->b;
+      offer.b = entry->b;
       offer.economical = offer.b == counting_bound(p);
       offer.tight = is_tight(p, offer.b);
       return offer;

@@ -1,0 +1,201 @@
+// changeover catalog add FILE…: designs into the user's catalog, verified.
+#include <fmt/format.h>
+
+#include "answer/answer.hpp"
+#include "answer/today.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/curator/add.hpp"
+#include "changeover/io/input.hpp"
+#include "core/printable.hpp"
+#include "io/write/json_writer.hpp"
+#include "request/catalog_request.hpp"
+#include "request/inputs.hpp"
+#include "request/parameters.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct AddRequest {
+  std::vector<std::string> paths;
+  ParameterRequest declared;
+  std::string who, note, cites;
+  bool even_isomorphic = false;
+  CatalogRequest catalog;
+  OutputRequest output;
+};
+
+// What becomes of one file.
+struct Arrival {
+  std::string path;
+  CatalogEntry entry;
+  std::optional<Catalog::Known> before;  // the best of its cell
+  std::optional<std::uint64_t> built;    // blocks that the registry offers
+  std::optional<std::string> same_as;
+  std::vector<Gain> gains;
+  std::string outcome;  // "improved", "added", "already there", "isomorphic", "invalid"
+};
+
+std::vector<std::string> words_of(const std::string& list) {
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < list.size();) {
+    const std::size_t comma = std::min(list.find(',', at), list.size());
+    words.push_back(list.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return words;
+}
+
+std::string text_of(const Arrival& arrival) {
+  const CatalogEntry& entry = arrival.entry;
+  const std::string label = entry.label();
+  const std::string path = printable(arrival.path);
+  if (arrival.outcome == "already there") {
+    return fmt::format("there already: {} ({})\n", label, path);
+  }
+  if (arrival.outcome == "isomorphic") {
+    return fmt::format(
+        "not added: {} is {} up to names, rotation and reversal ({}); --even-isomorphic adds it\n",
+        label, *arrival.same_as, path);
+  }
+  std::string text = fmt::format("added: {}, {} with {}, {} ({})\n", label, name(entry.parameters),
+                                 count_of(entry.b, "block"), entry.status(), path);
+  if (arrival.outcome == "improved") {
+    text += arrival.before
+                ? fmt::format("  the best that was known of its cell had {}: {}\n",
+                              count_of(arrival.before->b, "block"), arrival.before->label)
+                : fmt::format("  the first of its cell in the catalog; constructions give {}\n",
+                              arrival.built ? count_of(*arrival.built, "block") : "none");
+  } else {
+    text += fmt::format("  the best that is known of its cell has {}: {}\n",
+                        count_of(arrival.before->b, "block"), arrival.before->label);
+  }
+  if (arrival.same_as) {
+    text += fmt::format("  it is {} up to names, rotation and reversal\n", *arrival.same_as);
+  }
+  for (const Gain& gain : arrival.gains) {
+    text += fmt::format(
+        "  {} makes {} with {} of it; {}\n", gain.rule, name(gain.parameters),
+        count_of(gain.b, "block"),
+        gain.before ? fmt::format("before: {}", *gain.before) : "nothing was known before");
+  }
+  return text;
+}
+
+void write_json(JsonWriter& json, const Arrival& arrival) {
+  json.begin_object().key("file").value(printable(arrival.path));
+  json.key("label").value(arrival.entry.label()).key("outcome").value(arrival.outcome);
+  if (arrival.before) {
+    json.key("before").begin_object().key("label").value(arrival.before->label);
+    json.key("b").value(arrival.before->b).end_object();
+  }
+  if (arrival.same_as) {
+    json.key("isomorphic_to").value(*arrival.same_as);
+  }
+  json.key("gains").begin_array();
+  for (const Gain& gain : arrival.gains) {
+    const Parameters& p = gain.parameters;
+    json.begin_object().key("rule").value(gain.rule).key("v").value(p.v).key("k").value(p.k);
+    json.key("change").value(p.change).key("kind").value(to_string(p.kind)).key("b").value(gain.b);
+    if (gain.before) {
+      json.key("before").value(*gain.before);
+    }
+    json.end_object();
+  }
+  json.end_array().end_object();
+}
+
+Answer run(const AddRequest& request) {
+  std::vector<InputFile> inputs;
+  for (const std::string& path : request.paths) {
+    inputs.emplace_back("the design", path);
+  }
+  check_inputs(request.output, inputs);
+  Catalog& catalog = request.catalog.open();
+  const Introduction introduction{
+      .credit = {.who = request.who, .date = today(), .program = "", .command = ""},
+      .cites = words_of(request.cites),
+      .note = request.note};
+  std::vector<Arrival> arrivals;
+  std::string refusals;
+  for (const std::string& path : request.paths) {
+    const auto input = open_design(path, request.declared.reading());
+    const Newcomer newcomer = newcomer_of(read_all(*input), introduction);
+    if (!newcomer.entry) {
+      refusals += fmt::format("INVALID: {}: {}\n", printable(path), newcomer.refused);
+      continue;
+    }
+    Arrival arrival{path, *newcomer.entry, {}, {}, {}, {}, ""};
+    const CatalogEntry& entry = arrival.entry;
+    if (const auto there = catalog.find(entry.label());
+        !there || there->checksum != entry.checksum) {
+      arrival.before = catalog.fewest(entry.parameters);
+      const auto offer = Registry::standard().best(entry.parameters);
+      arrival.built = offer ? std::optional(offer->b) : std::nullopt;
+      arrival.same_as = same_in_catalog(catalog, entry);
+      if (arrival.same_as && !request.even_isomorphic) {
+        arrival.outcome = "isomorphic";
+      } else if (!offer || entry.b < offer->b) {
+        arrival.gains = gains_of(entry);
+      }
+    }
+    arrivals.push_back(std::move(arrival));
+  }
+  if (!refusals.empty()) {
+    return text_answer(refusals + "nothing was added\n", request.output, exit_code::refuted);
+  }
+  std::vector<CatalogEntry> entries;
+  for (const Arrival& arrival : arrivals) {
+    if (arrival.outcome.empty()) {
+      entries.push_back(arrival.entry);
+    }
+  }
+  const std::vector<Added> added = entries.empty() ? std::vector<Added>() : catalog.add(entries);
+  std::string text;
+  JsonWriter json;
+  json.begin_array();
+  std::size_t next = 0;
+  for (Arrival& arrival : arrivals) {
+    if (arrival.outcome.empty()) {
+      const Added what = added[next++];
+      arrival.outcome = what == Added::already_there ? "already there"
+                        : what == Added::improved    ? "improved"
+                                                     : "added";
+    }
+    if (arrival.outcome == "added" && !arrival.before) {
+      // Another of these files was better.
+      arrival.before = catalog.fewest(arrival.entry.parameters);
+    }
+    text += text_of(arrival);
+    write_json(json, arrival);
+  }
+  json.end_array();
+  return text_answer(request.output.json() ? json.take() + "\n" : text, request.output);
+}
+
+}  // namespace
+
+void add_catalog_add(Program& program) {
+  auto [verb, request] = program.add("catalog-add", "designs into the catalog of your own", run);
+  verb.positional("FILE", request.paths, "text, JSON or CSV; - is standard input");
+  verb.option("-m,--change", request.declared.change, "M",
+              "elements in which consecutive blocks differ, if the files do not say");
+  verb.option("-t,--strength", request.declared.strength, "T", "every T elements must meet");
+  add_kind_to(verb, request.declared.kind, "take them as circular, whatever the files say",
+              "take them as linear");
+  verb.option("--who", request.who, "NAME", "whom they are from");
+  verb.option("--note", request.note, "TEXT", "a line that is kept with them");
+  verb.option("--cites", request.cites, "KEYS",
+              "keys of docs/references.bib, separated by commas, if they are from the literature");
+  verb.flag("--even-isomorphic", request.even_isomorphic,
+            "also those that are there already by other names of elements");
+  request.catalog.add_to(verb);
+  request.output.add_to(verb, {"text", "json"});
+  verb.examples({"changeover catalog add mine.txt --who 'A. Researcher'",
+                 "changeover search 9 4 --change 2 --circular --format text | changeover catalog "
+                 "add -",
+                 "exit code 0: added, or there already, 1: one of them is no such design and "
+                 "nothing was added"});
+}
+
+}  // namespace changeover::cli

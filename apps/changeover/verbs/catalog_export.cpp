@@ -1,0 +1,105 @@
+// changeover catalog export, import: entries as lines of JSON, out and in.
+#include <fmt/format.h>
+
+#include "answer/answer.hpp"
+#include "changeover/curator/exchange.hpp"
+#include "changeover/run/scope.hpp"
+#include "core/printable.hpp"
+#include "io/write/json_writer.hpp"
+#include "request/catalog_request.hpp"
+#include "request/inputs.hpp"
+#include "request/run_request.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct ExportRequest {
+  FilterRequest filter;
+  CatalogRequest catalog;
+  OutputRequest output;
+};
+
+struct ImportRequest {
+  std::string path;
+  bool skip_bad = false;
+  CatalogRequest catalog;
+  RunRequest run;
+  OutputRequest output;
+};
+
+Answer run_export(const ExportRequest& request) {
+  const Catalog& catalog = request.catalog.open();
+  const CatalogFilter filter = request.filter.filter();
+  Answer answer;
+  answer.output = request.output;
+  answer.write = [&catalog, filter](OutputFile& file) { write_entries(catalog, filter, file); };
+  return answer;
+}
+
+Answer run_import(const ImportRequest& request) {
+  check_inputs(request.output, {{"the catalog", request.path}});
+  Catalog& catalog = request.catalog.open();
+  const auto input = open_input(request.path);
+  const auto running = std::make_shared<Running>(request.run, request.output);
+  Foreign foreign;
+  try {
+    foreign = read_foreign(*input, catalog, {.skip_bad = request.skip_bad});
+  } catch (const Stopped&) {
+    running->finish();
+    return spoken(running, text_answer("stopped: nothing was added\n", request.output,
+                                       exit_code::limit_reached));
+  }
+  running->finish();
+  std::uint64_t improved = 0;
+  if (!foreign.entries.empty()) {
+    for (const Added what : catalog.add(foreign.entries)) {
+      improved += what == Added::improved ? 1U : 0U;
+    }
+  }
+  std::string text =
+      fmt::format("added: {}, {} of them better than what was known of their cells\n",
+                  count_of(foreign.entries.size(), "design"), improved);
+  text += fmt::format("there already: {}\n", foreign.known);
+  for (const std::string& line : foreign.left_out) {
+    text += "left out: " + printable(line) + "\n";
+  }
+  if (request.output.json()) {
+    JsonWriter json;
+    json.begin_object().key("added").value(std::uint64_t{foreign.entries.size()});
+    json.key("improved").value(improved).key("known").value(foreign.known);
+    json.key("left_out").value(foreign.left_out).end_object();
+    text = json.take() + "\n";
+  }
+  return spoken(running,
+                text_answer(text, request.output,
+                            foreign.left_out.empty() ? exit_code::done : exit_code::refuted));
+}
+
+}  // namespace
+
+void add_catalog_export(Program& program) {
+  auto [verb, request] =
+      program.add("catalog-export", "designs of the catalog as lines of JSON", run_export);
+  request.filter.add_to(verb, FilterRequest::Unless::best_is_asked_for);
+  request.catalog.add_to(verb);
+  request.output.add_to(verb, {"jsonl"});
+  verb.examples({"changeover catalog export --users -o mine.jsonl",
+                 "changeover catalog export --k 4 --circular --best | wc -l"});
+}
+
+void add_catalog_import(Program& program) {
+  auto [verb, request] = program.add(
+      "catalog-import", "designs from a file that catalog export wrote, each verified", run_import);
+  verb.positional("FILE", request.path, "lines of JSON; - is standard input");
+  verb.flag("--skip-bad", request.skip_bad,
+            "leave out what is not as it says, and name it; without it nothing is added then");
+  request.catalog.add_to(verb);
+  request.output.add_to(verb, {"text", "json"});
+  request.run.add_limits_to(verb, "", request.output, false);
+  verb.examples({"changeover catalog import theirs.jsonl",
+                 "exit code 0: done, 1: some were left out, 3: nothing was added, for one is not "
+                 "as it says, 30: stopped, nothing was added"});
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,85 @@
+// changeover catalog retract LABEL --why TEXT, changeover catalog alias WORD LABEL: what is said of entries that are there.
+#include <fmt/format.h>
+
+#include "answer/answer.hpp"
+#include "changeover/core/error.hpp"
+#include "core/printable.hpp"
+#include "request/catalog_request.hpp"
+#include "verbs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+struct RetractRequest {
+  std::string label, why;
+  CatalogRequest catalog;
+  OutputRequest output;
+};
+
+struct AliasRequest {
+  std::string word, label;
+  CatalogRequest catalog;
+  OutputRequest output;
+};
+
+constexpr std::size_t longest_words = 2000;
+
+void require_words(const std::string& what, const std::string& words) {
+  if (words.empty() || words.size() > longest_words || !is_printable(words)) {
+    throw UsageError{fmt::format("{}: write a line of 1 to {} bytes", what, longest_words)};
+  }
+}
+
+// The whole label of what the words lead to.
+std::string whole_label(const Catalog& catalog, const std::string& words) {
+  const auto entry = catalog.find(words);
+  if (!entry) {
+    throw BadInput(
+        fmt::format("there is no design {} in the catalog; changeover catalog list says "
+                    "which there are",
+                    words));
+  }
+  return entry->label();
+}
+
+Answer run_retract(const RetractRequest& request) {
+  require_words("--why", request.why);
+  Catalog& catalog = request.catalog.open();
+  const std::string label = whole_label(catalog, request.label);
+  catalog.retract(label, request.why);
+  return text_answer(fmt::format("retracted: {}\n", label), request.output);
+}
+
+Answer run_alias(const AliasRequest& request) {
+  require_words("WORD", request.word);
+  Catalog& catalog = request.catalog.open();
+  const std::string label = whole_label(catalog, request.label);
+  catalog.alias(request.word, label);
+  return text_answer(fmt::format("{} leads to {}\n", request.word, label), request.output);
+}
+
+}  // namespace
+
+void add_catalog_retract(Program& program) {
+  auto [verb, request] =
+      program.add("catalog-retract", "a design that is no longer vouched for", run_retract);
+  verb.positional("LABEL", request.label, "of the design, or a beginning that only it has");
+  verb.option("--why", request.why, "TEXT", "one line (needed)");
+  request.catalog.add_to(verb);
+  request.output.add_to(verb, {"text"});
+  verb.examples(
+      {"changeover catalog retract 20.5.2.linear.39.3fa9c1d2 --why 'printed with an error'",
+       "it stays, is not used any more, and says why; also one that comes with the program"});
+}
+
+void add_catalog_alias(Program& program) {
+  auto [verb, request] =
+      program.add("catalog-alias", "another word for a design of the catalog", run_alias);
+  verb.positional("WORD", request.word, "what is to lead there");
+  verb.positional("LABEL", request.label, "of the design");
+  request.catalog.add_to(verb);
+  request.output.add_to(verb, {"text"});
+  verb.examples({"changeover catalog alias example-7 20.5.2.linear.39.3fa9c1d2"});
+}
+
+}  // namespace changeover::cli

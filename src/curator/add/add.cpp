@@ -1,0 +1,193 @@
+#include "changeover/curator/add.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/catalog/label.hpp"
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
+#include "changeover/verify/verdict.hpp"
+
+namespace changeover {
+namespace {
+
+std::string defect_of(const Verdict& verdict) {
+  const Parameters& p = verdict.parameters;
+  if (verdict.b == 0) {
+    return "there is no block";
+  }
+  if (verdict.bad_steps > 0) {
+    const BadStep& first = verdict.bad_step_examples.front();
+    return fmt::format(
+        "{} of the steps do not change exactly {} elements, the first from block {} to block {}",
+        verdict.bad_steps, p.change, first.from, first.to);
+  }
+  return fmt::format("{} of {} {} are in no block, as {{{}}}", verdict.uncovered, verdict.subsets,
+                     p.strength == 2 ? "pairs" : fmt::format("{}-subsets", p.strength),
+                     fmt::join(verdict.uncovered_examples.front(), ","));
+}
+
+// Whether it can be built wherever the program is.
+bool names_only_shipped(const Recipe& recipe) {
+  if (recipe.construction == "found" && recipe.inputs.empty() &&
+      !standard_catalog().is_shipped(recipe.provenance)) {
+    return false;
+  }
+  return std::ranges::all_of(recipe.inputs, names_only_shipped);
+}
+
+// Whether a recipe makes these blocks; it is asked for no more of them.
+bool makes(const Recipe& recipe, const Design& design) {
+  if (recipe.parameters != design.parameters()) {
+    return false;
+  }
+  try {
+    const auto source = Registry::standard().build(recipe);
+    Block block(design.k());
+    for (std::size_t i = 0; i < design.block_count(); ++i) {
+      if (!source->next(block) || !std::ranges::equal(block, design.block(i))) {
+        return false;
+      }
+    }
+    return !source->next(block);
+  } catch (const InternalError&) {
+    throw;
+  } catch (const Error&) {
+    return false;  // Of a program that knows more, or of nobody.
+  }
+}
+
+// "changeover 0.1.0: search 9 4 …" is a program and a command.
+void credit_provenance(const std::string& provenance, Credit& credit) {
+  constexpr std::string_view program = "changeover ";
+  const std::size_t colon = provenance.find(": ");
+  if (provenance.starts_with(program) && colon != std::string::npos) {
+    credit.program = provenance.substr(0, colon);
+    credit.command = std::string(program) + provenance.substr(colon + 2);
+  } else if (credit.command.empty()) {
+    credit.command = provenance;
+  }
+}
+
+bool is_small(const CatalogEntry& entry) {
+  return entry.parameters.v <= largest_compared && entry.b <= largest_compared;
+}
+
+}  // namespace
+
+Newcomer newcomer_of(const Design& design, const Introduction& introduction) {
+  const Verdict verdict = verify(design);
+  if (!verdict.valid()) {
+    return {{}, defect_of(verdict)};
+  }
+  const Bound bound = lower_bound(design.parameters());
+  if (bound.blocks > verdict.b) {
+    throw InternalError(fmt::format("a valid {} has {} blocks, where the bound says {}: {}",
+                                    name(design.parameters()), verdict.b, bound.blocks,
+                                    bound.reason));
+  }
+  CatalogEntry entry;
+  entry.parameters = design.parameters();
+  entry.b = verdict.b;
+  entry.lower_bound = bound.blocks;
+  entry.reason = bound.reason;
+  entry.credit = introduction.credit;
+  entry.cites = introduction.cites;
+  entry.note = introduction.note;
+  DesignSource blocks(design);
+  entry.checksum = design_digest(blocks).checksum;
+  if (design.recipe) {
+    credit_provenance(design.recipe->provenance, entry.credit);
+  }
+  if (design.recipe && design.recipe->construction != "found" &&
+      names_only_shipped(*design.recipe) && makes(*design.recipe, design)) {
+    entry.recipe = *design.recipe;
+    if (entry.carries_blocks()) {
+      entry.recipe.provenance.clear();  // The credit says it.
+    }
+  } else {
+    entry.recipe = literal_recipe(design);
+  }
+  // What cannot be read again is not written.
+  const std::string line = line_of(entry, {});
+  if (entry_from_line(line, "the design", 1, {}) != entry) {
+    throw BadInput(
+        "what is said of the design has characters that are no text; write one plain line");
+  }
+  return {std::move(entry), ""};
+}
+
+std::optional<std::string> same_in_catalog(const Catalog& catalog, const CatalogEntry& entry) {
+  if (!is_small(entry)) {
+    return std::nullopt;
+  }
+  const Registry& registry = Registry::standard();
+  std::optional<Design> design;
+  for (const CatalogEntry& other : catalog.cell(entry.parameters)) {
+    if (other.b != entry.b || other.checksum == entry.checksum) {
+      continue;
+    }
+    if (!design) {
+      design = registry.build_design(entry.recipe);
+    }
+    try {
+      const Design known = registry.build_design(other.recipe);
+      if (find_isomorphism(*design, known, {.rotation = true, .reversal = true})) {
+        return other.label();
+      }
+    } catch (const InternalError&) {
+      throw;
+    } catch (const Error&) {
+      continue;  // A damaged entry is the same as nothing.
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Gain> gains_of(const CatalogEntry& entry) {
+  std::vector<Gain> gains;
+  if (!is_small(entry) || entry.parameters.strength != 2) {
+    return gains;
+  }
+  const Registry& registry = Registry::standard();
+  const Design design = registry.build_design(entry.recipe);
+  const auto weigh = [&](const char* rule, const Recipe& recipe) {
+    const auto offer = registry.best(recipe.parameters);
+    const auto blocks = registry.build(recipe);
+    const Verdict verdict = verify(*blocks);
+    if (!verdict.valid()) {
+      throw InternalError(fmt::format("{} of {} is no design", rule, entry.label()));
+    }
+    if (!offer || verdict.b < offer->b) {
+      gains.push_back(
+          {rule, verdict.parameters, verdict.b, offer ? std::optional(offer->b) : std::nullopt});
+    }
+  };
+  if (entry.parameters.kind == Kind::circular) {
+    const Design cut = shortest_cut(design);
+    weigh("cut", literal_recipe(cut));
+  }
+  weigh("fix", fix_recipe(entry.recipe, 1));
+  for (std::uint64_t gone = 1;; ++gone) {
+    const auto fewer = truncated(design, gone);
+    if (!fewer || gone > 20) {
+      break;
+    }
+    const std::size_t before = gains.size();
+    weigh("truncate", literal_recipe(*fewer));
+    if (gains.size() == before) {
+      break;  // Others are better from here on.
+    }
+  }
+  for (const std::uint64_t s : {2U, 3U}) {
+    weigh("blow-up", blow_up_recipe(entry.recipe, s));
+  }
+  return gains;
+}
+
+}  // namespace changeover

@@ -1,0 +1,223 @@
+#include "changeover/curator/exchange.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "changeover/catalog/label.hpp"
+#include "changeover/construct/closure.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/curator/add.hpp"
+#include "changeover/curator/audit.hpp"
+#include "changeover/run/scope.hpp"
+#include "run_program.hpp"
+
+namespace changeover::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+CatalogEntry entry_for(const Parameters& p) {
+  const Registry& registry = Registry::standard();
+  return *newcomer_of(registry.build_design(registry.best(p).value().recipe), {}).entry;
+}
+
+std::vector<CatalogEntry> some_entries() {
+  std::vector<CatalogEntry> entries;
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    for (std::uint64_t v = 5; v < 14; ++v) {
+      for (const std::uint64_t k : {3U, 4U}) {
+        entries.push_back(entry_for({.v = v, .k = k, .change = 1, .kind = kind}));
+      }
+    }
+  }
+  return entries;
+}
+
+std::string exported(const Catalog& catalog) {
+  StringSink sink;
+  write_entries(catalog, {.best_only = false, .users_only = true}, sink);
+  return sink.text();
+}
+
+Foreign read(const std::string& text, const Catalog& catalog, const ForeignLimits& limits = {}) {
+  const auto input = input_from_text(text, "theirs.jsonl");
+  return read_foreign(*input, catalog, limits);
+}
+
+std::string refusal(const std::string& text, const ForeignLimits& limits = {}) {
+  const Catalog nothing({});
+  try {
+    static_cast<void>(read(text, nothing, limits));
+  } catch (const BadInput& fault) {
+    return fault.what();
+  }
+  return "";
+}
+
+std::string file_of(const std::vector<CatalogEntry>& entries) {
+  std::string text = header_line({}) + "\n";
+  for (const CatalogEntry& entry : entries) {
+    text += line_of(entry, {}) + "\n";
+  }
+  return text;
+}
+
+TEST(Exchange, ThereAndBack) {
+  const TemporaryFolder folder;
+  Catalog mine({.user = folder.file("mine.db")});
+  mine.add(some_entries());
+  mine.retract(some_entries()[3].label(), "to see whether it is kept");
+  const std::string text = exported(mine);
+  Catalog theirs({.user = folder.file("theirs.db")});
+  const Foreign foreign = read(text, theirs);
+  EXPECT_EQ(foreign.entries.size(), some_entries().size());
+  EXPECT_EQ(foreign.known, 0U);
+  theirs.add(foreign.entries);
+  EXPECT_EQ(exported(theirs), text);
+  EXPECT_EQ(read(text, theirs).known, some_entries().size());
+}
+
+TEST(Exchange, NothingIsBelieved) {
+  const CatalogEntry good = entry_for({.v = 9, .k = 4, .change = 2, .kind = Kind::circular});
+  EXPECT_EQ(refusal(file_of({good})), "");
+  const auto with = [&](auto&& change) {
+    CatalogEntry bad = good;
+    bad.recipe = literal_recipe(Registry::standard().build_design(good.recipe));
+    change(bad);
+    return refusal(file_of({good, bad}));
+  };
+  EXPECT_THAT(with([](CatalogEntry& e) { ++e.b; }), HasSubstr("theirs.jsonl:3: 9.4.2.circular.9."));
+  EXPECT_THAT(with([](CatalogEntry& e) { e.b = 100; }), HasSubstr("blocks and not 100"));
+  EXPECT_THAT(with([](CatalogEntry& e) {
+                std::swap(e.recipe.blocks[0], e.recipe.blocks[1]);
+                e.checksum[0] = {};
+              }),
+              HasSubstr("checksum"));
+  EXPECT_THAT(with([](CatalogEntry& e) {
+                e.recipe.blocks.pop_back();
+                --e.b;
+                e.lower_bound = 1;
+                const Design shorter(e.parameters, e.recipe.blocks);
+                DesignSource source(shorter);
+                e.checksum = design_digest(source).checksum;
+              }),
+              HasSubstr("no such design"));
+  EXPECT_THAT(with([](CatalogEntry& e) {
+                e.recipe.construction = "magic";
+                e.checksum[0] = {};
+              }),
+              HasSubstr("magic"));
+  // A bound that nobody knows: one block more, and it says that this is the least.
+  CatalogEntry longer = entry_for({.v = 20, .k = 5, .change = 2, .kind = Kind::linear});
+  if (longer.status() == "best-known") {
+    longer.lower_bound = longer.b;
+    EXPECT_THAT(refusal(file_of({longer})), HasSubstr("no more than"));
+  }
+  CatalogEntry modest = entry_for({.v = 9, .k = 4, .change = 2, .kind = Kind::circular});
+  modest.lower_bound = 1;
+  modest.reason = "trust me";
+  const Catalog nothing({});
+  const Foreign foreign = read(file_of({modest}), nothing);
+  ASSERT_THAT(foreign.entries, SizeIs(1));
+  EXPECT_EQ(foreign.entries[0].reason, good.reason);
+  EXPECT_EQ(foreign.entries[0].lower_bound, good.lower_bound);
+}
+
+TEST(Exchange, Limits) {
+  const std::vector<CatalogEntry> entries = some_entries();
+  const std::string text = file_of(entries);
+  EXPECT_THAT(refusal(text, {.entries = 3}), HasSubstr("theirs.jsonl:5: more than 3 entries"));
+  EXPECT_THAT(refusal(text, {.line = 300}), HasSubstr("too long"));
+  EXPECT_THAT(refusal(text, {.v = 7}), HasSubstr("more than 7 elements"));
+  EXPECT_THAT(refusal(text, {.b = 5}), HasSubstr("or 5 blocks"));
+  EXPECT_THAT(refusal(""), HasSubstr("no catalog"));
+  EXPECT_THAT(refusal("0 1 2\n0 1 3\n"), HasSubstr("theirs.jsonl:1:"));
+  EXPECT_THAT(refusal("{\"format\":\"changeover-catalog/2\"}\n"), HasSubstr("newer"));
+  EXPECT_THAT(refusal(text + "x\n"), HasSubstr("theirs.jsonl:"));
+}
+
+TEST(Exchange, LeavesOutWhatIsBadAndNamesIt) {
+  std::vector<CatalogEntry> entries = some_entries();
+  const std::string good = line_of(entries[0], {});
+  ++entries[1].lower_bound;
+  entries[1].lower_bound = entries[1].b;
+  const Catalog nothing({});
+  const Foreign foreign =
+      read(header_line({}) + "\n" + good + "\nx\n" + good + "\n{}\n" + line_of(entries[2], {}),
+           nothing, {.skip_bad = true});
+  EXPECT_THAT(foreign.entries, SizeIs(2));
+  EXPECT_EQ(foreign.known, 1U);
+  EXPECT_THAT(foreign.left_out,
+              ElementsAre(HasSubstr("theirs.jsonl:3:"), HasSubstr("theirs.jsonl:5:")));
+}
+
+TEST(Exchange, Stops) {
+  RunControl control(RunControl::Settings{});
+  control.stop(WhyStopped::interrupted);
+  const RunScope scope(control);
+  const Catalog nothing({});
+  EXPECT_THROW(static_cast<void>(read(file_of(some_entries()), nothing)), Stopped);
+}
+
+TEST(Compare, CellByCell) {
+  const Parameters a{.v = 5, .k = 3}, b{.v = 6, .k = 3}, c{.v = 7, .k = 3}, d{.v = 8, .k = 3},
+      e{.v = 9, .k = 3};
+  std::vector<std::string> said;
+  for (const CellChange& change :
+       compare_cells({{a, 5}, {b, 6}, {c, 7}, {d, 8}}, {{a, 5}, {b, 5}, {c, 8}, {e, 9}})) {
+    said.push_back(std::string(change.kind()) + " " + std::to_string(change.parameters.v) + " " +
+                   std::to_string(change.before) + " " + std::to_string(change.after));
+  }
+  EXPECT_THAT(said, ElementsAre("better 6 6 5", "worse 7 7 8", "gone 8 8 0", "new 9 0 9"));
+}
+
+TEST(Compare, AFileAndItsCatalog) {
+  const TemporaryFolder folder;
+  Catalog mine({.user = folder.file("mine.db")});
+  mine.add(some_entries());
+  mine.retract(some_entries()[0].label(), "no");
+  const auto input = input_from_text(exported(mine), "f");
+  const BestOfCells file = best_of_cells(*input);
+  EXPECT_EQ(file.size(), some_entries().size() - 1);
+  EXPECT_EQ(file, best_of_cells(mine));
+}
+
+TEST(Audit, FindsWhatIsWrong) {
+  const TemporaryFolder folder;
+  Catalog mine({.user = folder.file("mine.db")});
+  std::vector<CatalogEntry> entries = some_entries();
+  mine.add(entries);
+  RunControl control({.threads = 2});
+  EXPECT_EQ(audit_catalog(mine, {.best_only = false}, control).faults.size(), 0U);
+  // The catalog itself trusts whoever adds.
+  CatalogEntry liar = entry_for({.v = 20, .k = 5, .change = 2, .kind = Kind::linear});
+  liar.recipe = literal_recipe(Registry::standard().build_design(liar.recipe));
+  std::swap(liar.recipe.blocks.front(), liar.recipe.blocks.back());
+  mine.add(liar);
+  const AuditScope scope = audit_scope(mine, {.best_only = false});
+  EXPECT_THAT(scope.labels, SizeIs(entries.size() + 1));
+  std::set<std::string> good;
+  const Audit audit = audit_entries(mine, scope, control, {entries[0].label()},
+                                    [&](const std::string& label) { good.insert(label); });
+  EXPECT_EQ(audit.checked, entries.size());
+  EXPECT_TRUE(audit.complete(1));
+  EXPECT_FALSE(audit.complete());
+  ASSERT_THAT(audit.faults, SizeIs(1));
+  EXPECT_EQ(audit.faults[0].label, liar.label());
+  EXPECT_THAT(audit.faults[0].what, HasSubstr("checksum"));
+  EXPECT_EQ(good.size(), entries.size() - 1);
+  EXPECT_NE(audit_scope(mine, {}).checksum, audit_scope(mine, {.v_to = 8}).checksum);
+  CatalogEntry proud = entries[5];
+  proud.b += 3;
+  proud.lower_bound = proud.b;
+  EXPECT_THAT(fault_of_entry(proud), HasSubstr("blocks and not"));
+  RunControl stopped(RunControl::Settings{});
+  stopped.stop(WhyStopped::interrupted);
+  EXPECT_FALSE(audit_catalog(mine, {}, stopped).complete());
+}
+
+}  // namespace
+}  // namespace changeover::test

@@ -1,0 +1,155 @@
+#!/usr/bin/env bash
+# A catalog of one's own whose writers are killed at random moments, write at once, or find the disk full: it opens and is whole
+# afterwards, what was said to be added is there, what was not is there whole or not at all, and nothing is there in parts.
+#
+# `catalog add` of a design that is there checks the whole file (SQLite's quick_check) before it answers.
+# shellcheck source=support/attack.sh
+source "$(dirname "$0")/support/attack.sh"
+CHANGEOVER=$(program CHANGEOVER) || exit
+
+# The same design under 400 namings: other labels.
+"$CHANGEOVER" design 8 4 --change 1 --linear --format text | grep -v '^#' >"$scratch/tools/blocks"
+mkdir "$scratch/tools/designs"
+awk -v seed="$RANDOM" -v folder="$scratch/tools/designs" '
+  { line[NR] = $0 }
+  END {
+    srand(seed)
+    for (n = 1; n <= 400; ++n) {
+      for (i = 0; i < 8; ++i) name[i] = i
+      for (i = 7; i > 0; --i) { j = int(rand() * (i + 1)); t = name[i]; name[i] = name[j]; name[j] = t }
+      file = folder "/" n
+      for (l = 1; l <= NR; ++l) {
+        k = split(line[l], x, " "); text = ""
+        for (i = 1; i <= k; ++i) text = text (i > 1 ? " " : "") name[x[i]]
+        print text > file
+      }
+      close(file)
+    }
+  }' "$scratch/tools/blocks"
+designs=$scratch/tools/designs
+known=$designs/400
+
+add() { # CATALOG FILE…
+  "$CHANGEOVER" catalog add "${@:2}" --even-isomorphic --catalog "$1"
+}
+labels_in() { # CATALOG
+  "$CHANGEOVER" catalog list --users --all --format csv --catalog "$1" 2>"$err" | tail -n +2 | cut -d, -f1 | sort
+}
+# The labels that an answer says are there.
+said_in() { # FILE
+  sed -nE 's/^(added|there already): ([^, ]*).*/\2/p' "$1" | sort
+}
+# What was said is there, and the file is whole. whole TRIED CATALOG SAID
+whole() {
+  run 60 "$CHANGEOVER" catalog add "$known" --even-isomorphic --catalog "$2"
+  [[ $code == 0 ]] || fault "$1: the catalog cannot be written to any more: ${said:0:300}"
+  labels_in "$2" >"$scratch/tools/there"
+  [[ ! -s $err ]] || fault "$1: $(head -c 300 "$err")"
+  missing=$(comm -23 "$3" "$scratch/tools/there")
+  [[ -z $missing ]] || fault "$1: was said to be added and is lost: ${missing//$'\n'/ }"
+}
+
+# Everything that is added at once, for import; the labels of it.
+# shellcheck disable=SC2046 # numbers
+add all.db $(seq -f "$designs/%g" 1 200) >"$scratch/tools/answer" || fault "designs cannot be added: $(cat "$scratch/tools/answer")"
+"$CHANGEOVER" catalog export --users --catalog all.db -o all.jsonl
+labels_in all.db >"$scratch/tools/all"
+count=$(wc -l <"$scratch/tools/all")
+((count >= 190)) || fault "only $count of 200 designs were added"
+
+# Killed while they write.
+kills=$((rounds > 1 ? rounds * 25 : 16))
+: >"$scratch/tools/said_added"
+add own.db "$known" >/dev/null
+for ((i = 1; i <= kills; ++i)); do
+  attacks=$((attacks + 1))
+  printf -v pause '0.%03d' $((RANDOM % 120))
+  at=$((1 + (i * 3) % 390))
+  answer=$scratch/said/answer
+  : >"$answer" # The process may be killed before it does so itself.
+  if ((i % 3 == 0)); then
+    tried="catalog import all.jsonl, killed after $pause s"
+    rm -f import.db import.db-wal import.db-shm
+    [[ $((i % 2)) == 0 ]] || add import.db "$known" >/dev/null
+    "$CHANGEOVER" catalog import all.jsonl --quiet --catalog import.db >"$answer" 2>/dev/null </dev/null &
+  else
+    tried="catalog add of two designs, killed after $pause s"
+    add own.db "$designs/$at" "$designs/$((at + 1))" >"$answer" 2>/dev/null </dev/null &
+  fi
+  process=$!
+  sleep "$pause"
+  { kill -9 $process; wait $process; } 2>/dev/null
+  if ((i % 3 == 0)); then
+    touch import.db
+    : >"$scratch/tools/none"
+    whole "$tried" import.db "$scratch/tools/none"
+    there=$(comm -12 "$scratch/tools/all" "$scratch/tools/there" | wc -l)
+    ((there == 0 || there == count)) || fault "$tried: $there of $count designs are there"
+    if grep -q '^added' "$answer" && ((there != count)); then
+      fault "$tried: it said \"$(head -1 "$answer")\", and $there of $count are there; the list has $(wc -l <"$scratch/tools/there") lines"
+    fi
+  else
+    said_in "$answer" >>"$scratch/tools/said_added"
+    sort -u -o "$scratch/tools/said_added" "$scratch/tools/said_added"
+    whole "$tried" own.db "$scratch/tools/said_added"
+  fi
+done
+((rounds == 1)) || [[ -s $scratch/tools/said_added ]] || fault 'nothing was ever added: the moments are too early'
+
+# Two that write at once.
+attacks=$((attacks + 1))
+each=$((rounds > 1 ? 30 : 6))
+for writer in 0 1; do
+  for ((i = 1; i <= each; ++i)); do
+    add both.db "$designs/$((writer * 200 + i))" || printf 'exit code %d\n' $?
+  done >"$scratch/said/writer$writer" 2>&1 &
+done
+wait
+if grep -qvE '^(added:|there already:|  )' "$scratch"/said/writer?; then
+  fault "two writers at once: $(grep -hvE '^(added:|there already:|  )' "$scratch"/said/writer? | head -3)"
+fi
+cat "$scratch"/said/writer? >"$scratch/tools/answer"
+said_in "$scratch/tools/answer" | sort -u >"$scratch/tools/added"
+whole 'two writers at once' both.db "$scratch/tools/added"
+for writer in 0 1; do
+  (($(said_in "$scratch/said/writer$writer" | wc -l) == each)) || fault "two writers at once: one did not add all"
+done
+
+# A limit on the size of files, for anybody: refused, and what was there is there.
+attacks=$((attacks + 1))
+labels_in own.db >"$scratch/tools/before"
+run 60 bash -c "ulimit -f 1; '$CHANGEOVER' catalog add '$designs/399' --even-isomorphic --catalog fresh.db"
+[[ $code == 4 && $said == changeover:\ * ]] || fault "ulimit -f 1; catalog add: exit code $code ${said:0:200}"
+
+# A full disk.
+disk=$scratch/ground/disk
+mkdir "$disk"
+if [[ $(id -u) != 0 ]] || ! mount -t tmpfs -o size=256k hostile "$disk" 2>/dev/null; then
+  printf 'a tmpfs cannot be mounted here: full disks were left out\n'
+  finish
+fi
+at_exit+=("umount -l '$disk' 2>/dev/null")
+for ((round = 0; round < rounds; ++round)); do
+  for left in 0 4096 16384 40000 80000; do
+    attacks=$((attacks + 1))
+    find "$disk" -mindepth 1 -delete
+    add disk/own.db "$designs/1" "$designs/2" >/dev/null
+    labels_in disk/own.db >"$scratch/tools/before"
+    head -c 1000000 /dev/zero >"$disk/filler" 2>/dev/null
+    truncate -s $(($(stat -c %s "$disk/filler") - left)) "$disk/filler"
+    # shellcheck disable=SC2046 # numbers
+    run 60 "$CHANGEOVER" catalog add $(seq -f "$designs/%g" 3 60) --even-isomorphic --catalog disk/own.db
+    ended=$code
+    tried="catalog add of 58 designs with $left bytes left"
+    if ((code == 0)); then
+      said_in "$out" | sort -u >"$scratch/tools/before"
+    else
+      judge_ending
+      [[ $code == 4 && -z $defect ]] || fault "$tried: exit code $code ${said:0:300}"
+    fi
+    rm "$disk/filler"
+    whole "$tried" disk/own.db "$scratch/tools/before"
+    ((ended == 0)) || (($(wc -l <"$scratch/tools/there") <= 3)) || fault "$tried: half of them are there"
+  done
+done
+finish
