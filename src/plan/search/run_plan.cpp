@@ -131,11 +131,14 @@ class Planner {
     std::uint64_t steps = options_->steps == 0 ? attempts.suitable_steps(best()) : options_->steps;
     keep_what_there_is(plan, [&] {
       if (!control_->stop_wanted() && best().tests() > 1) {
-        add(plan, attempts.covering(*std::min_element(all.begin(), all.end(),
-                                                      [](const Candidate& a, const Candidate& b) {
-                                                        return a.tests() < b.tests();
-                                                      }),
-                                    options_->steps == 0 ? steps / 8 : steps / 4));
+        const auto fewest = std::min_element(
+            all.begin(), all.end(),
+            [](const Candidate& a, const Candidate& b) { return a.tests() < b.tests(); });
+        const auto covering =
+            attempts.covering(*fewest, options_->steps == 0 ? steps / 8 : steps / 4);
+        if (covering) {
+          add(plan, *covering);
+        }
       }
       // Longer and longer searches, each from the best so far, as long as that helps or is wished.
       for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
