@@ -73,17 +73,28 @@ std::uint64_t Attempts::steps_until(std::chrono::duration<double> left) const {
   return static_cast<std::uint64_t>(std::min(most, std::max(1.0, speed * left.count())));
 }
 
-Start Attempts::covering(const Candidate& from, std::uint64_t steps) {
+std::optional<Start> Attempts::covering(const Candidate& from, std::uint64_t steps) {
+  constexpr double share = 0.05;
+  constexpr std::uint64_t few = 200;  // moves a place
+  std::optional<std::chrono::duration<double>> time;
+  if (const auto left = control_->time_left()) {
+    time = *left * share;
+    if (steps_until(*time) < few * from.tests() * job_->room()) {
+      return std::nullopt;
+    }
+  }
   const std::size_t limit = most_tests(*job_, from.setups.size());
   const Weights true_weights = Weights::of(*job_, limit);
   // Set-ups are all that counts; changes break ties.
   Weights weights{.test = 1000, .change = std::vector<std::uint64_t>(job_->names.size(), 1)};
   Sequence sequence(*job_, weights, from.setups);
   Random random(control_->seed(), 1'000'000);
-  const AnnealedPlan found = anneal(
-      sequence,
-      {.steps = steps, .most_tests = limit, .phase = "looking for a covering with few tests"},
-      random, *control_);
+  const AnnealedPlan found = anneal(sequence,
+                                    {.steps = steps,
+                                     .time = time,
+                                     .most_tests = limit,
+                                     .phase = "looking for a covering with few tests"},
+                                    random, *control_);
   steps_ += found.steps;
   std::vector<Block> setups = found.setups.value_or(from.setups);
   if (repair(sequence, *control_) && sequence.size() < setups.size()) {
@@ -92,9 +103,9 @@ Start Attempts::covering(const Candidate& from, std::uint64_t steps) {
   setups = order_cheaply(*job_, true_weights, std::move(setups), *control_);
   Sequence ordered(*job_, true_weights, setups);
   prune(ordered, *control_);
-  return {"ordered covering",
-          fmt::format("a covering with {} set-ups, in a cheap order", ordered.size()),
-          ordered.setups()};
+  return Start{"ordered covering",
+               fmt::format("a covering with {} set-ups, in a cheap order", ordered.size()),
+               ordered.setups()};
 }
 
 Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>& others,
@@ -126,9 +137,10 @@ Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>
       return;
     }
     const auto time = time_for(*control_, i, attempts);
-    // Too few moves for each place to forget a good list, or a good one from the rounds before.
-    constexpr std::uint64_t few = 500;
-    const bool stay_near = steps / few < best.tests() * job_->room() ||
+    // Too few moves for each place to make up for forgetting a good list, or a good one from the rounds before.
+    constexpr std::uint64_t few = 100;
+    const std::uint64_t moves = time ? std::min(steps, steps_until(*time)) : steps;
+    const bool stay_near = moves / few < best.tests() * job_->room() ||
                            (are_short(best) ? round % 4 != 0 : round > 0 && i % 2 == 1);
     const Style& style = stay_near ? warm : styles[(i + round) % styles.size()];
     const Candidate& from =

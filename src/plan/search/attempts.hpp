@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
@@ -29,8 +30,9 @@ class Attempts {
   /// Moves that an annealing on one thread makes in this time, going by those so far.
   [[nodiscard]] std::uint64_t steps_until(std::chrono::duration<double> left) const;
 
-  /// A covering with few set-ups, found from this list, in a cheap order.
-  [[nodiscard]] Start covering(const Candidate& from, std::uint64_t steps);
+  /// A covering with few set-ups, found from this list, in a cheap order; nothing if a small share of the time that is left
+  /// is too short for a list like this.
+  [[nodiscard]] std::optional<Start> covering(const Candidate& from, std::uint64_t steps);
 
   /// The cheapest list found from `best` and from others; `best` itself if there is nothing cheaper.
   [[nodiscard]] Start cheaper_than(const Candidate& best, const std::vector<Candidate>& others,

@@ -13,7 +13,7 @@ constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
 
 class Greedy {
  public:
-  Greedy(const Job& job, RunControl& control)
+  Greedy(const Job& job, RunControl& control, bool by_price)
       : job_(&job),
         fitting_(job),
         listener_(control),
@@ -24,6 +24,17 @@ class Greedy {
         on_bench_(parts_, false),
         gains_(parts_),
         blocked_(parts_) {
+    if (by_price) {
+      double total = 0;
+      for (const Amount cost : job.change_costs) {
+        total += static_cast<double>(cost.millionths);
+      }
+      constexpr double little = 0.02;  // of the mean, so that what is free is not worth everything
+      const double least = std::max(1.0, little * total / static_cast<double>(parts_));
+      for (const Amount cost : job.change_costs) {
+        worth_.push_back(1.0 / (least + static_cast<double>(cost.millionths)));
+      }
+    }
     job.needed.for_each(all_of_them, [&](Element x, Element y) {
       missing_[x * parts_ + y] = missing_[y * parts_ + x] = 1;
       ++left_[x];
@@ -41,6 +52,9 @@ class Greedy {
 
   Start run() {
     Start start{"greedy list", "always the step that tests most pairs for its cost", {}};
+    if (!worth_.empty()) {
+      start.how += ", of cheap parts where it can";
+    }
     while (missing_pairs_ > 0) {
       const bool in_haste = listener_.stop_wanted(parts_ * room_);
       Block next = in_haste ? Block() : best_step();
@@ -187,11 +201,11 @@ class Greedy {
     }
     pairs /= 2;
     while (setup.size() < room_) {
-      // Most gain first, then most left to meet, then the first.
+      // Most gain first, for its price or not, then most left to meet, then the first.
       Element best = 0;
-      std::uint64_t most = 0;
+      double most = 0;
       for (Element y = 0; y < parts_; ++y) {
-        const std::uint64_t value = std::uint64_t{gains_[y]} << 32 | left_[y];
+        const double value = value_of(y);
         if (value > most && blocked_[y] == 0 && left_[y] > 0 && slots_allow(setup.size(), y)) {
           best = y;
           most = value;
@@ -209,6 +223,13 @@ class Greedy {
     return pairs;
   }
 
+  // Of a part for the set-up in work: positive if it has a pair left.
+  [[nodiscard]] double value_of(Element y) const {
+    constexpr double more_than_any_left = 4096;
+    const double value = static_cast<double>(gains_[y]) * more_than_any_left + left_[y];
+    return worth_.empty() ? value : value * worth_[y];
+  }
+
   [[nodiscard]] double cost(const Block& setup) const {
     double total = static_cast<double>(job_->test_cost.millionths) + 1.0;
     for (const Element x : setup) {
@@ -222,7 +243,9 @@ class Greedy {
   // The step with most new pairs for its cost; empty if those that are looked at have none, or if it is
   // to stop.
   [[nodiscard]] Block best_step() {
-    constexpr std::uint64_t small = 4;
+    // Prices ask for a closer look, as long as that is short.
+    constexpr std::size_t few_parts = 300;
+    const std::uint64_t small = !worth_.empty() && parts_ <= few_parts ? 16 : 4;
     Block best;
     double best_ratio = 0;
     const std::uint64_t room = room_ - job_->mounted.size();
@@ -279,14 +302,42 @@ class Greedy {
   Element first_open_ = 0;  // no part before it has a missing pair
   Block bench_;
   std::vector<bool> on_bench_;
+  std::vector<double> worth_;           // by part, if prices count: less for the dear
   std::vector<std::uint32_t> gains_;    // by part: missing pairs with the set-up in work
   std::vector<std::uint64_t> in_slot_;  // by slot, in the set-up in work
   std::uint64_t lacking_ = 0;           // of the slots of the set-up in work
   std::vector<std::uint8_t> blocked_;   // by part: is in the set-up in work, or must not join it
 };
 
+// What a list costs, rounded: to compare lists, not to show it.
+double weight(const Job& job, const Start& start) {
+  double total =
+      static_cast<double>(job.test_cost.millionths) * static_cast<double>(start.setups.size());
+  std::vector<std::size_t> last(job.names.size(),
+                                0);  // by part: number of the last set-up that held it
+  for (const Element x : job.start) {
+    last[x] = 1;
+  }
+  for (std::size_t i = 0; i < start.setups.size(); ++i) {
+    for (const Element x : start.setups[i]) {
+      total += last[x] == i + 1 ? 0.0 : static_cast<double>(job.change_costs[x].millionths);
+      last[x] = i + 2;
+    }
+  }
+  return total;
+}
+
 }  // namespace
 
-Start greedy_start(const Job& job, RunControl& control) { return Greedy(job, control).run(); }
+Start greedy_start(const Job& job, RunControl& control) {
+  Start plain = Greedy(job, control, false).run();
+  const bool one_price = std::all_of(job.change_costs.begin(), job.change_costs.end(),
+                                     [&](Amount cost) { return cost == job.change_costs.front(); });
+  if (one_price || control.stop_wanted()) {
+    return plain;
+  }
+  Start priced = Greedy(job, control, true).run();
+  return weight(job, priced) < weight(job, plain) ? priced : plain;
+}
 
 }  // namespace changeover

@@ -131,13 +131,17 @@ class Planner {
     std::uint64_t steps = options_->steps == 0 ? attempts.suitable_steps(best()) : options_->steps;
     keep_what_there_is(plan, [&] {
       if (!control_->stop_wanted() && best().tests() > 1) {
-        add(plan, attempts.covering(*std::min_element(all.begin(), all.end(),
-                                                      [](const Candidate& a, const Candidate& b) {
-                                                        return a.tests() < b.tests();
-                                                      }),
-                                    options_->steps == 0 ? steps / 8 : steps / 4));
+        const auto fewest = std::min_element(
+            all.begin(), all.end(),
+            [](const Candidate& a, const Candidate& b) { return a.tests() < b.tests(); });
+        const auto covering =
+            attempts.covering(*fewest, options_->steps == 0 ? steps / 8 : steps / 4);
+        if (covering) {
+          add(plan, *covering);
+        }
       }
       // Longer and longer searches, each from the best so far, as long as that helps or is wished.
+      unsigned idle = 0;  // rounds without anything better, one after another
       for (unsigned round = 0; best().cost > plan.bound.cost && !control_->stop_wanted(); ++round) {
         const Amount before = best().cost;
         const Round next = round_of(attempts, steps, attempts.are_short(best()));
@@ -147,7 +151,8 @@ class Planner {
           look_at_all(plan, best().cost);
         }
         const bool many = attempts.are_short(best());
-        if (!options_->until_stopped && enough(plan, before, best().cost, round, many)) {
+        idle = best().cost == before ? idle + 1 : 0;
+        if (!options_->until_stopped && enough(plan, best().cost, round, idle, many)) {
           break;
         }
         constexpr std::uint64_t longest = std::uint64_t{1} << 60;
@@ -195,15 +200,18 @@ class Planner {
   }
 
   // Whether a search that nobody gave a time has gone on for long enough.
-  [[nodiscard]] bool enough(const RunPlan& plan, Amount before, Amount now, unsigned round,
+  [[nodiscard]] bool enough(const RunPlan& plan, Amount now, unsigned round, unsigned idle,
                             bool many) const {
-    const unsigned most_rounds = many ? 8 : 3;
-    const unsigned fruitless = many ? 4 : 1;  // rounds that are made in any case
     constexpr std::uint64_t small_gap = 100;  // one in so many
-    const Amount gap = now - plan.bound.cost;
+    constexpr std::uint64_t large_gap = 20;
+    const unsigned most_rounds = many ? 8 : 3;
+    const unsigned least = many ? 4 : 1;  // rounds that are made in any case
+    const std::uint64_t gap = (now - plan.bound.cost).millionths;
+    // One fruitless round says little of a short list; all lists of a small job are looked at anyway.
+    const bool patient = many && gap > plan.bound.cost.millionths / large_gap && !is_small(*job_);
     return options_->steps != 0 || round + 1 >= most_rounds ||
-           (round >= fruitless && now == before) ||
-           gap.millionths < plan.bound.cost.millionths / small_gap;
+           (round >= least && idle >= (patient ? 3U : 1U)) ||
+           gap < plan.bound.cost.millionths / small_gap;
   }
 
   // A small job is done: its cheapest list is found, or the best so far is proved to be one. Where that takes too

@@ -22,8 +22,9 @@ struct Start {
 [[nodiscard]] std::vector<Start> design_starts(const Job& job, std::uint64_t moves,
                                                RunControl& control);
 
-/// Takes the step that tests most pairs for its cost, again and again. Serves every job without defects. Once
-/// the control says stop, it takes any steps, so that a complete list comes soon.
+/// Takes the step that tests most pairs for its cost, again and again; where prices differ, once more with steps that are
+/// filled with what is cheap, and the cheaper list counts. Serves every job without defects. Once the control says stop, it
+/// takes any steps, so that a complete list comes soon.
 [[nodiscard]] Start greedy_start(const Job& job, RunControl& control);
 
 /// The set-ups in a cheap order: that of search/ordering.hpp if all changes cost the same and nothing is
