@@ -23,6 +23,7 @@ struct PlanRequest {
   std::optional<std::uint64_t> at_once;
   std::string test_cost;
   std::string change_cost;
+  std::string change_costs;
   std::string pairs;
   std::string never;
   std::string slots;
@@ -253,7 +254,7 @@ void leave_out(Asked& asked, const PairSet& apart) {
 // What pairs are worth; a weight of a pair that need not meet says nothing.
 void take_priorities(const PlanRequest& request, Asked& asked) {
   Job& job = asked.job;
-  const auto input = open_input(request.priority);
+  const auto input = open_list(request.priority);
   job.weights = read_priorities(*input, job.names);
   try {
     Amount all;
@@ -290,6 +291,9 @@ void take_triples(Asked& asked) {
 Asked asked_of(const PlanRequest& request) {
   Asked asked = parts_of(request);
   Job& job = asked.job;
+  if (!request.change_costs.empty()) {
+    job.replace_costs = read_change_costs(*open_list(request.change_costs), job.names);
+  }
   if (!request.never.empty()) {
     job.never = read_pairs(*open_list(request.never), job.names);
     job.needed = all_pairs_but(job.never);
@@ -316,7 +320,7 @@ Asked asked_of(const PlanRequest& request) {
     leave_out(asked, cannot_meet(job));
   }
   if (!request.first.empty()) {
-    job.first = read_first(*open_input(request.first), job);
+    job.first = read_first(*open_list(request.first), job);
   }
   if (!request.priority.empty()) {
     take_priorities(request, asked);
@@ -401,6 +405,7 @@ Answer run(const PlanRequest& request) {
     throw UsageError{"--title: " + *defect};
   }
   check_inputs(output, {{"the parts list", list_file(request.parts)},
+                        {"--change-costs", list_file(request.change_costs)},
                         {"--pairs", list_file(request.pairs)},
                         {"--never", list_file(request.never)},
                         {"--slots", list_file(request.slots)},
@@ -471,6 +476,9 @@ void add_plan(Program& program) {
   verb.option("--test-cost", request.test_cost, "X", "what one test costs, e.g. 12.50");
   verb.option("--change-cost", request.change_cost, "Y",
               "what mounting a part costs where the list does not say");
+  verb.option(
+      "--change-costs", request.change_costs, "FILE",
+      "a square table: what putting in the part of the column costs where that of the row was taken out");
   verb.option("--strength", request.strength, "T",
               "2: every two parts must meet (the default); 3: every three");
   verb.option("--pairs", request.pairs, "FILE", "pairs that must meet (default: all)");
@@ -510,6 +518,8 @@ void add_plan(Program& program) {
   verb.never_with({"--budget", "--start", "--first", "--done", "--priority", "--what-if",
                    "--shuffle", "--compact"},
                   {"--benches"});
+  verb.never_with({"--priority", "--shuffle", "--what-if", "--diagnose"},
+                  {"--change-costs"});
   verb.only_with({"--done-first", "--diagnose"}, {"--done"});
   verb.never_with({"--what-if", "--budget", "--title", "--steps", "--compact", "--shuffle",
                    "--first", "--priority"},

@@ -12,7 +12,9 @@
 //
 // Bounds. Put the lists of all benches end to end: this is one list that does the job and costs no more than they do together, since what
 // stays mounted from one list to the next need not be put in again. So all benches together cost at least cost_bound() [docs/theorems.md,
-// Theorem 5, says so of the changes of machines' lists put end to end], and the least total is that of one bench. The
+// Theorem 5, says so of the changes of machines' lists put end to end], and the least total is that of one bench. If costs depend on
+// what is replaced, this holds at the least price of each part, and so does the bound, but several benches may cost less together than
+// one. The
 // bench that costs most costs at least the N-th part of that; at least what a test of the dearest needed pair costs; and at
 // least the smallest amount for which N benches can test all pairs, if each tests the most pairs that a list within this amount can.
 #pragma once
@@ -91,7 +93,7 @@ struct BenchPlan : BenchCount {
 /// "changeover-benches/1": title, benches, objective, cost, makespan, tests, changes, pairs_needed, pairs_tested, triples_needed,
 /// triples_tested, lower_bound {cost, makespan, cost_reason, makespan_reason}, sheets [{bench, tests, changes, cost, steps
 /// [{step, take_out, put_in, set_up, new_pairs (their number), cost, cost_so_far}]}], candidates [{name, how, tests, changes, cost,
-/// makespan}], notes.
+/// makespan}], notes; in each step replaced [[out, in]] if costs depend on what is replaced.
 struct BenchDocument {
   const Job* job = nullptr;
   const BenchPlan* plan = nullptr;

@@ -46,6 +46,8 @@
 // by itself bounds the tests. In (5), i_x ≤ d_x falls away for parts of slots that need some. All else is true of any
 // list, and so of those that obey the slots.
 // *First set-ups.* If some set-ups must come first, the bound is what they cost and that of what is left after them.
+// *What is replaced.* If costs depend on it, each introduction of x costs at least the least of x's own cost and of those in place
+// of any part that does not stay mounted, which is never taken out. The bound is that at these prices.
 // The bound, rounded up to a multiple of what divides all costs, is the least of T·test + (the largest of (5), (6) and (7)) over T ≥ (2) and I ≥ I(T), (3), (4), (8). With
 // forbidden pairs, pairs that need not meet, a start or tests already done, (4) falls away unless its
 // condition holds as it stands; the others stay true. (6) is left out of large jobs, where it takes long.

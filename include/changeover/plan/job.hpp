@@ -13,7 +13,16 @@
 //   (number of set-ups) · test_cost + Σ over all introductions of the change cost of the part,
 // where a part is introduced in a set-up if it was not in the one before; the first set-up introduces all
 // its parts but those of `start`, which are on the bench already. Taking parts out costs nothing. These
-// are the costs of [ChafeeStevens2025, Section 1]. If some set-ups must come `first`, the list begins with them, in
+// are the costs of [ChafeeStevens2025, Section 1].
+//
+// If a change costs more or less by what is replaced (Job::replace_costs), a step is paid for by pairs. Let it take out the
+// parts O and put in the parts N; for the first set-up, O are those of `start` that go. As many pairs of a part of O and one
+// of N as there can be, min(|O|,|N|), no part in two, are chosen so that the step is cheapest: a pair (o, n) costs what putting
+// in n costs where o was taken out; what is left of N goes to empty places, each at its own change cost; what is left of O is
+// taken out at no cost. Plans for weighed pairs, exchanged parts, ratios of costs and diagnoses are not made
+// for such jobs: BadInput. So a list that begins on an empty bench pays for its first set-up as without such costs.
+//
+// If some set-ups must come `first`, the list begins with them, in
 // their order: they break no constraint, their pairs count, and they are paid for like all others.
 #pragma once
 
@@ -122,11 +131,20 @@ struct Job {
       weights;  ///< of needed pairs: which are to meet early, or at all if the budget is small
   std::vector<Triple> triples;  ///< three parts that must meet in one set-up; increasing, each once
   std::vector<Block> first;  ///< set-ups that must be run first, in this order; they are paid for
+  std::vector<Amount>
+      replace_costs;  ///< of putting in part i where part o was taken out, at o · parts() + i; empty:
+                      ///< it is change_costs[i] for every o
 
+  /// What a change costs depends on what is replaced.
+  [[nodiscard]] bool replaces() const { return !replace_costs.empty(); }
+  /// What it costs to put in a part where another was taken out.
+  [[nodiscard]] Amount replace_cost(Element out, Element in) const {
+    return replaces() ? replace_costs[out * names.size() + in] : change_costs[in];
+  }
   [[nodiscard]] std::uint64_t parts() const { return names.size(); }
   /// The most parts that a set-up can have: at_once, however large, but no more than there are.
   [[nodiscard]] std::uint64_t room() const { return at_once < parts() ? at_once : parts(); }
-  /// All change costs are the same.
+  /// All change costs are the same, whatever is replaced.
   [[nodiscard]] bool one_change_cost() const;
 };
 
@@ -246,6 +264,13 @@ struct PartList {
 [[nodiscard]] std::vector<Block> read_setups(
     Input& input, const std::vector<std::string>& names,
     std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
+
+/// What a change costs by what is replaced, for Job::replace_costs: a square table. Its first row names the parts that are put
+/// in, after a field that says nothing; every other row begins with the part that is taken out. Each part heads one
+/// row and one column, in any order; where a part meets itself the field is empty. @throws BadInput for a part that heads
+/// none or two, unknown parts, fields that are no cost, too few and too many of them; MissingResource if reading fails.
+[[nodiscard]] std::vector<Amount> read_change_costs(Input& input,
+                                                    const std::vector<std::string>& names);
 
 /// What pairs are worth, `A,B,weight` a row; a header is taken for one. @throws BadInput for other rows, negative weights and a pair with two
 /// weights; MissingResource if reading fails.

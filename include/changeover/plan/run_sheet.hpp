@@ -25,7 +25,10 @@ struct RunStep {
   Block setup;
   std::vector<std::pair<Element, Element>> new_pairs;  ///< needed pairs that meet here first
   std::vector<Triple> new_triples;                     ///< likewise
-  Amount cost;                                         ///< of this step
+  std::vector<std::pair<Element, Element>>
+      replaced;  ///< if the job asks what is replaced: a part out and the one in its place, by the first;
+                 ///< parts put in that are in none went to empty places
+  Amount cost;  ///< of this step
   Amount cost_so_far;
   Amount weight_so_far;  ///< of needed pairs that have met, if the job weighs them
 };
@@ -53,7 +56,8 @@ struct RunSheet {
 };
 
 /// Counts everything. @throws BadInput if an element is not below job.parts();
-/// ImpossibleParameters if the cost overflows. O(v² + introductions · room).
+/// ImpossibleParameters if the cost overflows. O(v² + introductions · room), and what assigning the parts put in to those taken
+/// out takes if the job asks what is replaced.
 [[nodiscard]] RunSheet run_sheet(const Job& job, const std::vector<Block>& setups);
 
 }  // namespace changeover

@@ -25,7 +25,8 @@
 // start, first [[part]], tests_done, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
 // tests, changes, reason}, budget (or null), triples_needed, triples_tested, weight {needed, tested, most (or null)} (or null), steps [{step, take_out, put_in, set_up, new_pairs [[a,b]], cost,
 // cost_so_far, weight_so_far (where pairs are weighed)}], candidates [{name, how, tests, changes, cost, pairs_tested,
-// triples_tested, weight}], notes [text]. Costs are exact decimals.
+// triples_tested, weight}], notes [text]. If costs depend on what is replaced, also replace_costs [[number, or null where a part meets
+// itself]] by part out and part in, and in each step replaced [[out, in]]. Costs are exact decimals.
 #pragma once
 
 #include <cstddef>

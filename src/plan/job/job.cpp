@@ -54,6 +54,9 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
       job.never.v() != job.parts()) {
     found.push_back("the number of change costs or the pairs do not fit the number of parts");
   }
+  if (job.replaces() && job.replace_costs.size() != job.parts() * job.parts()) {
+    found.push_back("the costs by what is replaced do not fit the number of parts");
+  }
   const bool known_slots =
       job.slot_of.size() == (job.slots.empty() ? 0 : job.names.size()) &&
       std::all_of(job.slot_of.begin(), job.slot_of.end(),
@@ -186,8 +189,8 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
 }  // namespace
 
 bool Job::one_change_cost() const {
-  return std::all_of(change_costs.begin(), change_costs.end(),
-                     [&](Amount cost) { return cost == change_costs.front(); });
+  return !replaces() && std::all_of(change_costs.begin(), change_costs.end(),
+                                    [&](Amount cost) { return cost == change_costs.front(); });
 }
 
 Job make_job(std::uint64_t v, std::uint64_t at_once, Amount test_cost, Amount change_cost) {

@@ -4,17 +4,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <set>
 #include <span>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "io/read/place.hpp"
 #include "io/write/csv_cell.hpp"
+#include "plan/job/cost_reader.hpp"
 #include "plan/job/part_columns.hpp"
+#include "plan/job/part_finder.hpp"
 #include "plan/job/plain_text.hpp"
 #include "plan/job/rows.hpp"
 #include "plan/job/setup_list.hpp"
@@ -23,100 +23,6 @@ namespace changeover {
 namespace {
 
 constexpr std::size_t longest_name = 255;
-
-// Parts by name or number.
-class PartFinder {
- public:
-  explicit PartFinder(const std::vector<std::string>& names) : names_(&names) {
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      by_name_.emplace(names[i], static_cast<Element>(i));
-    }
-  }
-
-  [[nodiscard]] std::optional<Element> find(const std::string& word) const {
-    if (const auto found = by_name_.find(word); found != by_name_.end()) {
-      return found->second;
-    }
-    std::size_t number = 0;
-    const char* const end = word.data() + word.size();
-    const auto [rest, failure] = std::from_chars(word.data(), end, number);
-    if (failure == std::errc() && rest == end && number >= 1 && number <= names_->size()) {
-      return static_cast<Element>(number - 1);
-    }
-    return std::nullopt;
-  }
-
-  // What stands in a cell, which says `text` if it was written by csv_cell() and not by a spreadsheet.
-  [[nodiscard]] std::optional<Element> find_cell(const std::string& cell, const std::string& text,
-                                                 bool names_only) const {
-    if (names_only) {
-      const auto found = by_name_.find(is_name(text) ? text : cell);
-      return found == by_name_.end() ? std::nullopt : std::optional(found->second);
-    }
-    const auto part = find(text);
-    return part ? part : find(cell);
-  }
-
-  [[nodiscard]] bool has_number_as_name() const {
-    return std::any_of(names_->begin(), names_->end(), [](const std::string& name) {
-      return name.find_first_not_of("0123456789") == std::string::npos;
-    });
-  }
-
-  [[nodiscard]] bool is_name(const std::string& word) const { return by_name_.count(word) != 0; }
-  [[nodiscard]] bool is_name_in_any_case(const std::string& word) const {
-    return std::any_of(names_->begin(), names_->end(),
-                       [&](const std::string& name) { return lower(name) == lower(word); });
-  }
-  [[nodiscard]] std::size_t size() const { return names_->size(); }
-
-  // Of names that begin or end with blanks, as only quotes in a text can say, a workbook has them in full.
-  void restore_blanks(Row& row) const {
-    for (Field& field : row) {
-      if (!field.in_full.empty() && is_name(field.in_full)) {
-        field.text = field.in_full;
-      }
-    }
-  }
-
-  // What to say of a word that is no part: with the name that differs in its case only, if there is one.
-  [[nodiscard]] std::string complaint(const std::string& word) const {
-    for (const std::string& name : *names_) {
-      if (lower(name) == lower(word)) {
-        return fmt::format("there is no part {}; did you mean {}?", shown(word), shown(name));
-      }
-    }
-    return fmt::format(
-        "there is no part {}; give a name of the parts list or a number from 1 to {}", shown(word),
-        names_->size());
-  }
-
- private:
-  const std::vector<std::string>* names_;
-  std::unordered_map<std::string, Element> by_name_;
-};
-
-// The parts of some fields, none twice; says which field is at fault. `find` takes its text.
-template <typename Find, typename Fail>
-Block find_parts(const PartFinder& finder, std::span<const Field> row, Find&& find, Fail&& fail) {
-  Block parts;
-  std::vector<bool> seen(finder.size());
-  for (const Field& field : row) {
-    if (field.text.empty()) {
-      continue;
-    }
-    const std::optional<Element> part = find(field.text);
-    if (!part) {
-      fail(field, finder.complaint(field.text));
-    }
-    if (seen[*part]) {
-      fail(field, fmt::format("{} stands here twice; remove one", shown(field.text)));
-    }
-    seen[*part] = true;
-    parts.push_back(*part);
-  }
-  return parts;
-}
 
 // A row of numbers with blanks between them and no comma: "1 2 3".
 Row at_blanks(const Field& field) {
@@ -234,48 +140,6 @@ void check_name(const RowReader& reader, const Field& name) {
                                                       : "tabs"));
   }
 }
-
-// Costs of one list: with a point, or between semicolons or tabs with a comma, but not with both.
-class CostReader {
- public:
-  explicit CostReader(const RowReader& reader) : reader_(&reader) {}
-
-  Amount read(const Field& field) {
-    std::string text = field.text;
-    const bool comma = reader_->separator() != ',' &&
-                       std::count(text.begin(), text.end(), ',') == 1 &&
-                       text.find('.') == std::string::npos;
-    if (comma) {
-      const std::size_t at = text.find(',');
-      constexpr std::size_t of_thousands = 3;
-      if (text.size() - at - 1 == of_thousands && at >= 1 && at <= of_thousands && text[0] != '0') {
-        reader_->fail(field, fmt::format("{} may be thousands or a fraction; write {}{} or {}.{}0",
-                                         shown(text), text.substr(0, at), text.substr(at + 1),
-                                         text.substr(0, at), text.substr(at + 1)));
-      }
-      text[at] = '.';
-    }
-    const bool point = !comma && text.find('.') != std::string::npos;
-    // A number in a workbook has no sign of its own.
-    if (!reader_->is_workbook() && ((comma && points_) || (point && commas_))) {
-      reader_->fail(field, "some costs have a decimal comma and some a point; use one of them");
-    }
-    commas_ = commas_ || comma;
-    points_ = points_ || point;
-    try {
-      return parse_amount(text);
-    } catch (const Error& fault) {
-      reader_->fail(
-          field, comma ? fmt::format("{} is not a cost; write it as 12 or 12,50", shown(field.text))
-                       : std::string(fault.what()));
-    }
-  }
-
- private:
-  const RowReader* reader_;
-  bool commas_ = false;
-  bool points_ = false;
-};
 
 }  // namespace
 

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <new>
-#include <set>
 #include <tuple>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "plan/job/prices.hpp"
 #include "plan/search/attempts.hpp"
 #include "plan/search/bounds.hpp"
 #include "plan/search/lists/lists_search.hpp"
@@ -23,19 +23,15 @@ namespace {
 BenchLists cut(const Job& job, const std::vector<Block>& setups, std::uint64_t benches) {
   std::vector<std::uint64_t> going_on;  // by set-up: what it costs after the one before
   std::vector<std::uint64_t> anew;      // and at the beginning of a list
-  std::set<Element> bench;
   std::uint64_t most = 0;
-  for (const Block& setup : setups) {
+  for (const RunStep& step : run_sheet(job, setups).steps) {
     std::uint64_t all = job.test_cost.millionths;
-    std::uint64_t some = all;
-    for (const Element x : setup) {
+    for (const Element x : step.setup) {
       all += job.change_costs[x].millionths;
-      some += bench.count(x) != 0 ? 0 : job.change_costs[x].millionths;
     }
-    going_on.push_back(some);
+    going_on.push_back(step.cost.millionths);
     anew.push_back(all);
-    most += some;
-    bench = {setup.begin(), setup.end()};
+    most += going_on.back();
   }
   // Where pieces begin if none costs more than the limit.
   const auto pieces = [&](std::uint64_t limit) {
@@ -162,18 +158,19 @@ class BenchPlanner {
     plan_.largest_reason = n == 1 ? "every plan costs so much"
                                   : fmt::format("the {} benches together cost at least {}", n,
                                                 to_string(plan_.bound.cost));
+    const Job priced = at_prices(*job_, Price::least);
     const auto is_mounted = [&](Element x) {
       return std::find(job_->mounted.begin(), job_->mounted.end(), x) != job_->mounted.end();
     };
     Amount mounting = job_->test_cost;
     for (const Element m : job_->mounted) {
-      mounting += job_->change_costs[m];
+      mounting += priced.change_costs[m];
     }
     std::uint64_t inner = 0;
     job_->needed.for_each(~std::uint64_t{0}, [&](Element x, Element y) {
       Amount pair = mounting;
-      pair += is_mounted(x) ? Amount{} : job_->change_costs[x];
-      pair += is_mounted(y) ? Amount{} : job_->change_costs[y];
+      pair += is_mounted(x) ? Amount{} : priced.change_costs[x];
+      pair += is_mounted(y) ? Amount{} : priced.change_costs[y];
       inner += !is_mounted(x) && !is_mounted(y) ? 1U : 0U;
       if (pair > bound) {
         bound = pair;
@@ -189,8 +186,8 @@ class BenchPlanner {
       std::uint64_t low = bound.millionths;
       for (std::uint64_t high = std::max(low, plan_.bound.cost.millionths); low < high;) {
         const std::uint64_t middle = low + (high - low) / 2;
-        most_pairs_within(*job_, Amount{middle}) >= ceil_div(inner, n) ? high = middle
-                                                                       : low = middle + 1;
+        most_pairs_within(priced, Amount{middle}) >= ceil_div(inner, n) ? high = middle
+                                                                        : low = middle + 1;
       }
       if (const Amount counted = rounded_up(*job_, Amount{low}); counted > bound) {
         bound = counted;
@@ -207,7 +204,7 @@ class BenchPlanner {
   }
 
   void search(std::vector<BenchLists> starts) {
-    const Weights weights = Weights::of(*job_, job_->needed.size() + job_->triples.size() + 64);
+    const Weights weights = weights_of(*job_, job_->needed.size() + job_->triples.size() + 64);
     {
       Lists lists(*job_, weights, starts.front());
       prune(lists, *control_);

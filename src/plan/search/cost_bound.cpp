@@ -11,6 +11,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "plan/job/prices.hpp"
 #include "plan/job/words.hpp"
 #include "plan/search/bounds.hpp"
 #include "plan/search/first_plan.hpp"
@@ -493,6 +494,9 @@ Amount rounded_up(const Job& job, Amount cost) {
   for (const Amount each : job.change_costs) {
     unit = std::gcd(unit, each.millionths);
   }
+  for (const Amount each : job.replace_costs) {
+    unit = std::gcd(unit, each.millionths);
+  }
   return unit == 0 ? cost : Amount{unit} * ceil_div(cost.millionths, unit);
 }
 
@@ -500,6 +504,13 @@ CostBound cost_bound(const Job& job) {
   check(job);
   if (!job.first.empty()) {
     return bound_with_first(job);
+  }
+  if (job.replaces()) {
+    CostBound bound = cost_bound(at_prices(job, Price::least));
+    bound.cost = rounded_up(job, bound.cost);
+    bound.reason =
+        "each part costs at least what it costs where it is cheapest to put in: " + bound.reason;
+    return bound;
   }
   if (!job.triples.empty()) {
     return bound_for_triples(job);

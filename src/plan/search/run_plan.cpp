@@ -14,6 +14,7 @@
 #include "plan/search/candidates.hpp"
 #include "plan/search/exact_plan.hpp"
 #include "plan/search/first_plan.hpp"
+#include "plan/search/lists/replacing_plan.hpp"
 #include "plan/search/starts.hpp"
 #include "plan/search/triple_plan.hpp"
 #include "plan/search/weighted.hpp"
@@ -332,6 +333,9 @@ RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& co
   check(job);
   if (!job.first.empty()) {
     return plan_with_first(job, options, control);
+  }
+  if (job.replaces()) {
+    return plan_for_replacing(job, options, control);
   }
   return job.triples.empty() ? Planner(job, options, control).run()
                              : plan_for_triples(job, options, control);

@@ -4,6 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
+#include "plan/job/prices.hpp"
 #include "plan/search/alike.hpp"
 #include "plan/search/first_plan.hpp"
 #include "run/random.hpp"
@@ -69,6 +70,7 @@ std::vector<std::vector<Element>> alike(const Job& job) {
 }
 
 RunPlan shuffled(const Job& job, RunPlan plan, std::uint64_t seed, std::uint64_t& exchanged) {
+  refuse_replacing(job, "exchanging parts");
   if (!job.first.empty()) {
     return shuffled_with_first(job, std::move(plan), seed, exchanged);
   }

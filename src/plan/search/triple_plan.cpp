@@ -8,9 +8,8 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
-#include "plan/search/attempts.hpp"
-#include "plan/search/candidates.hpp"
-#include "plan/search/lists/lists_search.hpp"
+#include "plan/search/lists/lists.hpp"
+#include "plan/search/lists/lists_plan.hpp"
 
 namespace changeover {
 namespace {
@@ -182,136 +181,6 @@ class GreedyForTriples {
   Block bench_;
 };
 
-class TriplePlanner {
- public:
-  TriplePlanner(const Job& job, const PlanOptions& options, RunControl& control)
-      : job_(&job),
-        options_(&options),
-        control_(&control),
-        weights_(Weights::of(job, most_tests())) {}
-
-  RunPlan run() {
-    const RunScope scope(*control_);
-    RunPlan plan;
-    plan.bound = cost_bound(*job_);
-    add(plan, greedy_for_triples(*job_, *control_));
-    keep_what_there_is(plan, [&] {
-      add_rest(plan);
-      for (const Start& start : design_starts(*job_, 0, *control_)) {
-        add(plan, start);
-      }
-      search(plan);
-    });
-    std::stable_sort(plan.candidates.begin(), plan.candidates.end(), cheaper);
-    if (options_->budget && plan.candidates.front().cost > *options_->budget) {
-      find_affordable(plan);
-    } else if (options_->budget) {
-      plan.complete = plan.candidates.front();
-    }
-    settle(*job_, plan, *control_);
-    return plan;
-  }
-
- private:
-  [[nodiscard]] std::uint64_t most_tests() const { return 2 * job_->triples.size() + 16; }
-
-  void add(RunPlan& plan, const Start& start) const {
-    Candidate candidate = counted_complete(*job_, start);
-    if (candidate.cost < plan.bound.cost) {
-      throw InternalError(start.name + " costs less than the lower bound");
-    }
-    plan.candidates.push_back(std::move(candidate));
-  }
-
-  // The list under way without what breaks a rule, and with what it lacks.
-  void add_rest(RunPlan& plan) const {
-    std::vector<Block> rest;
-    for (const Block& setup : options_->rest) {
-      if (run_sheet(*job_, {setup}).faults.empty()) {
-        rest.push_back(setup);
-      }
-    }
-    if (rest.empty()) {
-      return;
-    }
-    Lists lists(*job_, weights_, {rest});
-    if (lists.open() == 0) {
-      add(plan,
-          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
-    }
-    if (complete(lists, *control_)) {
-      prune(lists, *control_);
-      add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
-                 lists.lists().front()});
-    }
-  }
-
-  void search(RunPlan& plan) const {
-    ListsSearch search{.steps = options_->steps,
-                       .attempts = options_->attempts,
-                       .phase = "local search among lists of triples"};
-    const auto best = [&]() -> const Candidate& {
-      return *std::min_element(plan.candidates.begin(), plan.candidates.end(), cheaper);
-    };
-    while (best().cost > plan.bound.cost && !control_->stop_wanted()) {
-      std::vector<Candidate> all = plan.candidates;
-      std::stable_sort(all.begin(), all.end(), cheaper);
-      constexpr std::size_t few = 3;
-      std::vector<BenchLists> starts;
-      for (std::size_t i = 0; i < std::min(few, all.size()); ++i) {
-        starts.push_back({all[i].setups});
-      }
-      const FoundLists found = search_lists(*job_, weights_, starts, search, *control_);
-      plan.steps += found.steps;
-      std::erase_if(plan.candidates, [&](const Candidate& c) { return c.name == search_name; });
-      add(plan, {search_name,
-                 fmt::format("any number of changes a step; started from the {}", all.front().name),
-                 found.lists.front()});
-      ++search.round;
-      if (!options_->until_stopped) {
-        break;
-      }
-    }
-  }
-
-  void find_affordable(RunPlan& plan) const {
-    const Amount budget = *options_->budget;
-    plan.complete = plan.candidates.front();
-    std::vector<Candidate> within;
-    for (const Candidate& whole : plan.candidates) {
-      within.push_back(affordable(*job_, whole, budget));
-    }
-    std::stable_sort(within.begin(), within.end(), tests_more);
-    keep_what_there_is(plan, [&] {
-      const FoundLists found = search_lists(
-          *job_, weights_, {{within.front().setups}},
-          {.aim = Aim::most_weight,
-           .budget = static_cast<std::int64_t>(budget.millionths / weights_.unit),
-           .whole = static_cast<std::int64_t>(plan.bound.cost.millionths / weights_.unit),
-           .steps = options_->steps,
-           .attempts = options_->attempts,
-           .phase = "looking for the most triples within the budget"},
-          *control_);
-      plan.steps += found.steps;
-      within.push_back(counted(
-          *job_,
-          {search_name, "any number of changes a step, within the budget", found.lists.front()}));
-    });
-    std::stable_sort(within.begin(), within.end(), tests_more);
-    for (const Candidate& candidate : within) {
-      if (candidate.cost > budget) {
-        throw InternalError(candidate.name + " exceeds the budget");
-      }
-    }
-    plan.candidates = std::move(within);
-  }
-
-  const Job* job_;
-  const PlanOptions* options_;
-  RunControl* control_;
-  Weights weights_;
-};
-
 }  // namespace
 
 Start greedy_for_triples(const Job& job, RunControl& control) {
@@ -319,7 +188,10 @@ Start greedy_for_triples(const Job& job, RunControl& control) {
 }
 
 RunPlan plan_for_triples(const Job& job, const PlanOptions& options, RunControl& control) {
-  return TriplePlanner(job, options, control).run();
+  return plan_by_lists(
+      job, options, control,
+      {.sure = [&] { return std::vector<Start>{greedy_for_triples(job, control)}; },
+       .more = [&] { return design_starts(job, 0, control); }});
 }
 
 }  // namespace changeover

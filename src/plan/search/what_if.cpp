@@ -12,6 +12,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "plan/job/prices.hpp"
 #include "plan/search/attempts.hpp"
 #include "plan/search/first_plan.hpp"
 
@@ -90,6 +91,7 @@ std::string Ratio::to_string() const {
 }
 
 WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
+  refuse_replacing(job, "comparing ratios of costs");
   WhatIf answer;
   answer.by_factor = !job.one_change_cost();
   if (answer.by_factor) {
@@ -123,6 +125,7 @@ WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
 
 WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
                RunControl& control) {
+  refuse_replacing(job, "comparing ratios of costs");
   if (!job.first.empty()) {
     return what_if_with_first(job, plan, options, control);
   }

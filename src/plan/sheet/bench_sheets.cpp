@@ -73,17 +73,25 @@ std::string benches_as_table(const BenchDocument& document, std::size_t width) {
     std::vector<std::vector<Cell>> rows;
     for (const RunStep& step : sheet.steps) {
       rows.push_back({one(fmt::format("{}", rows.size() + 1)), names_of(job, step.take_out),
-                      names_of(job, step.put_in), names_of(job, without_mounted(job, step.setup)),
-                      one(fmt::format("{}", new_here(job, step))), one(money(step.cost_so_far))});
+                      put_in_words(job, step), names_of(job, without_mounted(job, step.setup)),
+                      one(fmt::format("{}", new_here(job, step))), one(money(step.cost)),
+                      one(money(step.cost_so_far))});
+      if (!job.replaces()) {
+        rows.back().erase(rows.back().end() - 2);
+      }
     }
     if (!rows.empty()) {
-      text += laid_out({{"step", true},
-                        {"take out"},
-                        {"put in"},
-                        {"set-up"},
-                        {"new " + what_meets(job), true},
-                        {"cost so far", true}},
-                       rows, width);
+      std::vector<Column> columns{{"step", true},
+                                  {"take out"},
+                                  {"put in"},
+                                  {"set-up"},
+                                  {"new " + what_meets(job), true},
+                                  {"cost", true},
+                                  {"cost so far", true}};
+      if (!job.replaces()) {
+        columns.erase(columns.end() - 2);
+      }
+      text += laid_out(columns, rows, width);
     }
   }
   std::vector<std::vector<Cell>> rows;
@@ -161,6 +169,13 @@ std::string benches_as_json(const BenchDocument& document) {
       json.key("put_in").value(names_of(job, step.put_in));
       json.key("set_up").value(names_of(job, step.setup));
       json.key("new_" + what_meets(job)).value(new_here(job, step));
+      if (job.replaces()) {
+        json.key("replaced").begin_array();
+        for (const auto& [out, in] : step.replaced) {
+          json.value(names_of(job, {out, in}));
+        }
+        json.end_array();
+      }
       json.key("cost").raw(money(step.cost));
       json.key("cost_so_far").raw(money(step.cost_so_far)).end_object();
     }
@@ -226,7 +241,7 @@ std::string benches_as_markdown(const BenchDocument& document) {
     for (const RunStep& step : plan.sheets[bench].steps) {
       text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", ++number,
                           markdown(plain_list(job, step.take_out)),
-                          markdown(plain_list(job, step.put_in)),
+                          markdown(joined(put_in_words(job, step))),
                           markdown(plain_list(job, without_mounted(job, step.setup))),
                           new_here(job, step), money(step.cost_so_far));
     }

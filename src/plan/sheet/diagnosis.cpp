@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_sheet.hpp"
 #include "plan/job/fitting.hpp"
+#include "plan/job/prices.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -240,6 +241,7 @@ std::string in_words(const Suspect& suspect, const std::vector<std::string>& nam
 }
 
 Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests) {
+  refuse_replacing(job, "choosing the next test of a diagnosis");
   Job any = job;
   any.needed = PairSet(job.parts());
   any.first.clear();

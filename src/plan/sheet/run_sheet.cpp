@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "changeover/core/error.hpp"
+#include "plan/sheet/replacement.hpp"
 
 namespace changeover {
 namespace {
@@ -181,11 +182,18 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
     step.weight_so_far = sheet.weight_tested;
     step.new_triples = missing_triples.met(step.setup);
     before = step.setup;
-    step.cost = job.test_cost;
-    for (const Element x : step.put_in) {
-      step.cost += job.change_costs[x];
-      sheet.change_cost += job.change_costs[x];
+    Amount changes;
+    if (job.replaces()) {
+      Replacement replacement = cheapest_replacement(job, step.take_out, step.put_in);
+      changes = replacement.cost;
+      step.replaced = std::move(replacement.pairs);
+    } else {
+      for (const Element x : step.put_in) {
+        changes += job.change_costs[x];
+      }
     }
+    sheet.change_cost += changes;
+    step.cost = job.test_cost + changes;
     sheet.changes += step.put_in.size();
     sheet.cost += step.cost;
     step.cost_so_far = sheet.cost;

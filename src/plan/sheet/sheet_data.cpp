@@ -102,6 +102,17 @@ std::string sheet_as_json(const SheetDocument& document) {
   }
   json.end_array();
   json.key("test_cost").raw(money(job.test_cost));
+  if (job.replaces()) {
+    json.key("replace_costs").begin_array();
+    for (Element out = 0; out < job.parts(); ++out) {
+      json.begin_array();
+      for (Element in = 0; in < job.parts(); ++in) {
+        in == out ? json.null() : json.raw(money(job.replace_cost(out, in)));
+      }
+      json.end_array();
+    }
+    json.end_array();
+  }
   json.key("mounted").value(names_of(job, job.mounted));
   json.key("start").value(names_of(job, job.start));
   json.key("first").begin_array();
@@ -143,6 +154,12 @@ std::string sheet_as_json(const SheetDocument& document) {
         json.value(names_of(job, {t.begin(), t.end()}));
       }
     }
+    if (job.replaces()) {
+      json.end_array().key("replaced").begin_array();
+      for (const auto& [out, in] : step.replaced) {
+        json.value(names_of(job, {out, in}));
+      }
+    }
     json.end_array().key("cost").raw(money(step.cost));
     json.key("cost_so_far").raw(money(step.cost_so_far));
     if (!job.weights.empty()) {
@@ -170,15 +187,16 @@ std::string sheet_as_markdown(const SheetDocument& document) {
     text += "- " + markdown(mounted_line(job));
   }
   text += fmt::format(
-      "\n| step | take out | put in | set-up | new {} | cost so far |\n"
-      "|---:|:---|:---|:---|---:|---:|\n",
-      what_meets(job));
+      "\n| step | take out | put in | set-up | new {} | {}cost so far |\n"
+      "|---:|:---|:---|:---|---:|{}---:|\n",
+      what_meets(job), job.replaces() ? "cost | " : "", job.replaces() ? "---:|" : "");
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : plan.sheet.steps) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {} |\n", ++number,
-                        markdown_list(job, step.take_out), markdown_list(job, step.put_in),
-                        markdown_list(job, without_mounted(job, step.setup)), new_here(job, step),
-                        money(step.cost_so_far));
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {}{} |\n", ++number,
+                    markdown_list(job, step.take_out), markdown(joined(put_in_words(job, step))),
+                    markdown_list(job, without_mounted(job, step.setup)), new_here(job, step),
+                    job.replaces() ? money(step.cost) + " | " : "", money(step.cost_so_far));
   }
   text += fmt::format(
       "\n| plan | tests | changes | cost | {} | dearer by | how |\n"

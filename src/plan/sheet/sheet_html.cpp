@@ -125,6 +125,16 @@ std::string list(const Job& job, const Block& parts, const Block& marked) {
   return text;
 }
 
+// What is put in for what, one a line.
+std::string words_in_bold(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& each : words) {
+    text +=
+        fmt::format("{}<span class=\"in\">{}</span>", text.empty() ? "" : "<br>", html_text(each));
+  }
+  return text;
+}
+
 // The same in a line of text.
 std::string in_words(const Job& job, const Block& parts) {
   return html_text(joined(names_of(job, parts), " · "));
@@ -194,20 +204,24 @@ std::string html_steps(const SheetDocument& document) {
       "{}<th class=\"notes\">Notes</th></tr></thead>\n<tbody>\n",
       whole
           ? fmt::format(
-                "<th class=\"setup\">Set-up</th><th class=\"n\">New<br>{}</th><th class=\"n\">Cost<br>so far</th>",
-                what_meets(job))
+                "<th class=\"setup\">Set-up</th><th class=\"n\">New<br>{}</th>{}<th class=\"n\">Cost<br>so far</th>",
+                what_meets(job), job.replaces() ? "<th class=\"n\">Cost</th>" : "")
           : "");
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : document.plan->sheet.steps) {
     text += fmt::format(
         "<tr><td class=\"verdict\"><span class=\"box\"></span> <span class=\"box\"></span></td>"
         "<td class=\"n\">{}</td><td>{}</td><td>{}</td>",
-        ++number, list(job, step.take_out, {}), list(job, step.put_in, step.put_in));
+        ++number, list(job, step.take_out, {}),
+        job.replaces() ? words_in_bold(put_in_words(job, step))
+                       : list(job, step.put_in, step.put_in));
     if (whole) {
-      text += fmt::format("<td{}>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>",
-                          flows ? " class=\"flow\"" : "",
-                          list(job, without_mounted(job, step.setup), step.put_in),
-                          new_here(job, step), money(step.cost_so_far));
+      text += fmt::format(
+          "<td{}>{}</td><td class=\"n\">{}</td>{}<td class=\"n\">{}</td>",
+          flows ? " class=\"flow\"" : "", list(job, without_mounted(job, step.setup), step.put_in),
+          new_here(job, step),
+          job.replaces() ? fmt::format("<td class=\"n\">{}</td>", money(step.cost)) : "",
+          money(step.cost_so_far));
     }
     text += "<td></td></tr>\n";
   }

@@ -26,20 +26,24 @@ std::string sheet_as_table(const SheetDocument& document, std::size_t width) {
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : plan.sheet.steps) {
     rows.push_back({one(fmt::format("{}", ++number)), names_of(job, step.take_out),
-                    names_of(job, step.put_in),
+                    put_in_words(job, step),
                     names_of(job, document.compact ? Block{} : without_mounted(job, step.setup)),
-                    one(fmt::format("{}", new_here(job, step))), one(money(step.cost_so_far))});
+                    one(fmt::format("{}", new_here(job, step)))});
+    if (job.replaces()) {
+      rows.back().push_back(one(money(step.cost)));
+    }
+    rows.back().push_back(one(money(step.cost_so_far)));
     if (!job.weights.empty()) {
       rows.back().push_back(one(to_string(step.weight_so_far)));
     }
   }
   if (!rows.empty()) {
-    std::vector<Column> columns{{"step", true},
-                                {"take out"},
-                                {"put in"},
-                                {"set-up"},
-                                {"new " + what_meets(job), true},
-                                {"cost so far", true}};
+    std::vector<Column> columns{
+        {"step", true}, {"take out"}, {"put in"}, {"set-up"}, {"new " + what_meets(job), true}};
+    if (job.replaces()) {
+      columns.push_back({"cost", true});
+    }
+    columns.push_back({"cost so far", true});
     if (!job.weights.empty()) {
       columns.push_back({"weight so far", true});
     }

@@ -77,6 +77,9 @@ Money::Money(const Job& job, std::optional<Amount> budget) {
   for (const Amount cost : job.change_costs) {
     decimals_ = std::max(decimals_, decimals_needed(cost));
   }
+  for (const Amount cost : job.replace_costs) {
+    decimals_ = std::max(decimals_, decimals_needed(cost));
+  }
   decimals_ = std::max(decimals_, decimals_needed(budget.value_or(Amount{})));
 }
 
@@ -86,6 +89,18 @@ std::vector<std::string> names_of(const Job& job, const Block& parts) {
     names.push_back(job.names[x]);
   }
   return names;
+}
+
+std::vector<std::string> put_in_words(const Job& job, const RunStep& step) {
+  std::vector<std::string> words;
+  for (const Element in : step.put_in) {
+    const auto found = std::find_if(step.replaced.begin(), step.replaced.end(),
+                                    [&](const auto& pair) { return pair.second == in; });
+    words.push_back(found == step.replaced.end()
+                        ? job.names[in]
+                        : fmt::format("{} for {}", job.names[in], job.names[found->first]));
+  }
+  return words;
 }
 
 std::string joined(const std::vector<std::string>& names, const std::string& between) {

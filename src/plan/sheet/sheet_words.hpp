@@ -23,6 +23,9 @@ class Money {
 /// The names of some parts.
 [[nodiscard]] std::vector<std::string> names_of(const Job& job, const Block& parts);
 
+/// What a step puts in, each "A for B" where it matters what it replaces.
+[[nodiscard]] std::vector<std::string> put_in_words(const Job& job, const RunStep& step);
+
 /// Names with commas between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& names,
                                  const std::string& between = ", ");

@@ -67,8 +67,9 @@ bool complete(Lists& lists, RunControl& control) {
       const std::int64_t largest = lists.largest();
       lists.insert(where, *setup);
       const double gain = static_cast<double>(missing - lists.missing());
+      // Less than nothing where going by way of another set-up is cheaper.
       const auto rise = static_cast<double>(lists.total() - cost + lists.largest() - largest);
-      const double worth = gain / (rise + 1.0);
+      const double worth = gain / (std::max(rise, 0.0) + 1.0);
       lists.undo();
       if (worth > best) {
         best = worth;

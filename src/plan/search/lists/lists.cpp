@@ -5,6 +5,9 @@
 #include <utility>
 
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
+#include "plan/job/prices.hpp"
+#include "plan/search/lists/assignment.hpp"
 
 namespace changeover {
 namespace {
@@ -15,6 +18,15 @@ std::size_t choose_two(std::size_t n) { return n * (n - 1) / 2; }
 std::size_t choose_three(std::size_t n) { return n < 3 ? 0 : n * (n - 1) * (n - 2) / 6; }
 
 }  // namespace
+
+Weights weights_of(const Job& job, std::uint64_t tests) {
+  Weights weights = Weights::of(at_prices(job, Price::dearest), tests);
+  for (std::size_t x = 0; x < job.names.size(); ++x) {
+    weights.change[x] =
+        ceil_div(std::max<std::uint64_t>(1, job.change_costs[x].millionths), weights.unit);
+  }
+  return weights;
+}
 
 Lists::Lists(const Job& job, Weights weights, const BenchLists& lists)
     : job_(&job),
@@ -75,6 +87,10 @@ Lists::Lists(const Job& job, Weights weights, const BenchLists& lists)
   for (const Element x : job.start) {
     start_.elements.push_back(x);
     start_.bits[x >> 6] |= std::uint64_t{1} << (x & 63);
+  }
+  for (const Amount cost : job.replace_costs) {
+    replace_.push_back(static_cast<std::int64_t>(
+        ceil_div(std::max<std::uint64_t>(1, cost.millionths), weights_.unit)));
   }
   for (std::size_t bench = 0; bench < lists.size(); ++bench) {
     for (const Block& setup : lists[bench]) {
@@ -173,7 +189,35 @@ bool Lists::may_replace(Spot where, Element out, Element in) const {
          });
 }
 
+std::int64_t Lists::replacing_step(const Place& from, const Place& to) const {
+  gone_.clear();
+  come_.clear();
+  for (const Element x : from.elements) {
+    if (!bit(to.bits, x)) {
+      gone_.push_back(x);
+    }
+  }
+  for (const Element x : to.elements) {
+    if (!bit(from.bits, x)) {
+      come_.push_back(x);
+    }
+  }
+  const std::size_t columns = std::max(gone_.size(), come_.size());
+  table_.clear();
+  for (const Element in : come_) {
+    for (const Element out : gone_) {
+      table_.push_back(replace_[out * parts_ + in]);
+    }
+    table_.insert(table_.end(), columns - gone_.size(),
+                  static_cast<std::int64_t>(weights_.change[in]));
+  }
+  return cheapest_assignment(come_.size(), columns, table_);
+}
+
 std::int64_t Lists::step(const Place& from, const Place& to) const {
+  if (!replace_.empty()) {
+    return replacing_step(from, to);
+  }
   std::int64_t weight = 0;
   for (const Element x : to.elements) {
     weight += bit(from.bits, x) ? 0 : static_cast<std::int64_t>(weights_.change[x]);

@@ -1,7 +1,8 @@
 // The state of the search for lists of set-ups on one bench or several, in which pairs or triples of parts have to meet:
 // the lists, what each costs, and the weight of what has not met, kept up to date under every move.
 //
-// Where all pairs of one list have the same weight, plan/search/sequence.hpp does the same in less time.
+// If costs ask what is replaced, a step that changes j parts takes O(j³) to price.
+// Where all pairs of one list have the same weight and they do not, plan/search/sequence.hpp does the same in less time.
 //
 // Moves are noted as they are made: keep() forgets the notes, undo() takes back all moves since. A part that comes or goes
 // costs O(room) for pairs and O(room²) for triples; moving a set-up as a whole costs O(room).
@@ -30,6 +31,9 @@ struct Spot {
   std::size_t bench = 0;
   std::size_t at = 0;
 };
+
+/// Weights::of(), with a unit that also suits what a change costs by what is replaced.
+[[nodiscard]] Weights weights_of(const Job& job, std::uint64_t tests);
 
 class Lists {
  public:
@@ -96,6 +100,7 @@ class Lists {
     return where.at == 0 ? start_ : places_[order_[where.bench][where.at - 1]];
   }
   [[nodiscard]] std::int64_t step(const Place& from, const Place& to) const;
+  [[nodiscard]] std::int64_t replacing_step(const Place& from, const Place& to) const;
   [[nodiscard]] std::int64_t step_into(Spot where) const;
   [[nodiscard]] std::size_t index(Element x, Element y) const;
   [[nodiscard]] std::size_t index(Element x, Element y, Element z) const;
@@ -115,6 +120,7 @@ class Lists {
   const Job* job_;
   Fitting fitting_;
   Weights weights_;
+  std::vector<std::int64_t> replace_;  // by part out and part in, if costs ask what is replaced
   std::size_t parts_;
   bool triples_;
   std::vector<Bits> never_;  // by part, if there are forbidden pairs
@@ -133,6 +139,10 @@ class Lists {
   std::vector<std::uint32_t> open_;
   std::uint64_t missing_ = 0;
   std::vector<Note> notes_;
+  // Room to work for what is const.
+  mutable Block gone_;
+  mutable Block come_;
+  mutable std::vector<std::int64_t> table_;
 };
 
 }  // namespace changeover

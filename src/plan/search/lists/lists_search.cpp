@@ -263,7 +263,10 @@ class ListsAnnealer {
 
   // A set-up with something that has not met, otherwise like the one beside which it comes.
   void insert() {
-    if ((lists_->open() == 0 && (lists_->benches() == 1 || lists_->tests() == 0)) ||
+    // Where nothing is open, another set-up helps only if what has met is to meet on another bench, or if going by way of
+    // it is cheaper.
+    const bool may_help = lists_->open() > 0 || lists_->benches() > 1 || lists_->job().replaces();
+    if (!may_help || (lists_->open() == 0 && lists_->tests() == 0) ||
         lists_->tests() >= most_tests_) {
       return;
     }

@@ -1,0 +1,115 @@
+// Parts by their names or numbers, wherever one is expected.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "io/read/place.hpp"
+#include "plan/job/part_columns.hpp"
+#include "plan/job/rows.hpp"
+
+namespace changeover {
+
+/// Parts by name or number. The names must outlive this.
+class PartFinder {
+ public:
+  explicit PartFinder(const std::vector<std::string>& names) : names_(&names) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      by_name_.emplace(names[i], static_cast<Element>(i));
+    }
+  }
+
+  [[nodiscard]] std::optional<Element> find(const std::string& word) const {
+    if (const auto found = by_name_.find(word); found != by_name_.end()) {
+      return found->second;
+    }
+    std::size_t number = 0;
+    const char* const end = word.data() + word.size();
+    const auto [rest, failure] = std::from_chars(word.data(), end, number);
+    if (failure == std::errc() && rest == end && number >= 1 && number <= names_->size()) {
+      return static_cast<Element>(number - 1);
+    }
+    return std::nullopt;
+  }
+
+  // What stands in a cell, which says `text` if it was written by csv_cell() and not by a spreadsheet.
+  [[nodiscard]] std::optional<Element> find_cell(const std::string& cell, const std::string& text,
+                                                 bool names_only) const {
+    if (names_only) {
+      const auto found = by_name_.find(is_name(text) ? text : cell);
+      return found == by_name_.end() ? std::nullopt : std::optional(found->second);
+    }
+    const auto part = find(text);
+    return part ? part : find(cell);
+  }
+
+  [[nodiscard]] bool has_number_as_name() const {
+    return std::any_of(names_->begin(), names_->end(), [](const std::string& name) {
+      return name.find_first_not_of("0123456789") == std::string::npos;
+    });
+  }
+
+  [[nodiscard]] bool is_name(const std::string& word) const { return by_name_.count(word) != 0; }
+  [[nodiscard]] bool is_name_in_any_case(const std::string& word) const {
+    return std::any_of(names_->begin(), names_->end(),
+                       [&](const std::string& name) { return lower(name) == lower(word); });
+  }
+  [[nodiscard]] std::size_t size() const { return names_->size(); }
+
+  // Of names that begin or end with blanks, as only quotes in a text can say, a workbook has them in full.
+  void restore_blanks(Row& row) const {
+    for (Field& field : row) {
+      if (!field.in_full.empty() && is_name(field.in_full)) {
+        field.text = field.in_full;
+      }
+    }
+  }
+
+  // What to say of a word that is no part: with the name that differs in its case only, if there is one.
+  [[nodiscard]] std::string complaint(const std::string& word) const {
+    for (const std::string& name : *names_) {
+      if (lower(name) == lower(word)) {
+        return fmt::format("there is no part {}; did you mean {}?", shown(word), shown(name));
+      }
+    }
+    return fmt::format(
+        "there is no part {}; give a name of the parts list or a number from 1 to {}", shown(word),
+        names_->size());
+  }
+
+ private:
+  const std::vector<std::string>* names_;
+  std::unordered_map<std::string, Element> by_name_;
+};
+
+/// The parts of some fields, none twice; says which field is at fault. `find` takes its text.
+template <typename Find, typename Fail>
+Block find_parts(const PartFinder& finder, std::span<const Field> row, Find&& find, Fail&& fail) {
+  Block parts;
+  std::vector<bool> seen(finder.size());
+  for (const Field& field : row) {
+    if (field.text.empty()) {
+      continue;
+    }
+    const std::optional<Element> part = find(field.text);
+    if (!part) {
+      fail(field, finder.complaint(field.text));
+    }
+    if (seen[*part]) {
+      fail(field, fmt::format("{} stands here twice; remove one", shown(field.text)));
+    }
+    seen[*part] = true;
+    parts.push_back(*part);
+  }
+  return parts;
+}
+
+}  // namespace changeover

@@ -1,0 +1,169 @@
+#include "plan/search/lists/lists_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "plan/search/attempts.hpp"
+#include "plan/search/candidates.hpp"
+#include "plan/search/lists/lists_search.hpp"
+
+namespace changeover {
+namespace {
+
+class ListsPlanner {
+ public:
+  ListsPlanner(const Job& job, const PlanOptions& options, RunControl& control,
+               const FirstLists& first)
+      : job_(&job),
+        options_(&options),
+        control_(&control),
+        first_(&first),
+        weights_(weights_of(job, most_tests())) {}
+
+  RunPlan run() {
+    const RunScope scope(*control_);
+    RunPlan plan;
+    plan.bound = cost_bound(*job_);
+    if (job_->needed.size() == 0 && job_->triples.empty()) {
+      plan.candidates.push_back(counted(*job_, {"no test", "nothing is left to test", {}}));
+      settle(*job_, plan, *control_);
+      return plan;
+    }
+    for (const Start& start : first_->sure()) {
+      add(plan, start);
+    }
+    keep_what_there_is(plan, [&] {
+      add_rest(plan);
+      for (const Start& start : first_->more ? first_->more() : std::vector<Start>()) {
+        add(plan, start);
+      }
+      search(plan);
+    });
+    std::stable_sort(plan.candidates.begin(), plan.candidates.end(), cheaper);
+    if (options_->budget && plan.candidates.front().cost > *options_->budget) {
+      find_affordable(plan);
+    } else if (options_->budget) {
+      plan.complete = plan.candidates.front();
+    }
+    settle(*job_, plan, *control_);
+    return plan;
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t most_tests() const {
+    return 2 * (of_triples() ? job_->triples.size() : job_->needed.size()) + 16;
+  }
+
+  [[nodiscard]] bool of_triples() const { return !job_->triples.empty(); }
+  [[nodiscard]] std::string what_meets() const { return of_triples() ? "triples" : "pairs"; }
+
+  void add(RunPlan& plan, const Start& start) const {
+    Candidate candidate = counted_complete(*job_, start);
+    if (candidate.cost < plan.bound.cost) {
+      throw InternalError(start.name + " costs less than the lower bound");
+    }
+    plan.candidates.push_back(std::move(candidate));
+  }
+
+  // The list under way without what breaks a rule, and with what it lacks.
+  void add_rest(RunPlan& plan) const {
+    std::vector<Block> rest;
+    for (const Block& setup : options_->rest) {
+      if (run_sheet(*job_, {setup}).faults.empty()) {
+        rest.push_back(setup);
+      }
+    }
+    if (rest.empty()) {
+      return;
+    }
+    Lists lists(*job_, weights_, {rest});
+    if (lists.open() == 0) {
+      add(plan,
+          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
+    }
+    if (complete(lists, *control_)) {
+      prune(lists, *control_);
+      add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
+                 lists.lists().front()});
+    }
+  }
+
+  void search(RunPlan& plan) const {
+    ListsSearch search{.steps = options_->steps,
+                       .attempts = options_->attempts,
+                       .phase = "local search among lists of " + what_meets()};
+    const auto best = [&]() -> const Candidate& {
+      return *std::min_element(plan.candidates.begin(), plan.candidates.end(), cheaper);
+    };
+    while (best().cost > plan.bound.cost && !control_->stop_wanted()) {
+      std::vector<Candidate> all = plan.candidates;
+      std::stable_sort(all.begin(), all.end(), cheaper);
+      constexpr std::size_t few = 3;
+      std::vector<BenchLists> starts;
+      for (std::size_t i = 0; i < std::min(few, all.size()); ++i) {
+        starts.push_back({all[i].setups});
+      }
+      const FoundLists found = search_lists(*job_, weights_, starts, search, *control_);
+      plan.steps += found.steps;
+      std::erase_if(plan.candidates, [&](const Candidate& c) { return c.name == search_name; });
+      add(plan, {search_name,
+                 fmt::format("any number of changes a step; started from the {}", all.front().name),
+                 found.lists.front()});
+      ++search.round;
+      if (!options_->until_stopped) {
+        break;
+      }
+    }
+  }
+
+  void find_affordable(RunPlan& plan) const {
+    const Amount budget = *options_->budget;
+    plan.complete = plan.candidates.front();
+    std::vector<Candidate> within;
+    for (const Candidate& whole : plan.candidates) {
+      within.push_back(affordable(*job_, whole, budget));
+    }
+    std::stable_sort(within.begin(), within.end(), tests_more);
+    keep_what_there_is(plan, [&] {
+      const FoundLists found = search_lists(
+          *job_, weights_, {{within.front().setups}},
+          {.aim = Aim::most_weight,
+           .budget = static_cast<std::int64_t>(budget.millionths / weights_.unit),
+           .whole = static_cast<std::int64_t>(plan.bound.cost.millionths / weights_.unit),
+           .steps = options_->steps,
+           .attempts = options_->attempts,
+           .phase = fmt::format("looking for the most {} within the budget", what_meets())},
+          *control_);
+      plan.steps += found.steps;
+      within.push_back(counted(
+          *job_,
+          {search_name, "any number of changes a step, within the budget", found.lists.front()}));
+    });
+    std::stable_sort(within.begin(), within.end(), tests_more);
+    for (const Candidate& candidate : within) {
+      if (candidate.cost > budget) {
+        throw InternalError(candidate.name + " exceeds the budget");
+      }
+    }
+    plan.candidates = std::move(within);
+  }
+
+  const Job* job_;
+  const PlanOptions* options_;
+  RunControl* control_;
+  const FirstLists* first_;
+  Weights weights_;
+};
+
+}  // namespace
+
+RunPlan plan_by_lists(const Job& job, const PlanOptions& options, RunControl& control,
+                      const FirstLists& first) {
+  return ListsPlanner(job, options, control, first).run();
+}
+
+}  // namespace changeover

@@ -1,0 +1,43 @@
+#include "plan/search/lists/replacing_plan.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "plan/job/prices.hpp"
+#include "plan/search/lists/lists_plan.hpp"
+
+namespace changeover {
+namespace {
+
+// The candidates of the same job at mean prices, which have less than half of the time.
+std::vector<Start> at_mean_prices(const Job& job, const PlanOptions& options, RunControl& control) {
+  PlanOptions once = options;
+  once.until_stopped = false;
+  once.budget.reset();
+  once.rest.clear();
+  once.states = 0;
+  constexpr double share = 0.4;
+  const auto left = control.time_left();
+  std::optional<RunControl> part;
+  if (left) {
+    part.emplace(control, *left * share);
+  }
+  const RunPlan plan = make_run_plan(at_prices(job, Price::mean), once, part ? *part : control);
+  std::vector<Start> starts;
+  for (const Candidate& candidate : plan.candidates) {
+    starts.push_back({candidate.name + " at mean prices", candidate.how, candidate.setups});
+  }
+  return starts;
+}
+
+}  // namespace
+
+RunPlan plan_for_replacing(const Job& job, const PlanOptions& options, RunControl& control) {
+  if (!job.weights.empty()) {
+    refuse_replacing(job, "putting heavy pairs first");
+  }
+  return plan_by_lists(job, options, control,
+                       {.sure = [&] { return at_mean_prices(job, options, control); }});
+}
+
+}  // namespace changeover
