@@ -302,9 +302,10 @@ TEST(Completion, IsAScriptThatBashReadsAndThatKnowsTheVerbs) {
           "echo ${COMPREPLY[@]}; COMP_WORDS=(changeover design 7 3 --format l); COMP_CWORD=5; "
           "_changeover; "
           "echo ${COMPREPLY[@]}; COMP_WORDS=(changeover verify --st); COMP_CWORD=2; _changeover; "
+          "echo ${COMPREPLY[@]}; COMP_WORDS=(changeover catalog s); COMP_CWORD=2; _changeover; "
           "echo ${COMPREPLY[@]}",
           folder.path());
-  EXPECT_EQ(outcome.out, "design\nlatex\n--strength\n") << outcome.err;
+  EXPECT_EQ(outcome.out, "design\nlatex ljcr\n--strength\nshow submit\n") << outcome.err;
 }
 
 }  // namespace

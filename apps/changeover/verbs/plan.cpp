@@ -518,8 +518,7 @@ void add_plan(Program& program) {
   verb.never_with({"--budget", "--start", "--first", "--done", "--priority", "--what-if",
                    "--shuffle", "--compact"},
                   {"--benches"});
-  verb.never_with({"--priority", "--shuffle", "--what-if", "--diagnose"},
-                  {"--change-costs"});
+  verb.never_with({"--priority", "--shuffle", "--what-if", "--diagnose"}, {"--change-costs"});
   verb.only_with({"--done-first", "--diagnose"}, {"--done"});
   verb.never_with({"--what-if", "--budget", "--title", "--steps", "--compact", "--shuffle",
                    "--first", "--priority"},

@@ -9,7 +9,7 @@
 // blocks, and the first eight digits of the SHA-256 of its blocks: a line a block, elements as numbers separated by a
 // blank, in the order in which they are written. That is what is left of a design's text without its comments:
 //
-//     changeover catalog show 26.4.2.circular.65 --format text | grep -v '^#' | sha256sum
+//   changeover catalog show 26.4.2.circular.65 --format text | grep -v '^#' | sha256sum
 //
 // So a label is made of nothing but the design: two people who publish the same list of blocks give it the same label, two
 // databases never give one label to two designs, and nothing has to be counted. The same design in another order of blocks or with
