@@ -11,6 +11,7 @@
 #include "changeover/curator/audit.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/search/local_search.hpp"
+#include "run/grace.hpp"
 
 namespace changeover {
 namespace {
@@ -63,11 +64,18 @@ std::vector<CatalogFind> improve_catalog(Catalog& catalog, const CatalogFilter& 
       if (control.stop_wanted()) {
         break;
       }
-      RunControl here(control, each);
-      const ImproveResult result = improve(cell.parameters, {}, here);
+      ImproveResult result;
+      try {
+        RunControl here(control, each);
+        result = improve(cell.parameters, {}, here);
+      } catch (const Stopped&) {
+        continue;  // Before it had a design to start from.
+      }
       if (!result.design || result.design->block_count() >= cell.b) {
         continue;
       }
+      // What was found is verified and kept, however little time is left.
+      const RunGrace to_the_end(control);
       Design design = result.design->design();
       Introduction introduction = search.introduction;
       if (result.how != "best recipe") {
