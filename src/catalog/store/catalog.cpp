@@ -15,119 +15,14 @@
 #include <utility>
 
 #include "catalog/store/database.hpp"
+#include "catalog/store/filler.hpp"
 #include "catalog/store/schema.hpp"
+#include "catalog/store/shelf.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {
 namespace {
-
-constexpr std::string_view entry_columns =
-    "design.label, design.line, credit.json FROM design JOIN credit ON credit.id = design.credit ";
-constexpr std::string_view of_cell =
-    "WHERE k = ? AND v = ? AND change = ? AND kind = ? AND strength = ? ";
-
-std::uint64_t code_of(Kind kind) { return kind == Kind::linear ? 0 : 1; }
-
-// The statements that look entries up in one database, prepared once.
-class Shelf {
- public:
-  explicit Shelf(Database database)
-      : database_(std::move(database)),
-        cell_(
-            database_.prepare(fmt::format("SELECT {}{}ORDER BY b, label", entry_columns, of_cell))),
-        counts_(database_.prepare(fmt::format(
-            "SELECT label, b, carries_blocks FROM design {}ORDER BY b, label", of_cell))),
-        label_(database_.prepare(fmt::format("SELECT {}WHERE label = ?", entry_columns))),
-        has_(database_.prepare("SELECT 1 FROM design WHERE label = ?")),
-        begins_(database_.prepare(
-            "SELECT label FROM design WHERE label >= ?1 AND label < ?1 || '~' ORDER BY label")),
-        alias_(database_.prepare("SELECT label FROM alias WHERE alias = ?")),
-        retraction_(database_.prepare("SELECT why FROM retraction WHERE label = ?")) {}
-
-  [[nodiscard]] const Database& database() const { return database_; }
-
-  Statement& cell(const Parameters& p) { return of(cell_, p); }
-  Statement& counts(const Parameters& p) { return of(counts_, p); }
-  Statement& entry(std::string_view label) { return label_.with(label); }
-  Statement& begins(std::string_view text) { return begins_.with(text); }
-  [[nodiscard]] bool has(std::string_view label) {
-    const ResetLater later(has_);
-    return has_.with(label).step();
-  }
-  [[nodiscard]] std::optional<std::string> alias(std::string_view text) {
-    return word(alias_, text);
-  }
-  [[nodiscard]] std::optional<std::string> retraction(std::string_view label) {
-    return word(retraction_, label);
-  }
-
-  // The entry of a row of entry_columns.
-  [[nodiscard]] CatalogEntry read(const Statement& row) const {
-    const std::string& name = database_.name();
-    const Credit credit = shared_from_header(row.view(2), name);
-    try {
-      CatalogEntry entry = entry_from_line(row.view(1), name, 1, credit);
-      if (entry.label() != row.view(0)) {
-        throw BadInput("its line is that of " + entry.label());
-      }
-      return entry;
-    } catch (const BadInput& fault) {
-      throw BadInput(
-          fmt::format("{}: the entry {} is damaged: {}", name, row.view(0), fault.what()));
-    }
-  }
-
- private:
-  static std::optional<std::string> word(Statement& statement, std::string_view key) {
-    const ResetLater later(statement);
-    return statement.with(key).step() ? std::optional(statement.text(0)) : std::nullopt;
-  }
-
-  static Statement& of(Statement& statement, const Parameters& p) {
-    return statement.with(p.k, p.v, p.change, code_of(p.kind), std::uint64_t{p.strength});
-  }
-
-  Database database_;
-  Statement cell_, counts_, label_, has_, begins_, alias_, retraction_;
-};
-
-// Puts entries into a database, within the caller's transaction.
-class Filler {
- public:
-  explicit Filler(const Database& database)
-      : add_credit_(database.prepare("INSERT OR IGNORE INTO credit(json) VALUES(?)")),
-        credit_(database.prepare("SELECT id FROM credit WHERE json = ?")),
-        add_(database.prepare("INSERT INTO design VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?)")),
-        retract_(database.prepare("INSERT OR REPLACE INTO retraction VALUES(?,?)")) {}
-
-  void add(const CatalogEntry& entry) {
-    // The credit is a header, so that one reader reads it.
-    const std::string credit = header_line(entry.credit);
-    add_credit_.with(std::string_view(credit)).step();
-    credit_.with(std::string_view(credit)).step();
-    const std::uint64_t credit_id = credit_.integer(0);
-    CatalogEntry plain = entry;
-    plain.retracted.clear();
-    const std::string line = line_of(plain, entry.credit);
-    const std::string label = entry.label();
-    const Parameters& p = entry.parameters;
-    add_.with(std::string_view(label), p.v, p.k, p.change, code_of(p.kind),
-              std::uint64_t{p.strength}, entry.b, entry.lower_bound,
-              std::uint64_t{entry.carries_blocks() ? 1U : 0U},
-              std::string_view(entry.recipe.construction), std::string_view(entry.credit.date),
-              credit_id, std::string_view(line))
-        .step();
-    if (!entry.retracted.empty()) {
-      retract(label, entry.retracted);
-    }
-  }
-
-  void retract(std::string_view label, std::string_view why) { retract_.with(label, why).step(); }
-
- private:
-  Statement add_credit_, credit_, add_, retract_;
-};
 
 // Where an entry stands in a list.
 struct Row {
