@@ -17,14 +17,16 @@ TEST(CatalogVerbs, AnswerWhatIsAsked) {
           {"$changeover 26.4.2.circular.65.08c3", 0, "SHA-256"},
           {"$changeover catalog show 20 5 --json", 0, "\"status\":\"minimum\""},
           {"$changeover catalog show 26.4.2.circular --format csv", 0, "block,element_1"},
-          {"$changeover catalog show 26.4.2.circular --format text | $changeover verify -", 0, "tight"},
+          {"$changeover catalog show 26.4.2.circular --format text | $changeover verify -", 0,
+           "tight"},
           {"$changeover catalog show 6 4 --strength 3 --change 1", 0, ".t3."},
           {"$changeover catalog show 26.4.2.circular.66", 4, "has no design"},
           {"$changeover catalog show 999 3 --change 900", 2, "change"},
           {"$changeover catalog show 999 4", 4, "changeover bounds"},
           {"$changeover catalog show 4 2 --json", 4, "[]"},
           {"$changeover catalog show pigs 4", 2, "neither a label"},
-          {"$changeover catalog list --k 4 --v 5..12 --change 1 --linear --strength 2", 0, "8 designs"},
+          {"$changeover catalog list --k 4 --v 5..12 --change 1 --linear --strength 2", 0,
+           "8 designs"},
           {"$changeover catalog list --k 4 --v 5..12 --gap 1 --json", 0, "["},
           {"$changeover catalog list --k 20 --v 60 --format csv", 0, "60.20.3.circular"},
           {"$changeover catalog list --since tomorrow", 2, "--since"},
@@ -39,7 +41,8 @@ TEST(CatalogVerbs, AnswerWhatIsAsked) {
           {"$changeover catalog", 2, "there are show"},
           {"$changeover catalog shwo", 2, "did you mean show"},
           {"$changeover catalog list --kk 3", 2, "catalog list has no option --kk"},
-          {"CHANGEOVER_CATALOG=/nowhere/at/all.db $changeover catalog list --users", 0, "0 designs"},
+          {"CHANGEOVER_CATALOG=/nowhere/at/all.db $changeover catalog list --users", 0,
+           "0 designs"},
       },
       folder);
 }
@@ -47,14 +50,15 @@ TEST(CatalogVerbs, AnswerWhatIsAsked) {
 // The checksum is that of the lines that everybody can make.
 TEST(CatalogVerbs, AChecksumIsThatOfTheLinesOfBlocks) {
   const TemporaryFolder folder;
-  const Outcome text =
-      run("$changeover catalog show 26.4.2.circular.65 --format text | grep -v '^#'", folder.path());
+  const Outcome text = run(
+      "$changeover catalog show 26.4.2.circular.65 --format text | grep -v '^#'", folder.path());
   EXPECT_TRUE(to_hex(sha256(text.out)).starts_with("08c35011"));
 }
 
 TEST(CatalogVerbs, SayThatTheUsersFileIsNoCatalogAndGoOn) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run("echo 'my diary, and no catalog of designs at all' > mine.db", folder.path()).code, 0);
+  ASSERT_EQ(run("echo 'my diary, and no catalog of designs at all' > mine.db", folder.path()).code,
+            0);
   const Outcome outcome =
       run("CHANGEOVER_CATALOG=mine.db $changeover bounds 26 4 --circular", folder.path());
   EXPECT_EQ(outcome.code, 0);

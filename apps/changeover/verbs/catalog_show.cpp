@@ -72,14 +72,13 @@ Answer show_blocks(const CatalogEntry& entry, const OutputRequest& output) {
   }
   source = registry.build(entry.recipe);
   Judgement judgement = judge(*source, promise);
-  Exhibit exhibit{
-      .title = fmt::format("{}: {}", entry.label(), quality(judgement)),
-      // Elements by their numbers, as the checksum has them.
-      .header = {.labels = {}, .recipe = entry.recipe},
-      .judgement = std::move(judgement),
-      .positions = {},
-      .base_blocks = {},
-      .leaving = false};
+  Exhibit exhibit{.title = fmt::format("{}: {}", entry.label(), quality(judgement)),
+                  // Elements by their numbers, as the checksum has them.
+                  .header = {.labels = {}, .recipe = entry.recipe},
+                  .judgement = std::move(judgement),
+                  .positions = {},
+                  .base_blocks = {},
+                  .leaving = false};
   source = registry.build(entry.recipe);
   return show_design(std::move(source), std::move(exhibit), output);
 }
