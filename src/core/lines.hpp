@@ -6,7 +6,7 @@
 //     }
 //
 // A line ends at a line feed, which is not part of it, or where the text ends. Inputs that may have no end are read by
-// io/read/input_lines.hpp; text, JSON and CSV have scanners of their own, for which lines are not units.
+// io/scan/input_lines.hpp; text, JSON and CSV have scanners of their own, for which lines are not units.
 #pragma once
 
 #include <cstdint>

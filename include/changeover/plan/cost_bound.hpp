@@ -35,7 +35,7 @@
 //      d_x in all. The cheapest way, if parts of an introduction could be had, bounds their cost.
 //  (7) *Stays.* Among parts of F of which every two must meet, at most K come once only, and so on for two, three,
 //      … times [docs/theorems.md, Theorem 5]; with the price of each part this is a linear program with a
-//      solution in closed form (src/plan/search/stays_cost.hpp). The parts at the start count as a set-up; if
+//      solution in closed form (src/plan/search/bounds/stays_cost.hpp). The parts at the start count as a set-up; if
 //      they are more than K, they count instead of K.
 //  (8) *Steps.* In a cheapest list with fewest introductions and then fewest tests, every set-up after the first
 //      introduces a part with a needed pair; else take it away. So I ≥ T − 1 + e, where e is what the first

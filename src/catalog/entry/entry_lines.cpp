@@ -12,8 +12,8 @@
 #include "changeover/io/formats.hpp"
 #include "core/lines.hpp"
 #include "core/printable.hpp"
-#include "io/read/json_events.hpp"
 #include "io/read/recipe_handler.hpp"
+#include "io/scan/json_events.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover {

@@ -11,8 +11,8 @@
 #include "changeover/core/design.hpp"
 #include "changeover/io/input.hpp"
 #include "io/read/declared.hpp"
-#include "io/read/place.hpp"
-#include "io/read/token_table.hpp"
+#include "io/scan/place.hpp"
+#include "io/scan/token_table.hpp"
 
 namespace changeover {
 

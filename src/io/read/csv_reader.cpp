@@ -10,8 +10,8 @@
 
 #include "io/read/collector.hpp"
 #include "io/read/declared.hpp"
-#include "io/read/place.hpp"
-#include "io/read/token_table.hpp"
+#include "io/scan/place.hpp"
+#include "io/scan/token_table.hpp"
 #include "io/write/csv_cell.hpp"
 
 namespace changeover {

@@ -7,7 +7,7 @@
 
 #include "changeover/core/parameters.hpp"
 #include "changeover/io/input.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 
 namespace changeover {
 

@@ -5,7 +5,7 @@
 
 #include "changeover/io/other_formats.hpp"
 #include "io/read/point_blocks.hpp"
-#include "io/read/xml_events.hpp"
+#include "io/scan/xml_events.hpp"
 
 namespace changeover {
 namespace {

@@ -6,8 +6,8 @@
 #include "changeover/io/formats.hpp"
 #include "io/read/collector.hpp"
 #include "io/read/declared.hpp"
-#include "io/read/json_events.hpp"
 #include "io/read/recipe_handler.hpp"
+#include "io/scan/json_events.hpp"
 
 namespace changeover {
 namespace {

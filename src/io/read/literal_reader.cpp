@@ -5,7 +5,7 @@
 
 #include "changeover/io/other_formats.hpp"
 #include "io/read/point_blocks.hpp"
-#include "io/read/token_table.hpp"
+#include "io/scan/token_table.hpp"
 
 namespace changeover {
 namespace {

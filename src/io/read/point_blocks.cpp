@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "io/read/collector.hpp"
-#include "io/read/token_table.hpp"
+#include "io/scan/token_table.hpp"
 
 namespace changeover {
 namespace {

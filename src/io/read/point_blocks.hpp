@@ -12,7 +12,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/io/input.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 
 namespace changeover {
 

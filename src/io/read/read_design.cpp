@@ -7,8 +7,8 @@
 #include "changeover/io/formats.hpp"
 #include "changeover/io/other_formats.hpp"
 #include "io/read/declared.hpp"
-#include "io/read/peeked_input.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/peeked_input.hpp"
+#include "io/scan/place.hpp"
 
 namespace changeover {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "changeover/core/recipe.hpp"
-#include "io/read/json_events.hpp"
+#include "io/scan/json_events.hpp"
 
 namespace changeover {
 

@@ -7,9 +7,9 @@
 #include "changeover/core/transitions.hpp"
 #include "changeover/io/formats.hpp"
 #include "io/read/declared.hpp"
-#include "io/read/json_events.hpp"
-#include "io/read/text_scanner.hpp"
-#include "io/read/token_table.hpp"
+#include "io/scan/json_events.hpp"
+#include "io/scan/text_scanner.hpp"
+#include "io/scan/token_table.hpp"
 
 namespace changeover {
 namespace {

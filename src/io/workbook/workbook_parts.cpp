@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "io/read/xml_events.hpp"
+#include "io/scan/xml_events.hpp"
 
 namespace changeover {
 namespace {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "io/read/xml_events.hpp"
+#include "io/scan/xml_events.hpp"
 #include "io/workbook/workbook_parts.hpp"
 
 namespace changeover {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "changeover/io/formats.hpp"
-#include "io/read/token_table.hpp"
+#include "io/scan/token_table.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/element_text.hpp"
 

@@ -9,7 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "core/utf8.hpp"
-#include "io/read/input_lines.hpp"
+#include "io/scan/input_lines.hpp"
 
 namespace changeover {
 namespace {

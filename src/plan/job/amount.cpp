@@ -7,7 +7,7 @@
 #include <string>
 
 #include "changeover/core/error.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 
 namespace changeover {
 namespace {

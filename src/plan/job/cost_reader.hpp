@@ -8,7 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 #include "plan/job/rows.hpp"
 
 namespace changeover {

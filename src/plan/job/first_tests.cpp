@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "changeover/plan/job.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 #include "plan/job/setup_list.hpp"
 
 namespace changeover {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cctype>
 
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 
 namespace changeover {
 namespace {

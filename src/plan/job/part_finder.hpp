@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 #include "plan/job/part_columns.hpp"
 #include "plan/job/rows.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 #include "io/write/csv_cell.hpp"
 #include "plan/job/cost_reader.hpp"
 #include "plan/job/part_columns.hpp"

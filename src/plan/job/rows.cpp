@@ -8,7 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 #include "plan/job/plain_text.hpp"
 
 namespace changeover {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "changeover/io/input.hpp"
-#include "io/read/input_lines.hpp"
-#include "io/read/peeked_input.hpp"
+#include "io/scan/input_lines.hpp"
+#include "io/scan/peeked_input.hpp"
 #include "io/workbook/workbook_sheet.hpp"
 
 namespace changeover {

@@ -9,7 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/run/scope.hpp"
-#include "io/read/place.hpp"
+#include "io/scan/place.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/part_columns.hpp"
 #include "plan/job/rows.hpp"

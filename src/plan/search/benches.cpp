@@ -11,8 +11,8 @@
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 #include "plan/job/prices.hpp"
-#include "plan/search/attempts.hpp"
-#include "plan/search/bounds.hpp"
+#include "plan/search/anneal/attempts.hpp"
+#include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/lists/lists_search.hpp"
 #include "plan/search/weighted.hpp"
 

@@ -60,6 +60,16 @@ Candidate counted_complete(const Job& job, const Start& start) {
   return candidate;
 }
 
+std::vector<Block> sound_rest(const Job& job, const PlanOptions& options) {
+  std::vector<Block> rest;
+  for (const Block& setup : options.rest) {
+    if (run_sheet(job, {setup}).faults.empty()) {
+      rest.push_back(setup);
+    }
+  }
+  return rest;
+}
+
 bool cheaper(const Candidate& a, const Candidate& b) {
   return std::tuple(a.cost, a.changes, a.tests()) < std::tuple(b.cost, b.changes, b.tests());
 }

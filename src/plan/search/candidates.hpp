@@ -2,9 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "changeover/plan/run_plan.hpp"
-#include "plan/search/starts.hpp"
+#include "plan/search/starts/starts.hpp"
 
 namespace changeover {
 
@@ -14,6 +15,9 @@ namespace changeover {
 
 /// The same for a list that must do the job. @throws InternalError if it leaves anything untested.
 [[nodiscard]] Candidate counted_complete(const Job& job, const Start& start);
+
+/// The set-ups of the plan under way (PlanOptions::rest) that break no constraint.
+[[nodiscard]] std::vector<Block> sound_rest(const Job& job, const PlanOptions& options);
 
 /// Orders of candidates: the cheapest first; those that test the most weight, triples or pairs first.
 [[nodiscard]] bool cheaper(const Candidate& a, const Candidate& b);

@@ -10,12 +10,12 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
-#include "plan/search/attempts.hpp"
+#include "plan/search/anneal/attempts.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/exact_plan.hpp"
 #include "plan/search/first_plan.hpp"
 #include "plan/search/lists/replacing_plan.hpp"
-#include "plan/search/starts.hpp"
+#include "plan/search/starts/starts.hpp"
 #include "plan/search/triple_plan.hpp"
 #include "plan/search/weighted.hpp"
 
@@ -83,12 +83,7 @@ class Planner {
   // The set-ups of the plan under way that break no constraint, as they are if they do the job, and with what
   // they lack and without what is too much.
   void add_rest(RunPlan& plan) const {
-    std::vector<Block> rest;
-    for (const Block& setup : options_->rest) {
-      if (run_sheet(*job_, {setup}).faults.empty()) {
-        rest.push_back(setup);
-      }
-    }
+    const std::vector<Block> rest = sound_rest(*job_, *options_);
     if (rest.empty()) {
       return;
     }

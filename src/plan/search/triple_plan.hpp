@@ -2,7 +2,7 @@
 #pragma once
 
 #include "changeover/plan/run_plan.hpp"
-#include "plan/search/starts.hpp"
+#include "plan/search/starts/starts.hpp"
 
 namespace changeover {
 

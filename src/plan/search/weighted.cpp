@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "plan/search/alike.hpp"
-#include "plan/search/attempts.hpp"
+#include "plan/search/anneal/attempts.hpp"
 #include "plan/search/lists/lists_search.hpp"
 #include "run/random.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
-#include "plan/search/starts.hpp"
+#include "plan/search/starts/starts.hpp"
 
 namespace changeover {
 

@@ -13,7 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "plan/job/prices.hpp"
-#include "plan/search/attempts.hpp"
+#include "plan/search/anneal/attempts.hpp"
 #include "plan/search/first_plan.hpp"
 
 namespace changeover {

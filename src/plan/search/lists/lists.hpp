@@ -2,7 +2,7 @@
 // the lists, what each costs, and the weight of what has not met, kept up to date under every move.
 //
 // If costs ask what is replaced, a step that changes j parts takes O(j³) to price.
-// Where all pairs of one list have the same weight and they do not, plan/search/sequence.hpp does the same in less time.
+// Where all pairs of one list have the same weight and they do not, plan/search/anneal/sequence.hpp does the same in less time.
 //
 // Moves are noted as they are made: keep() forgets the notes, undo() takes back all moves since. A part that comes or goes
 // costs O(room) for pairs and O(room²) for triples; moving a set-up as a whole costs O(room).
@@ -16,7 +16,7 @@
 
 #include "changeover/plan/job.hpp"
 #include "plan/job/fitting.hpp"
-#include "plan/search/sequence.hpp"
+#include "plan/search/anneal/sequence.hpp"
 
 namespace changeover {
 

@@ -7,7 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
-#include "plan/search/attempts.hpp"
+#include "plan/search/anneal/attempts.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/lists/lists_search.hpp"
 
@@ -71,12 +71,7 @@ class ListsPlanner {
 
   // The list under way without what breaks a rule, and with what it lacks.
   void add_rest(RunPlan& plan) const {
-    std::vector<Block> rest;
-    for (const Block& setup : options_->rest) {
-      if (run_sheet(*job_, {setup}).faults.empty()) {
-        rest.push_back(setup);
-      }
-    }
+    const std::vector<Block> rest = sound_rest(*job_, *options_);
     if (rest.empty()) {
       return;
     }

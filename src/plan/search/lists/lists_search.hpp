@@ -1,4 +1,4 @@
-// Simulated annealing over lists of set-ups on one bench or several (lists.hpp), for what plan/search/anneal.hpp does not
+// Simulated annealing over lists of set-ups on one bench or several (lists.hpp), for what plan/search/anneal/anneal.hpp does not
 // search: several benches, pairs of different weights, triples.
 //
 //     energy = what the aim counts + penalty · (weight of what has not met)

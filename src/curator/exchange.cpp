@@ -1,0 +1,197 @@
+#include "changeover/curator/exchange.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+#include <utility>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "construct/trusted_entry.hpp"
+#include "io/scan/input_lines.hpp"
+
+namespace changeover {
+namespace {
+
+// The entries of a file, line by line.
+class EntryLines {
+ public:
+  EntryLines(Input& input, std::size_t longest) : lines_(input, longest) {
+    if (lines_.next() != InputLines::Next::line) {
+      throw BadInput(
+          fmt::format("{}: no catalog: it has no first line that says so", input.name()));
+    }
+    shared_ = shared_from_header(lines_.line(), input.name());
+  }
+
+  // False at the end. @throws BadInput if a line has no end, after which there is no way on.
+  bool next() {
+    for (;;) {
+      const InputLines::Next found = lines_.next();
+      if (found == InputLines::Next::too_long) {
+        throw BadInput(where() + "the line is too long for an entry; take it out");
+      }
+      if (found == InputLines::Next::end) {
+        return false;
+      }
+      if (!lines_.line().empty()) {
+        return true;
+      }
+    }
+  }
+
+  // @throws BadInput as entry_from_line().
+  [[nodiscard]] CatalogEntry entry() const {
+    return entry_from_line(lines_.line(), lines_.name(), lines_.number(), shared_);
+  }
+  [[nodiscard]] std::string where() const {
+    return fmt::format("{}:{}: ", lines_.name(), lines_.number());
+  }
+
+ private:
+  InputLines lines_;
+  Credit shared_;
+};
+
+// Why an entry is not taken; empty if it is, with the bound of today.
+std::string refusal(CatalogEntry& entry, const ForeignLimits& limits) {
+  const Parameters& p = entry.parameters;
+  if (p.v > limits.v || entry.b > limits.b) {
+    return fmt::format("more than {} elements or {} blocks, which are not taken from a file",
+                       limits.v, limits.b);
+  }
+  const Bound bound = lower_bound(p);
+  if (entry.lower_bound > bound.blocks) {
+    return fmt::format(
+        "it says that there are no fewer than {} blocks, and no more than {} is known",
+        entry.lower_bound, bound.blocks);
+  }
+  RunControl alone(RunControl::Settings{});
+  RunControl* const above = RunScope::current();
+  RunControl control(above != nullptr ? *above : alone, limits.time_each);
+  const RunScope scope(control);
+  try {
+    if (const std::string defect = entry_defect(entry); !defect.empty()) {
+      return defect;
+    }
+  } catch (const Stopped&) {
+    if (above != nullptr && above->stop_wanted()) {
+      throw;
+    }
+    return fmt::format("building and verifying it takes longer than {} s",
+                       limits.time_each.count());
+  }
+  entry.lower_bound = bound.blocks;
+  entry.reason = bound.reason;
+  return "";
+}
+
+}  // namespace
+
+std::uint64_t write_entries(const Catalog& catalog, const CatalogFilter& filter, Sink& sink) {
+  std::uint64_t count = 0;
+  sink.write(header_line({}) + "\n");
+  const auto write = [&](const CatalogEntry& entry) {
+    sink.write(line_of(entry, {}) + "\n");
+    ++count;
+    return true;
+  };
+  catalog.each(filter, write);
+  if (filter.status.empty()) {
+    CatalogFilter retracted = filter;
+    retracted.status = "retracted";
+    catalog.each(retracted, write);
+  }
+  return count;
+}
+
+Foreign read_foreign(Input& input, const Catalog& catalog, const ForeignLimits& limits) {
+  Foreign foreign;
+  std::set<std::string> seen;
+  EntryLines lines(input, limits.line);
+  for (std::uint64_t count = 0; lines.next(); ++count) {
+    stop_if_asked();
+    if (count == limits.entries) {
+      throw BadInput(fmt::format("{}more than {} entries; split the file", lines.where(), count));
+    }
+    std::string fault;
+    try {
+      CatalogEntry entry = lines.entry();
+      const std::string label = entry.label();
+      const auto there = catalog.find(label);
+      if (there ? there->checksum == entry.checksum : seen.contains(label)) {
+        ++foreign.known;
+      } else if (const std::string why = refusal(entry, limits); !why.empty()) {
+        fault = fmt::format("{}{}: {}", lines.where(), label, why);
+      } else {
+        seen.insert(label);
+        foreign.entries.push_back(std::move(entry));
+      }
+    } catch (const BadInput& malformed) {
+      fault = malformed.what();
+    } catch (const ImpossibleParameters& malformed) {
+      fault = lines.where() + malformed.what();
+    }
+    if (!fault.empty()) {
+      if (!limits.skip_bad) {
+        throw BadInput(fault);
+      }
+      foreign.left_out.push_back(std::move(fault));
+    }
+    if (progress_due()) {
+      report_progress(
+          {.phase = "verifying " + input.name(), .steps = count + 1, .unit = "entries"});
+    }
+  }
+  return foreign;
+}
+
+BestOfCells best_of_cells(Input& input) {
+  BestOfCells best;
+  for (EntryLines lines(input, longest_catalog_line); lines.next();) {
+    const CatalogEntry entry = lines.entry();
+    if (entry.retracted.empty()) {
+      const auto [place, is_new] = best.emplace(entry.parameters, entry.b);
+      place->second = std::min(place->second, entry.b);
+    }
+  }
+  return best;
+}
+
+BestOfCells best_of_cells(const Catalog& catalog) {
+  BestOfCells best;
+  catalog.each({}, [&](const CatalogEntry& entry) {
+    best.emplace(entry.parameters, entry.b);
+    return true;
+  });
+  return best;
+}
+
+std::string_view CellChange::kind() const {
+  if (before == 0 || after == 0) {
+    return before == 0 ? "new" : "gone";
+  }
+  return after < before ? "better" : "worse";
+}
+
+std::vector<CellChange> compare_cells(const BestOfCells& before, const BestOfCells& after) {
+  std::map<Parameters, CellChange> changes;
+  for (const auto& [p, b] : before) {
+    changes[p] = {p, b, 0};
+  }
+  for (const auto& [p, b] : after) {
+    CellChange& change = changes[p];
+    change.parameters = p;
+    change.after = b;
+  }
+  std::vector<CellChange> different;
+  for (const auto& [p, change] : changes) {
+    if (change.before != change.after) {
+      different.push_back(change);
+    }
+  }
+  return different;
+}
+
+}  // namespace changeover

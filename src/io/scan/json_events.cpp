@@ -1,0 +1,146 @@
+#include "io/scan/json_events.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace changeover {
+namespace {
+
+// Follows the parser through the text: it reports events without saying where they begin, but between
+// two of them there is nothing but blanks, commas and colons.
+class Adapter {
+ public:
+  using json = nlohmann::json;
+
+  Adapter(const JsonText& source, JsonHandler& handler) : source_(source), handler_(&handler) {}
+
+  // The parser's interface, so its names.
+  bool null() { return emit(JsonEvent::Type::null, literal()); }
+  bool boolean(bool /*value*/) { return emit(JsonEvent::Type::boolean, literal()); }
+  bool number_integer(json::number_integer_t value) {
+    const std::string_view text = literal();
+    return value == 0 ? emit(JsonEvent::Type::natural, text)  // −0
+                      : emit(JsonEvent::Type::other_number, text);
+  }
+  bool number_unsigned(json::number_unsigned_t value) {
+    return emit(JsonEvent::Type::natural, literal(), value);
+  }
+  bool number_float(json::number_float_t /*value*/, const json::string_t& /*text*/) {
+    return emit(JsonEvent::Type::other_number, literal());
+  }
+  bool string(json::string_t& value) {
+    skip_string();
+    return emit(JsonEvent::Type::string, value);
+  }
+  bool binary(json::binary_t& /*value*/) { return false; }  // not in JSON text
+  bool key(json::string_t& value) {
+    skip_string();
+    return emit(JsonEvent::Type::key, value);
+  }
+  bool start_object(std::size_t /*size*/) { return open(JsonEvent::Type::begin_object); }
+  bool start_array(std::size_t /*size*/) { return open(JsonEvent::Type::begin_array); }
+  bool end_object() { return close(JsonEvent::Type::end_object); }
+  bool end_array() { return close(JsonEvent::Type::end_array); }
+
+  bool parse_error(std::size_t byte, const std::string& /*token*/, const json::exception& fault) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: syntax error …"
+    std::string_view what = fault.what();
+    const std::size_t colon = what.find(": ");
+    what = colon == std::string_view::npos ? what : what.substr(colon + 2);
+    what = what.substr(0, what.find("; last read"));  // which can be as long as the file
+    std::string line;
+    for (const char c : what) {
+      line += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    source_.fail(byte > 0 ? byte - 1 : 0, "not JSON: " + line + "; correct it");
+  }
+
+ private:
+  bool emit(JsonEvent::Type type, std::string_view text, std::uint64_t natural = 0) {
+    handler_->on({type, text, natural, start_});
+    return true;
+  }
+
+  bool open(JsonEvent::Type type) {
+    start_token();
+    ++cursor_;
+    if (++depth_ > max_json_depth) {
+      source_.fail(start_,
+                   fmt::format("nested more than {} deep; this is no design", max_json_depth));
+    }
+    return emit(type, {});
+  }
+
+  bool close(JsonEvent::Type type) {
+    start_token();
+    ++cursor_;
+    --depth_;
+    return emit(type, {});
+  }
+
+  void start_token() {
+    cursor_ = std::min(source_.text.find_first_not_of(" \t\r\n,:", cursor_), source_.text.size());
+    start_ = cursor_;
+  }
+
+  std::string_view literal() {
+    start_token();
+    cursor_ = std::min(source_.text.find_first_of(" \t\r\n,:]}", cursor_), source_.text.size());
+    return source_.text.substr(start_, cursor_ - start_);
+  }
+
+  void skip_string() {
+    start_token();
+    for (++cursor_; cursor_ < source_.text.size() && source_.text[cursor_] != '"'; ++cursor_) {
+      cursor_ += source_.text[cursor_] == '\\' ? 1U : 0U;
+    }
+    ++cursor_;
+  }
+
+  const JsonText& source_;
+  JsonHandler* handler_;
+  std::size_t cursor_ = 0;  // after the last event
+  std::size_t start_ = 0;   // of the last event
+  std::size_t depth_ = 0;
+};
+
+}  // namespace
+
+Place JsonText::place(std::size_t offset) const {
+  Place place = place_of(text, offset);
+  if (place.line == 1) {
+    place.column += origin.column - 1;
+  }
+  place.line += origin.line - 1;
+  return place;
+}
+
+std::string_view to_string(JsonEvent::Type type) {
+  switch (type) {
+    case JsonEvent::Type::begin_object:
+    case JsonEvent::Type::end_object:
+      return "an object";
+    case JsonEvent::Type::begin_array:
+    case JsonEvent::Type::end_array:
+      return "an array";
+    case JsonEvent::Type::key:
+    case JsonEvent::Type::string:
+      return "a string";
+    case JsonEvent::Type::natural:
+    case JsonEvent::Type::other_number:
+      return "a number";
+    case JsonEvent::Type::boolean:
+      return "true or false";
+    case JsonEvent::Type::null:
+      return "null";
+  }
+  return "";
+}
+
+void parse_json(const JsonText& json, JsonHandler& handler) {
+  Adapter adapter(json, handler);
+  nlohmann::json::sax_parse(json.text.begin(), json.text.end(), &adapter);
+}
+
+}  // namespace changeover

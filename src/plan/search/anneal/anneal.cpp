@@ -1,0 +1,587 @@
+#include "plan/search/anneal/anneal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "changeover/core/error.hpp"
+#include "plan/search/anneal/same_everywhere.hpp"
+
+namespace changeover {
+namespace {
+
+class Annealer {
+ public:
+  Annealer(Sequence& sequence, const Annealing& options, Random& random)
+      : s_(&sequence), options_(options), random_(&random), penalty_(options.penalty) {
+    constrained_ = s_->fitting().has_slots() || s_->job().never.size() > 0;
+    constexpr double parts = 1024;
+    octaves_ = std::round(std::log2(options.hot / options.cold) * parts) / parts;
+    constexpr std::size_t long_list = 20'000;
+    note_seldom_ = s_->size() * s_->job().room() > long_list;
+  }
+
+  AnnealedPlan run(RunControl& control) {
+    record(true);
+    constexpr std::uint64_t batch = 1024;
+    // A move on a long list of large set-ups takes as long as thousands on a short one.
+    constexpr std::uint64_t work = 1'000'000;
+    const std::uint64_t room = s_->job().room();
+    const std::uint64_t work_a_move = 1 + s_->size() / 8 + room * room;
+    const std::uint64_t look = std::clamp<std::uint64_t>(work / work_a_move, 1, batch);
+    std::uint64_t step = 0;
+    const auto began = control.elapsed();
+    double time_gone = 0;
+    for (; step < options_.steps && time_gone < 1; ++step) {
+      if ((step % batch) % look == 0 && control.stop_wanted()) {
+        break;
+      }
+      if (step % batch == 0) {
+        time_gone = options_.time ? (control.elapsed() - began) / *options_.time : 0.0;
+        // Steps alone decide as long as they may do: then the result is the same again.
+        const double steps = static_cast<double>(step) / static_cast<double>(options_.steps);
+        constexpr double early = 0.1;
+        cool(std::min(1.0, time_gone < early ? steps : std::max(time_gone, steps)));
+        record(true);
+        if (control.progress_due()) {
+          control.tell({.phase = options_.phase, .steps = step, .missing = s_->uncovered()});
+        }
+      }
+      move();
+    }
+    record(true);
+    if (best_.uncovered != none_met) {
+      best_.setups = Sequence::setups_of(best_list_);
+    }
+    best_.steps = step;
+    return std::move(best_);
+  }
+
+ private:
+  // Sets temperature and penalty for the moment when so much is done.
+  void cool(double done) {
+    if (options_.budget) {
+      const double left = 1.0 - done;
+      temperature_ = options_.cold + (options_.hot - options_.cold) * left * left * left;
+      return;
+    }
+    const auto needed = static_cast<double>(s_->job().needed.size());
+    const auto open = static_cast<double>(s_->uncovered());
+    const double a_pair = static_cast<double>(s_->cost()) / std::max(1.0, needed - open);
+    constexpr double at_first = 2.0;  // for a moment, until the list is one of this temperature
+    constexpr double later = 2.8;
+    constexpr double moment = 0.05;
+    const double base = a_pair * (done < moment ? at_first : later);
+    temperature_ = options_.hot * base * two_to_minus(octaves_ * done);
+    // In the second part, so many pairs may be open.
+    constexpr double second = 0.5;
+    constexpr double speed = 5.0;
+    constexpr double none_from = 0.9;
+    const double left = std::max(0.0, none_from - done);
+    const double allowed = 0.1 * needed * left * left;
+    if (done > second) {
+      const double excess = (open - allowed) / (open + allowed + 1.0);
+      raise_ *= 1.0 + std::clamp(speed * (done - done_) * excess, -0.5, 0.5);
+    }
+    raise_ = std::max(1.0, raise_);
+    penalty_ = base * raise_;
+    done_ = done;
+  }
+
+  [[nodiscard]] double energy(std::int64_t cost, std::int64_t uncovered) const {
+    const double missing = penalty_ * static_cast<double>(uncovered);
+    const auto paid = static_cast<double>(cost);
+    if (!options_.budget) {
+      return paid + missing;
+    }
+    const double over = std::max(0.0, paid - static_cast<double>(*options_.budget));
+    return paid * 0.25 + over * 4.0 + missing;
+  }
+
+  struct Standing {
+    std::int64_t cost = 0;
+    std::int64_t uncovered = 0;
+  };
+
+  [[nodiscard]] Standing now() const {
+    return {s_->cost(), static_cast<std::int64_t>(s_->uncovered())};
+  }
+
+  // Whether a move that adds so much to a list is to be made.
+  [[nodiscard]] bool acceptable(const Rise& rise) { return acceptable(rise, now()); }
+  [[nodiscard]] bool acceptable(const Rise& rise, const Standing& from) {
+    const double higher = options_.budget
+                              ? energy(from.cost + rise.cost, from.uncovered + rise.uncovered) -
+                                    energy(from.cost, from.uncovered)
+                              : energy(rise.cost, rise.uncovered);
+    return higher <= 0 || higher <= temperature_ * log_table()[random_->next() >> 52];
+  }
+
+  // Notes where the list is before a move that is made before it is looked at.
+  void begin() { before_ = now(); }
+
+  // Whether to keep the move that was made since begin().
+  bool keep() {
+    const Standing after = now();
+    if (!acceptable({after.cost - before_.cost, after.uncovered - before_.uncovered}, before_)) {
+      return false;
+    }
+    record();
+    return true;
+  }
+
+  // Long lists are not noted at every step down.
+  void record(bool now = false) {
+    if (note_seldom_ && !now) {
+      return;
+    }
+    const bool better =
+        options_.budget
+            ? s_->cost() <= *options_.budget &&
+                  (s_->uncovered() < best_.uncovered ||
+                   (s_->uncovered() == best_.uncovered && s_->cost() < best_.cost))
+            : s_->uncovered() == 0 && (best_.uncovered == none_met || s_->cost() < best_.cost);
+    if (better) {
+      s_->write_to(best_list_);
+      best_.cost = s_->cost();
+      best_.uncovered = s_->uncovered();
+    }
+  }
+
+  std::size_t below(std::size_t limit) { return random_->below(static_cast<std::uint32_t>(limit)); }
+
+  void move() {
+    if (s_->movable().empty()) {
+      return;
+    }
+    if (s_->size() == 0) {
+      insert();
+      return;
+    }
+    const std::size_t dice = below(128);
+    if (dice < 74) {
+      shift();
+    } else if (dice < 90) {
+      replace();
+    } else if (dice < 104) {
+      replace_aimed();
+    } else if (dice < 109) {
+      dice % 2 == 0 && s_->uncovered() > 0 ? exchange_aimed() : exchange();
+    } else if (dice < 116) {
+      take_out();
+    } else if (dice < 120) {
+      copy();
+    } else if (dice < 122) {
+      change_run();
+    } else if (dice < 124) {
+      below(constrained_ ? 2 : 16) == 0 ? insert() : copy();
+    } else if (dice < 127) {
+      reverse();
+    } else {
+      rotate();
+    }
+  }
+
+  void try_replacing(std::size_t at, Element x, Element y) {
+    if (constrained_ && !s_->may_join(at, y, x)) {
+      return;
+    }
+    const Rise rise = s_->rise_of_replace(at, x, y);
+    if (acceptable(rise)) {
+      s_->replace(at, x, y, rise);
+      record();
+    }
+  }
+
+  // One part stays a set-up longer and what comes for it comes later, or it leaves sooner.
+  void shift() {
+    const std::size_t at = below(s_->size());
+    const std::size_t earlier = at == 0 ? s_->size() : at - 1;
+    const auto coming = s_->some_difference(at, earlier, random_->next32());
+    const auto leaving = s_->some_difference(earlier, at, random_->next32());
+    const bool later = random_->one_in_two();
+    if (coming && leaving) {
+      if (later) {
+        try_replacing(at, *coming, *leaving);
+      } else if (at > 0) {
+        try_replacing(at - 1, *leaving, *coming);
+      }
+    } else if (later && leaving) {
+      add_at(at, *leaving);
+    } else if (!later && coming && at > 0) {
+      add_at(at - 1, *coming);
+    }
+  }
+
+  void add_at(std::size_t at, Element y) {
+    if (s_->full(at) || !s_->may_join(at, y, y)) {
+      return;
+    }
+    begin();
+    s_->add({at, at}, y);
+    if (!keep()) {
+      s_->remove({at, at}, y);
+    }
+  }
+
+  void replace() {
+    const std::size_t at = below(s_->size());
+    const Element y = s_->movable()[below(s_->movable().size())];
+    if (s_->holds(at, y)) {
+      return;
+    }
+    if (const auto x = someone_for(at, y, std::nullopt)) {
+      try_replacing(at, *x, y);
+    }
+  }
+
+  void replace_aimed() {
+    if (s_->uncovered() == 0) {
+      replace();
+      return;
+    }
+    const auto [kept, coming] = aim();
+    const auto at = some_holder(kept);
+    if (!at || !s_->is_movable(coming)) {
+      return;
+    }
+    if (const auto x = someone_for(*at, coming, kept); x && *x != coming) {
+      try_replacing(*at, *x, coming);
+    }
+  }
+
+  // An uncovered pair, in any order.
+  std::pair<Element, Element> aim() {
+    auto [x, y] = s_->uncovered_pair(below(s_->uncovered()));
+    return random_->one_in_two() ? std::pair(y, x) : std::pair(x, y);
+  }
+
+  // A set-up comes once more, perhaps with a part of an uncovered pair in place of another.
+  void copy() {
+    if (s_->size() >= options_.most_tests) {
+      return;
+    }
+    std::optional<std::size_t> at = below(s_->size());
+    Element x = 0;
+    Element y = 0;
+    if (s_->uncovered() > 0 && random_->one_in_two()) {
+      const auto [kept, coming] = aim();
+      at = some_holder(kept);
+      if (!at || !s_->is_movable(coming)) {
+        return;
+      }
+      const auto leaving = someone_for(*at, coming, kept);
+      if (!leaving || !s_->may_join(*at, coming, *leaving)) {
+        return;
+      }
+      x = *leaving;
+      y = coming;
+    }
+    if (!acceptable(s_->rise_of_copy(*at, x, y))) {
+      return;
+    }
+    Block setup(s_->setup(*at).begin(), s_->setup(*at).end());
+    if (x != y) {
+      *std::find(setup.begin(), setup.end(), x) = y;
+    }
+    s_->insert(*at + 1, setup);
+    record();
+  }
+
+  // A movable part of a set-up other than `kept`.
+  std::optional<Element> some_part(std::size_t at, std::optional<Element> kept) {
+    const auto setup = s_->setup(at);
+    if (setup.empty()) {
+      return std::nullopt;
+    }
+    const Element x = setup[below(setup.size())];
+    return s_->is_movable(x) && x != kept ? std::optional(x) : std::nullopt;
+  }
+
+  // A movable part of a set-up other than `kept` that could leave for y: of its slot, if that is full.
+  std::optional<Element> someone_for(std::size_t at, Element y, std::optional<Element> kept) {
+    if (!s_->slot_full(at, y)) {
+      return some_part(at, kept);
+    }
+    const auto setup = s_->setup(at);
+    const std::size_t begin = below(setup.size());
+    for (std::size_t i = 0; i < setup.size(); ++i) {
+      const Element x = setup[(begin + i) % setup.size()];
+      if (s_->fitting().slot(x) == s_->fitting().slot(y)) {
+        return s_->is_movable(x) && x != kept ? std::optional(x) : std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void exchange() {
+    const std::size_t at = below(s_->size());
+    const Element y = s_->movable()[below(s_->movable().size())];
+    const auto x = someone_for(at, y, std::nullopt);
+    if (x && !s_->holds(at, y)) {
+      exchange_around(at, *x, y);
+    }
+  }
+
+  // Some set-up that holds x, searched for from a random place on.
+  std::optional<std::size_t> some_holder(Element x) {
+    const std::size_t begin = below(s_->size());
+    for (std::size_t i = 0; i < s_->size(); ++i) {
+      const std::size_t at = begin + i < s_->size() ? begin + i : begin + i - s_->size();
+      if (s_->holds(at, x)) {
+        return at;
+      }
+    }
+    return std::nullopt;
+  }
+
+  void exchange_aimed() {
+    const auto [kept, coming] = aim();
+    const auto at = some_holder(kept);
+    if (!at || !s_->is_movable(coming)) {
+      return;
+    }
+    if (!s_->full(*at) && random_->one_in_two()) {
+      add_around(*at, coming);
+      return;
+    }
+    if (const auto leaving = someone_for(*at, coming, kept); leaving && *leaving != coming) {
+      exchange_around(*at, *leaving, coming);
+    }
+  }
+
+  // Whether x and y may change places here.
+  [[nodiscard]] bool exchangeable(std::size_t at, Element x, Element y) const {
+    const bool has_x = s_->holds(at, x);
+    if (has_x == s_->holds(at, y)) {
+      return false;
+    }
+    return has_x ? s_->may_join(at, y, x) : s_->may_join(at, x, y);
+  }
+
+  // The longest stretch around `at` for which `good` holds, or some part of it.
+  template <typename Good>
+  Stretch stretch(std::size_t at, std::size_t choice, Good&& good) {
+    Stretch where{at, at};
+    if (choice != 1) {
+      while (where.first > 0 && good(where.first - 1)) {
+        --where.first;
+      }
+    }
+    if (choice != 2) {
+      while (where.last + 1 < s_->size() && good(where.last + 1)) {
+        ++where.last;
+      }
+    }
+    return where;
+  }
+
+  void exchange_around(std::size_t at, Element x, Element y) {
+    if (!exchangeable(at, x, y)) {
+      return;
+    }
+    const std::size_t choice = below(8);
+    Stretch where{at, at};
+    if (choice >= 4) {  // Up to where the set-ups agree about x and y.
+      where = stretch(at, 0, [&](std::size_t i) { return exchangeable(i, x, y); });
+    } else if (choice < 3) {  // In the run of x only, on both sides or on one.
+      where = stretch(at, choice,
+                      [&](std::size_t i) { return s_->holds(i, x) && exchangeable(i, x, y); });
+    }
+    begin();
+    s_->exchange(where, x, y);
+    if (!keep()) {
+      s_->exchange(where, x, y);
+    }
+  }
+
+  void add_around(std::size_t at, Element y) {
+    if (s_->full(at) || s_->holds(at, y) || !s_->may_join(at, y, y)) {
+      return;
+    }
+    const std::size_t choice = below(4);
+    const Stretch where = choice == 3 ? Stretch{at, at} : stretch(at, choice, [&](std::size_t i) {
+      return !s_->full(i) && !s_->holds(i, y) && s_->may_join(i, y, y);
+    });
+    begin();
+    s_->add(where, y);
+    if (!keep()) {
+      s_->remove(where, y);
+    }
+  }
+
+  // Mounts a part where there is room, or takes one out.
+  void change_run() {
+    const std::size_t at = below(s_->size());
+    if (s_->slack() > 0 && random_->one_in_two()) {
+      add_around(at, s_->movable()[below(s_->movable().size())]);
+      return;
+    }
+    const auto x = some_part(at, std::nullopt);
+    if (!x || s_->setup(at).size() < 2 || !s_->may_leave(at, *x)) {
+      return;
+    }
+    const Stretch where = stretch(at, below(3), [&](std::size_t i) {
+      return s_->holds(i, *x) && s_->setup(i).size() > 1 && s_->may_leave(i, *x);
+    });
+    begin();
+    s_->remove(where, *x);
+    if (!keep()) {
+      s_->add(where, *x);
+    }
+  }
+
+  void take_out() {
+    if (s_->size() < 2 && !options_.budget) {
+      return;
+    }
+    const std::size_t at = below(s_->size());
+    if (acceptable(s_->rise_of_take_out(at))) {
+      s_->forget(s_->take_out(at));
+      record();
+    }
+  }
+
+  // A set-up with an uncovered pair, otherwise like the one beside which it comes.
+  void insert() {
+    if (s_->uncovered() == 0 || s_->size() >= options_.most_tests) {
+      return;
+    }
+    auto [x, y] = s_->uncovered_pair(below(s_->uncovered()));
+    if (random_->one_in_two()) {
+      std::swap(x, y);
+    }
+    const bool before = random_->one_in_two();
+    const auto beside = random_->below(8) == 0 || s_->size() == 0 ? std::nullopt : some_holder(x);
+    Block setup;
+    std::size_t at = 0;
+    if (beside) {
+      setup.assign(s_->setup(*beside).begin(), s_->setup(*beside).end());
+      at = before ? *beside : *beside + 1;
+    } else if (s_->size() > 0) {
+      at = below(s_->size() + 1);
+      const auto neighbour = s_->setup(at == 0 ? 0 : at - 1);
+      setup.assign(neighbour.begin(), neighbour.end());
+    } else {
+      setup = s_->job().mounted;
+    }
+    protected_.clear();
+    if (!bring(setup, x) || !bring(setup, y)) {
+      return;
+    }
+    if (s_->fitting().has_slots()) {
+      const auto whole = s_->fitting().completed(setup, {});
+      if (!whole) {
+        return;
+      }
+      setup = *whole;
+    }
+    begin();
+    s_->insert(at, setup);
+    if (!keep()) {
+      s_->forget(s_->take_out(at));
+    }
+  }
+
+  // Mounts x in a set-up, in place of what it must not meet and, if there is no room, of one more.
+  bool bring(Block& setup, Element x) {
+    protected_.push_back(x);
+    if (std::find(setup.begin(), setup.end(), x) != setup.end()) {
+      return true;
+    }
+    const Job& job = s_->job();
+    std::erase_if(setup, [&](Element z) { return job.never.contains(z, x); });
+    const Fitting& fitting = s_->fitting();
+    const auto in_slot_of = [&](Element z) {
+      return static_cast<std::uint64_t>(
+          std::count_if(setup.begin(), setup.end(),
+                        [&](Element other) { return fitting.slot(other) == fitting.slot(z); }));
+    };
+    const bool slots = fitting.has_slots();
+    const bool slot_full = slots && fitting.slot(x) < fitting.slots() &&
+                           in_slot_of(x) >= fitting.most(fitting.slot(x));
+    const auto may_go = [&](Element z) {
+      return s_->is_movable(z) && !is_protected(z) &&
+             (!slots || fitting.slot(z) == fitting.slot(x) ||
+              (!slot_full && in_slot_of(z) > fitting.least(fitting.slot(z))));
+    };
+    for (bool first = true; (first && slot_full) || setup.size() >= job.room(); first = false) {
+      std::size_t most = 32;
+      std::size_t victim = below(setup.size());
+      while (most-- > 0 && !may_go(setup[victim])) {
+        victim = below(setup.size());
+      }
+      if (!may_go(setup[victim])) {
+        return false;
+      }
+      setup[victim] = setup.back();
+      setup.pop_back();
+    }
+    setup.push_back(x);
+    return true;
+  }
+
+  [[nodiscard]] bool is_protected(Element x) const {
+    return std::find(protected_.begin(), protected_.end(), x) != protected_.end();
+  }
+
+  void reverse() {
+    Stretch where{below(s_->size()), below(s_->size())};
+    if (where.first > where.last) {
+      std::swap(where.first, where.last);
+    }
+    if (acceptable({s_->rise_of_reverse(where), 0})) {
+      s_->reverse(where);
+      record();
+    }
+  }
+
+  void rotate() {
+    std::array<std::size_t, 3> cuts{below(s_->size() + 1), below(s_->size() + 1),
+                                    below(s_->size() + 1)};
+    std::sort(cuts.begin(), cuts.end());
+    if (cuts[0] == cuts[1] || cuts[1] == cuts[2]) {
+      return;
+    }
+    if (acceptable({s_->rise_of_rotate(cuts[0], cuts[1], cuts[2]), 0})) {
+      s_->rotate(cuts[0], cuts[1], cuts[2]);
+      record();
+    }
+  }
+
+  Sequence* s_;
+  Annealing options_;
+  Random* random_;
+  double penalty_;
+  static constexpr std::size_t none_met = std::numeric_limits<std::size_t>::max();
+
+  double temperature_ = 0;
+  double octaves_ = 0;  // between the first temperature and the last
+  double done_ = 0;
+  double raise_ = 1;
+  bool note_seldom_ = false;
+  bool constrained_ = false;  // by slots or forbidden pairs
+  Standing before_;
+  AnnealedPlan best_{.setups = {}, .cost = 0, .uncovered = none_met, .steps = 0};
+  std::vector<Element> best_list_;
+  Block protected_;
+};
+
+}  // namespace
+
+AnnealedPlan anneal(Sequence& sequence, const Annealing& options, Random& random,
+                    RunControl& control) {
+  AnnealedPlan best = Annealer(sequence, options, random).run(control);
+  if (control.stop_wanted()) {
+    return best;  // At once: the referee counts what becomes of it.
+  }
+  // What millions of moves kept up to date must be what a list built anew says.
+  const Sequence anew(sequence.job(), sequence.weights(), sequence.setups());
+  if (anew.cost() != sequence.cost() || anew.uncovered() != sequence.uncovered()) {
+    throw InternalError("the search for cheap lists lost count");
+  }
+  return best;
+}
+
+}  // namespace changeover

@@ -1,0 +1,227 @@
+#include "plan/search/anneal/attempts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+
+#include "run/threads.hpp"
+
+namespace changeover {
+namespace {
+
+// How attempts differ in their temperatures. Hot ones forget where they started; the last one does not.
+struct Style {
+  double hot;
+  double cold;
+};
+constexpr std::array<Style, 4> styles{{{0.8, 0.03}, {0.4, 0.05}, {0.6, 0.03}, {0.5, 0.04}}};
+constexpr Style warm{0.16, 0.03};
+
+// Under a budget: the penalty of an uncovered pair as a multiple of what a pair costs in the best list, and the
+// temperatures as multiples of the penalty.
+struct BudgetStyle {
+  double penalty;
+  double hot;
+  double cold;
+};
+constexpr std::array<BudgetStyle, 4> budget_styles{{
+    {2.0, 0.30, 0.10},
+    {1.8, 0.25, 0.10},
+    {2.0, 0.25, 0.08},
+    {2.3, 0.25, 0.10},
+}};
+
+// The share of the time left that an attempt has, if the attempts before it are over by now.
+std::optional<std::chrono::duration<double>> time_for(const RunControl& control,
+                                                      std::size_t attempt, std::size_t attempts) {
+  const auto left = control.time_left();
+  if (!left || left->count() <= 0) {
+    return std::nullopt;
+  }
+  constexpr double for_the_rest = 0.95;  // repair, and what the clock does not see
+  const std::size_t threads = std::max<std::size_t>(1, control.threads());
+  const auto rounds = static_cast<double>((attempts - attempt + threads - 1) / threads);
+  return *left * (for_the_rest / rounds);
+}
+
+// Beyond that, a list has far more set-ups than pairs are worth.
+std::size_t most_tests(const Job& job, std::size_t tests) {
+  return tests + std::min<std::size_t>(static_cast<std::size_t>(job.needed.size()), tests + 16);
+}
+
+}  // namespace
+
+bool Attempts::are_short(const Candidate& like) const {
+  constexpr std::uint64_t places = 300;
+  return like.tests() * job_->room() < places;
+}
+
+std::uint64_t Attempts::suitable_steps(const Candidate& like) const {
+  constexpr std::uint64_t a_place = 12'000;
+  constexpr std::uint64_t least = 200'000;
+  constexpr std::uint64_t most = 100'000'000;
+  return std::clamp<std::uint64_t>(like.tests() * job_->room() * a_place, least, most);
+}
+
+std::uint64_t Attempts::steps_until(std::chrono::duration<double> left) const {
+  constexpr double before_any = 5e6;  // moves a second
+  const double speed = busy_ > 0 ? static_cast<double>(annealed_) / busy_ : before_any;
+  constexpr double most = 1e18;
+  return static_cast<std::uint64_t>(std::min(most, std::max(1.0, speed * left.count())));
+}
+
+std::optional<Start> Attempts::covering(const Candidate& from, std::uint64_t steps) {
+  constexpr double share = 0.05;
+  constexpr std::uint64_t few = 200;  // moves a place
+  std::optional<std::chrono::duration<double>> time;
+  if (const auto left = control_->time_left()) {
+    time = *left * share;
+    if (steps_until(*time) < few * from.tests() * job_->room()) {
+      return std::nullopt;
+    }
+  }
+  const std::size_t limit = most_tests(*job_, from.setups.size());
+  const Weights true_weights = Weights::of(*job_, limit);
+  // Set-ups are all that counts; changes break ties.
+  Weights weights{.test = 1000, .change = std::vector<std::uint64_t>(job_->names.size(), 1)};
+  Sequence sequence(*job_, weights, from.setups);
+  Random random(control_->seed(), 1'000'000);
+  const AnnealedPlan found = anneal(sequence,
+                                    {.steps = steps,
+                                     .time = time,
+                                     .most_tests = limit,
+                                     .phase = "looking for a covering with few tests"},
+                                    random, *control_);
+  steps_ += found.steps;
+  std::vector<Block> setups = found.setups.value_or(from.setups);
+  if (repair(sequence, *control_) && sequence.size() < setups.size()) {
+    setups = sequence.setups();
+  }
+  setups = order_cheaply(*job_, true_weights, std::move(setups), *control_);
+  Sequence ordered(*job_, true_weights, setups);
+  prune(ordered, *control_);
+  return Start{"ordered covering",
+               fmt::format("a covering with {} set-ups, in a cheap order", ordered.size()),
+               ordered.setups()};
+}
+
+Start Attempts::cheaper_than(const Candidate& best, const std::vector<Candidate>& others,
+                             std::uint64_t steps, unsigned attempts, unsigned round) {
+  std::size_t longest = best.setups.size();
+  for (const Candidate& other : others) {
+    longest = std::max(longest, other.setups.size());
+  }
+  const std::size_t limit = most_tests(*job_, longest);
+  const Weights weights = Weights::of(*job_, limit);
+  struct Result {
+    std::int64_t cost = 0;
+    std::vector<Block> setups;
+    std::string from;
+  };
+  struct Took {
+    std::uint64_t steps = 0;
+    double seconds = 0;
+  };
+  std::vector<Took> took(attempts);
+  // Whatever cuts an attempt short, nothing is worse than the best.
+  std::vector<Result> results(attempts,
+                              {std::numeric_limits<std::int64_t>::max(), best.setups, best.name});
+  in_parallel(*control_, attempts, [&](std::size_t i) {
+    Sequence sequence(*job_, weights, best.setups);
+    prune(sequence, *control_);
+    results[i] = {sequence.cost(), sequence.setups(), best.name};
+    if (control_->stop_wanted()) {
+      return;
+    }
+    const auto time = time_for(*control_, i, attempts);
+    // Too few moves for each place to make up for forgetting a good list, or a good one from the rounds before.
+    constexpr std::uint64_t few = 100;
+    const std::uint64_t moves = time ? std::min(steps, steps_until(*time)) : steps;
+    const bool stay_near = moves / few < best.tests() * job_->room() ||
+                           (are_short(best) ? round % 4 != 0 : round > 0 && i % 2 == 1);
+    const Style& style = stay_near ? warm : styles[(i + round) % styles.size()];
+    const Candidate& from =
+        stay_near || i % 2 == 0 || others.empty() ? best : others[(i / 2 + round) % others.size()];
+    Random random(control_->seed(), std::uint64_t{round} * attempts + i);
+    sequence = Sequence(*job_, weights, from.setups);
+    const auto began = control_->elapsed();
+    const AnnealedPlan found =
+        anneal(sequence,
+               {.steps = steps,
+                .hot = style.hot,
+                .cold = style.cold,
+                .time = time,
+                .most_tests = limit,
+                .phase = fmt::format("local search {} of {}", i + 1, attempts)},
+               random, *control_);
+    steps_ += found.steps;
+    took[i] = {found.steps, (control_->elapsed() - began).count()};
+    if (repair(sequence, *control_) && sequence.cost() < results[i].cost) {
+      results[i] = {sequence.cost(), sequence.setups(), from.name};
+    }
+    if (found.setups) {
+      const std::int64_t least = results[i].cost;
+      if (found.cost < least) {
+        results[i] = {found.cost, *found.setups, from.name};
+      }
+      Sequence met(*job_, weights, *found.setups);
+      prune(met, *control_);
+      if (met.cost() < least) {
+        results[i] = {met.cost(), met.setups(), from.name};
+      }
+    }
+  });
+  for (const Took& one : took) {
+    annealed_ += one.steps;
+    busy_ += one.seconds;
+  }
+  const Result& cheapest =
+      *std::min_element(results.begin(), results.end(),
+                        [](const Result& a, const Result& b) { return a.cost < b.cost; });
+  return {search_name,
+          fmt::format("any number of changes a step; started from the {}", cheapest.from),
+          cheapest.setups};
+}
+
+Start Attempts::within(Amount budget, const Candidate& best, std::uint64_t steps,
+                       unsigned attempts) {
+  const std::size_t limit = most_tests(*job_, best.setups.size());
+  const Weights weights = Weights::of(*job_, limit);
+  // The weights are the costs, rounded up: what weighs no more than the budget costs no more.
+  const auto most = static_cast<std::int64_t>(budget.millionths / weights.unit);
+  std::vector<AnnealedPlan> results(attempts);
+  in_parallel(*control_, attempts, [&](std::size_t i) {
+    Sequence sequence(*job_, weights, best.setups);
+    const BudgetStyle& style = budget_styles[i % budget_styles.size()];
+    const double per_pair = static_cast<double>(bound_->cost.millionths) /
+                            static_cast<double>(weights.unit) /
+                            static_cast<double>(job_->needed.size());
+    const double penalty = 1.5 * style.penalty * std::max(1.0, per_pair);
+    Random random(control_->seed(), 2'000'000 + i);
+    results[i] =
+        anneal(sequence,
+               {.steps = steps,
+                .hot = style.hot * penalty,
+                .cold = style.cold * penalty,
+                .penalty = penalty,
+                .budget = most,
+                .most_tests = limit,
+                .phase = fmt::format("local search {} of {} within the budget", i + 1, attempts)},
+               random, *control_);
+    steps_ += results[i].steps;
+  });
+  Start start{search_name, "any number of changes a step, within the budget", best.setups};
+  std::size_t least = static_cast<std::size_t>(job_->needed.size() - best.pairs_tested);
+  for (AnnealedPlan& result : results) {
+    if (result.setups && result.uncovered < least) {
+      least = result.uncovered;
+      start.setups = std::move(*result.setups);
+    }
+  }
+  return start;
+}
+
+}  // namespace changeover

@@ -1,0 +1,156 @@
+// What makes a list of set-ups complete and takes away what is too much.
+#include <algorithm>
+#include <limits>
+
+#include "changeover/core/error.hpp"
+#include "plan/search/anneal/anneal.hpp"
+#include "plan/search/listener.hpp"
+
+namespace changeover {
+namespace {
+
+// The set-up nearest to `beside` that holds x and y: what they must not meet goes, and where there is no
+// room those with the fewest uncovered pairs, which is taken to be those at the end.
+std::optional<Block> with_pair(const Sequence& s, std::span<const Element> beside, Element x,
+                               Element y) {
+  const Job& job = s.job();
+  Block setup = job.mounted;
+  const auto holds = [&](Element z) {
+    return std::find(setup.begin(), setup.end(), z) != setup.end();
+  };
+  for (const Element z : {x, y}) {
+    if (!holds(z)) {
+      setup.push_back(z);
+    }
+  }
+  const Fitting& fitting = s.fitting();
+  if (fitting.has_slots()) {
+    const auto whole = fitting.completed(setup, beside);
+    if (!whole) {
+      return std::nullopt;
+    }
+    setup = *whole;
+  }
+  const auto has_place = [&](Element z) {
+    const std::size_t slot = fitting.slot(z);
+    return slot == fitting.slots() ||
+           static_cast<std::uint64_t>(std::count_if(setup.begin(), setup.end(), [&](Element other) {
+             return fitting.slot(other) == slot;
+           })) < fitting.most(slot);
+  };
+  for (const Element z : beside) {
+    if (setup.size() < job.room() && !holds(z) && has_place(z) &&
+        std::none_of(setup.begin(), setup.end(),
+                     [&](Element other) { return job.never.contains(other, z); })) {
+      setup.push_back(z);
+    }
+  }
+  return setup.size() <= job.at_once ? std::optional(setup) : std::nullopt;
+}
+
+// Inserts the cheapest set-up that covers the pair; false, with nothing inserted, if it is to stop.
+bool insert_pair(Sequence& s, Element x, Element y, Listener& listener) {
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  std::size_t most_covered = 0;
+  std::size_t place = 0;
+  Block chosen;
+  for (std::size_t at = 0; at <= s.size(); ++at) {
+    for (const bool before : {true, false}) {
+      if ((before && at == 0 && s.size() > 0) || (!before && at == s.size())) {
+        continue;
+      }
+      if (listener.stop_wanted(s.job().room() * s.job().room())) {
+        return false;
+      }
+      const std::span<const Element> beside = !before   ? s.setup(at)
+                                              : at == 0 ? std::span<const Element>(s.job().start)
+                                                        : s.setup(at - 1);
+      const auto setup = with_pair(s, beside, x, y);
+      if (!setup) {
+        throw InternalError("a needed pair has no set-up");
+      }
+      const std::int64_t cost = s.cost();
+      const std::size_t missing = s.uncovered();
+      s.insert(at, *setup);
+      const std::int64_t rise = s.cost() - cost;
+      const std::size_t covered = missing - s.uncovered();
+      if (rise < least || (rise == least && covered > most_covered)) {
+        least = rise;
+        most_covered = covered;
+        place = at;
+        chosen = *setup;
+      }
+      s.forget(s.take_out(at));
+    }
+  }
+  s.insert(place, chosen);
+  return true;
+}
+
+}  // namespace
+
+bool repair(Sequence& sequence, RunControl& control) {
+  Listener listener(control);
+  while (sequence.uncovered() > 0) {
+    const auto [x, y] = sequence.uncovered_pair(0);
+    if (!insert_pair(sequence, x, y, listener)) {
+      return false;
+    }
+  }
+  prune(sequence, control);
+  return true;
+}
+
+void prune(Sequence& sequence, RunControl& control) {
+  const std::uint64_t room = sequence.job().room();
+  Listener listener(control);
+  bool again = true;
+  while (again) {
+    again = false;
+    for (std::size_t at = sequence.size(); at-- > 0;) {
+      if (listener.stop_wanted(room * room + sequence.size() / 16)) {
+        return;
+      }
+      const std::size_t missing = sequence.uncovered();
+      const std::int64_t cost = sequence.cost();
+      const std::uint32_t handle = sequence.take_out(at);
+      if (sequence.uncovered() > missing || sequence.cost() > cost) {
+        sequence.put_back(at, handle);
+      } else {
+        sequence.forget(handle);
+        again = true;
+      }
+    }
+    for (const Element x : sequence.movable()) {
+      for (std::size_t at = 0; at < sequence.size(); ++at) {
+        if (listener.stop_wanted(sequence.holds(at, x) ? room : 1)) {
+          return;
+        }
+        if (!sequence.holds(at, x)) {
+          continue;
+        }
+        std::size_t last = at;
+        bool to_spare = sequence.may_leave(at, x);
+        while (last + 1 < sequence.size() && sequence.holds(last + 1, x)) {
+          ++last;
+          to_spare = to_spare && sequence.may_leave(last, x);
+        }
+        if (!to_spare) {
+          at = last;
+          continue;
+        }
+        const std::size_t missing = sequence.uncovered();
+        const std::int64_t cost = sequence.cost();
+        sequence.remove({at, last}, x);
+        if (sequence.uncovered() > missing || sequence.cost() > cost) {
+          sequence.add({at, last}, x);
+        } else {
+          again = true;
+        }
+        at = last;
+      }
+    }
+  }
+}
+
+}  // namespace changeover

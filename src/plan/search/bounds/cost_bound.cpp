@@ -1,0 +1,552 @@
+#include "changeover/plan/cost_bound.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
+#include "plan/job/prices.hpp"
+#include "plan/job/words.hpp"
+#include "plan/search/bounds/rounded_up.hpp"
+#include "plan/search/bounds/stays_cost.hpp"
+#include "plan/search/first_plan.hpp"
+#include "plan/search/triple_plan.hpp"
+
+namespace changeover {
+namespace {
+
+__extension__ using Wide = unsigned __int128;
+
+constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t choose_two(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
+
+// The numbers of the proof in the header.
+struct Numbers {
+  std::uint64_t room = 0;             // K
+  std::uint64_t pairs = 0;            // P
+  std::vector<Element> parts;         // of F with a needed pair
+  std::vector<std::uint64_t> degree;  // by part: all needed pairs
+  std::vector<std::uint64_t> inner;   // by part: needed pairs within F
+  std::vector<bool> at_start;         // by part: in S
+  std::uint64_t start = 0;            // |S|
+  std::uint64_t start_pairs = 0;      // needed pairs within S
+  Amount mounting;                    // of the parts that stay mounted
+  std::uint64_t mounted_introductions = 0;
+  std::vector<std::uint32_t> slot_of;  // by part; slots.size() if it has none
+  std::vector<std::uint64_t>
+      most;                 // by slot, the last for no slot: parts of F that a set-up holds at most
+  std::uint64_t first = 0;  // e of (8)
+};
+
+// Colours of a greedy colouring of the graph of pairs that may meet: no clique is larger.
+std::uint64_t clique_bound(const Job& job, const std::vector<Element>& parts) {
+  std::vector<std::vector<Element>> classes;
+  for (const Element x : parts) {
+    const auto fitting = std::find_if(classes.begin(), classes.end(), [&](const auto& members) {
+      return std::all_of(members.begin(), members.end(),
+                         [&](Element y) { return job.never.contains(x, y); });
+    });
+    if (fitting == classes.end()) {
+      classes.push_back({x});
+    } else {
+      fitting->push_back(x);
+    }
+  }
+  return classes.size();
+}
+
+// How the slots limit the parts of F, and what they need besides.
+void add_slots(const Job& job, const std::vector<bool>& mounted, Numbers& n) {
+  const std::size_t slots = job.slots.size();
+  n.slot_of.assign(job.names.size(), static_cast<std::uint32_t>(slots));
+  for (Element x = 0; x < job.slot_of.size(); ++x) {
+    n.slot_of[x] = job.slot_of[x] == no_slot ? n.slot_of[x] : job.slot_of[x];
+  }
+  std::vector<std::vector<Element>> members(slots + 1);  // of F, with a needed pair
+  for (const Element x : n.parts) {
+    members[n.slot_of[x]].push_back(x);
+  }
+  n.most.push_back(0);
+  n.room = job.room() - job.mounted.size();
+  std::uint64_t all = 0;
+  for (std::size_t s = 0; s <= slots; ++s) {
+    std::uint64_t most = clique_bound(job, members[s]);
+    if (s < slots) {
+      std::uint64_t stay = 0;
+      std::uint64_t on_bench = 0;    // of F, with or without a needed pair
+      std::uint64_t idle_there = 0;  // on the bench, without one
+      std::vector<Amount> idle;      // to be mounted, without one
+      for (Element x = 0; x < job.parts(); ++x) {
+        if (n.slot_of[x] != s) {
+          continue;
+        }
+        stay += mounted[x] ? 1U : 0U;
+        on_bench += !mounted[x] && n.at_start[x] ? 1U : 0U;
+        if (!mounted[x] && n.degree[x] == 0) {
+          idle_there += n.at_start[x] ? 1U : 0U;
+          if (!n.at_start[x]) {
+            idle.push_back(job.change_costs[x]);
+          }
+        }
+      }
+      const Slot& slot = job.slots[s];
+      most = std::min(most, slot.most - std::min(slot.most, stay));
+      const std::uint64_t rest = slot.least - std::min(slot.least, stay);
+      const std::uint64_t by_idle = rest - std::min<std::uint64_t>(rest, members[s].size());
+      n.room -= std::min(n.room, by_idle);
+      std::sort(idle.begin(), idle.end());
+      for (std::uint64_t i = idle_there; i < by_idle; ++i) {
+        n.mounting += idle[static_cast<std::size_t>(i - idle_there)];
+        ++n.mounted_introductions;
+      }
+      const std::uint64_t others = idle.size() + on_bench;
+      n.first += rest - std::min(rest, others);
+    }
+    n.most.insert(n.most.end() - 1, most);
+    all += most;
+  }
+  n.most.pop_back();
+  n.room = std::min(n.room, all);
+}
+
+Numbers numbers_of(const Job& job) {
+  Numbers n;
+  std::vector<bool> mounted(job.names.size());
+  for (const Element m : job.mounted) {
+    mounted[m] = true;
+  }
+  n.at_start.resize(job.names.size());
+  for (const Element x : job.start) {
+    n.at_start[x] = true;
+  }
+  for (const Element m : job.mounted) {
+    if (!n.at_start[m]) {
+      n.mounting += job.change_costs[m];
+      ++n.mounted_introductions;
+    }
+  }
+  n.degree.resize(job.names.size());
+  n.inner.resize(job.names.size());
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    ++n.degree[x];
+    ++n.degree[y];
+    if (!mounted[x] && !mounted[y]) {
+      ++n.pairs;
+      ++n.inner[x];
+      ++n.inner[y];
+      n.start_pairs += n.at_start[x] && n.at_start[y] ? 1U : 0U;
+    }
+  });
+  for (Element x = 0; x < job.parts(); ++x) {
+    if (!mounted[x]) {
+      n.start += n.at_start[x] ? 1U : 0U;
+      if (n.degree[x] > 0) {
+        n.parts.push_back(x);
+      }
+    }
+  }
+  add_slots(job, mounted, n);
+  n.room = std::min(n.room, clique_bound(job, n.parts));
+  if (job.start.empty() && n.pairs == job.needed.size()) {
+    n.first = std::max<std::uint64_t>(n.first, 2);  // Each needed pair is of two parts of F.
+  } else if (job.start.empty()) {
+    n.first = std::max<std::uint64_t>(n.first, 1);
+  }
+  return n;
+}
+
+// (1): the most pairs that `tests` steps with `introductions` cover.
+std::uint64_t most_pairs(const Numbers& n, std::uint64_t tests, std::uint64_t introductions) {
+  const auto p = [&](std::uint64_t j) { return choose_two(j) + j * (n.room - j); };
+  std::uint64_t most = 0;
+  for (std::uint64_t j = 0; j <= std::min(n.room, introductions); ++j) {
+    const std::uint64_t kept = std::min(n.start, n.room - j);
+    std::uint64_t pairs = choose_two(j) + j * kept + std::min(choose_two(kept), n.start_pairs);
+    if (tests > 1) {
+      const std::uint64_t rest = std::min(introductions - j, n.room * (tests - 1));
+      const std::uint64_t each = rest / (tests - 1);
+      const std::uint64_t more = rest % (tests - 1);
+      pairs +=
+          more == 0 ? (tests - 1) * p(each) : more * p(each + 1) + (tests - 1 - more) * p(each);
+    }
+    most = std::max(most, pairs);
+  }
+  return most;
+}
+
+// (5): the least that so many introductions of parts of F can cost.
+class IntroductionCosts {
+ public:
+  IntroductionCosts(const Job& job, const Numbers& n) {
+    std::vector<Element> by_cost = n.parts;
+    std::stable_sort(by_cost.begin(), by_cost.end(), [&](Element x, Element y) {
+      return job.change_costs[x] < job.change_costs[y];
+    });
+    for (const Element x : by_cost) {
+      const std::uint32_t slot = n.slot_of[x];
+      constexpr std::uint64_t any_number = std::uint64_t{1} << 40U;
+      std::uint64_t spare =
+          slot < job.slots.size() && job.slots[slot].least > 0 ? any_number : n.degree[x];
+      if (!n.at_start[x]) {
+        ++once_;
+        base_ += job.change_costs[x];
+        --spare;
+      }
+      extra_.push_back({job.change_costs[x], spare});
+    }
+  }
+
+  [[nodiscard]] std::uint64_t once() const { return once_; }
+
+  // nullopt if the limits do not allow so many.
+  [[nodiscard]] std::optional<Amount> operator()(std::uint64_t introductions) const {
+    Amount cost = base_;
+    std::uint64_t left = introductions - std::min(introductions, once_);
+    for (const Extra& extra : extra_) {
+      const std::uint64_t taken = std::min(left, extra.spare);
+      cost += extra.cost * taken;
+      left -= taken;
+      if (left == 0) {
+        return cost;
+      }
+    }
+    return left == 0 ? std::optional(cost) : std::nullopt;
+  }
+
+ private:
+  struct Extra {
+    Amount cost;
+    std::uint64_t spare = 0;
+  };
+  std::uint64_t once_ = 0;
+  Amount base_;
+  std::vector<Extra> extra_;
+};
+
+// (6): the least that the introductions must cost so that all parts meet whom they must.
+class DegreeCosts {
+ public:
+  DegreeCosts(const Job& job, const Numbers& n) : numbers_(&n) {
+    const std::uint64_t each = n.room - 1;
+    for (const Element x : n.parts) {
+      std::uint64_t left = n.inner[x];
+      if (!n.at_start[x]) {
+        base_ += job.change_costs[x];
+        left -= std::min(left, each);
+      }
+      lacking_ += left;
+      if (left >= each) {
+        offers_.push_back({job.change_costs[x], each, left / each});
+      }
+      if (left % each != 0) {
+        offers_.push_back({job.change_costs[x], left % each, 1});
+      }
+    }
+    std::stable_sort(offers_.begin(), offers_.end(), [](const Offer& a, const Offer& b) {
+      return static_cast<double>(a.cost.millionths) * static_cast<double>(b.gain) <
+             static_cast<double>(b.cost.millionths) * static_cast<double>(a.gain);
+    });
+  }
+
+  [[nodiscard]] Amount operator()(std::uint64_t tests, std::uint64_t introductions) const {
+    const std::uint64_t met = most_met_by_staying(tests, introductions);
+    std::uint64_t left = lacking_ - std::min(lacking_, met);
+    Amount cost = base_;
+    for (const Offer& offer : offers_) {
+      const std::uint64_t whole = std::min(offer.times, left / offer.gain);
+      cost += offer.cost * whole;
+      left -= whole * offer.gain;
+      if (whole < offer.times) {  // left < gain: a part of one introduction, rounded down
+        cost += Amount{static_cast<std::uint64_t>(Wide{offer.cost.millionths} * left / offer.gain)};
+        break;
+      }
+    }
+    return cost;
+  }
+
+ private:
+  struct Offer {
+    Amount cost;
+    std::uint64_t gain = 0;   // of one introduction
+    std::uint64_t times = 0;  // so many of them
+  };
+
+  // Y of the proof.
+  [[nodiscard]] std::uint64_t most_met_by_staying(std::uint64_t tests,
+                                                  std::uint64_t introductions) const {
+    const Numbers& n = *numbers_;
+    const auto met = [&](std::uint64_t j) { return j * (n.room - j); };
+    std::uint64_t most = 0;
+    for (std::uint64_t j = 0; j <= std::min(n.room, introductions); ++j) {
+      const std::uint64_t rest = introductions - j;
+      if (rest > n.room * (tests - 1)) {
+        continue;
+      }
+      const std::uint64_t kept = std::min(n.start, n.room - j);
+      std::uint64_t sum = j * kept + 2 * std::min(choose_two(kept), n.start_pairs);
+      if (tests > 1) {
+        const std::uint64_t each = rest / (tests - 1);
+        const std::uint64_t more = rest % (tests - 1);
+        sum += (tests - 1 - more) * met(each) + (more == 0 ? 0 : more * met(each + 1));
+      }
+      most = std::max(most, sum);
+    }
+    return most;
+  }
+
+  const Numbers* numbers_;
+  Amount base_;
+  std::uint64_t lacking_ = 0;
+  std::vector<Offer> offers_;
+};
+
+// (7): parts of which every two must meet, as many as come together by taking those with most pairs first.
+std::vector<Element> all_meeting(const Job& job, const Numbers& n) {
+  if (n.pairs == choose_two(n.parts.size())) {
+    return n.parts;
+  }
+  std::vector<Element> by_degree = n.parts;
+  std::stable_sort(by_degree.begin(), by_degree.end(),
+                   [&](Element x, Element y) { return n.inner[x] > n.inner[y]; });
+  std::vector<Element> together;
+  for (const Element x : by_degree) {
+    if (std::all_of(together.begin(), together.end(),
+                    [&](Element y) { return job.needed.contains(x, y); })) {
+      together.push_back(x);
+    }
+  }
+  return together;
+}
+
+// (7): of all introductions of parts of F.
+StaysCost least_by_stays(const Job& job, const Numbers& n) {
+  std::vector<Amount> prices;
+  std::uint64_t at_start = 0;  // more than K if parts that will stay mounted are not there yet
+  for (const Element x : all_meeting(job, n)) {
+    prices.push_back(job.change_costs[x]);
+    at_start += n.at_start[x] ? 1U : 0U;
+  }
+  StaysCost least = stays_cost(std::move(prices), std::max(n.room, at_start));
+  for (const Element x : n.parts) {
+    if (!n.at_start[x]) {
+      ++least.extra;
+      least.cost += job.change_costs[x];
+    }
+  }
+  return least;
+}
+
+struct Least {
+  std::uint64_t number = 0;
+  std::string why;
+
+  void at_least(std::uint64_t other, const std::string& reason) {
+    if (other > number) {
+      number = other;
+      why = reason;
+    }
+  }
+};
+
+Least least_tests(const Job& job, const Numbers& n) {
+  const bool slots = !job.slots.empty();
+  std::vector<std::uint64_t> inner_of_slot(slots ? job.names.size() * n.most.size() : 0, 0);
+  if (slots) {
+    std::vector<bool> mounted(job.names.size());
+    for (const Element m : job.mounted) {
+      mounted[m] = true;
+    }
+    job.needed.for_each(all_of_them, [&](Element x, Element y) {
+      if (!mounted[x] && !mounted[y]) {
+        ++inner_of_slot[x * n.most.size() + n.slot_of[y]];
+        ++inner_of_slot[y * n.most.size() + n.slot_of[x]];
+      }
+    });
+  }
+  Least tests{1, "there is something to test"};
+  std::uint64_t occurrences = 0;
+  std::vector<std::uint64_t> by_slot(n.most.size(), 0);
+  for (const Element x : n.parts) {
+    std::uint64_t times = n.inner[x] == 0 ? 1 : ceil_div(n.inner[x], n.room - 1);
+    if (slots) {
+      for (std::size_t s = 0; s < n.most.size(); ++s) {
+        const std::uint64_t places = n.most[s] - (n.slot_of[x] == s ? 1 : 0);
+        const std::uint64_t partners = inner_of_slot[x * n.most.size() + s];
+        times = partners == 0 ? times : std::max(times, ceil_div(partners, places));
+      }
+      by_slot[n.slot_of[x]] += times;
+    }
+    occurrences += times;
+  }
+  for (std::size_t s = 0; s < by_slot.size(); ++s) {
+    if (by_slot[s] > 0) {
+      tests.at_least(
+          ceil_div(by_slot[s], n.most[s]),
+          fmt::format("the parts {} are in at least {} in all, {} in each",
+                      s < job.slots.size() ? "of slot " + job.slots[s].name : "of no slot",
+                      count_of(by_slot[s], "set-up"), n.most[s]));
+    }
+  }
+  if (n.room > 0) {
+    tests.at_least(ceil_div(occurrences, n.room),
+                   fmt::format("the parts are in at least {} in all, {} in each",
+                               count_of(occurrences, "set-up"), n.room));
+  }
+  return tests;
+}
+
+Least least_introductions(const Numbers& n, std::uint64_t once, std::uint64_t by_stays) {
+  Least least{0, "none is needed"};
+  least.at_least(once, "each part once");
+  least.at_least(by_stays, "at most K parts come once, and on: docs/theorems.md, Theorem 5");
+  const std::uint64_t v = n.parts.size();
+  std::uint64_t start = 0;
+  for (const Element x : n.parts) {
+    start += n.at_start[x] ? 1U : 0U;
+  }
+  if (n.pairs == choose_two(v) && n.room >= 2 && v > n.room && start <= n.room) {
+    const Parameters p{.v = v, .k = n.room, .change = 1, .kind = Kind::linear};
+    std::uint64_t b = 0;
+    try {
+      b = lower_bound(p).blocks;
+    } catch (const Stopped&) {
+      return least;
+    }
+    const std::uint64_t needed = n.room - 1 + b;
+    least.at_least(needed - std::min(needed, start),
+                   fmt::format("one change at a time takes {} blocks: {}", b, name(p, false)));
+  }
+  return least;
+}
+
+// Numbers of tests and of introductions of parts of F that cost least.
+struct Cheapest {
+  Amount cost;
+  std::uint64_t tests = 0;
+  std::uint64_t introductions = 0;
+};
+
+// The least over all numbers that (1) to (4) allow; `seven` is (7). @throws Stopped
+Cheapest cheapest_numbers(const Job& job, const Numbers& n, const IntroductionCosts& costs,
+                          Amount seven, std::uint64_t least_tests,
+                          std::uint64_t least_introductions) {
+  std::optional<DegreeCosts> degrees;
+  constexpr std::uint64_t most_parts = 150;
+  if (n.room >= 2 && n.parts.size() <= most_parts) {
+    degrees.emplace(job, n);
+  }
+  std::optional<Cheapest> best;
+  std::optional<std::uint64_t> counted;  // I(t) of the last t that can cover all; it only falls
+  for (std::uint64_t t = least_tests;; ++t) {
+    stop_if_asked();
+    const std::uint64_t most = n.room * t;
+    if (most_pairs(n, t, most) < n.pairs) {
+      continue;
+    }
+    counted = counted.value_or(most);
+    while (*counted > 0 && most_pairs(n, t, *counted - 1) >= n.pairs) {
+      stop_if_asked();
+      --*counted;
+    }
+    std::uint64_t i = std::max({*counted, least_introductions, t - 1 + n.first});
+    const bool at_steps = t - 1 + n.first >= std::max(*counted, least_introductions);
+    bool too_dear = false;  // with the fewest introductions, and so with more tests too
+    bool first = true;
+    for (; i <= most; ++i) {
+      stop_if_asked();
+      const auto five = costs(i);
+      if (!five ||
+          (best && job.test_cost * t + std::max(*five, seven) + n.mounting >= best->cost)) {
+        too_dear = first;
+        break;  // More introductions cost no less.
+      }
+      first = false;
+      const Amount six = degrees ? (*degrees)(t, i) : Amount{};
+      const Amount total = job.test_cost * t + std::max({*five, six, seven}) + n.mounting;
+      if (!best || total < best->cost) {
+        best = Cheapest{total, t, i};
+      }
+      if (six <= std::max(*five, seven)) {
+        break;
+      }
+    }
+    // More tests help only as long as some step that matters has two changes.
+    const bool cannot_help = best && job.test_cost * (t + 1) + n.mounting >= best->cost;
+    if (cannot_help || (best && at_steps && too_dear) ||
+        (best && !degrees && *counted <= least_introductions)) {
+      break;
+    }
+  }
+  return best.value_or(Cheapest{job.test_cost * least_tests, 0, 0});
+}
+
+}  // namespace
+
+Amount rounded_up(const Job& job, Amount cost) {
+  std::uint64_t unit = job.test_cost.millionths;
+  for (const Amount each : job.change_costs) {
+    unit = std::gcd(unit, each.millionths);
+  }
+  for (const Amount each : job.replace_costs) {
+    unit = std::gcd(unit, each.millionths);
+  }
+  return unit == 0 ? cost : Amount{unit} * ceil_div(cost.millionths, unit);
+}
+
+CostBound cost_bound(const Job& job) {
+  check(job);
+  if (!job.first.empty()) {
+    return bound_with_first(job);
+  }
+  if (job.replaces()) {
+    CostBound bound = cost_bound(at_prices(job, Price::least));
+    bound.cost = rounded_up(job, bound.cost);
+    bound.reason =
+        "each part costs at least what it costs where it is cheapest to put in: " + bound.reason;
+    return bound;
+  }
+  if (!job.triples.empty()) {
+    return bound_for_triples(job);
+  }
+  const Numbers n = numbers_of(job);
+  CostBound bound;
+  if (job.needed.size() == 0) {
+    bound.reason = "nothing is left to test";
+    return bound;
+  }
+  const IntroductionCosts costs(job, n);
+  const Least tests = least_tests(job, n);
+  const StaysCost stays = least_by_stays(job, n);
+  const Least introductions = least_introductions(n, costs.once(), stays.extra);
+
+  Cheapest cheapest;
+  bound.tests = tests.number;
+  bound.introductions = introductions.number + n.mounted_introductions;
+  const std::string least =
+      fmt::format("at least {} ({}), at least {} ({})", count_of(tests.number, "test"), tests.why,
+                  count_of(bound.introductions, "change"), introductions.why);
+  try {
+    cheapest = cheapest_numbers(job, n, costs, stays.cost, tests.number, introductions.number);
+  } catch (const Stopped&) {
+    bound.cost = job.test_cost * tests.number +
+                 std::max(costs(introductions.number).value_or(Amount{}), stays.cost) + n.mounting;
+    bound.reason = least;
+    return bound;
+  }
+  bound.cost = rounded_up(job, cheapest.cost);
+  bound.reason = fmt::format(
+      "{}, and j changes of {} bring at most C(j,2) + j({}-j) new pairs: {} with {} {} least",
+      least, n.room, n.room, count_of(cheapest.tests, "test"),
+      count_of(cheapest.introductions + n.mounted_introductions, "change"),
+      cheapest.tests == 1 ? "costs" : "cost");
+  return bound;
+}
+
+}  // namespace changeover

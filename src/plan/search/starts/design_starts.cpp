@@ -1,0 +1,184 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/planner.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/search/local_search.hpp"
+#include "plan/search/starts/starts.hpp"
+#include "run/threads.hpp"
+
+namespace changeover {
+namespace {
+
+// Parts that have needed pairs and do not stay mounted.
+std::vector<Element> free_parts(const Job& job) {
+  std::vector<bool> used(job.names.size());
+  job.needed.for_each(std::numeric_limits<std::uint64_t>::max(),
+                      [&](Element x, Element y) { used[x] = used[y] = true; });
+  for (const Element m : job.mounted) {
+    used[m] = false;
+  }
+  std::vector<Element> parts;
+  for (Element x = 0; x < job.parts(); ++x) {
+    if (used[x]) {
+      parts.push_back(x);
+    }
+  }
+  return parts;
+}
+
+// The blocks of a design as set-ups: elements that are seldom introduced become the dear parts, and
+// those of the first block parts that are mounted already.
+std::vector<Block> as_setups(const Job& job, const std::vector<Element>& parts,
+                             const Design& design, bool backwards) {
+  const std::size_t v = parts.size();
+  const std::size_t b = design.block_count();
+  const auto block = [&](std::size_t i) { return design.block(backwards ? b - 1 - i : i); };
+  std::vector<std::uint64_t> introduced(v, 0);
+  std::vector<std::size_t> last_seen(v, b + 1);
+  for (std::size_t i = 0; i < b; ++i) {
+    for (const Element x : block(i)) {
+      introduced[x] += last_seen[x] + 1 == i ? 0U : 1U;
+      last_seen[x] = i;
+    }
+  }
+  std::vector<bool> in_first(v, false);
+  for (const Element x : block(0)) {
+    in_first[x] = true;
+  }
+  const auto on_bench = [&](Element part) {
+    return std::find(job.start.begin(), job.start.end(), part) != job.start.end();
+  };
+  // Pairs an order of the elements with an order of the parts: first those on the bench with those of
+  // the first block, then the rest, seldom with dear.
+  std::vector<Element> elements(v);
+  std::iota(elements.begin(), elements.end(), Element{0});
+  std::stable_sort(elements.begin(), elements.end(),
+                   [&](Element x, Element y) { return introduced[x] < introduced[y]; });
+  std::vector<Element> by_cost = parts;
+  std::stable_sort(by_cost.begin(), by_cost.end(),
+                   [&](Element x, Element y) { return job.change_costs[x] > job.change_costs[y]; });
+  std::vector<Element> part_of(v, 0);
+  std::vector<bool> given(v, false);
+  std::vector<Element> rest;
+  auto next = elements.begin();
+  for (const Element part : by_cost) {
+    next = on_bench(part)
+               ? std::find_if(next, elements.end(), [&](Element x) { return in_first[x]; })
+               : next;
+    if (on_bench(part) && next != elements.end()) {
+      part_of[*next] = part;
+      given[*next++] = true;
+    } else {
+      rest.push_back(part);
+    }
+  }
+  auto part = rest.begin();
+  for (const Element x : elements) {
+    if (!given[x]) {
+      part_of[x] = *part++;
+    }
+  }
+  std::vector<Block> setups;
+  for (std::size_t i = 0; i < b; ++i) {
+    setups.push_back(job.mounted);
+    for (const Element x : block(i)) {
+      setups.back().push_back(part_of[x]);
+    }
+  }
+  return setups;
+}
+
+std::string change_name(std::uint64_t m) {
+  return m == 1 ? "single-change" : m == 2 ? "double-change" : fmt::format("{}-change", m);
+}
+
+std::vector<Block> cheaper_direction(const Job& job, const std::vector<Element>& parts,
+                                     const Design& design, RunControl& control) {
+  std::vector<Block> forwards = as_setups(job, parts, design, false);
+  if (control.stop_wanted()) {
+    return forwards;
+  }
+  std::vector<Block> backwards = as_setups(job, parts, design, true);
+  const bool better = run_sheet(job, backwards).cost < run_sheet(job, forwards).cost;
+  return better ? backwards : forwards;
+}
+
+// The m-change design over so many parts, if there is one: the best known, or a better one.
+std::optional<Start> design_start(const Job& job, const std::vector<Element>& parts,
+                                  std::uint64_t k, std::uint64_t m, std::uint64_t moves,
+                                  RunControl& control) {
+  const bool triples = !job.triples.empty();
+  const Parameters p{
+      .v = parts.size(), .k = k, .change = m, .kind = Kind::linear, .strength = triples ? 3U : 2U};
+  if (impossibility(p) || control.stop_wanted()) {
+    return std::nullopt;
+  }
+  std::optional<Design> design = best_known_design(p);
+  if (!design) {
+    return std::nullopt;
+  }
+  std::string how = design->recipe ? design->recipe->construction : "a recipe";
+  constexpr std::uint64_t most_improved = 4;
+  if (!triples && moves > 0 && m <= most_improved &&
+      design->block_count() > lower_bound(p).blocks && !control.stop_wanted()) {
+    RunControl own(control, 1U);
+    ImproveResult better;
+    try {
+      better = improve(p, {.moves = moves}, own);
+    } catch (const Stopped&) {
+      // The design that is known will do.
+    }
+    if (better.design && better.design->block_count() < design->block_count()) {
+      how = fmt::format("local search; {} by {}", design->block_count(), how);
+      design = std::move(better.design);
+    }
+  }
+  return Start{
+      change_name(m) + " design",
+      fmt::format("linear {} with {} blocks ({})", name(p, false), design->block_count(), how),
+      cheaper_direction(job, parts, *design, control)};
+}
+
+}  // namespace
+
+std::vector<Start> design_starts(const Job& job, std::uint64_t moves, RunControl& control) {
+  const std::vector<Element> parts = free_parts(job);
+  const std::uint64_t k = job.room() - job.mounted.size();
+  if (job.never.size() > 0 || !job.slots.empty() || parts.empty()) {
+    return {};
+  }
+  if (parts.size() <= k) {
+    Block all = job.mounted;
+    all.insert(all.end(), parts.begin(), parts.end());
+    return {{"one set-up", "all parts fit at once", {all}}};
+  }
+  constexpr std::uint64_t most_changed = 6;
+  const std::uint64_t most = std::min({k, parts.size() - k, most_changed});
+  if (k < (job.triples.empty() ? 2U : 3U)) {
+    return {};
+  }
+  control.tell({.phase = "looking for designs"});
+  std::vector<std::optional<Start>> found(static_cast<std::size_t>(most));
+  in_parallel(control, static_cast<std::size_t>(most), [&](std::size_t i) {
+    try {
+      found[i] = design_start(job, parts, k, i + 1, moves, control);
+    } catch (const ImpossibleParameters&) {
+      // It costs more than can be counted, and others do not.
+    }
+  });
+  std::vector<Start> starts;
+  for (std::optional<Start>& start : found) {
+    if (start) {
+      starts.push_back(*std::move(start));
+    }
+  }
+  return starts;
+}
+
+}  // namespace changeover

@@ -1,0 +1,73 @@
+#include "plan/search/starts/starts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+
+#include "changeover/plan/cost_bound.hpp"
+#include "changeover/plan/run_sheet.hpp"
+#include "plan/search/anneal/attempts.hpp"
+#include "plan/search/candidates.hpp"
+#include "random_jobs.hpp"
+
+namespace changeover {
+namespace {
+
+Job job_with_dear_parts(Element parts, std::uint64_t at_once) {
+  Job job = make_job(parts, at_once, parse_amount("5"), Amount{});
+  for (Element x = 0; x < parts; ++x) {
+    job.change_costs[x] = x % 2 == 0 ? parse_amount("0.5") : parse_amount("9.5");
+  }
+  return job;
+}
+
+TEST(GreedyStart, DoesEveryJob) {
+  RunControl control({});
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const Job job = test::random_job(seed, 9);
+    EXPECT_TRUE(run_sheet(job, greedy_start(job, control).setups).does_the_job()) << seed;
+  }
+}
+
+TEST(GreedyStart, PutsInCheapPartsMoreOftenThanDearOnes) {
+  const Job job = job_with_dear_parts(40, 6);
+  RunControl control({});
+  const RunSheet sheet = run_sheet(job, greedy_start(job, control).setups);
+  std::array<std::uint64_t, 2> times{};
+  for (const auto& step : sheet.steps) {
+    for (const Element x : step.put_in) {
+      ++times.at(x % 2);
+    }
+  }
+  EXPECT_GT(times[0], 2 * times[1]) << times[0] << " and " << times[1];
+}
+
+// Free parts are worth much, but not everything.
+TEST(GreedyStart, DoesJobsWithFreeParts) {
+  Job job = job_with_dear_parts(20, 4);
+  for (Element x = 0; x < 20; x += 2) {
+    job.change_costs[x] = Amount{};
+  }
+  RunControl control({});
+  EXPECT_TRUE(run_sheet(job, greedy_start(job, control).setups).does_the_job());
+  job.change_costs.assign(20, Amount{});
+  EXPECT_TRUE(run_sheet(job, greedy_start(job, control).setups).does_the_job());
+}
+
+// The search for a covering leaves the time to the search for a cheap list.
+TEST(Covering, IsLeftOutWhereTimeIsShort) {
+  const Job job = job_with_dear_parts(40, 6);
+  RunControl no_limit({});
+  const Candidate greedy = counted_complete(job, greedy_start(job, no_limit));
+  const CostBound bound = cost_bound(job);
+  const auto found = Attempts(job, bound, no_limit).covering(greedy, 100'000);
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(run_sheet(job, found->setups).does_the_job());
+  EXPECT_LT(found->setups.size(), greedy.setups.size());
+  RunControl hardly_any({.time = std::chrono::microseconds(1)});
+  EXPECT_FALSE(Attempts(job, bound, hardly_any).covering(greedy, 100'000));
+}
+
+}  // namespace
+}  // namespace changeover
