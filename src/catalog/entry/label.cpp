@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <iterator>
+#include <string>
 #include <vector>
 
 #include "changeover/core/error.hpp"
+#include "changeover/io/output.hpp"
+#include "io/write/element_text.hpp"
 
 namespace changeover {
 namespace {
@@ -64,6 +66,14 @@ std::optional<Parameters> take_cell(std::vector<std::string_view>& parts) {
   return p;
 }
 
+// What is written, as a checksum.
+class HashSink final : public Sink {
+ public:
+  void write(std::string_view text) override { hash.add(text); }
+
+  Sha256 hash;
+};
+
 }  // namespace
 
 std::string cell_label(const Parameters& p) {
@@ -99,20 +109,18 @@ std::optional<DesignLabel> parse_design_label(std::string_view text) {
 }
 
 DesignDigest design_digest(BlockSource& source) {
-  Sha256 hash;
-  DesignDigest digest;
-  std::string line;
-  for_each_block(source, [&](std::span<const Element> block) {
-    line.clear();
-    for (const Element element : block) {
-      fmt::format_to(std::back_inserter(line), "{} ", element);
-    }
-    line.back() = '\n';
-    hash.add(line);
-    ++digest.b;
+  HashSink sink;
+  const Parameters& p = source.parameters();
+  const std::vector<std::string> numbers;
+  ElementText text(sink, p.v, numbers, ' ');
+  const auto k = static_cast<std::size_t>(p.k);
+  std::uint64_t elements = 0;
+  for_each_batch(source, [&](std::span<const Element> blocks) {
+    text.blocks(blocks, k, '\n');
+    elements += blocks.size();
   });
-  digest.checksum = hash.finish();
-  return digest;
+  text.flush();
+  return {sink.hash.finish(), elements / k};
 }
 
 }  // namespace changeover
