@@ -1,0 +1,118 @@
+// Builds the pages into dist/, which is kept beside the sources so that a machine without Node builds the explorer too.
+//
+//     node build.mjs            write dist/
+//     node build.mjs --check    compare dist/ with what the sources make; exit code 1 if they differ
+//     node build.mjs --watch    write dist/ whenever a source changes (for work on pages)
+//
+// dist/sources.sha256 has the checksum of each source: it tells without Node whether dist/ is of these sources.
+import { createHash } from 'node:crypto';
+import { mkdir, readFile, readdir, rm, writeFile } from 'node:fs/promises';
+import { dirname, join, relative } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import * as esbuild from 'esbuild';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const dist = join(here, 'dist');
+
+/** @returns {Promise<string[]>} every file below `folder`, sorted */
+async function filesBelow(folder) {
+  const entries = await readdir(folder, { withFileTypes: true });
+  const lists = await Promise.all(
+    entries.map((entry) => {
+      const path = join(folder, entry.name);
+      return entry.isDirectory() ? filesBelow(path) : [path];
+    }),
+  );
+  return lists.flat().sort();
+}
+
+async function checksums() {
+  const paths = [
+    ...(await filesBelow(join(here, 'src'))),
+    join(here, 'build.mjs'),
+    join(here, 'package.json'),
+    join(here, 'package-lock.json'),
+    join(here, 'tsconfig.json'),
+  ];
+  const lines = await Promise.all(
+    paths.map(async (path) => {
+      const hash = createHash('sha256').update(await readFile(path)).digest('hex');
+      return `${hash}  ${relative(here, path)}\n`;
+    }),
+  );
+  return lines.sort((a, b) => (a.slice(66) < b.slice(66) ? -1 : 1)).join('');
+}
+
+/** @returns {Promise<Map<string, Uint8Array>>} path below dist/ to content */
+async function pages() {
+  const built = await esbuild.build({
+    absWorkingDir: here,
+    entryPoints: { app: 'src/main.ts', style: 'src/style/main.css' },
+    outdir: 'dist/assets',
+    bundle: true,
+    minify: true,
+    write: false,
+    format: 'esm',
+    target: ['es2022', 'chrome110', 'firefox110', 'safari16'],
+    legalComments: 'eof',
+    charset: 'utf8',
+    logLevel: 'warning',
+  });
+  const files = new Map();
+  for (const file of built.outputFiles) {
+    files.set(relative(dist, file.path), file.contents);
+  }
+  files.set('index.html', await readFile(join(here, 'src/index.html')));
+  files.set('assets/icon.svg', await readFile(join(here, 'src/icon.svg')));
+  files.set('sources.sha256', Buffer.from(await checksums()));
+  return new Map([...files].sort());
+}
+
+async function write() {
+  const files = await pages();
+  await rm(dist, { recursive: true, force: true });
+  for (const [path, content] of files) {
+    await mkdir(dirname(join(dist, path)), { recursive: true });
+    await writeFile(join(dist, path), content);
+  }
+  return files;
+}
+
+async function check() {
+  const files = await pages();
+  const kept = (await filesBelow(dist)).map((path) => relative(dist, path));
+  const wrong = kept.filter((path) => !files.has(path));
+  for (const [path, content] of files) {
+    const old = await readFile(join(dist, path)).catch(() => undefined);
+    if (!old || Buffer.compare(old, Buffer.from(content)) !== 0) {
+      wrong.push(path);
+    }
+  }
+  return wrong;
+}
+
+const mode = process.argv[2] ?? '';
+if (mode === '--check') {
+  const wrong = await check();
+  if (wrong.length > 0) {
+    console.error(`web/dist is not what web/src makes: ${wrong.join(', ')}; run ./dev web build and commit dist`);
+    process.exit(1);
+  }
+} else if (mode === '--watch') {
+  const { watch } = await import('node:fs');
+  await write();
+  let timer;
+  watch(join(here, 'src'), { recursive: true }, () => {
+    clearTimeout(timer);
+    timer = setTimeout(() => write().catch((error) => console.error(error.message)), 100);
+  });
+} else if (mode === '') {
+  let bytes = 0;
+  for (const content of (await write()).values()) {
+    bytes += content.length;
+  }
+  console.log(`dist: ${bytes} bytes`);
+} else {
+  console.error('usage: node build.mjs [--check|--watch]');
+  process.exit(2);
+}

@@ -1,0 +1,47 @@
+// Numbers and parameters as people read them.
+import type { Cell, Kind } from './api';
+
+export function count(n: number, singular: string, plural = `${singular}s`): string {
+  return `${number(n)} ${n === 1 ? singular : plural}`;
+}
+
+/** With thin spaces between thousands from 10 000 on. */
+export function number(n: number): string {
+  const digits = String(Math.abs(n));
+  return Number.isInteger(n) && digits.length > 4 ? (n < 0 ? '−' : '') + digits.replace(/\B(?=(\d{3})+$)/g, '\u2009') : String(n);
+}
+
+export function changeWord(change: number): string {
+  return change === 1 ? 'single-change' : change === 2 ? 'double-change' : `${change}-change`;
+}
+
+/** "circular double-change covering design on 61 elements in blocks of 4" */
+export function nameOf(cell: Cell): string {
+  return `${cell.kind} ${changeWord(cell.change)} covering design on ${number(cell.v)} elements in blocks of ${cell.k}`;
+}
+
+export const kinds: readonly (readonly [Kind, string])[] = [
+  ['circular', 'circular'],
+  ['linear', 'linear'],
+];
+
+export const changes: readonly (readonly [string, string])[] = [
+  ['1', 'single-change (m = 1)'],
+  ['2', 'double-change (m = 2)'],
+  ['3', 'triple-change (m = 3)'],
+];
+
+export function bytes(n: number): string {
+  const units = ['bytes', 'kB', 'MB', 'GB', 'TB', 'PB'];
+  let unit = 0;
+  let rest = n;
+  while (rest >= 1000 && unit < units.length - 1) {
+    rest /= 1000;
+    ++unit;
+  }
+  return `${unit === 0 ? rest : rest.toPrecision(3)} ${units[unit]}`;
+}
+
+export function ratio(b: number, bound: number): string {
+  return (b / bound).toFixed(3);
+}

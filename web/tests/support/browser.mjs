@@ -1,0 +1,126 @@
+// A real browser against the real program.
+//
+//     const explorer = await start();                       // a server on a port of its own, and Chromium
+//     const page = await explorer.open('#/catalog');        // fails the test on errors and on requests that leave the machine
+//     await look(page, 'catalog');                          // screenshots in light and dark, and what axe-core finds
+//     await explorer.stop();
+//
+// CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_SCREENSHOTS the folder for pictures
+// (default: build/browser), CHROMIUM the browser (default: /usr/bin/chromium).
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..', '..');
+export const program = process.env.CHANGEOVER_PROGRAM ?? join(root, 'build/release/changeover');
+const screenshots = process.env.CHANGEOVER_SCREENSHOTS ?? join(root, 'build/browser');
+const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** Starts `changeover serve` with more arguments; resolves when it has printed its address. */
+export async function serve(arguments_ = []) {
+  const home = mkdtempSync(join(tmpdir(), 'changeover-browser-'));
+  const child = spawn(program, ['serve', '--port', '0', ...arguments_], {
+    env: { ...process.env, XDG_DATA_HOME: home, CHANGEOVER_CATALOG: join(home, 'catalog.db') },
+    stdio: ['ignore', 'pipe', 'pipe'],
+  });
+  let said = '';
+  let complaints = '';
+  child.stderr.on('data', (data) => (complaints += data));
+  const address = await new Promise((resolve, reject) => {
+    child.stdout.on('data', (data) => {
+      said += data;
+      const found = /http:\/\/\S+/.exec(said);
+      if (found) {
+        resolve(found[0]);
+      }
+    });
+    child.once('error', reject);
+    child.once('exit', (code) => reject(new Error(`changeover serve ended with exit code ${code}: ${complaints}`)));
+  });
+  return {
+    address,
+    origin: new URL(address).origin,
+    async stop() {
+      const ended = new Promise((resolve) => child.once('exit', resolve));
+      child.kill('SIGTERM');
+      const code = child.exitCode ?? (await ended);
+      rmSync(home, { recursive: true, force: true });
+      return code;
+    },
+  };
+}
+
+/** A server and a browser. Options: `serve` (arguments), `viewport`, `colorScheme`. */
+export async function start(options = {}) {
+  const server = await serve(options.serve);
+  const profile = mkdtempSync(join(tmpdir(), 'changeover-chromium-'));
+  const context = await chromium.launchPersistentContext(profile, {
+    executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+    args: ['--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+    chromiumSandbox: process.getuid?.() !== 0,
+    viewport: options.viewport ?? { width: 1280, height: 900 },
+    colorScheme: options.colorScheme ?? 'light',
+  });
+  const faults = [];
+  context.on('request', (request) => {
+    const url = request.url();
+    if (!url.startsWith(server.origin) && !/^(data|blob):/.test(url)) {
+      faults.push(`a request left the machine: ${url}`);
+    }
+  });
+  return {
+    server,
+    context,
+    /** A page at that fragment, drawn to its end. Errors of its scripts are faults unless `mayFail` matches them. */
+    async open(fragment = '', { mayFail } = {}) {
+      const page = await context.newPage();
+      const note = (text) => {
+        if (!mayFail?.test(text)) {
+          faults.push(text);
+        }
+      };
+      page.on('pageerror', (error) => note(`error on the page: ${error.message}`));
+      page.on('console', (message) => message.type() === 'error' && note(`console: ${message.text()}`));
+      await page.goto(server.address + fragment);
+      await settled(page);
+      return page;
+    },
+    async stop() {
+      await context.close();
+      const code = await server.stop();
+      rmSync(profile, { recursive: true, force: true });
+      assert.deepEqual(faults, []);
+      assert.equal(code, 0, 'serve ends with exit code 0 when it is asked to stop');
+    },
+  };
+}
+
+/** Waits until the page has drawn what it is drawing. */
+export async function settled(page) {
+  await page.locator('#main:not([aria-busy]) h1').first().waitFor();
+}
+
+/** What axe-core finds wrong, a line each. The page's policy forbids foreign scripts, so it is run from outside of it. */
+export async function accessibility(page) {
+  await page.evaluate(axeSource);
+  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }));
+  return violations.flatMap(({ id, help, nodes }) => nodes.map((node) => `${id}: ${help}: ${node.target.join(' ')}`));
+}
+
+/** Screenshots in light and dark as NAME-light.png and NAME-dark.png; no accessibility fault in either. */
+export async function look(page, name) {
+  mkdirSync(screenshots, { recursive: true });
+  for (const colorScheme of ['light', 'dark']) {
+    await page.emulateMedia({ colorScheme });
+    await settled(page);
+    await page.waitForLoadState('networkidle');
+    await page.screenshot({ path: join(screenshots, `${name}-${colorScheme}.png`), fullPage: true });
+    assert.deepEqual(await accessibility(page), [], `${name} in ${colorScheme}`);
+  }
+  await page.emulateMedia({ colorScheme: 'light' });
+}
