@@ -409,6 +409,18 @@ class Relaxation {
 
 }  // namespace
 
+PlanRange range_of_a_table(const PlanRange& shown) {
+  constexpr std::uint64_t margin = 8;
+  PlanRange range = shown;
+  range.k_from = std::max<std::uint64_t>(2, shown.k_from - 1);
+  // And w elements more at once by partial expansion, at most about every k-th; what is better comes from there.
+  const std::uint64_t less =
+      std::max(shown.k_to - range.k_from, shown.v_from / shown.k_from + margin);
+  range.v_from = shown.v_from - std::min(shown.v_from - 2, less);
+  range.v_to = std::min(shown.v_to + margin, largest_v_of_a_plan);
+  return range;
+}
+
 Plan plan_range(const Registry& registry, const PlanRange& range) {
   if (range.v_from > range.v_to || range.k_from > range.k_to || range.k_from < 2) {
     throw ImpossibleParameters(fmt::format("the range v = {}..{}, k = {}..{} is empty or has k < 2",

@@ -8,14 +8,6 @@
 
 namespace changeover::cli {
 
-namespace {
-
-// Tables are planned for all their cells; up to here a cell by itself is planned for like them. At the upper end that takes
-// up to some ten seconds.
-constexpr std::uint64_t largest_answered_v = 160;
-
-}  // namespace
-
 std::optional<Offer> best_known(const Parameters& p) {
   return changeover::best_known(Registry::standard(), p, largest_answered_v);
 }

@@ -197,17 +197,11 @@ Answer run(const TableRequest& request) {
   if (request.change && *request.change < 1) {
     throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
   }
-  // Designs beyond the range help inside it: larger ones can be truncated, smaller blocks extended. An
-  // element less comes with a smaller block only, so few smaller v can matter.
-  constexpr std::uint64_t margin = 8;
-  const std::uint64_t k_from = std::max<std::uint64_t>(2, k.from - 1);
-  // And w elements more at once by partial expansion, at most about every k-th; what is better comes from there.
-  const std::uint64_t less = std::max(k.to - k_from, v.from / k.from + margin);
-  const PlanRange asked{.v_from = v.from - std::min(v.from - 2, less),
-                        .v_to = std::min(v.to + margin, largest_v_of_a_plan),
-                        .k_from = k_from,
-                        .k_to = k.to,
-                        .change = request.change.value_or(2)};
+  const PlanRange asked = range_of_a_table({.v_from = v.from,
+                                            .v_to = v.to,
+                                            .k_from = k.from,
+                                            .k_to = k.to,
+                                            .change = request.change.value_or(2)});
   if (asked.k_to - asked.k_from >= most_cells_of_a_plan / 2 / (asked.v_to - asked.v_from + 1)) {
     throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells", request.k,
                                  request.v, most_cells_of_a_plan)};

@@ -94,6 +94,14 @@ class Plan {
 /// The largest v for which best_known() applies the closure rules unless it is told another: a second or two.
 inline constexpr std::uint64_t largest_planned_v = 120;
 
+/// The largest v for which those who ask for one cell have it planned like a cell of a table; at the upper end that
+/// takes up to some ten seconds where the catalog has no answer.
+inline constexpr std::uint64_t largest_answered_v = 160;
+
+/// The range to plan for a table: what is outside helps inside. Larger designs can be truncated and smaller blocks
+/// extended; an element less comes with a smaller block only, so few smaller v can matter.
+[[nodiscard]] PlanRange range_of_a_table(const PlanRange& shown);
+
 /// The best recipe that is known for p: the registry's best offer; if that is not the lower bound, k ≥ 2, v ≤
 /// largest_v and the strength is 2, also what the closure rules make of the parameters around.
 /// nullopt if nothing serves p. @throws as plan_range() and check().

@@ -1,0 +1,60 @@
+// The parts of the module `changeover._core`, a file each, and what they share.
+#pragma once
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "changeover/core/design.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/core/recipe.hpp"
+#include "changeover/verify/verified_design.hpp"
+
+namespace changeover::python {
+
+namespace py = pybind11;
+
+void bind_errors(py::module_& module);
+void bind_blocks(py::module_& module);
+void bind_designs(py::module_& module);
+void bind_bounds(py::module_& module);
+void bind_search(py::module_& module);
+void bind_catalog(py::module_& module);
+void bind_plan(py::module_& module);
+void bind_loads(py::module_& module);
+
+/// Blocks that somebody keeps alive: rows of k numbers, shown to Python as a read-only buffer.
+struct Blocks {
+  std::shared_ptr<const void> owner;
+  const Element* data = nullptr;
+  std::size_t count = 0;
+  std::size_t k = 0;
+};
+
+[[nodiscard]] Blocks blocks_of(const std::shared_ptr<const Design>& design);
+
+/// A design that Python holds: verified or not, always with a verdict.
+struct HeldDesign {
+  std::shared_ptr<const Design> design;
+  Verdict verdict;
+};
+
+[[nodiscard]] HeldDesign held(VerifiedDesign design);
+
+/// @throws value_error for another word than "linear" and "circular".
+[[nodiscard]] Kind kind_of(const std::string& word);
+
+/// Both kinds, circular first, if none is named.
+[[nodiscard]] std::vector<Kind> kinds_of(const std::optional<std::string>& word);
+
+/// A JSON text as Python's objects.
+[[nodiscard]] py::object from_json(const std::string& json);
+
+[[nodiscard]] py::dict as_dict(const Recipe& recipe);
+
+}  // namespace changeover::python

@@ -1,0 +1,154 @@
+// Load orders and the executor: the systems door.
+#include <chrono>
+#include <optional>
+
+#include "bind.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
+#include "changeover/loadorder/load_order.hpp"
+#include "changeover/run/scope.hpp"
+#include "long_work.hpp"
+
+namespace changeover::python {
+namespace {
+
+struct Steps {
+  std::unique_ptr<StepSource> source;
+};
+
+py::tuple next_step(Steps& self) {
+  LoadStep step;
+  bool more = false;
+  {
+    const py::gil_scoped_release released;
+    more = self.source->next(step);
+  }
+  if (!more) {
+    throw py::stop_iteration();
+  }
+  return py::make_tuple(py::cast(step.evict), py::cast(step.load));
+}
+
+LoadOrder order(std::uint64_t items, std::uint64_t room, std::optional<double> time,
+                std::uint64_t threads, std::uint64_t seed, py::object progress) {
+  // The time is that of the search for a better order: the order itself is not cut short.
+  if (time && !(*time >= 0 && *time <= 1e9)) {
+    throw py::value_error("time is a number of seconds, 0 or more");
+  }
+  LongWork work({.threads = threads, .seed = seed, .progress = std::move(progress)});
+  std::optional<LoadOrder> found;
+  work.run([&](RunControl& control) {
+    LoadOrderOptions options;
+    options.seed = seed;
+    std::optional<RunControl> limited;
+    if (time) {
+      limited.emplace(control, std::chrono::duration<double>(*time));
+      options.improve = improve_by_search(*limited);
+    }
+    found = plan_load_order(items, room, options);
+  });
+  return std::move(*found);
+}
+
+AllPairsReport run(const std::string& path, std::uint64_t item_bytes, std::uint64_t room,
+                   const py::function& compute, std::uint64_t header_bytes, std::uint64_t threads,
+                   const std::string& journal) {
+  constexpr std::uint64_t most_threads = 4096;
+  if (threads < 1 || threads > most_threads) {
+    throw BadInput("threads is a number from 1 to 4096");
+  }
+  AllPairsReport report;
+  LongWork work({.threads = 1});
+  work.run([&](RunControl& control) {
+    FileItems file(path, item_bytes, {.header_bytes = header_bytes});
+    const LoadOrder loads = plan_load_order(file.item_count(), room);
+    std::atomic<bool> cancelled = false;
+    AllPairsOptions options;
+    options.threads = static_cast<unsigned>(threads);
+    options.journal = journal;
+    options.cancelled = &cancelled;
+    report = all_pairs(
+        file, loads,
+        [&](const PairWork& pair) {
+          if (control.stop_wanted()) {
+            cancelled = true;
+            return;
+          }
+          const py::gil_scoped_acquire held;
+          const auto view = [](const ItemView& item) {
+            return py::memoryview::from_memory(item.bytes.data(),
+                                               static_cast<py::ssize_t>(item.bytes.size()));
+          };
+          py::memoryview first = view(pair.first);
+          py::memoryview second = view(pair.second);
+          compute(pair.first.item, pair.second.item, first, second);
+          // The buffers are used again: whoever kept a view is told so by Python, not by wrong numbers.
+          first.attr("release")();
+          second.attr("release")();
+        },
+        options);
+    if (cancelled) {
+      throw Stopped(control.why_stopped());
+    }
+  });
+  return report;
+}
+
+}  // namespace
+
+void bind_loads(py::module_& module) {
+  py::class_<Steps>(module, "_Steps")
+      .def("__iter__", [](py::object self) { return self; })
+      .def("__next__", &next_step);
+  py::class_<LoadOrder>(
+      module, "LoadOrder",
+      "Steps (evict, load), lists of item numbers, after which every pair was in memory together.")
+      .def_property_readonly("items", [](const LoadOrder& self) { return self.facts().items; })
+      .def_property_readonly("room", [](const LoadOrder& self) { return self.facts().room; })
+      .def_property_readonly(
+          "loads", [](const LoadOrder& self) { return self.facts().loads; },
+          "All loads, the first ones included.")
+      .def_property_readonly("steps", [](const LoadOrder& self) { return self.facts().steps; })
+      .def_property_readonly(
+          "lower_bound", [](const LoadOrder& self) { return self.facts().bound.loads; },
+          "No order has fewer loads.")
+      .def_property_readonly(
+          "reason", [](const LoadOrder& self) { return self.facts().bound.reason; },
+          "Of the bound.")
+      .def_property_readonly("method", [](const LoadOrder& self) { return self.facts().method; })
+      .def_property_readonly(
+          "certificate", [](const LoadOrder& self) { return self.facts().certificate; },
+          "How it was verified, one line.")
+      .def("__iter__", [](const LoadOrder& self) { return Steps{self.stream()}; })
+      .def("__len__", [](const LoadOrder& self) { return self.facts().steps; })
+      .def("__repr__", [](const LoadOrder& self) {
+        return "<LoadOrder: " + std::to_string(self.facts().loads) + " loads for " +
+               std::to_string(self.facts().items) + " items, room for " +
+               std::to_string(self.facts().room) + ">";
+      });
+  py::class_<AllPairsReport>(module, "Report", "What an out-of-core job did.")
+      .def_readonly("finished", &AllPairsReport::finished)
+      .def_readonly("steps", &AllPairsReport::steps)
+      .def_readonly("steps_resumed", &AllPairsReport::steps_resumed,
+                    "Done by an earlier run, as the journal says.")
+      .def_readonly("loads", &AllPairsReport::loads)
+      .def_readonly("bytes_read", &AllPairsReport::bytes_read)
+      .def_readonly("pairs", &AllPairsReport::pairs, "Calls of compute().")
+      .def_readonly("most_in_memory", &AllPairsReport::most_in_memory, "Items.");
+  module.def(
+      "load_order", &order, py::arg("items"), py::arg("room"), py::kw_only(),
+      py::arg("time") = py::none(), py::arg("threads") = 1, py::arg("seed") = 1,
+      py::arg("progress") = py::none(),
+      "An order of loads after which every pair of `items` items was in memory together, with room for `room`; `time` "
+      "seconds of search for a better one. Verified. Iterating gives steps (evict, load).");
+  module.def(
+      "all_pairs", &run, py::arg("path"), py::arg("item_bytes"), py::arg("room"),
+      py::arg("compute"), py::kw_only(), py::arg("header_bytes") = 0, py::arg("threads") = 1,
+      py::arg("journal") = "",
+      "Runs an all-pairs job over a file of items of item_bytes each, never more than `room` of them in memory.\n\n"
+      "compute(i, j, first, second) is called once for each pair i < j and for each item with itself (i = j), with read-only "
+      "memoryviews that end with the call. With a journal a job that was ended goes on where it was. What compute "
+      "raises ends the job. Raises BadInput, MissingResource.");
+}
+
+}  // namespace changeover::python

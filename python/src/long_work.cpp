@@ -1,0 +1,141 @@
+#include "long_work.hpp"
+
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+
+namespace changeover::python {
+namespace {
+
+namespace py = pybind11;
+
+py::dict as_dict(const Progress& progress) {
+  py::dict said;
+  said["phase"] = progress.phase;
+  said["steps"] = progress.steps;
+  said["unit"] = std::string(progress.unit);
+  said["best"] = progress.best;
+  said["lower_bound"] = progress.lower_bound;
+  said["missing"] = progress.missing;
+  said["elapsed"] = progress.elapsed.count();
+  said["left"] = progress.left ? py::cast(progress.left->count()) : py::none();
+  return said;
+}
+
+// What both threads see.
+struct Shared {
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::optional<Progress> latest;
+  std::exception_ptr fault;
+  bool done = false;
+};
+
+RunControl::Settings settings_of(const LongOptions& options, Shared& shared) {
+  RunControl::Settings settings;
+  if (options.seconds) {
+    settings.time = std::chrono::duration<double>(*options.seconds);
+  }
+  settings.threads = static_cast<unsigned>(options.threads);
+  settings.seed = options.seed;
+  if (!options.progress.is_none()) {
+    settings.on_progress = [&shared](const Progress& progress) {
+      const std::lock_guard lock(shared.mutex);
+      shared.latest = progress;
+      shared.changed.notify_one();
+    };
+  }
+  return settings;
+}
+
+}  // namespace
+
+LongWork::LongWork(LongOptions options) : options_(std::move(options)) {
+  constexpr std::uint64_t most_threads = 4096;
+  if (options_.seconds && !(*options_.seconds >= 0 && std::isfinite(*options_.seconds))) {
+    throw py::value_error("time is a number of seconds, 0 or more");
+  }
+  if (options_.threads < 1 || options_.threads > most_threads) {
+    throw py::value_error("threads is a number from 1 to 4096");
+  }
+  if (!options_.progress.is_none() && PyCallable_Check(options_.progress.ptr()) == 0) {
+    throw py::type_error("progress is a function that takes a dict, or None");
+  }
+}
+
+void LongWork::run(const std::function<void(RunControl&)>& work) {
+  constexpr auto between_looks = std::chrono::milliseconds(50);
+  Shared shared;
+  RunControl control(settings_of(options_, shared));
+  std::thread worker;
+  try {
+    worker = std::thread([&] {
+      std::exception_ptr fault;
+      try {
+        const RunScope scope(control);
+        work(control);
+      } catch (...) {
+        fault = std::current_exception();
+      }
+      const std::lock_guard lock(shared.mutex);
+      shared.fault = fault;
+      shared.done = true;
+      shared.changed.notify_one();
+    });
+  } catch (const std::system_error&) {
+    throw MissingResource(
+        "a thread cannot be started; end other programs or raise the limit of processes");
+  }
+  std::exception_ptr raised;  // by a signal or the callback
+  for (bool done = false; !done;) {
+    std::optional<Progress> latest;
+    {
+      const py::gil_scoped_release released;
+      std::unique_lock lock(shared.mutex);
+      shared.changed.wait_for(lock, between_looks, [&] { return shared.done || shared.latest; });
+      done = shared.done;
+      latest = std::exchange(shared.latest, std::nullopt);
+    }
+    try {
+      if (latest && !raised && !interrupted_) {
+        options_.progress(as_dict(*latest));
+      }
+      if (!raised && PyErr_CheckSignals() != 0) {
+        throw py::error_already_set();
+      }
+    } catch (py::error_already_set& signal) {
+      if (options_.keeps_best && signal.matches(PyExc_KeyboardInterrupt)) {
+        interrupted_ = true;
+      } else {
+        raised = std::current_exception();
+      }
+      control.stop(WhyStopped::interrupted);
+    }
+  }
+  worker.join();
+  if (raised) {
+    std::rethrow_exception(raised);
+  }
+  if (shared.fault) {
+    try {
+      std::rethrow_exception(shared.fault);
+    } catch (const Stopped&) {
+      if (interrupted_) {
+        PyErr_SetNone(PyExc_KeyboardInterrupt);
+      } else {
+        PyErr_SetString(PyExc_TimeoutError, "the time was up before there was an answer");
+      }
+      throw py::error_already_set();
+    }
+  }
+}
+
+}  // namespace changeover::python

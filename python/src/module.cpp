@@ -1,0 +1,16 @@
+#include "bind.hpp"
+#include "changeover/core/version.hpp"
+
+PYBIND11_MODULE(_core, module) {
+  using namespace changeover::python;
+  module.doc() = "Change covering designs: the compiled part of the package changeover.";
+  module.attr("__version__") = std::string(changeover::version);
+  bind_errors(module);
+  bind_blocks(module);
+  bind_designs(module);
+  bind_bounds(module);
+  bind_search(module);
+  bind_catalog(module);
+  bind_plan(module);
+  bind_loads(module);
+}

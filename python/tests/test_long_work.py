@@ -1,0 +1,222 @@
+"""What takes long: limits, progress, Ctrl-C, threads; searches, plans, load orders, the executor."""
+
+import contextlib
+import itertools
+import os
+import signal
+import tempfile
+import threading
+import time
+import unittest
+from decimal import Decimal
+
+import changeover
+
+
+@contextlib.contextmanager
+def ctrl_c_after(seconds):
+    timer = threading.Timer(seconds, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+        timer.join()
+
+
+class Searches(unittest.TestCase):
+    def test_an_exact_search_proves_the_minimum(self):
+        result = changeover.search(8, 4, 1, exact=True)
+        self.assertTrue(result.minimum)
+        self.assertEqual(result.b, 9)
+        self.assertTrue(result.design.verdict.valid)
+
+    def test_a_search_ends_at_the_bound(self):
+        result = changeover.search(9, 4, 1, time=30)
+        self.assertTrue(result.minimum)
+        self.assertEqual(result.design.b, result.lower_bound)
+
+    def test_a_seed_says_the_result(self):
+        first, second = (changeover.search(12, 4, 1, seed=5, time=None) for _ in range(2))
+        self.assertEqual(first.design.blocks, second.design.blocks)
+        self.assertEqual(first.moves, second.moves)
+
+    def test_ctrl_c_keeps_the_best(self):
+        with ctrl_c_after(0.3):
+            result = changeover.search(40, 5, time=600)
+        self.assertTrue(result.interrupted)
+        self.assertEqual(result.why_stopped, "interrupted")
+        self.assertTrue(result.design.verdict.valid)
+
+    def test_ctrl_c_ends_what_has_no_best(self):
+        with self.assertRaises(KeyboardInterrupt), ctrl_c_after(0.3):
+            changeover.table((3, 40), (5, 900))
+
+    def test_a_callback_that_raises_ends_the_search(self):
+        told = []
+
+        def progress(said):
+            told.append(said)
+            raise LookupError("enough")
+
+        with self.assertRaisesRegex(LookupError, "enough"):
+            changeover.search(40, 5, time=600, progress=progress)
+        self.assertEqual(len(told), 1)
+        self.assertIn("phase", told[0])
+
+    def test_other_threads_run_meanwhile(self):
+        ticks = []
+        done = threading.Event()
+
+        def tick():
+            while not done.is_set():
+                ticks.append(1)
+                time.sleep(0.01)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        changeover.search(40, 5, time=0.6)
+        done.set()
+        thread.join()
+        self.assertGreater(len(ticks), 5)
+
+    def test_several_searches_at_once(self):
+        results = [None] * 4
+
+        def work(index):
+            results[index] = changeover.search(11 + index, 4, 1, time=0.5)
+
+        threads = [threading.Thread(target=work, args=(index,)) for index in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertTrue(all(result.design.verdict.valid for result in results))
+
+    def test_wrong_limits_are_refused(self):
+        for wrong in ({"time": -1}, {"time": float("nan")}, {"threads": 0}, {"threads": 10**9}):
+            with self.assertRaises(ValueError):
+                changeover.search(9, 4, **wrong)
+        with self.assertRaises(TypeError):
+            changeover.search(9, 4, progress="loud")
+
+    def test_classification(self):
+        all_ = changeover.classify(9, 4, 6, 2, "circular")
+        self.assertTrue(all_.complete)
+        self.assertEqual(sum(all_.group_orders.values()), all_.classes)
+        for design in all_.designs:
+            self.assertTrue(design.verdict.valid)
+
+
+class Catalog(unittest.TestCase):
+    def test_labels_find_their_designs(self):
+        entry = changeover.catalog.cell(20, 5)[0]
+        self.assertEqual(changeover.catalog.find(entry.label).label, entry.label)
+        self.assertEqual(entry.design().b, entry.b)
+        self.assertIsNone(changeover.catalog.find("no.such.label"))
+        cells = changeover.catalog.entries(k_from=4, k_to=4, v_from=10, v_to=12, change=1)
+        self.assertEqual({(each.v, each.kind) for each in cells}, set(itertools.product((10, 11, 12), ("linear", "circular"))))
+
+
+class Plans(unittest.TestCase):
+    def test_a_sheet_tests_every_pair_and_costs_what_it_says(self):
+        costs = {"Pump": 12.5, "Valve": "8", "Motor": Decimal("3.25"), "Fan": 1, "Belt": 2}
+        sheet = changeover.plan(costs, 3, test_cost="10.10", never=[("Fan", "Belt")])
+        mounted, total, met = set(), Decimal(0), set()
+        for step in sheet.steps:
+            total += Decimal("10.10") + sum(Decimal(str(costs[part])) for part in step["put_in"])
+            mounted = (mounted - set(step["take_out"])) | set(step["put_in"])
+            self.assertEqual(mounted, set(step["setup"]))
+            self.assertLessEqual(len(mounted), 3)
+            met |= {frozenset(pair) for pair in itertools.combinations(mounted, 2)}
+        self.assertEqual(len(met), 9)
+        self.assertNotIn(frozenset(("Fan", "Belt")), met)
+        self.assertEqual(total, sheet.cost)
+        self.assertGreaterEqual(sheet.cost, sheet.lower_bound)
+        self.assertIn("Pump", sheet.to_csv())
+
+    def test_what_was_done_need_not_be_done_again(self):
+        first = changeover.plan(7, 3, test_cost=1, change_cost=5)
+        rest = changeover.plan(7, 3, test_cost=1, change_cost=5, done=[step["setup"] for step in first.steps[:3]])
+        self.assertLess(rest.cost, first.cost)
+        self.assertEqual(rest.steps[0]["number"], 4)
+
+    def test_wrong_jobs_are_refused(self):
+        for wrong in (
+            {"parts": ["a", "a"], "at_once": 2, "test_cost": 1, "change_cost": 1},
+            {"parts": 5, "at_once": 3, "test_cost": -1, "change_cost": 1},
+            {"parts": 5, "at_once": 3, "test_cost": 1},
+            {"parts": 1, "at_once": 3, "test_cost": 1, "change_cost": 1},
+            {"parts": ["a", "b"], "at_once": 2, "test_cost": 1, "change_cost": 1, "never": [("a", "z")]},
+        ):
+            with self.assertRaises(changeover.BadInput):
+                changeover.plan(**wrong)
+
+
+class Loads(unittest.TestCase):
+    def test_every_pair_meets(self):
+        for items, room in ((5, 3), (12, 5), (64, 16)):
+            order = changeover.load_order(items, room)
+            memory, met, loads = set(), set(), 0
+            for evict, load in order:
+                memory = (memory - set(evict)) | set(load)
+                loads += len(load)
+                self.assertLessEqual(len(memory), room)
+                met |= {frozenset(pair) for pair in itertools.combinations(memory, 2)}
+            self.assertEqual(len(met), items * (items - 1) // 2)
+            self.assertEqual(loads, order.loads)
+            self.assertGreaterEqual(order.loads, order.lower_bound)
+
+    def test_the_executor_computes_each_pair_once(self):
+        data = bytes(range(256)) * 4
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "items")
+            with open(path, "wb") as file:
+                file.write(data)
+            seen, kept = [], []
+
+            def compute(i, j, first, second):
+                seen.append((i, j, bytes(first) == data[64 * i : 64 * i + 64], bytes(second) == data[64 * j : 64 * j + 64]))
+                kept.append(first)
+
+            report = changeover.all_pairs(path, 64, 5, compute, threads=2)
+            self.assertTrue(report.finished)
+            self.assertEqual(report.pairs, 16 * 17 // 2)
+            self.assertEqual(sorted(pair[:2] for pair in seen), [(i, j) for i in range(16) for j in range(i, 16)])
+            self.assertTrue(all(pair[2] and pair[3] for pair in seen))
+            with self.assertRaises(ValueError):
+                kept[0][0]  # the view ended with its call
+
+            def fails(i, j, first, second):
+                raise ArithmeticError("no")
+
+            with self.assertRaisesRegex(ArithmeticError, "no"):
+                changeover.all_pairs(path, 64, 5, fails)
+            with self.assertRaises(changeover.MissingResource):
+                changeover.all_pairs(path + "x", 64, 5, compute)
+
+    def test_a_gram_matrix_out_of_core(self):
+        try:
+            import numpy as np
+        except ImportError:
+            self.skipTest("numpy is not installed")
+        with tempfile.TemporaryDirectory() as folder:
+            vectors = np.random.default_rng(1).standard_normal((96, 10)).astype(np.float32)
+            on_disk = np.memmap(os.path.join(folder, "v"), np.float32, "w+", shape=vectors.shape)
+            on_disk[:] = vectors
+            rows, room = 8, 5  # 12 chunks of 8 vectors, 5 chunks in memory
+            gram = np.full((96, 96), np.nan, np.float32)
+            memory = {}
+            for evict, load in changeover.load_order(96 // rows, room):
+                for x in evict:
+                    del memory[x]
+                memory.update((x, np.array(on_disk[x * rows : (x + 1) * rows])) for x in load)
+                for x, y in itertools.product(load, memory):
+                    part = memory[x] @ memory[y].T
+                    gram[x * rows : (x + 1) * rows, y * rows : (y + 1) * rows] = part
+                    gram[y * rows : (y + 1) * rows, x * rows : (x + 1) * rows] = part.T
+            np.testing.assert_allclose(gram, vectors @ vectors.T, rtol=1e-4, atol=1e-4)
+
+
+if __name__ == "__main__":
+    unittest.main()
