@@ -3,7 +3,8 @@
     python3 -m build --no-isolation            an sdist and a wheel in dist/
     pip install .                              with Debian's build tools and the -dev packages that ./dev lists
 
-Settings (--config-setting NAME=VALUE): `build-dir`, a build folder to use and to keep instead of one for this time.
+Settings (--config-setting NAME=VALUE): `build-dir`, a build folder to use and to keep instead of one for this time; `built`, a
+build folder whose package is taken as it is.
 """
 
 from __future__ import annotations
@@ -85,9 +86,12 @@ def build_wheel(
     platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
     stem = f"{name}-{version()}"
     wheel = pathlib.Path(wheel_directory, f"{stem}-{tag}-{tag}-{platform}.whl")
-    kept = (config_settings or {}).get("build-dir")
+    settings = config_settings or {}
     with tempfile.TemporaryDirectory() as temporary:
-        package = built(pathlib.Path(kept or temporary))
+        if "built" in settings:
+            package = pathlib.Path(settings["built"], "python", name)
+        else:
+            package = built(pathlib.Path(settings.get("build-dir", temporary)))
         files = {
             f"{name}/{path.name}": path.read_bytes()
             for path in sorted(package.iterdir())

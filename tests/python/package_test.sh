@@ -10,7 +10,7 @@ cd "$folder"
 PYTHONPATH=$source/python "$python" -c '
 import sys, build_backend
 print(build_backend.build_sdist("."))
-print(build_backend.build_wheel(".", {"build-dir": sys.argv[1]}))' "$build" 2>said || {
+print(build_backend.build_wheel(".", {"built": sys.argv[1]}))' "$build" 2>said || {
   cat said >&2
   exit 1
 }
