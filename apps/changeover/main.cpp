@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   add_constructions(program);
   add_paper(program);
   add_loadorder(program);
+  add_serve(program);
   add_catalog_show(program);
   add_catalog_list(program);
   add_catalog_history(program);

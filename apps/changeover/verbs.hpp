@@ -20,6 +20,7 @@ void add_factorize(Program& program);
 void add_constructions(Program& program);
 void add_paper(Program& program);
 void add_loadorder(Program& program);
+void add_serve(Program& program);
 void add_catalog_show(Program& program);
 void add_catalog_list(Program& program);
 void add_catalog_history(Program& program);
