@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "changeover/io/figures.hpp"
+#include "changeover/draw/figures.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/io/other_formats.hpp"
 #include "changeover/io/tables.hpp"
@@ -64,9 +64,9 @@ void write_design(BlockSource& source, const Exhibit& exhibit, const std::string
     // The first round of base blocks and the block after it, as the paper draws them.
     const std::uint64_t drawn = exhibit.base_blocks.value_or(1) + 1;
     const Design design = in_memory(source, exhibit);
-    const CircleFigure figure =
-        circle_figure(design, 0, std::min<std::uint64_t>(drawn, design.block_count()));
-    out.write(format == "svg" ? to_svg(figure) : to_tikz(figure));
+    const Picture picture =
+        draw_circle(circle_figure(design, 0, std::min<std::uint64_t>(drawn, design.block_count())));
+    out.write(format == "svg" ? svg(picture) : tikz(picture));
   } else {
     throw InternalError("a design has no format " + format + " but on a terminal");
   }
