@@ -11,10 +11,14 @@
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
+#include "changeover/run/scope.hpp"
 #include "cli/status_line.hpp"
 #include "core/printable.hpp"
 #include "request/catalog_request.hpp"
+#include "request/range.hpp"
+#include "request/run_request.hpp"
 #include "serve/explorer_server.hpp"
+#include "serve/export/site.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -29,6 +33,9 @@ struct ServeRequest {
   bool no_write = false;
   bool verbose = false;
   std::string assets;
+  std::string site;
+  std::string k, v;
+  std::optional<std::uint64_t> change;
   CatalogRequest catalog;
 };
 
@@ -92,7 +99,36 @@ std::vector<serve::GivenFile> read_files(const std::vector<std::string>& paths) 
   return files;
 }
 
+Answer write_site(const ServeRequest& request) {
+  serve::SiteRange range;
+  range.k = request.k.empty() ? range.k : range_of("--k", request.k, 2);
+  range.v = request.v.empty() ? range.v : range_of("--v", request.v, range.k.from);
+  if (request.change) {
+    range.changes = {*request.change};
+  }
+  const serve::Pages pages(request.assets);
+  const Catalog& catalog = request.catalog.open();
+  const auto running = std::make_shared<Running>(RunRequest(), OutputRequest());
+  try {
+    const serve::SiteSummary site =
+        serve::export_site(request.site, range, pages, catalog, running->control());
+    running->finish();
+    return text_answer(
+        fmt::format("{}: {} with {:.1f} MB, {} and {}\n", printable(request.site),
+                    count_of(site.files, "file"), static_cast<double>(site.bytes) / 1e6,
+                    count_of(site.cells, "cell"), count_of(site.designs, "design")),
+        {});
+  } catch (const Stopped&) {
+    running->finish();
+    status_line().say("changeover: stopped before the site was whole; nothing was changed");
+    return {.code = exit_code::limit_reached};
+  }
+}
+
 Answer run(const ServeRequest& request) {
+  if (!request.site.empty()) {
+    return write_site(request);
+  }
   serve::ExplorerSettings settings;
   settings.host = request.host;
   settings.port = static_cast<std::uint16_t>(request.port.value_or(0));
@@ -146,10 +182,21 @@ void add_serve(Program& program) {
   verb.flag("--verbose", request.verbose, "a line on stderr for each request");
   verb.option("--assets", request.assets, "DIR",
               "pages from this folder instead of those in the program, for work on them");
+  verb.option("--export", request.site, "DIR",
+              "write the pages with what is known as files for any web server, and end");
+  verb.option("--k", request.k, "A..B", "block sizes of these files (default 3..8)");
+  verb.option("--v", request.v, "C..D", "their numbers of elements (default 4..40)");
+  verb.option("-m,--change", request.change, "M", "their change number (default 1, 2 and 3)");
   request.catalog.add_to(verb);
+  verb.only_with({"--k", "--v", "--change"}, {"--export"});
+  verb.never_with({"--port", "--host", "--threads", "--open", "--no-write", "--verbose"},
+                  {"--export"});
   verb.require([&asked = request] {
     constexpr std::uint64_t most_ports = 65'535;
     constexpr std::uint64_t most_threads = 256;
+    if (!asked.site.empty() && !asked.files.empty()) {
+      throw UsageError{"FILE has no meaning with --export; leave it out"};
+    }
     if (asked.port.value_or(0) > most_ports) {
       throw UsageError{fmt::format("--port {}: give 0 to {}", *asked.port, most_ports)};
     }
@@ -158,6 +205,7 @@ void add_serve(Program& program) {
     }
   });
   verb.examples({"changeover serve --open", "changeover serve mine.txt --port 8080",
+                 "changeover serve --export public --k 3..6 --v 4..30 --change 2",
                  "Ctrl-C ends it; exit code 0, or 4 if the port is taken"});
 }
 

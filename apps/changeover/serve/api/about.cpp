@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string_view>
-#include <tuple>
 
 #include "answer/completeness.hpp"
 #include "changeover/construct/registry.hpp"
@@ -19,19 +17,16 @@ namespace changeover::serve {
 namespace {
 
 Response about(const Explorer& explorer) {
-  std::uint64_t designs = 0;
-  std::string latest;
-  std::set<Parameters> cells;
-  explorer.catalog.each({.best_only = false}, [&](const CatalogEntry& entry) {
-    ++designs;
-    cells.insert(entry.parameters);
-    latest = std::max(latest, entry.credit.date);
-    return true;
-  });
+  const Catalog::Size size = explorer.catalog.size();
   JsonWriter json;
   json.begin_object().key("version").value(version);
-  json.key("catalog").begin_object().key("designs").value(designs).key("cells").value(cells.size());
-  json.key("version").value(latest).end_object();
+  json.key("catalog")
+      .begin_object()
+      .key("designs")
+      .value(size.designs)
+      .key("cells")
+      .value(size.cells);
+  json.key("version").value(size.latest).end_object();
   const Limits& limits = explorer.limits;
   json.key("limits").begin_object().key("body_bytes").value(limits.body_bytes);
   json.key("seconds").value(limits.seconds.count()).key("memory").value(limits.memory_bytes);
@@ -156,13 +151,15 @@ std::string theorems_json() {
 }
 
 void add_about(Router& router, Explorer& explorer) {
-  const auto add = [&](const std::string& path, std::function<Response()> answer) {
+  const auto add = [&](const std::string& path, std::function<Response()> answer,
+                       Lane lane = Lane::slow) {
     Route route = question(explorer, path, {}, Again::while_unchanged,
                            [answer = std::move(answer)](const Request&) { return answer(); });
-    route.lane = always(Lane::slow);
+    route.lane = always(lane);
     router.add(std::move(route));
   };
-  add("api/about", [&explorer] { return about(explorer); });
+  add(
+      "api/about", [&explorer] { return about(explorer); }, Lane::quick);
   add("api/completeness", [&explorer] {
     return json_response(
         cli::completeness_json(cli::completeness(explorer.catalog, {.best_only = true})) + "\n");

@@ -46,6 +46,9 @@ std::shared_ptr<const Router> routes(Explorer& explorer, const Pages& pages) {
   add_designs(*router, explorer);
   add_searches(*router, explorer);
   add_verify(*router, explorer);
+  add_pictures(*router, explorer);
+  add_plans(*router, explorer);
+  add_loads(*router, explorer);
   return router;
 }
 

@@ -18,6 +18,9 @@ void add_cells(Router& router, Explorer& explorer);     ///< table, cell, bounds
 void add_designs(Router& router, Explorer& explorer);   ///< design, download, cite
 void add_searches(Router& router, Explorer& explorer);  ///< search, events, what is kept
 void add_verify(Router& router, Explorer& explorer);    ///< verify
+void add_pictures(Router& router, Explorer& explorer);  ///< draw, heatmap
+void add_plans(Router& router, Explorer& explorer);     ///< plan
+void add_loads(Router& router, Explorer& explorer);     ///< load orders
 void add_pages(Router& router, const Pages& pages);
 
 /// A GET that is answered within the limits.

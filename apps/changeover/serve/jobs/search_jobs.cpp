@@ -141,8 +141,9 @@ std::uint64_t SearchJobs::start(const SearchOrder& order) {
   const auto running =
       std::ranges::count_if(jobs_, [](const auto& each) { return each.second->running(); });
   if (running >= static_cast<std::ptrdiff_t>(settings_.at_once)) {
-    throw Refusal{429, fmt::format("{} are running; wait for one to end, or stop it",
-                                   cli::count_of(settings_.at_once, "search"))};
+    throw Refusal{429, fmt::format("searches that run: {}, as many as may; wait for one to end, or "
+                                   "stop it",
+                                   running)};
   }
   forget_old();
   const auto job = std::make_shared<Job>();
