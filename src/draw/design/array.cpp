@@ -39,8 +39,11 @@ class Array {
 
   Picture draw() {
     Picture content;
-    const auto per_band = std::clamp<std::size_t>(
+    const auto room = std::clamp<std::size_t>(
         static_cast<std::size_t>((page_ - margin_before()) / column_), 1, columns_.size());
+    const std::size_t bands = (columns_.size() + room - 1) / room;
+    const std::size_t per_band =
+        (columns_.size() + bands - 1) / bands;  // the last is as long as the others
     double y = 0;
     for (std::size_t start = 0; start < columns_.size(); start += per_band) {
       if (start > 0) {
