@@ -4,15 +4,14 @@
 #include <map>
 
 #include "answer/answer.hpp"
+#include "answer/planned_table.hpp"
 #include "answer/today.hpp"
 #include "changeover/catalog/label.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/parameters.hpp"
-#include "request/range.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -185,46 +184,15 @@ std::string summary(const Cells& cells) {
 }
 
 Answer run(const TableRequest& request) {
-  const Range k = range_of("--k", request.k, 2);
-  const Range v = range_of("--v", request.v, k.from);
-  if (k.from < 2) {
-    throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", request.k)};
-  }
-  if (v.from < 2 || v.to > largest_v_of_a_plan) {
-    throw UsageError{
-        fmt::format("--v {}: a table goes from v = 2 to v = {}", request.v, largest_v_of_a_plan)};
-  }
-  if (request.change && *request.change < 1) {
-    throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
-  }
-  // Designs beyond the range help inside it: larger ones can be truncated, smaller blocks extended. An
-  // element less comes with a smaller block only, so few smaller v can matter.
-  constexpr std::uint64_t margin = 8;
-  const std::uint64_t k_from = std::max<std::uint64_t>(2, k.from - 1);
-  // And w elements more at once by partial expansion, at most about every k-th; what is better comes from there.
-  const std::uint64_t less = std::max(k.to - k_from, v.from / k.from + margin);
-  const PlanRange asked{.v_from = v.from - std::min(v.from - 2, less),
-                        .v_to = std::min(v.to + margin, largest_v_of_a_plan),
-                        .k_from = k_from,
-                        .k_to = k.to,
-                        .change = request.change.value_or(2)};
-  if (asked.k_to - asked.k_from >= most_cells_of_a_plan / 2 / (asked.v_to - asked.v_from + 1)) {
-    throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells", request.k,
-                                 request.v, most_cells_of_a_plan)};
-  }
-  const Plan plan = plan_range(Registry::standard(), asked);
+  const TableRange range = table_range(request.k, request.v, request.change);
+  const Plan plan = planned(range);
   const std::string& format = request.output.format();
   Cells all;
   std::string text;
   for (const Kind kind : kinds_of(request.kind)) {
-    Cells cells;
-    for (std::uint64_t a = k.from; a <= k.to; ++a) {
-      for (std::uint64_t b = v.from; b <= v.to; ++b) {
-        cells.push_back(&plan.at({.v = b, .k = a, .change = asked.change, .kind = kind}));
-      }
-    }
-    text +=
-        as_grid(cells, style_of(format, title(cells), static_cast<std::size_t>(k.to - k.from + 1)));
+    const Cells cells = cells_of(plan, range, kind);
+    text += as_grid(cells, style_of(format, title(cells),
+                                    static_cast<std::size_t>(range.k.to - range.k.from + 1)));
     text += format == "table" ? summary(cells) + "\n" : "";
     all.insert(all.end(), cells.begin(), cells.end());
   }
