@@ -14,7 +14,7 @@ namespace {
 
 // Sizes in units of the font's.
 constexpr double line_height = 1.45;
-constexpr double longest_name = 10;
+constexpr double longest_name = 12;
 constexpr double between_columns = 0.9;
 constexpr double between_bands = 1.5;
 constexpr double number_size = 0.75;
@@ -119,7 +119,7 @@ class Array {
       y += line_height * font_;
       const std::string name = drawing_.name(cell.element);
       Mark mark{.shape = Text{.at = {at.x, y},
-                              .content = fitted(name, name_room_, font_, cell.introduced),
+                              .content = fitted(name, name_room_, font_, true),
                               .element = true,
                               .introduced = cell.introduced,
                               .leaving = options_.leaving && cell.leaving}};
