@@ -16,6 +16,7 @@ void add_minima(Program& program);
 void add_table(Program& program);
 void add_plan(Program& program);
 void add_expand(Program& program);
+void add_draw(Program& program);
 void add_factorize(Program& program);
 void add_constructions(Program& program);
 void add_paper(Program& program);

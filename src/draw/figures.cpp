@@ -212,6 +212,18 @@ Picture laid_out(const Round& round) {
 
 }  // namespace
 
+FactorFigure factor_figure(const OneFactorization& factorization,
+                           std::optional<std::uint32_t> centre) {
+  FactorFigure figure{.order = factorization.order, .centre = centre};
+  for (const OneFactor& factor : factorization.factors) {
+    auto& edges = figure.factors.emplace_back();
+    for (const Edge& edge : factor) {
+      edges.emplace_back(edge.a, edge.b);
+    }
+  }
+  return figure;
+}
+
 CircleFigure circle_figure(const Design& design, std::uint64_t first, std::uint64_t count) {
   CircleFigure figure{.v = design.v(), .names = design.labels()};
   DesignSource source(design);

@@ -226,8 +226,12 @@ class Heatmap {
     if (measure_ == HeatMeasure::ratio && has_signs()) {
       legend.push_back(remark("= minimum"));
     }
-    legend.push_back(remark(has_signs() ? "– none exists   ? no design known"
-                                        : "empty: no design known, or none exists"));
+    if (has_signs()) {
+      legend.push_back(remark("– none exists"));
+      legend.push_back(remark("? no design known"));
+    } else {
+      legend.push_back(remark("empty: no design known, or none exists"));
+    }
     return legend;
   }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double font = 12, small_font = 11;
 constexpr double padding = 10;
-constexpr double most_room = 300;  // of a line in a node
+constexpr double most_room = 400;  // of a line in a node
 constexpr double between = 24, below = 36;
 constexpr double node_height = 68;
 

@@ -21,18 +21,11 @@ void add(std::vector<PaperFigure>& figures, const std::string& place, const Pict
   figures.push_back({file_name(place, "tex"), tikz(picture)});
 }
 
-FactorFigure factor_figure(const PrintedFactorization& printed) {
+FactorFigure printed_figure(const PrintedFactorization& printed) {
   const OneFactorization factorization = parse(printed);
-  FactorFigure figure{
-      .order = factorization.order,
-      .names = printed.vertices,
-      .title = fmt::format("{}: 1-factorization of K_{}", printed.place, factorization.order)};
-  for (const OneFactor& factor : factorization.factors) {
-    auto& edges = figure.factors.emplace_back();
-    for (const Edge& edge : factor) {
-      edges.emplace_back(edge.a, edge.b);
-    }
-  }
+  FactorFigure figure = factor_figure(factorization);
+  figure.names = printed.vertices;
+  figure.title = fmt::format("{}: 1-factorization of K_{}", printed.place, factorization.order);
   if (factorization.order == 8) {
     figure.centre = 7;  // the paper draws 15 in the middle
   }
@@ -72,7 +65,7 @@ std::vector<PaperFigure> paper_figures(const Paper& paper) {
   std::vector<PaperFigure> figures;
   for (const PrintedFactorization& printed : paper.factorizations) {
     if (printed.place.starts_with("Figure")) {
-      add(figures, printed.place, draw_factors(factor_figure(printed)));
+      add(figures, printed.place, draw_factors(printed_figure(printed)));
     }
   }
   for (const PrintedCircle& printed : paper.circles) {

@@ -237,4 +237,12 @@ inline void check_tikz(const std::string& text) {
   EXPECT_EQ(brackets, 0);
 }
 
+/// No text overlaps another or leaves the page, light or dark, and TeX would take it.
+inline void expect_legible(const Picture& picture) {
+  for (const Theme theme : {Theme::light, Theme::dark}) {
+    EXPECT_EQ(read_svg(svg(picture, theme)).overlap(), "") << picture.title;
+  }
+  check_tikz(tikz(picture));
+}
+
 }  // namespace changeover

@@ -14,14 +14,7 @@ TEST(DrawExamples, Draw) {
 }
 
 TEST(DrawExamples, Figures) {
-  decltype(FactorFigure::factors) factors;
-  for (const OneFactor& factor : one_factorization(8).factors) {
-    auto& edges = factors.emplace_back();
-    for (const Edge& edge : factor) {
-      edges.emplace_back(edge.a, edge.b);
-    }
-  }
-  FactorFigure k8{.order = 8, .factors = factors, .centre = 7};
+  FactorFigure k8 = factor_figure(one_factorization(8), 7);
   std::string page = svg(draw_factors(k8));
   EXPECT_THAT(page, HasSubstr("<svg"));
   EXPECT_THAT(page, HasSubstr("1-factorization of K_8"));

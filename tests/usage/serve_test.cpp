@@ -55,16 +55,16 @@ TEST(Serve, ExportsWhatItWouldAnswer) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "pages");
   spit(folder.file("pages/index.html"), "<html><head></head></html>");
-  const std::string site = "$changeover serve --assets pages --export site --k 3..4 --v 5..8 -m 2";
-  expect({{site, 0, "16 cells"}, {site, 0, "16 cells"}}, folder);
+  const std::string site = "$changeover serve --assets pages --export site --k 3..4 --v 3..8 -m 2";
+  expect({{site, 0, "22 cells"}, {site, 0, "22 cells"}}, folder);
   const std::filesystem::path data = folder.path() / "site" / "data";
   EXPECT_NE(slurp(folder.file("site/index.html")).find("<meta name=\"changeover-data\""),
             std::string::npos);
   EXPECT_NE(slurp(data / "config.json").find("\"static\":true"), std::string::npos);
   for (const char* const kind : {"circular", "linear"}) {
     const std::string name = std::string("2.") + kind;
-    EXPECT_TRUE(slurp(data / "table" / (name + ".json")).starts_with("[{\"v\":5,\"k\":3"));
-    EXPECT_TRUE(slurp(data / "cell" / (name + ".4.json")).starts_with("{\"5\":{"));
+    EXPECT_TRUE(slurp(data / "table" / (name + ".json")).starts_with("[{\"v\":3,\"k\":3"));
+    EXPECT_TRUE(slurp(data / "cell" / (name + ".4.json")).starts_with("{\"4\":{"));
     EXPECT_TRUE(std::filesystem::exists(data / "heatmap" / (name + ".ratio.dark.svg")));
   }
   std::size_t designs = 0;

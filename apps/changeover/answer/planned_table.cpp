@@ -13,19 +13,8 @@ namespace {
 
 std::string text_of(const Range& range) { return fmt::format("{}..{}", range.from, range.to); }
 
-}  // namespace
-
-Cells PlannedTable::cells(Kind kind) const {
-  Cells cells;
-  for (std::uint64_t k = asked_.k.from; k <= asked_.k.to; ++k) {
-    for (std::uint64_t v = asked_.v.from; v <= asked_.v.to; ++v) {
-      cells.push_back(&plan_.at({.v = v, .k = k, .change = asked_.change, .kind = kind}));
-    }
-  }
-  return cells;
-}
-
-PlannedTable plan_table(const TableRange& asked) {
+// What is planned for a range. @throws UsageError if it cannot be.
+PlanRange with_surroundings(const TableRange& asked) {
   if (asked.k.from < 2) {
     throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", text_of(asked.k))};
   }
@@ -52,7 +41,31 @@ PlannedTable plan_table(const TableRange& asked) {
     throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells",
                                  text_of(asked.k), text_of(asked.v), most_cells_of_a_plan)};
   }
-  return {asked, plan_range(Registry::standard(), planned)};
+  return planned;
+}
+
+}  // namespace
+
+Cells PlannedTable::cells(Kind kind) const {
+  Cells cells;
+  for (std::uint64_t k = asked_.k.from; k <= asked_.k.to; ++k) {
+    for (std::uint64_t v = asked_.v.from; v <= asked_.v.to; ++v) {
+      cells.push_back(&plan_.at({.v = v, .k = k, .change = asked_.change, .kind = kind}));
+    }
+  }
+  return cells;
+}
+
+TableRange table_range(const std::string& k, const std::string& v,
+                       std::optional<std::uint64_t> change) {
+  TableRange range{.k = range_of("--k", k, 2), .v = {}, .change = change.value_or(2)};
+  range.v = range_of("--v", v, range.k.from);
+  static_cast<void>(with_surroundings(range));
+  return range;
+}
+
+PlannedTable plan_table(const TableRange& asked) {
+  return {asked, plan_range(Registry::standard(), with_surroundings(asked))};
 }
 
 std::string table_json(const Cells& cells, bool with_labels) {

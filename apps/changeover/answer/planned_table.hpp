@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct TableRange {
   Range v;
   std::uint64_t change = 2;
 };
+
+/// As --k, --v and --change say it, where it can be planned. @throws UsageError.
+[[nodiscard]] TableRange table_range(const std::string& k, const std::string& v,
+                                     std::optional<std::uint64_t> change);
 
 using Cells = std::vector<const PlannedCell*>;
 

@@ -162,16 +162,15 @@ std::string summary(const Cells& cells) {
 }
 
 Answer run(const TableRequest& request) {
-  const Range k = range_of("--k", request.k, 2);
-  const Range v = range_of("--v", request.v, k.from);
-  const PlannedTable table = plan_table({.k = k, .v = v, .change = request.change.value_or(2)});
+  const TableRange range = table_range(request.k, request.v, request.change);
+  const PlannedTable table = plan_table(range);
   const std::string& format = request.output.format();
   Cells all;
   std::string text;
   for (const Kind kind : kinds_of(request.kind)) {
     const Cells cells = table.cells(kind);
-    text +=
-        as_grid(cells, style_of(format, title(cells), static_cast<std::size_t>(k.to - k.from + 1)));
+    text += as_grid(cells, style_of(format, title(cells),
+                                    static_cast<std::size_t>(range.k.to - range.k.from + 1)));
     text += format == "table" ? summary(cells) + "\n" : "";
     all.insert(all.end(), cells.begin(), cells.end());
   }

@@ -1,6 +1,6 @@
 // Pictures on a circle: 1-factorizations and cyclic designs.
 //
-//     FactorFigure k8{.order = 8, .factors = factors, .centre = 7};
+//     FactorFigure k8 = factor_figure(one_factorization(8), 7);
 //     std::string page = svg(draw_factors(k8));
 //
 //     // The base block of DCCD(11,4) and its successor [ChafeeStevens2025, Fig. 3]:
@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/draw/picture.hpp"
@@ -31,6 +32,10 @@ struct FactorFigure {
   std::optional<std::uint32_t> centre = {};  ///< the vertex in the middle, if one shall be there
   std::string title = {};                    ///< empty: "1-factorization of K_n"
 };
+
+/// Without names. In GK_n, n > 2, it is vertex n − 1 that the rotation fixes and that belongs into the middle.
+[[nodiscard]] FactorFigure factor_figure(const OneFactorization& factorization,
+                                         std::optional<std::uint32_t> centre = {});
 
 /// A block in a picture, with those of its elements that it introduces.
 struct DrawnBlock {

@@ -14,7 +14,7 @@ namespace {
 
 // Sizes in units of the font's.
 constexpr double line_height = 1.45;
-constexpr double longest_name = 10;
+constexpr double longest_name = 12;
 constexpr double between_columns = 0.9;
 constexpr double between_bands = 1.5;
 constexpr double number_size = 0.75;
@@ -39,8 +39,11 @@ class Array {
 
   Picture draw() {
     Picture content;
-    const auto per_band = std::clamp<std::size_t>(
+    const auto room = std::clamp<std::size_t>(
         static_cast<std::size_t>((page_ - margin_before()) / column_), 1, columns_.size());
+    const std::size_t bands = (columns_.size() + room - 1) / room;
+    const std::size_t per_band =
+        (columns_.size() + bands - 1) / bands;  // the last is as long as the others
     double y = 0;
     for (std::size_t start = 0; start < columns_.size(); start += per_band) {
       if (start > 0) {
@@ -116,7 +119,7 @@ class Array {
       y += line_height * font_;
       const std::string name = drawing_.name(cell.element);
       Mark mark{.shape = Text{.at = {at.x, y},
-                              .content = fitted(name, name_room_, font_, cell.introduced),
+                              .content = fitted(name, name_room_, font_, true),
                               .element = true,
                               .introduced = cell.introduced,
                               .leaving = options_.leaving && cell.leaving}};

@@ -65,10 +65,11 @@ class BlockList {
  public:
   explicit BlockList(double left) : left_(left) {}
 
-  void line(const std::string& text, bool soft = false) {
+  void headline(const std::string& text) { line(text, false, 0); }
+  void line(const std::string& text, bool soft, double indent = 18) {
     y_ += line_height;
-    Mark mark{.shape =
-                  Text{.at = {left_ + 18, y_}, .content = fitted(text, list_width - 18, font)}};
+    Mark mark{.shape = Text{.at = {left_ + indent, y_},
+                            .content = fitted(text, list_width - indent, font)}};
     if (soft) {
       mark.style.fill = Paint(Paint::Role::soft);
     }
@@ -123,14 +124,14 @@ Picture draw_design_circle(const Drawing& drawing) {
   Picture content = draw_circle(figure);
   BlockList list(content.width + 10);
   if (rotation) {
-    list.line(fmt::format("{} base block{} over Z_{}, developed by +{}", base_blocks,
-                          base_blocks == 1 ? "" : "s", rotation->n, rotation->shift));
+    list.headline(fmt::format("{} base block{} over Z_{}, developed by +{}", base_blocks,
+                              base_blocks == 1 ? "" : "s", rotation->n, rotation->shift));
     if (figure.centre) {
-      list.line(fmt::format("{} stays where it is (∞)", drawing.name(*figure.centre)));
+      list.headline(fmt::format("{} stays where it is (∞)", drawing.name(*figure.centre)));
     }
   } else {
-    list.line(fmt::format("blocks {} to {} and what they newly cover", first + 1,
-                          first + figure.blocks.size()));
+    list.headline(fmt::format("blocks {} to {} and what they newly cover", first + 1,
+                              first + figure.blocks.size()));
   }
   for (std::size_t i = 0; i < figure.blocks.size(); ++i) {
     const DrawnBlock& block = figure.blocks[i];

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -138,6 +139,9 @@ class Coverage {
         uncovered_ += meeting.first == 0 ? 1U : 0U;
         always_ += meeting.first > 0 && meeting.times == 0 ? 1U : 0U;
         repeated_ += meeting.times > 1 ? 1U : 0U;
+        if (meeting.times > 1) {
+          seen_[std::min<std::uint64_t>(meeting.times, 4) - 2] = true;
+        }
       }
     }
   }
@@ -311,9 +315,12 @@ class Coverage {
       legend.push_back(remark("above, more than once: no pair"));
     } else {
       legend.push_back(remark(fmt::format("above, more than once ({}):", repeated_)));
-      legend.push_back(swatch(times_paint(2), "twice"));
-      legend.push_back(swatch(times_paint(3), "three times"));
-      legend.push_back(swatch(times_paint(4), "more often"));
+      const std::array<std::string, 3> words = {"twice", "three times", "more often"};
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        if (seen_[i]) {
+          legend.push_back(swatch(times_paint(i + 2), words[i]));
+        }
+      }
     }
     if (always_ > 0) {
       legend.push_back(
@@ -329,6 +336,7 @@ class Coverage {
   std::uint64_t last_ = 0;
   double cell_ = 0, font_ = 0, widest_ = 0, left_ = 0, top_ = 0;
   std::size_t uncovered_ = 0, repeated_ = 0, always_ = 0;
+  std::array<bool, 3> seen_ = {};  // pairs that are newly covered twice, three times, more often
 };
 
 }  // namespace

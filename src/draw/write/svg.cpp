@@ -189,17 +189,27 @@ class Writer {
     if (!mark.title.empty()) {
       out_ += fmt::format("<title>{}</title>", escaped(mark.title));
     }
-    out_ += escaped(shape.content);
-    // A star stands high in its line already, so one below goes down by more than one above goes up.
-    const auto star = [&](double down) {
-      out_ += fmt::format("<tspan font-size=\"{}\" dy=\"{}\">*</tspan>",
-                          coordinate(star_size * font_size), coordinate(down * font_size));
+    // One underscore with something on both sides makes a subscript, as in TeX.
+    const std::size_t under = shape.content.find('_');
+    const bool subscript = shape.element && under != std::string::npos && under > 0 &&
+                           under + 1 < shape.content.size() && shape.content.rfind('_') == under;
+    out_ += escaped(shape.content.substr(0, subscript ? under : std::string::npos));
+    double level = 0;  // below the baseline, in units of the font size
+    const auto piece = [&](const std::string& text, double size, double down) {
+      out_ +=
+          fmt::format("<tspan font-size=\"{}\" dy=\"{}\">{}</tspan>", coordinate(size * font_size),
+                      coordinate((down - level) * font_size), text);
+      level = down;
     };
+    if (subscript) {
+      piece(escaped(shape.content.substr(under + 1)), 0.75, 0.22);
+    }
+    // A star stands high in its line already, so one below goes down by more than one above goes up.
     if (shape.introduced) {
-      star(-0.15);
+      piece("*", star_size, -0.15);
     }
     if (shape.leaving) {
-      star(shape.introduced ? 0.75 : 0.6);
+      piece("*", star_size, 0.6);
     }
     out_ += "</text>\n";
   }

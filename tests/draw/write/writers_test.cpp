@@ -71,7 +71,7 @@ TEST(SvgTest, EveryShapeIsWrittenWithWhatIsSaidOfIt) {
     EXPECT_EQ(box.attributes.at("rx"), "1");
     EXPECT_EQ(page.all("path")[0].attributes.at("d"), "M0 0H4V3L1 2Z");
     ASSERT_EQ(page.texts.size(), 1U);
-    EXPECT_EQ(page.texts[0].content, "∞_s**");
+    EXPECT_EQ(page.texts[0].content, "∞s**");
     EXPECT_EQ(page.texts[0].attributes.at("fill"), Paint::series(1).hex(theme));
     EXPECT_EQ(page.count_with("ground", "fill", Paint(Paint::Role::ground).hex(theme)), 1U);
   }

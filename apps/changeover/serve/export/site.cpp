@@ -198,8 +198,12 @@ class Site {
     }
   }
 
-  // A file for each k: an object by v.
-  void write_cells(const std::string& name, const cli::Cells& cells) {
+  // A file for each k: an object by v. What is no list of blocks at all, with k > v, is in the table only.
+  void write_cells(const std::string& name, cli::Cells cells) {
+    std::erase_if(cells, [](const PlannedCell* cell) {
+      const Parameters& p = cell->parameters;
+      return p.k > p.v || p.change > p.k;
+    });
     std::vector<std::string> documents(cells.size());
     in_parallel(control_, cells.size(), [&](std::size_t i) {
       documents[i] = document_of(*cells[i]);
