@@ -2,7 +2,7 @@
 # place that says so: the libraries are linked from it, and tests/architecture holds the includes
 # to it. A room's public headers are include/changeover/<room>/, all the rest of it is src/<room>/.
 
-set(CHANGEOVER_ROOMS core run verify bounds io catalog construct paper proof isomorphism search curator loadorder plan)
+set(CHANGEOVER_ROOMS core run verify bounds io catalog construct draw paper proof isomorphism search curator loadorder plan)
 
 # Rooms that are built with the others but are no part of the installed library.
 set(CHANGEOVER_ROOMS_OF_THE_HOUSE paper)
@@ -14,7 +14,8 @@ set(CHANGEOVER_KNOWS_bounds core run)
 set(CHANGEOVER_KNOWS_io core run verify bounds)
 set(CHANGEOVER_KNOWS_catalog core run verify bounds io)
 set(CHANGEOVER_KNOWS_construct core run verify bounds io catalog)
-set(CHANGEOVER_KNOWS_paper core run verify bounds io catalog construct)
+set(CHANGEOVER_KNOWS_draw core run verify bounds io catalog construct)
+set(CHANGEOVER_KNOWS_paper core run verify bounds io catalog construct draw)
 set(CHANGEOVER_KNOWS_proof core)
 set(CHANGEOVER_KNOWS_isomorphism core run)
 set(CHANGEOVER_KNOWS_search core run verify bounds io catalog construct proof isomorphism)

@@ -19,10 +19,12 @@ int main(int argc, char** argv) {
   add_minima(program);
   add_plan(program);
   add_expand(program);
+  add_draw(program);
   add_factorize(program);
   add_constructions(program);
   add_paper(program);
   add_loadorder(program);
+  add_serve(program);
   add_catalog_show(program);
   add_catalog_list(program);
   add_catalog_history(program);

@@ -12,7 +12,8 @@
 //   bounds       how few blocks there can be
 //   catalog      designs that are known, with labels that last
 //   construct    designs by recipe: the registry, recursions, plans of whole ranges
-//   io           files in and out, tables and pictures
+//   draw         pictures of designs, recipes and tables, as SVG and TikZ
+//   io           files in and out, tables
 //   isomorphism  the same up to names, and the groups
 //   proof        checked proofs that there is none
 //   search       designs that are found, and proofs that there are none
@@ -48,7 +49,10 @@
 #include "changeover/curator/audit.hpp"
 #include "changeover/curator/exchange.hpp"
 #include "changeover/curator/improve.hpp"
-#include "changeover/io/figures.hpp"
+#include "changeover/draw/draw.hpp"
+#include "changeover/draw/figures.hpp"
+#include "changeover/draw/heatmap.hpp"
+#include "changeover/draw/picture.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/other_formats.hpp"

@@ -1,5 +1,6 @@
 #include "changeover/construct/standard_catalog.hpp"
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
@@ -17,7 +18,7 @@ std::optional<std::string>& chosen() {
   return path;
 }
 
-bool asked = false;
+std::atomic<bool> asked = false;
 
 std::optional<std::string> variable(const char* name) {
   const char* const value = std::getenv(name);

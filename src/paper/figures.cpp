@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "changeover/io/figures.hpp"
+#include "changeover/draw/figures.hpp"
 
 namespace changeover {
 namespace {
@@ -16,24 +16,16 @@ std::string file_name(const std::string& place, std::string_view extension) {
   return fmt::format("figure-{}.{}", place.substr(blank + 1), extension);
 }
 
-template <typename Figure>
-void add(std::vector<PaperFigure>& figures, const std::string& place, const Figure& figure) {
-  figures.push_back({file_name(place, "svg"), to_svg(figure)});
-  figures.push_back({file_name(place, "tex"), to_tikz(figure)});
+void add(std::vector<PaperFigure>& figures, const std::string& place, const Picture& picture) {
+  figures.push_back({file_name(place, "svg"), svg(picture)});
+  figures.push_back({file_name(place, "tex"), tikz(picture)});
 }
 
-FactorFigure factor_figure(const PrintedFactorization& printed) {
+FactorFigure printed_figure(const PrintedFactorization& printed) {
   const OneFactorization factorization = parse(printed);
-  FactorFigure figure{
-      .order = factorization.order,
-      .names = printed.vertices,
-      .title = fmt::format("{}: 1-factorization of K_{}", printed.place, factorization.order)};
-  for (const OneFactor& factor : factorization.factors) {
-    auto& edges = figure.factors.emplace_back();
-    for (const Edge& edge : factor) {
-      edges.emplace_back(edge.a, edge.b);
-    }
-  }
+  FactorFigure figure = factor_figure(factorization);
+  figure.names = printed.vertices;
+  figure.title = fmt::format("{}: 1-factorization of K_{}", printed.place, factorization.order);
   if (factorization.order == 8) {
     figure.centre = 7;  // the paper draws 15 in the middle
   }
@@ -73,11 +65,11 @@ std::vector<PaperFigure> paper_figures(const Paper& paper) {
   std::vector<PaperFigure> figures;
   for (const PrintedFactorization& printed : paper.factorizations) {
     if (printed.place.starts_with("Figure")) {
-      add(figures, printed.place, factor_figure(printed));
+      add(figures, printed.place, draw_factors(printed_figure(printed)));
     }
   }
   for (const PrintedCircle& printed : paper.circles) {
-    add(figures, printed.place, drawn_circle(paper, printed));
+    add(figures, printed.place, draw_circle(drawn_circle(paper, printed)));
   }
   return figures;
 }

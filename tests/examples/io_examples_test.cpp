@@ -13,24 +13,6 @@ class IoExamples : public InAFolder {
 
 class InputExamples : public InAFolder {};
 
-TEST_F(IoExamples, Figures) {
-  decltype(FactorFigure::factors) factors;
-  for (const OneFactor& factor : one_factorization(8).factors) {
-    auto& edges = factors.emplace_back();
-    for (const Edge& edge : factor) {
-      edges.emplace_back(edge.a, edge.b);
-    }
-  }
-  FactorFigure k8{.order = 8, .factors = factors, .centre = 7};
-  std::string svg = to_svg(k8);
-  EXPECT_THAT(svg, HasSubstr("<svg"));
-  EXPECT_THAT(svg, HasSubstr("1-factorization of K_8"));
-
-  CircleFigure circle{.v = 11, .blocks = {{{0, 1, 2, 5}, {2, 5}}, {{1, 2, 3, 6}, {3, 6}}}};
-  std::string tikz = to_tikz(circle);
-  EXPECT_THAT(tikz, HasSubstr("\\begin{tikzpicture}"));
-}
-
 TEST_F(IoExamples, Text) {
   const std::string example = R"(
     # changeover design v=6 k=4 change=2 kind=circular

@@ -28,6 +28,7 @@ declare -A settings=(
   [minima]='--data minima.csv --v 6'
   [plan]='--items 9 --at-once 3 --test-cost 1 --change-cost 5|parts.csv -k 3 --test-cost 2 --change-cost 1|--items 6 --at-once 3 --test-cost 1 --change-cost 1 --what-if'
   [expand]='good.txt|good.txt -w 2'
+  [draw]='good.txt|6 4|8 --picture factorization|good.txt --picture stays|--picture heatmap --k 3 --v 5..9'
   [factorize]='8|7 --near'
   [constructions]=''
   [paper]=''

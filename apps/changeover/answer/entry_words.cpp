@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "changeover/construct/registry.hpp"
+#include "changeover/core/version.hpp"
 
 namespace changeover::cli {
 
@@ -24,6 +25,14 @@ void collect(const Recipe& recipe, std::vector<std::string>& keys) {
   for (const Recipe& input : recipe.inputs) {
     collect(input, keys);
   }
+}
+
+std::string misc(const std::string& key, const std::string& author, const std::string& title,
+                 const std::string& date, const std::string& note) {
+  return fmt::format(
+      "@misc{{{},\n  author = {{{}}},\n  title  = {{{}}},\n  year   = {{{}}},\n  note   = "
+      "{{{}}}\n}}\n",
+      key, author, title, date.substr(0, 4), note);
 }
 
 }  // namespace
@@ -82,6 +91,37 @@ std::string bibtex_of(const std::string& key) {
   const std::size_t begin = all.rfind('@', named);
   const std::size_t end = all.find("\n}", named);
   return std::string(all.substr(begin, end + 2 - begin)) + "\n";
+}
+
+std::string bibtex_of(const CatalogEntry& entry) {
+  std::string text =
+      misc("changeover-" + entry.label(), "{" + entry.credit.who + "}",
+           fmt::format("{} with {} blocks", name(entry.parameters), entry.b), entry.credit.date,
+           fmt::format("Changeover {}, catalog label {}, SHA-256 of the blocks {}", version,
+                       entry.label(), to_hex(entry.checksum)));
+  for (const std::string& key : references_of(entry)) {
+    const std::string reference = bibtex_of(key);
+    text += reference.empty() ? "" : "\n" + reference;
+  }
+  return text;
+}
+
+std::string bibtex_of(const Catalog& catalog) {
+  Sha256 hash;
+  std::uint64_t count = 0;
+  std::string latest;
+  catalog.each({.best_only = false}, [&](const CatalogEntry& entry) {
+    if (catalog.is_shipped(entry.label())) {
+      ++count;
+      latest = std::max(latest, entry.credit.date);
+      hash.add(entry.checksum);
+    }
+    return true;
+  });
+  return misc("changeover-catalog-" + latest, "{The Changeover developers}",
+              "A catalog of change covering designs", latest,
+              fmt::format("Changeover {}; {} designs as of {}; SHA-256 of their checksums {}",
+                          version, count, latest, to_hex(hash.finish())));
 }
 
 }  // namespace changeover::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "changeover/catalog/catalog.hpp"
 #include "io/write/json_writer.hpp"
@@ -22,5 +23,11 @@ void write_entry(JsonWriter& json, const CatalogEntry& entry);
 
 /// The text of docs/references.bib from "@" to its end for a key; empty if there is none.
 [[nodiscard]] std::string bibtex_of(const std::string& key);
+
+/// BibTeX of a design and of what it is from.
+[[nodiscard]] std::string bibtex_of(const CatalogEntry& entry);
+
+/// BibTeX of the catalog that comes with the program, as it is today.
+[[nodiscard]] std::string bibtex_of(const Catalog& catalog);
 
 }  // namespace changeover::cli

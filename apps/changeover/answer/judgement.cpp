@@ -6,6 +6,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/difference.hpp"
+#include "io/write/json_writer.hpp"
 
 namespace changeover::cli {
 
@@ -147,6 +148,18 @@ std::string quality(const Judgement& judgement) {
                             verdict.b - verdict.lower_bound == 1 ? "is" : "are",
                             verdict.lower_bound,
                             judgement.from_tables ? " (" + judgement.bound.name + ")" : "");
+}
+
+std::string verify_json(const Verdict& verdict, const Judgement& judgement,
+                        const std::vector<std::string>& labels) {
+  JsonWriter json;
+  json.begin_object();
+  json.key("verdict").raw(verdict_to_json(judgement.verdict));
+  json.key("bound").begin_object();
+  json.key("name").value(judgement.bound.name).key("reason").value(judgement.bound.reason);
+  json.end_object();
+  json.key("details").raw(verdict_to_json(verdict, labels));
+  return json.end_object().take();
 }
 
 }  // namespace changeover::cli

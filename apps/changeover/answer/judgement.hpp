@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/registry.hpp"
@@ -72,5 +73,9 @@ class JudgedWhileRead final : public BlockSource {
 
 /// "tight, minimum: 366 blocks, the lower bound (counting)", and the like.
 [[nodiscard]] std::string quality(const Judgement& judgement);
+
+/// The document of `verify --json`: {"verdict":…,"bound":{"name","reason"},"details":…}.
+[[nodiscard]] std::string verify_json(const Verdict& verdict, const Judgement& judgement,
+                                      const std::vector<std::string>& labels);
 
 }  // namespace changeover::cli

@@ -88,4 +88,11 @@ void tree_json(const Recipe& recipe, JsonWriter& json) {
   json.end_array().end_object();
 }
 
+std::string explanation_json(const Recipe& recipe) {
+  JsonWriter json;
+  json.begin_object().key("recipe").raw(recipe_to_json(recipe)).key("tree");
+  tree_json(recipe, json);
+  return json.end_object().take();
+}
+
 }  // namespace changeover::cli

@@ -12,4 +12,7 @@ namespace changeover::cli {
 [[nodiscard]] std::string tree_text(const Recipe& recipe);
 void tree_json(const Recipe& recipe, JsonWriter& json);
 
+/// The document of `explain --json`: {"recipe":…,"tree":…}.
+[[nodiscard]] std::string explanation_json(const Recipe& recipe);
+
 }  // namespace changeover::cli

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "changeover/io/figures.hpp"
+#include "changeover/draw/figures.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/io/other_formats.hpp"
 #include "changeover/io/tables.hpp"
@@ -25,8 +25,22 @@ bool is_for_others(const std::string& format) {
   return format == "gap" || format == "sage" || format == "designtheory" || format == "ljcr";
 }
 
+void write_table_of(BlockSource& source, const Exhibit& exhibit, OutputFile& out) {
+  TableOptions options;
+  options.width = terminal_width(out);
+  options.leaving = exhibit.leaving;
+  options.colour = may_colour(out);
+  options.positions = exhibit.positions;
+  options.names.base_blocks = exhibit.base_blocks;
+  const Design design = in_memory(source, exhibit);
+  out.write(exhibit.title + "\n\n");
+  write_table(design, out, options);
+}
+
+}  // namespace
+
 void write_design(BlockSource& source, const Exhibit& exhibit, const std::string& format,
-                  OutputFile& out) {
+                  Sink& out) {
   if (format == "text") {
     write_text(source, out, exhibit.header);
   } else if (format == "json") {
@@ -50,23 +64,13 @@ void write_design(BlockSource& source, const Exhibit& exhibit, const std::string
     // The first round of base blocks and the block after it, as the paper draws them.
     const std::uint64_t drawn = exhibit.base_blocks.value_or(1) + 1;
     const Design design = in_memory(source, exhibit);
-    const CircleFigure figure =
-        circle_figure(design, 0, std::min<std::uint64_t>(drawn, design.block_count()));
-    out.write(format == "svg" ? to_svg(figure) : to_tikz(figure));
+    const Picture picture =
+        draw_circle(circle_figure(design, 0, std::min<std::uint64_t>(drawn, design.block_count())));
+    out.write(format == "svg" ? svg(picture) : tikz(picture));
   } else {
-    TableOptions options;
-    options.width = terminal_width(out);
-    options.leaving = exhibit.leaving;
-    options.colour = may_colour(out);
-    options.positions = exhibit.positions;
-    options.names.base_blocks = exhibit.base_blocks;
-    const Design design = in_memory(source, exhibit);
-    out.write(exhibit.title + "\n\n");
-    write_table(design, out, options);
+    throw InternalError("a design has no format " + format + " but on a terminal");
   }
 }
-
-}  // namespace
 
 const std::vector<std::string>& design_formats() {
   static const std::vector<std::string> formats{"table", "text",         "json", "csv",
@@ -116,7 +120,11 @@ Answer show_design(std::shared_ptr<BlockSource> source, Exhibit exhibit,
       throw InternalError("a design that cannot be read twice");
     }
     begun = true;
-    write_design(*source, exhibit, format, out);
+    if (format == "table") {
+      write_table_of(*source, exhibit, out);
+    } else {
+      write_design(*source, exhibit, format, out);
+    }
   };
   return {.code = code, .output = output, .write = write};
 }

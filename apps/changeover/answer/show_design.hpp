@@ -33,6 +33,11 @@ struct Exhibit {
 [[nodiscard]] std::optional<std::string> format_defect(const Parameters& p, std::uint64_t b,
                                                        const std::string& format);
 
+/// Writes a design in one of the formats but "table", which is for a terminal. What is too large for the format is for
+/// the caller to refuse (format_defect()). @throws as Sink::write() and read_all().
+void write_design(BlockSource& source, const Exhibit& exhibit, const std::string& format,
+                  Sink& out);
+
 /// The formats in which elements are marked, for --leaving.
 [[nodiscard]] const std::vector<std::string>& formats_of_marks();
 

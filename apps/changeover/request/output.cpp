@@ -14,7 +14,10 @@ void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) 
   usual_ = formats.front();
   verb.choice("-f,--format", asked_, formats, "how the answer is written (default " + usual_ + ")");
   for (const std::string& word : formats) {
-    workbook_word_ = word == "xlsx" ? word : workbook_word_;
+    if (word == "xlsx") {
+      endings_ = {{".xlsx", word}};
+      binary_ = {word};
+    }
     if (word == "json" || word == "jsonl") {
       json_word_ = word;
       verb.flag("--json", json_,
@@ -23,10 +26,10 @@ void OutputRequest::add_to(Verb& verb, const std::vector<std::string>& formats) 
   }
   verb.require([this] {
     const bool to_terminal = (path.empty() || path == "-") && isatty(STDOUT_FILENO) == 1;
-    if (to_terminal && format() == workbook_word_) {
-      throw UsageError{"a workbook is no text for a terminal; give -o FILE"};
+    const std::string& word = format();
+    if (to_terminal && std::find(binary_.begin(), binary_.end(), word) != binary_.end()) {
+      throw UsageError{fmt::format("{} is no text for a terminal; give -o FILE", word)};
     }
-    static_cast<void>(format());
   });
   verb.option("-o,--output", path, "FILE", "write to FILE instead of standard output");
 }
@@ -35,8 +38,16 @@ const std::string& OutputRequest::format() const {
   if (json_ && !asked_.empty() && asked_ != json_word_) {
     throw UsageError{"--json and --format " + asked_ + " exclude each other"};
   }
-  const bool by_name = !workbook_word_.empty() && path.ends_with(".xlsx");
-  return json_ ? json_word_ : !asked_.empty() ? asked_ : by_name ? workbook_word_ : usual_;
+  const auto by_name = std::find_if(endings_.begin(), endings_.end(),
+                                    [&](const auto& each) { return path.ends_with(each.first); });
+  return json_                       ? json_word_
+         : !asked_.empty()           ? asked_
+         : by_name != endings_.end() ? by_name->second
+                                     : usual_;
+}
+
+void OutputRequest::guess_by_name(std::vector<std::pair<std::string, std::string>> endings) {
+  endings_ = std::move(endings);
 }
 
 void OutputRequest::require(const std::string& option,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/cli.hpp"
@@ -16,7 +17,13 @@ struct OutputRequest {
   /// Must live as long as the verb. The first word is the default. --json is for "json", or for "jsonl" if that is a word.
   void add_to(Verb& verb, const std::vector<std::string>& formats);
 
-  /// The chosen format; if none was chosen, "xlsx" where that is a word and FILE ends so. A rule of the verb refuses --json and --format that contradict each other.
+  /// If no format is chosen, the end of FILE's name says it: ".tex" means "tikz", for instance, and ".xlsx" "xlsx" by itself.
+  void guess_by_name(std::vector<std::pair<std::string, std::string>> endings);
+
+  /// These words are no text for a terminal: they are refused there.
+  void set_binary(std::vector<std::string> words) { binary_ = std::move(words); }
+
+  /// The chosen format, or what FILE's name says, or the default. A rule of the verb refuses --json and --format that contradict each other.
   [[nodiscard]] const std::string& format() const;
   [[nodiscard]] bool json() const { return format() == "json"; }
 
@@ -29,7 +36,8 @@ struct OutputRequest {
  private:
   std::string asked_;  // --format
   bool json_ = false;
-  std::string workbook_word_;  // "xlsx" if that is a word
+  std::vector<std::pair<std::string, std::string>> endings_;
+  std::vector<std::string> binary_;
   std::string usual_;
   std::string json_word_ = "json";
 };

@@ -1,9 +1,7 @@
 // changeover bounds V K: each lower bound with its reason, the best design known, the gap.
 #include <fmt/format.h>
 
-#include "answer/offers.hpp"
-#include "changeover/bounds/lower_bound.hpp"
-#include "io/write/json_writer.hpp"
+#include "answer/known_bounds.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 
@@ -15,33 +13,7 @@ struct BoundsRequest {
   OutputRequest output;
 };
 
-struct Known {
-  Parameters parameters;
-  std::optional<std::string> impossible;
-  std::vector<Bound> bounds;
-  std::optional<Offer> best;
-
-  [[nodiscard]] std::string status() const {
-    if (impossible) {
-      return "impossible";
-    }
-    if (!best) {
-      return "open";
-    }
-    return best->b == bounds.front().blocks ? "minimum" : "best-known";
-  }
-};
-
-Known known(const Parameters& p) {
-  Known answer{.parameters = p, .impossible = impossibility(p), .bounds = {}, .best = {}};
-  if (!answer.impossible) {
-    answer.bounds = lower_bounds(p);
-    answer.best = best_known(p);
-  }
-  return answer;
-}
-
-std::string text(const Known& answer) {
+std::string text(const KnownBounds& answer) {
   std::string text = name(answer.parameters) + "\n";
   if (answer.impossible) {
     return text + fmt::format("  impossible: {}\n", *answer.impossible);
@@ -60,9 +32,9 @@ std::string text(const Known& answer) {
 }
 
 // The kind that a single answer is about: the one with the fewest blocks known, circular among equals.
-const Known& chosen(const std::vector<Known>& answers) {
-  const Known* best = &answers.front();
-  for (const Known& answer : answers) {
+const KnownBounds& chosen(const std::vector<KnownBounds>& answers) {
+  const KnownBounds* best = &answers.front();
+  for (const KnownBounds& answer : answers) {
     if (answer.best && (!best->best || answer.best->b < best->best->b)) {
       best = &answer;
     }
@@ -70,38 +42,17 @@ const Known& chosen(const std::vector<Known>& answers) {
   return *best;
 }
 
-std::string json(const Known& answer) {
-  const Parameters& p = answer.parameters;
-  JsonWriter json;
-  json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
-  json.key("lower_bound");
-  answer.impossible ? json.null() : json.value(answer.bounds.front().blocks);
-  json.key("reason").value(answer.impossible ? *answer.impossible : answer.bounds.front().reason);
-  json.key("best_known");
-  answer.best ? json.value(answer.best->b) : json.null();
-  json.key("construction");
-  answer.best ? json.value(answer.best->recipe.construction) : json.null();
-  json.key("status").value(answer.status());
-  json.key("bounds").begin_array();
-  for (const Bound& bound : answer.bounds) {
-    json.begin_object().key("lower_bound").value(bound.blocks).key("name").value(bound.name);
-    json.key("reason").value(bound.reason).end_object();
-  }
-  json.end_array().end_object();
-  return json.take() + "\n";
-}
-
 Answer run(const BoundsRequest& request) {
-  std::vector<Known> answers;
+  std::vector<KnownBounds> answers;
   for (const Parameters& p : request.asked.of_each_kind()) {
-    answers.push_back(known(p));
+    answers.push_back(known_bounds(p));
   }
   std::string all;
-  for (const Known& each : answers) {
+  for (const KnownBounds& each : answers) {
     all += text(each);
   }
-  return text_answer(request.output.json() ? json(chosen(answers)) : all, request.output);
+  return text_answer(request.output.json() ? bounds_json(chosen(answers)) + "\n" : all,
+                     request.output);
 }
 
 }  // namespace

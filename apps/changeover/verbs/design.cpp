@@ -1,6 +1,5 @@
 // changeover design V K: the best design that a construction gives, verified.
-#include <fmt/format.h>
-
+#include "answer/chosen_design.hpp"
 #include "answer/offers.hpp"
 #include "answer/show_design.hpp"
 #include "request/parameters.hpp"
@@ -17,7 +16,6 @@ struct DesignRequest {
 };
 
 Answer run(const DesignRequest& request) {
-  const Registry& registry = Registry::standard();
   const std::vector<Parameters> asked = request.asked.of_each_kind();
   if (request.leaving) {
     request.output.require("--leaving", formats_of_marks());
@@ -30,36 +28,13 @@ Answer run(const DesignRequest& request) {
           format_defect(offer->recipe.parameters, offer->b, request.output.format())) {
     throw UsageError{*defect};
   }
-  const Construction& construction = *registry.find(offer->recipe.construction);
-  const std::shared_ptr<BlockSource> source = registry.build(offer->recipe);
-  std::optional<Judgement> judgement = judge_at_once(*source, *offer);
-
-  Exhibit exhibit;
-  exhibit.header.labels = construction.labels(offer->recipe, registry);
-  exhibit.header.recipe = offer->recipe;
-  exhibit.leaving = request.leaving;
-  if (!judgement && takes_long_to_judge(*source, *offer) &&
-      can_be_judged_while_written(request.output)) {
-    return show_design_while_judging(source, *offer, exhibit, request.output);
+  const bool streams = can_be_judged_while_written(request.output);
+  ChosenDesign chosen = built(*offer, streams ? Unread::may_be_left : Unread::never);
+  chosen.exhibit.leaving = request.leaving;
+  if (!chosen.judged) {
+    return show_design_while_judging(chosen.source, *offer, chosen.exhibit, request.output);
   }
-  exhibit.judgement = judgement ? *std::move(judgement) : judge(*source, *offer);
-  if (const auto base = construction.base_blocks(offer->recipe); base && base->blocks.size() > 1) {
-    exhibit.base_blocks = base->blocks.size();
-  }
-  if (const auto set = construction.expansion_set(offer->recipe, registry)) {
-    for (const UnchangedSubset& subset : *set) {
-      exhibit.positions.push_back(subset.position);
-    }
-  }
-  exhibit.title = fmt::format("{}, {}: {}\n{} {}\nverified: {}", name(offer->recipe.parameters),
-                              count_of(offer->b, "block"), quality(exhibit.judgement),
-                              construction.explain(offer->recipe),
-                              construction.citation().to_string(), exhibit.judgement.certificate);
-  if (!exhibit.positions.empty()) {
-    exhibit.title += fmt::format("\n^ marks the {} unchanged subsets of an expansion set",
-                                 exhibit.positions.size());
-  }
-  return show_design(source, std::move(exhibit), request.output);
+  return show_design(chosen.source, std::move(chosen.exhibit), request.output);
 }
 
 }  // namespace

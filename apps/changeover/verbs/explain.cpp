@@ -4,8 +4,6 @@
 #include "answer/offers.hpp"
 #include "answer/recipe_tree.hpp"
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/io/formats.hpp"
-#include "io/write/json_writer.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 
@@ -25,10 +23,7 @@ Answer run(const ExplainRequest& request) {
     return decline(asked, request.construction, request.output);
   }
   if (request.output.json()) {
-    JsonWriter json;
-    json.begin_object().key("recipe").raw(recipe_to_json(offer->recipe)).key("tree");
-    tree_json(offer->recipe, json);
-    return text_answer(json.end_object().take() + "\n", request.output);
+    return text_answer(explanation_json(offer->recipe) + "\n", request.output);
   }
   std::string text = tree_text(offer->recipe);
   text += "lower bound: " + lower_bound(offer->recipe.parameters).reason + "\n";

@@ -6,7 +6,7 @@
 #include "answer/answer.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/io/figures.hpp"
+#include "changeover/draw/figures.hpp"
 #include "io/write/json_writer.hpp"
 #include "verbs.hpp"
 
@@ -108,7 +108,8 @@ Answer run(const FactorizeRequest& request) {
     if (request.kind == "circle" && order > 2) {
       figure.centre = order - 1;  // the vertex that the rotation fixes
     }
-    return text_answer(format == "svg" ? to_svg(figure) : to_tikz(figure), request.output);
+    const Picture picture = draw_factors(figure);
+    return text_answer(format == "svg" ? svg(picture) : tikz(picture), request.output);
   }
   return text_answer(request.output.json() ? as_json(request, found) : as_text(found),
                      request.output);

@@ -4,15 +4,13 @@
 #include <map>
 
 #include "answer/answer.hpp"
+#include "answer/planned_table.hpp"
 #include "answer/today.hpp"
 #include "changeover/catalog/label.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/verify/verdict.hpp"
-#include "io/write/json_writer.hpp"
 #include "request/parameters.hpp"
-#include "request/range.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -37,8 +35,6 @@ std::string construction(const PlannedCell& cell) {
   return cell.best ? cell.best->recipe.construction : "";
 }
 
-using Cells = std::vector<const PlannedCell*>;
-
 std::string as_csv(const Cells& cells) {
   std::string text = "v,k,change,kind,b,lower_bound,status,construction\n";
   for (const PlannedCell* cell : cells) {
@@ -49,25 +45,6 @@ std::string as_csv(const Cells& cells) {
                         cell->status(), construction(*cell));
   }
   return text;
-}
-
-std::string as_json(const Cells& cells) {
-  JsonWriter json;
-  std::string text;
-  json.begin_array();
-  for (const PlannedCell* cell : cells) {
-    const Parameters& p = cell->parameters;
-    json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-    json.key("kind").value(to_string(p.kind)).key("b");
-    cell->best ? json.value(cell->best->b) : json.null();
-    json.key("lower_bound");
-    cell->impossible ? json.null() : json.value(cell->bound.blocks);
-    json.key("status").value(cell->status()).key("construction");
-    cell->best ? json.value(cell->best->recipe.construction) : json.null();
-    json.end_object();
-  }
-  json.end_array();
-  return json.take() + "\n";
 }
 
 // Lines of a catalog: the design of each cell, built to know its checksum.
@@ -185,45 +162,20 @@ std::string summary(const Cells& cells) {
 }
 
 Answer run(const TableRequest& request) {
-  const Range k = range_of("--k", request.k, 2);
-  const Range v = range_of("--v", request.v, k.from);
-  if (k.from < 2) {
-    throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", request.k)};
-  }
-  if (v.from < 2 || v.to > largest_v_of_a_plan) {
-    throw UsageError{
-        fmt::format("--v {}: a table goes from v = 2 to v = {}", request.v, largest_v_of_a_plan)};
-  }
-  if (request.change && *request.change < 1) {
-    throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
-  }
-  const PlanRange asked = range_of_a_table({.v_from = v.from,
-                                            .v_to = v.to,
-                                            .k_from = k.from,
-                                            .k_to = k.to,
-                                            .change = request.change.value_or(2)});
-  if (asked.k_to - asked.k_from >= most_cells_of_a_plan / 2 / (asked.v_to - asked.v_from + 1)) {
-    throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells", request.k,
-                                 request.v, most_cells_of_a_plan)};
-  }
-  const Plan plan = plan_range(Registry::standard(), asked);
+  const TableRange range = table_range(request.k, request.v, request.change);
+  const PlannedTable table = plan_table(range);
   const std::string& format = request.output.format();
   Cells all;
   std::string text;
   for (const Kind kind : kinds_of(request.kind)) {
-    Cells cells;
-    for (std::uint64_t a = k.from; a <= k.to; ++a) {
-      for (std::uint64_t b = v.from; b <= v.to; ++b) {
-        cells.push_back(&plan.at({.v = b, .k = a, .change = asked.change, .kind = kind}));
-      }
-    }
-    text +=
-        as_grid(cells, style_of(format, title(cells), static_cast<std::size_t>(k.to - k.from + 1)));
+    const Cells cells = table.cells(kind);
+    text += as_grid(cells, style_of(format, title(cells),
+                                    static_cast<std::size_t>(range.k.to - range.k.from + 1)));
     text += format == "table" ? summary(cells) + "\n" : "";
     all.insert(all.end(), cells.begin(), cells.end());
   }
   if (format == "json" || format == "csv") {
-    text = format == "json" ? as_json(all) : as_csv(all);
+    text = format == "json" ? table_json(all) + "\n" : as_csv(all);
   } else if (format == "catalog") {
     text = as_catalog(all, request);
   }

@@ -8,7 +8,6 @@
 #include "answer/answer.hpp"
 #include "answer/judgement.hpp"
 #include "changeover/io/input.hpp"
-#include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
@@ -129,15 +128,7 @@ Answer run(const VerifyRequest& request) {
   const Labels& labels = input->labels();
   std::string text;
   if (request.output.json()) {
-    JsonWriter json;
-    json.begin_object();
-    json.key("verdict").raw(verdict_to_json(judgement.verdict));
-    json.key("bound").begin_object();
-    json.key("name").value(judgement.bound.name).key("reason").value(judgement.bound.reason);
-    json.end_object();
-    json.key("details").raw(verdict_to_json(verdict, labels));
-    json.end_object();
-    text = json.take() + "\n";
+    text = verify_json(verdict, judgement, labels) + "\n";
   } else {
     text = fmt::format("{}: {} with {}\n", verdict.valid() ? "valid" : "INVALID",
                        name(verdict.parameters), count_of(verdict.b, "block"));

@@ -97,6 +97,14 @@ class Catalog {
   /// How the best of a cell became better, oldest first.
   [[nodiscard]] std::vector<Improvement> history(const Parameters& p) const;
 
+  /// How many designs and cells there are, retracted ones too, and the last day on which one was credited. Without reading the entries.
+  struct Size {
+    std::uint64_t designs = 0;
+    std::uint64_t cells = 0;
+    std::string latest;
+  };
+  [[nodiscard]] Size size() const;
+
   /// Whether there are entries of the user's own, and the greatest v among them.
   [[nodiscard]] std::optional<std::uint64_t> largest_users_v() const;
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,6 +36,13 @@ using AlignedBlock = std::vector<MarkedElement>;
 /// All blocks of a design in rows. The first block keeps its order; those that enter take the rows of
 /// those that left, both from the top and in the order in which they are written. O(bk log k).
 [[nodiscard]] std::vector<AlignedBlock> aligned_rows(const Design& design);
+
+/// Blocks `first` to `last` of a stream, from 0, as far as it has them; the rows begin at the first of them, the marks are those
+/// of the whole. What comes later is not read (but a circular stream is read to its end once, as Transitions say).
+/// @throws ImpossibleParameters if v exceeds max_elements_in_memory; as Transitions.
+[[nodiscard]] std::vector<AlignedBlock> aligned_rows(
+    BlockSource& source, std::uint64_t first,
+    std::uint64_t last = std::numeric_limits<std::uint64_t>::max());
 
 /// How the blocks of a table are named.
 struct BlockNames {

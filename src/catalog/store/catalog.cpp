@@ -432,6 +432,35 @@ std::vector<Improvement> Catalog::history(const Parameters& p) const {
   return steps;
 }
 
+Catalog::Size Catalog::size() const {
+  const std::lock_guard lock(store_->mutex);
+  Size size;
+  std::set<std::string> labels;
+  std::set<std::array<std::uint64_t, 5>> cells;
+  const auto count = [&](Shelf& shelf) {
+    const Database& database = shelf.database();
+    for (Statement rows =
+             database.prepare("SELECT label, change, strength, kind, k, v FROM design");
+         rows.step();) {
+      labels.insert(rows.text(0));
+      cells.insert(
+          {rows.integer(1), rows.integer(2), rows.integer(3), rows.integer(4), rows.integer(5)});
+    }
+    for (Statement rows = database.prepare("SELECT coalesce(max(date), '') FROM design");
+         rows.step();) {
+      size.latest = std::max(size.latest, std::string(rows.text(0)));
+    }
+    return true;
+  };
+  if (store_->shipped) {
+    count(*store_->shipped);
+  }
+  store_->from_users(true, count);
+  size.designs = labels.size();
+  size.cells = cells.size();
+  return size;
+}
+
 std::optional<std::uint64_t> Catalog::largest_users_v() const {
   const std::lock_guard lock(store_->mutex);
   const std::uint64_t v = store_->from_users(std::uint64_t{0}, [](Shelf& shelf) {

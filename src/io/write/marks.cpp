@@ -1,8 +1,11 @@
 #include "changeover/io/tables.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
+#include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 #include "core/utf8.hpp"
 
@@ -53,46 +56,58 @@ std::size_t display_width(std::string_view text) {
 }
 
 std::vector<AlignedBlock> aligned_rows(const Design& design) {
-  std::vector<AlignedBlock> columns;
-  columns.reserve(design.block_count());
   DesignSource source(design);
+  return aligned_rows(source, 0);
+}
+
+std::vector<AlignedBlock> aligned_rows(BlockSource& source, std::uint64_t first,
+                                       std::uint64_t last) {
+  const std::uint64_t v = source.parameters().v;
+  if (v > max_elements_in_memory) {
+    throw ImpossibleParameters(
+        fmt::format("v = {} exceeds {}: too many elements to lay out", v, max_elements_in_memory));
+  }
+  std::vector<AlignedBlock> columns;
   Block rows;  // the elements of the block before, or of this one once it is placed
   // By element: the number of the block it was last in, introduced in, and left in; from 1.
-  struct Last {
+  struct Seen {
     std::uint64_t in = 0, introduced = 0, leaving = 0;
   };
-  std::vector<Last> last(static_cast<std::size_t>(design.v()));
-  for (Transitions steps(source); steps.next();) {
+  std::vector<Seen> seen(static_cast<std::size_t>(v));
+  for (Transitions steps(source); steps.next() && steps.index() <= last;) {
+    if (steps.index() < first) {
+      continue;
+    }
     const std::uint64_t number = steps.index() + 1;
     for (const Element x : steps.introduced()) {
-      last[x].introduced = number;
+      seen[x].introduced = number;
     }
     for (const Element x : steps.leaving()) {
-      last[x].leaving = number;
+      seen[x].leaving = number;
     }
     if (rows.empty()) {
       rows.assign(steps.block().begin(), steps.block().end());
     } else {
       Block entering;
       for (const Element x : steps.block()) {
-        if (last[x].in != number - 1) {
+        if (seen[x].in != number - 1) {
           entering.push_back(x);
         }
       }
       for (const Element x : steps.block()) {
-        last[x].in = number;
+        seen[x].in = number;
       }
       auto next = entering.begin();
       for (Element& row : rows) {
-        if (last[row].in != number) {
+        if (seen[row].in != number) {
           row = *next++;
         }
       }
     }
     AlignedBlock column;
     for (const Element x : rows) {
-      last[x].in = number;
-      column.push_back({x, last[x].introduced == number, last[x].leaving == number});
+      seen[x].in = number;
+      column.push_back({x, seen[x].introduced == number, seen[x].leaving == number});
     }
     columns.push_back(std::move(column));
   }

@@ -3,8 +3,7 @@
 
 #include "answer/answer.hpp"
 #include "answer/entry_words.hpp"
-#include "changeover/construct/standard_catalog.hpp"
-#include "changeover/core/version.hpp"
+#include "changeover/core/error.hpp"
 #include "request/catalog_request.hpp"
 #include "verbs.hpp"
 
@@ -17,49 +16,16 @@ struct CiteRequest {
   OutputRequest output;
 };
 
-std::string misc(const std::string& key, const std::string& author, const std::string& title,
-                 const std::string& date, const std::string& note) {
-  return fmt::format(
-      "@misc{{{},\n  author = {{{}}},\n  title  = {{{}}},\n  year   = {{{}}},\n  note   = "
-      "{{{}}}\n}}\n",
-      key, author, title, date.substr(0, 4), note);
-}
-
 Answer run(const CiteRequest& request) {
   const Catalog& catalog = request.catalog.open();
-  const std::string program = fmt::format("Changeover {}", version);
   if (request.label.empty()) {
-    Sha256 hash;
-    std::uint64_t count = 0;
-    std::string latest;
-    catalog.each({.best_only = false}, [&](const CatalogEntry& entry) {
-      if (catalog.is_shipped(entry.label())) {
-        ++count;
-        latest = std::max(latest, entry.credit.date);
-        hash.add(entry.checksum);
-      }
-      return true;
-    });
-    return text_answer(misc("changeover-catalog-" + latest, "{The Changeover developers}",
-                            "A catalog of change covering designs", latest,
-                            fmt::format("{}; {} designs as of {}; SHA-256 of their checksums {}",
-                                        program, count, latest, to_hex(hash.finish()))),
-                       request.output);
+    return text_answer(bibtex_of(catalog), request.output);
   }
   const auto entry = catalog.find(request.label);
   if (!entry) {
     throw MissingResource(fmt::format("the catalog has no design {}", request.label));
   }
-  std::string text =
-      misc("changeover-" + entry->label(), "{" + entry->credit.who + "}",
-           fmt::format("{} with {} blocks", name(entry->parameters), entry->b), entry->credit.date,
-           fmt::format("{}, catalog label {}, SHA-256 of the blocks {}", program, entry->label(),
-                       to_hex(entry->checksum)));
-  for (const std::string& key : references_of(*entry)) {
-    const std::string reference = bibtex_of(key);
-    text += reference.empty() ? "" : "\n" + reference;
-  }
-  return text_answer(text, request.output);
+  return text_answer(bibtex_of(*entry), request.output);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <charconv>
 
 #include "answer/answer.hpp"
+#include "answer/chosen_design.hpp"
 #include "answer/entry_words.hpp"
 #include "answer/recipe_tree.hpp"
-#include "answer/show_design.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/registry.hpp"
 #include "request/catalog_request.hpp"
@@ -60,27 +60,8 @@ std::string text_of(const CatalogEntry& entry, bool is_shipped) {
 }
 
 Answer show_blocks(const CatalogEntry& entry, const OutputRequest& output) {
-  const Registry& registry = Registry::standard();
-  Offer promise;
-  promise.recipe = entry.recipe;
-  promise.b = entry.b;
-  std::shared_ptr<BlockSource> source = registry.build(entry.recipe);
-  const DesignDigest digest = design_digest(*source);
-  if (digest.checksum != entry.checksum) {
-    throw BadInput(fmt::format("{}: its recipe makes other blocks than those that were published",
-                               entry.label()));
-  }
-  source = registry.build(entry.recipe);
-  Judgement judgement = judge(*source, promise);
-  Exhibit exhibit{.title = fmt::format("{}: {}", entry.label(), quality(judgement)),
-                  // Elements by their numbers, as the checksum has them.
-                  .header = {.labels = {}, .recipe = entry.recipe},
-                  .judgement = std::move(judgement),
-                  .positions = {},
-                  .base_blocks = {},
-                  .leaving = false};
-  source = registry.build(entry.recipe);
-  return show_design(std::move(source), std::move(exhibit), output);
+  ChosenDesign chosen = built(entry);
+  return show_design(chosen.source, std::move(chosen.exhibit), output);
 }
 
 Answer run(const ShowRequest& request) {

@@ -1,15 +1,14 @@
-// Pictures on a circle, as SVG and as TikZ: 1-factorizations and cyclic designs.
+// Pictures on a circle: 1-factorizations and cyclic designs.
 //
-//     FactorFigure k8{.order = 8, .factors = factors, .centre = 7};
-//     std::string svg = to_svg(k8);
+//     FactorFigure k8 = factor_figure(one_factorization(8), 7);
+//     std::string page = svg(draw_factors(k8));
 //
 //     // The base block of DCCD(11,4) and its successor [ChafeeStevens2025, Fig. 3]:
 //     CircleFigure circle{.v = 11, .blocks = {{{0, 1, 2, 5}, {2, 5}}, {{1, 2, 3, 6}, {3, 6}}}};
-//     std::string tikz = to_tikz(circle);
+//     std::string figure = tikz(draw_circle(circle));
 //
-// SVG is a complete file, 480 by 480 and scalable, with title and description; TikZ is one tikzpicture
-// that needs \usepackage{tikz}. Colours are those of Okabe and Ito, which the colour-blind can tell
-// apart; beyond seven, lines are dashed too.
+// A picture is 480 by 480 and scalable, and has a title and a description but no headline. Beyond seven colours lines are dashed
+// too.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +17,10 @@
 #include <utility>
 #include <vector>
 
+#include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
+#include "changeover/draw/picture.hpp"
 
 namespace changeover {
 
@@ -31,6 +32,10 @@ struct FactorFigure {
   std::optional<std::uint32_t> centre = {};  ///< the vertex in the middle, if one shall be there
   std::string title = {};                    ///< empty: "1-factorization of K_n"
 };
+
+/// Without names. In GK_n, n > 2, it is vertex n − 1 that the rotation fixes and that belongs into the middle.
+[[nodiscard]] FactorFigure factor_figure(const OneFactorization& factorization,
+                                         std::optional<std::uint32_t> centre = {});
 
 /// A block in a picture, with those of its elements that it introduces.
 struct DrawnBlock {
@@ -44,8 +49,9 @@ struct DrawnBlock {
 struct CircleFigure {
   std::uint64_t v = 0;  ///< at most 1000
   std::vector<DrawnBlock> blocks = {};
-  std::vector<std::string> names = {};  ///< of the points; empty: 0, 1, …
-  std::string title = {};               ///< empty: "Blocks on v points"
+  std::vector<std::string> names = {};       ///< of the points; empty: 0, 1, …
+  std::string title = {};                    ///< empty: "Blocks on v points"
+  std::optional<std::uint32_t> centre = {};  ///< the point in the middle, if one shall be there
 };
 
 /// Blocks `first` to `first` + `count` − 1 of a design (from 0), as far as it has them, with what they
@@ -54,9 +60,7 @@ struct CircleFigure {
                                          std::uint64_t count);
 
 /// @throws BadInput if a vertex, point or the number of names does not fit the order.
-[[nodiscard]] std::string to_svg(const FactorFigure& figure);
-[[nodiscard]] std::string to_svg(const CircleFigure& figure);
-[[nodiscard]] std::string to_tikz(const FactorFigure& figure);
-[[nodiscard]] std::string to_tikz(const CircleFigure& figure);
+[[nodiscard]] Picture draw_factors(const FactorFigure& figure);
+[[nodiscard]] Picture draw_circle(const CircleFigure& figure);
 
 }  // namespace changeover

@@ -1,0 +1,63 @@
+#include "answer/chosen_design.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "changeover/catalog/label.hpp"
+#include "changeover/core/error.hpp"
+
+namespace changeover::cli {
+
+ChosenDesign built(const Offer& offer, Unread unread) {
+  const Registry& registry = Registry::standard();
+  const Construction& construction = *registry.find(offer.recipe.construction);
+  ChosenDesign chosen{.offer = offer, .source = registry.build(offer.recipe), .exhibit = {}};
+  std::optional<Judgement> judgement = judge_at_once(*chosen.source, offer);
+  Exhibit& exhibit = chosen.exhibit;
+  exhibit.header.labels = construction.labels(offer.recipe, registry);
+  exhibit.header.recipe = offer.recipe;
+  if (!judgement && unread == Unread::may_be_left && takes_long_to_judge(*chosen.source, offer)) {
+    chosen.judged = false;
+    return chosen;
+  }
+  exhibit.judgement = judgement ? *std::move(judgement) : judge(*chosen.source, offer);
+  if (const auto base = construction.base_blocks(offer.recipe); base && base->blocks.size() > 1) {
+    exhibit.base_blocks = base->blocks.size();
+  }
+  if (const auto set = construction.expansion_set(offer.recipe, registry)) {
+    for (const UnchangedSubset& subset : *set) {
+      exhibit.positions.push_back(subset.position);
+    }
+  }
+  exhibit.title = fmt::format("{}, {}: {}\n{} {}\nverified: {}", name(offer.recipe.parameters),
+                              count_of(offer.b, "block"), quality(exhibit.judgement),
+                              construction.explain(offer.recipe),
+                              construction.citation().to_string(), exhibit.judgement.certificate);
+  if (!exhibit.positions.empty()) {
+    exhibit.title += fmt::format("\n^ marks the {} unchanged subsets of an expansion set",
+                                 exhibit.positions.size());
+  }
+  return chosen;
+}
+
+ChosenDesign built(const CatalogEntry& entry) {
+  const Registry& registry = Registry::standard();
+  ChosenDesign chosen;
+  chosen.offer.recipe = entry.recipe;
+  chosen.offer.b = entry.b;
+  chosen.source = registry.build(entry.recipe);
+  const DesignDigest digest = design_digest(*chosen.source);
+  if (digest.checksum != entry.checksum) {
+    throw BadInput(fmt::format("{}: its recipe makes other blocks than those that were published",
+                               entry.label()));
+  }
+  chosen.source = registry.build(entry.recipe);
+  chosen.exhibit.judgement = judge(*chosen.source, chosen.offer);
+  chosen.exhibit.title = fmt::format("{}: {}", entry.label(), quality(chosen.exhibit.judgement));
+  chosen.exhibit.header.recipe = entry.recipe;
+  chosen.source = registry.build(entry.recipe);
+  return chosen;
+}
+
+}  // namespace changeover::cli

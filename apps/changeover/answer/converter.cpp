@@ -1,0 +1,109 @@
+#include "answer/converter.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover::cli {
+namespace {
+
+constexpr const char* program = "rsvg-convert";
+
+struct Closer {
+  void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
+};
+using File = std::unique_ptr<std::FILE, Closer>;
+
+// A file without a name. What goes to and comes from another program goes through such, so that none waits for the other.
+File nameless_file() {
+  File file(std::tmpfile());
+  if (!file) {
+    throw MissingResource(
+        fmt::format("there is no room for a temporary file: {}", std::strerror(errno)));
+  }
+  return file;
+}
+
+std::string contents(const File& file) {
+  std::rewind(file.get());
+  std::string text;
+  std::array<char, 65536> buffer;
+  while (const std::size_t read = std::fread(buffer.data(), 1, buffer.size(), file.get())) {
+    text.append(buffer.data(), read);
+  }
+  return text;
+}
+
+class Actions {
+ public:
+  Actions() { posix_spawn_file_actions_init(&actions_); }
+  ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
+  Actions(const Actions&) = delete;
+  Actions& operator=(const Actions&) = delete;
+
+  void connect(const File& file, int stream) {
+    posix_spawn_file_actions_adddup2(&actions_, fileno(file.get()), stream);
+  }
+  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+};
+
+}  // namespace
+
+std::string converted(const std::string& svg, const std::string& format, unsigned zoom) {
+  const File input = nameless_file();
+  const File output = nameless_file();
+  const File complaints = nameless_file();
+  if (std::fwrite(svg.data(), 1, svg.size(), input.get()) != svg.size() ||
+      std::fflush(input.get()) != 0) {
+    throw MissingResource(fmt::format("a temporary file of {} bytes cannot be written: {}",
+                                      svg.size(), std::strerror(errno)));
+  }
+  std::rewind(input.get());
+
+  Actions actions;
+  actions.connect(input, STDIN_FILENO);
+  actions.connect(output, STDOUT_FILENO);
+  actions.connect(complaints, STDERR_FILENO);
+  std::array<std::string, 5> words = {program, "--format", format, "--zoom", std::to_string(zoom)};
+  std::array<char*, 6> arguments{};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    arguments[i] = words[i].data();
+  }
+  pid_t process = 0;
+  const int failure =
+      posix_spawnp(&process, program, actions.get(), nullptr, arguments.data(), environ);
+  int status = 0;
+  if (failure == 0) {
+    while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+  }
+  // A shell's way to say that there is no such program; posix_spawnp may say so itself or leave it to the child.
+  constexpr int not_there = 127;
+  if (failure != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == not_there)) {
+    throw MissingResource(fmt::format(
+        "--format {} needs {}, which is not to be found: install the Debian package librsvg2-bin, or write svg",
+        format, program));
+  }
+  std::string picture = contents(output);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty()) {
+    const std::string said = contents(complaints);
+    throw MissingResource(
+        fmt::format("{} could not write {}: {}", program, format,
+                    said.empty() ? "it says nothing" : said.substr(0, said.find('\n'))));
+  }
+  return picture;
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,13 @@
+// Pictures as PDF and PNG, by a program that knows how: rsvg-convert of librsvg.
+#pragma once
+
+#include <string>
+
+namespace changeover::cli {
+
+/// An SVG file as "pdf" or "png", enlarged by `zoom`. @throws MissingResource in one line: that the program is missing and which
+/// package has it, or what it said.
+[[nodiscard]] std::string converted(const std::string& svg, const std::string& format,
+                                    unsigned zoom);
+
+}  // namespace changeover::cli

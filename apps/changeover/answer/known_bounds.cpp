@@ -1,0 +1,48 @@
+#include "answer/known_bounds.hpp"
+
+#include "io/write/json_writer.hpp"
+
+namespace changeover::cli {
+
+std::string KnownBounds::status() const {
+  if (impossible) {
+    return "impossible";
+  }
+  if (!best) {
+    return "open";
+  }
+  return best->b == bounds.front().blocks ? "minimum" : "best-known";
+}
+
+KnownBounds known_bounds(const Parameters& p) {
+  KnownBounds answer{.parameters = p, .impossible = impossibility(p), .bounds = {}, .best = {}};
+  if (!answer.impossible) {
+    answer.bounds = lower_bounds(p);
+    answer.best = best_known(p);
+  }
+  return answer;
+}
+
+std::string bounds_json(const KnownBounds& answer) {
+  const Parameters& p = answer.parameters;
+  JsonWriter json;
+  json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+  json.key("lower_bound");
+  answer.impossible ? json.null() : json.value(answer.bounds.front().blocks);
+  json.key("reason").value(answer.impossible ? *answer.impossible : answer.bounds.front().reason);
+  json.key("best_known");
+  answer.best ? json.value(answer.best->b) : json.null();
+  json.key("construction");
+  answer.best ? json.value(answer.best->recipe.construction) : json.null();
+  json.key("status").value(answer.status());
+  json.key("bounds").begin_array();
+  for (const Bound& bound : answer.bounds) {
+    json.begin_object().key("lower_bound").value(bound.blocks).key("name").value(bound.name);
+    json.key("reason").value(bound.reason).end_object();
+  }
+  json.end_array().end_object();
+  return json.take();
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,29 @@
+// What is known of some parameters: why none exists, or every lower bound and the best design.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "answer/offers.hpp"
+#include "changeover/bounds/lower_bound.hpp"
+
+namespace changeover::cli {
+
+struct KnownBounds {
+  Parameters parameters;
+  std::optional<std::string> impossible;  ///< why no design exists
+  std::vector<Bound> bounds;              ///< largest first; none if impossible
+  std::optional<Offer> best;
+
+  /// "impossible", "open", "minimum" or "best-known".
+  [[nodiscard]] std::string status() const;
+};
+
+/// @throws ImpossibleParameters as check().
+[[nodiscard]] KnownBounds known_bounds(const Parameters& p);
+
+/// The document of `bounds --json`.
+[[nodiscard]] std::string bounds_json(const KnownBounds& known);
+
+}  // namespace changeover::cli

@@ -1,0 +1,97 @@
+#include "answer/planned_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/construct/standard_catalog.hpp"
+#include "cli/cli.hpp"
+#include "io/write/json_writer.hpp"
+
+namespace changeover::cli {
+namespace {
+
+std::string text_of(const Range& range) { return fmt::format("{}..{}", range.from, range.to); }
+
+// What is planned for a range. @throws UsageError if it cannot be.
+PlanRange with_surroundings(const TableRange& asked) {
+  if (asked.k.from < 2) {
+    throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", text_of(asked.k))};
+  }
+  if (asked.v.from < 2 || asked.v.to > largest_v_of_a_plan) {
+    throw UsageError{fmt::format("--v {}: a table goes from v = 2 to v = {}", text_of(asked.v),
+                                 largest_v_of_a_plan)};
+  }
+  if (asked.change < 1) {
+    throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
+  }
+  const PlanRange planned = range_of_a_table({.v_from = asked.v.from,
+                                              .v_to = asked.v.to,
+                                              .k_from = asked.k.from,
+                                              .k_to = asked.k.to,
+                                              .change = asked.change});
+  if (planned.k_to - planned.k_from >=
+      most_cells_of_a_plan / 2 / (planned.v_to - planned.v_from + 1)) {
+    throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells",
+                                 text_of(asked.k), text_of(asked.v), most_cells_of_a_plan)};
+  }
+  return planned;
+}
+
+}  // namespace
+
+Cells PlannedTable::cells(Kind kind) const {
+  Cells cells;
+  for (std::uint64_t k = asked_.k.from; k <= asked_.k.to; ++k) {
+    for (std::uint64_t v = asked_.v.from; v <= asked_.v.to; ++v) {
+      cells.push_back(&plan_.at({.v = v, .k = k, .change = asked_.change, .kind = kind}));
+    }
+  }
+  return cells;
+}
+
+TableRange table_range(const std::string& k, const std::string& v,
+                       std::optional<std::uint64_t> change) {
+  TableRange range{.k = range_of("--k", k, 2), .v = {}, .change = change.value_or(2)};
+  range.v = range_of("--v", v, range.k.from);
+  static_cast<void>(with_surroundings(range));
+  return range;
+}
+
+PlannedTable plan_table(const TableRange& asked) {
+  return {asked, plan_range(Registry::standard(), with_surroundings(asked))};
+}
+
+std::string table_json(const Cells& cells, bool with_labels) {
+  JsonWriter json;
+  json.begin_array();
+  for (const PlannedCell* cell : cells) {
+    const Parameters& p = cell->parameters;
+    json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+    json.key("kind").value(to_string(p.kind)).key("b");
+    cell->best ? json.value(cell->best->b) : json.null();
+    json.key("lower_bound");
+    cell->impossible ? json.null() : json.value(cell->bound.blocks);
+    json.key("status").value(cell->status()).key("construction");
+    cell->best ? json.value(cell->best->recipe.construction) : json.null();
+    if (with_labels) {
+      const std::string label = cell->best ? label_of(*cell->best) : "";
+      json.key("label");
+      label.empty() ? json.null() : json.value(label);
+    }
+    json.end_object();
+  }
+  json.end_array();
+  return json.take();
+}
+
+std::string label_of(const Offer& offer) {
+  const Recipe& recipe = offer.recipe;
+  if (recipe.construction == "found" && recipe.inputs.empty()) {
+    return recipe.provenance;
+  }
+  const auto known = standard_catalog().fewest(recipe.parameters);
+  return known && known->b == offer.b ? known->label : "";
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,53 @@
+// The best known design for every v and k of a range, as `table` shows it.
+//
+//     const PlannedTable table = plan_table({.k = {3, 8}, .v = {3, 40}, .change = 2});
+//     table_json(table.cells(Kind::linear));
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/construct/planner.hpp"
+#include "request/range.hpp"
+
+namespace changeover::cli {
+
+struct TableRange {
+  Range k;
+  Range v;
+  std::uint64_t change = 2;
+};
+
+/// As --k, --v and --change say it, where it can be planned. @throws UsageError.
+[[nodiscard]] TableRange table_range(const std::string& k, const std::string& v,
+                                     std::optional<std::uint64_t> change);
+
+using Cells = std::vector<const PlannedCell*>;
+
+class PlannedTable {
+ public:
+  PlannedTable(const TableRange& asked, Plan plan) : asked_(asked), plan_(std::move(plan)) {}
+
+  [[nodiscard]] const TableRange& range() const { return asked_; }
+
+  /// The cells of one kind, by k, then v. They live as long as the table.
+  [[nodiscard]] Cells cells(Kind kind) const;
+
+ private:
+  TableRange asked_;
+  Plan plan_;
+};
+
+/// @throws UsageError if the range cannot be planned; as plan_range().
+[[nodiscard]] PlannedTable plan_table(const TableRange& asked);
+
+/// The document of `table --json`; `with_labels`: each cell has "label" too, of the design in the catalog that has as
+/// many blocks as the best one, or null.
+[[nodiscard]] std::string table_json(const Cells& cells, bool with_labels = false);
+
+/// The label in the catalog of a design with as many blocks as an offer; empty if there is none.
+[[nodiscard]] std::string label_of(const Offer& offer);
+
+}  // namespace changeover::cli

@@ -1,0 +1,171 @@
+// What the server is and what it knows in general.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "answer/completeness.hpp"
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/version.hpp"
+#include "changeover/run/scope.hpp"
+#include "io/write/json_writer.hpp"
+#include "serve/api/about.hpp"
+#include "serve/api/routes.hpp"
+
+namespace changeover::serve {
+namespace {
+
+Response about(const Explorer& explorer) {
+  const Catalog::Size size = explorer.catalog.size();
+  JsonWriter json;
+  json.begin_object().key("version").value(version);
+  json.key("catalog")
+      .begin_object()
+      .key("designs")
+      .value(size.designs)
+      .key("cells")
+      .value(size.cells);
+  json.key("version").value(size.latest).end_object();
+  const Limits& limits = explorer.limits;
+  json.key("limits").begin_object().key("body_bytes").value(limits.body_bytes);
+  json.key("seconds").value(limits.seconds.count()).key("memory").value(limits.memory_bytes);
+  json.key("searches").value(limits.searches).end_object();
+  json.key("write").value(explorer.may_write).key("files").begin_array();
+  for (std::size_t i = 0; i < explorer.files.size(); ++i) {
+    json.begin_object().key("index").value(i + 1).key("name").value(explorer.files[i].name);
+    json.end_object();
+  }
+  json.end_array().key("static").value(false).end_object();
+  return json_response(json.take() + "\n");
+}
+
+// The smallest parameters, by v, then k, for which each construction is among the best.
+std::map<std::string_view, Parameters> examples_of_constructions() {
+  constexpr std::uint64_t largest_v = 40;
+  constexpr std::uint64_t largest_k = 8;
+  constexpr std::uint64_t largest_change = 3;
+  std::map<std::string_view, Parameters> best;
+  std::map<std::string_view, Parameters> any;
+  const Registry& registry = Registry::standard();
+  Parameters p;
+  for (p.v = 3; p.v <= largest_v; ++p.v) {
+    for (p.k = 2; p.k <= std::min(largest_k, p.v); ++p.k) {
+      for (const std::uint64_t change : {std::uint64_t{2}, std::uint64_t{1}, std::uint64_t{3}}) {
+        for (const Kind kind : {Kind::circular, Kind::linear}) {
+          stop_if_asked();
+          p.change = change;
+          p.kind = kind;
+          if (change > std::min(p.k, largest_change) || impossibility(p)) {
+            continue;
+          }
+          const std::vector<Offer> offers = registry.offers(p);
+          for (const Offer& offer : offers) {
+            const Construction* const made = registry.find(offer.recipe.construction);
+            any.emplace(made->name(), p);
+            if (offer.b == offers.front().b) {
+              best.emplace(made->name(), p);
+            }
+          }
+        }
+      }
+    }
+  }
+  best.merge(any);
+  return best;
+}
+
+void write_example(JsonWriter& json, const std::optional<Parameters>& p) {
+  json.key("example");
+  if (!p) {
+    json.null();
+    return;
+  }
+  json.begin_object().key("v").value(p->v).key("k").value(p->k).key("change").value(p->change);
+  json.key("kind").value(to_string(p->kind)).end_object();
+}
+
+}  // namespace
+
+std::string constructions_json() {
+  const auto examples = examples_of_constructions();
+  JsonWriter json;
+  json.begin_array();
+  for (const Construction* each : Registry::standard().constructions()) {
+    json.begin_object().key("name").value(each->name()).key("summary").value(each->summary());
+    json.key("citation").value(each->citation().to_string());
+    json.key("serves").value(each->preconditions()).key("gives").value(each->guarantee());
+    const auto found = examples.find(each->name());
+    write_example(json, found == examples.end() ? std::nullopt : std::optional(found->second));
+    json.end_object();
+  }
+  return json.end_array().take() + "\n";
+}
+
+std::vector<Theorem> theorems_of(std::string_view text) {
+  std::vector<Theorem> theorems;
+  constexpr std::string_view heading = "\n## Theorem ";
+  for (std::size_t at = text.find(heading); at != std::string_view::npos;
+       at = text.find(heading, at + 1)) {
+    Theorem theorem;
+    std::size_t begin = text.find('\n', at + 1);
+    theorem.number = std::string(text.substr(at + heading.size(), begin - at - heading.size()));
+    // The title is in the list of contents: "- [Theorem 1](#theorem-1): tight circular designs …".
+    const std::string entry = fmt::format("- [Theorem {0}](#theorem-{0}): ", theorem.number);
+    if (const std::size_t listed = text.find(entry); listed != std::string_view::npos) {
+      const std::size_t from = listed + entry.size();
+      theorem.title = std::string(text.substr(from, text.find("\n- ", from) - from));
+      std::ranges::replace(theorem.title, '\n', ' ');
+    }
+    const std::size_t next = std::min(text.find("\n## ", begin), text.size());
+    const std::size_t proof = std::min(text.find("\n*Proof", begin), next);
+    begin = text.find_first_not_of('\n', begin);
+    theorem.statement = std::string(text.substr(begin, proof - begin));
+    theorem.statement.erase(theorem.statement.find_last_not_of('\n') + 1);
+    theorems.push_back(std::move(theorem));
+  }
+  return theorems;
+}
+
+std::string theorems_json() {
+  const auto examples = examples_of_constructions();
+  JsonWriter json;
+  json.begin_array();
+  for (const Theorem& theorem : theorems_of(theorems_text())) {
+    json.begin_object().key("number").value(theorem.number).key("title").value(theorem.title);
+    json.key("statement").value(theorem.statement);
+    // Of a construction that says it is from this theorem.
+    std::optional<Parameters> example;
+    for (const Construction* each : Registry::standard().constructions()) {
+      const std::string cited = each->citation().to_string();
+      const auto found = examples.find(each->name());
+      if (!example && found != examples.end() &&
+          cited.ends_with("docs/theorems.md, Theorem " + theorem.number + "]")) {
+        example = found->second;
+      }
+    }
+    write_example(json, example);
+    json.end_object();
+  }
+  return json.end_array().take() + "\n";
+}
+
+void add_about(Router& router, Explorer& explorer) {
+  const auto add = [&](const std::string& path, std::function<Response()> answer,
+                       Lane lane = Lane::slow) {
+    Route route = question(explorer, path, {}, Again::while_unchanged,
+                           [answer = std::move(answer)](const Request&) { return answer(); });
+    route.lane = always(lane);
+    router.add(std::move(route));
+  };
+  add(
+      "api/about", [&explorer] { return about(explorer); }, Lane::quick);
+  add("api/completeness", [&explorer] {
+    return json_response(
+        cli::completeness_json(cli::completeness(explorer.catalog, {.best_only = true})) + "\n");
+  });
+  add("api/constructions", [] { return json_response(constructions_json()); });
+  add("api/theorems", [] { return json_response(theorems_json()); });
+}
+
+}  // namespace changeover::serve

@@ -1,0 +1,28 @@
+// What is known in general, as JSON.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace changeover::serve {
+
+/// docs/theorems.md; generated.
+[[nodiscard]] std::string_view theorems_text();
+
+struct Theorem {
+  std::string number;
+  std::string title;
+  std::string statement;  ///< Markdown, up to the proof
+};
+
+/// The theorems of a text like docs/theorems.md: sections "## Theorem N", titles in the list of contents.
+[[nodiscard]] std::vector<Theorem> theorems_of(std::string_view text);
+
+/// [{"number","title","statement","example":{v,k,change,kind}|null}]
+[[nodiscard]] std::string theorems_json();
+
+/// [{"name","summary","citation","serves","gives","example":{v,k,change,kind}|null}]
+[[nodiscard]] std::string constructions_json();
+
+}  // namespace changeover::serve

@@ -1,0 +1,147 @@
+// Cells: tables of them, and what is known of one.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "answer/entry_words.hpp"
+#include "answer/known_bounds.hpp"
+#include "answer/planned_table.hpp"
+#include "answer/recipe_tree.hpp"
+#include "changeover/construct/standard_catalog.hpp"
+#include "changeover/io/formats.hpp"
+#include "io/write/json_writer.hpp"
+#include "request/parameters.hpp"
+#include "serve/api/cells.hpp"
+#include "serve/api/query.hpp"
+#include "serve/api/routes.hpp"
+#include "serve/api/selection.hpp"
+
+namespace changeover::serve {
+namespace {
+
+constexpr std::uint64_t usual_change = 2;
+
+Response table(const Request& request) {
+  const cli::PlannedTable planned = cli::plan_table(table_range_of(request));
+  cli::Cells cells;
+  for (const Kind kind : cli::kinds_of(kind_of(request))) {
+    const cli::Cells more = planned.cells(kind);
+    cells.insert(cells.end(), more.begin(), more.end());
+  }
+  return json_response(cli::table_json(cells, true) + "\n");
+}
+
+void write_best(JsonWriter& json, const cli::KnownBounds& known) {
+  json.key("best");
+  if (!known.best) {
+    json.null();
+    return;
+  }
+  const Offer& offer = *known.best;
+  const std::string label = cli::label_of(offer);
+  json.begin_object().key("b").value(offer.b).key("label");
+  label.empty() ? json.null() : json.value(label);
+  json.key("status").value(known.status());
+  json.key("construction").value(offer.recipe.construction);
+  json.key("recipe").raw(recipe_to_json(offer.recipe)).end_object();
+}
+
+}  // namespace
+
+cli::TableRange table_range_of(const Request& request) {
+  constexpr std::uint64_t most_cells = 20'000;
+  const cli::Range usual_k{3, 8};
+  const cli::Range k = range_of(request, "k", usual_k);
+  const cli::Range v = range_of(request, "v", {k.from, 40});
+  const std::uint64_t columns = k.to - k.from;
+  if (columns >= most_cells || (v.to - v.from) / (most_cells / (columns + 1)) > 0) {
+    throw Refusal{413, fmt::format("the table would have more than {} cells; ask for fewer at once",
+                                   most_cells)};
+  }
+  return {.k = k, .v = v, .change = number_of(request, "change").value_or(usual_change)};
+}
+
+bool is_quick_table(const Request& request) {
+  constexpr std::uint64_t quick_cells = 150;
+  constexpr std::uint64_t quick_v = 60;
+  const cli::TableRange range = table_range_of(request);
+  return range.v.to <= quick_v &&
+         (range.k.to - range.k.from + 1) * (range.v.to - range.v.from + 1) <= quick_cells;
+}
+
+std::string cell_json(const Catalog& catalog, const Parameters& p) {
+  const cli::KnownBounds known = cli::known_bounds(p);
+  JsonWriter json;
+  json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+  json.key("lower_bound");
+  known.impossible ? json.null() : json.value(known.bounds.front().blocks);
+  json.key("reason").value(known.impossible ? *known.impossible : known.bounds.front().reason);
+  json.key("status").value(known.status());
+  json.key("bounds").begin_array();
+  for (const Bound& bound : known.bounds) {
+    json.begin_object().key("name").value(bound.name).key("blocks").value(bound.blocks);
+    json.key("reason").value(bound.reason).end_object();
+  }
+  json.end_array();
+  write_best(json, known);
+  const std::vector<CatalogEntry> entries = catalog.cell(p);
+  json.key("designs").begin_array();
+  for (const CatalogEntry& entry : entries) {
+    cli::write_entry(json, entry);
+  }
+  json.end_array().key("offers").begin_array();
+  constexpr std::size_t most_offers = 20;
+  const std::vector<Offer> offers =
+      known.impossible ? std::vector<Offer>() : Registry::standard().offers(p);
+  for (std::size_t i = 0; i < std::min(offers.size(), most_offers); ++i) {
+    json.begin_object().key("construction").value(offers[i].recipe.construction);
+    json.key("b").value(offers[i].b).key("recipe").raw(recipe_to_json(offers[i].recipe));
+    json.end_object();
+  }
+  json.end_array().key("history").begin_array();
+  for (const Improvement& step : catalog.history(p)) {
+    const auto entry = std::ranges::find_if(
+        entries, [&](const CatalogEntry& each) { return each.label() == step.label; });
+    json.begin_object().key("date").value(step.date).key("b").value(step.b);
+    json.key("label").value(step.label);
+    json.key("credit").value(entry == entries.end() ? "" : entry->credit.who);
+    json.key("how").value(step.how).end_object();
+  }
+  json.end_array().key("impossible");
+  known.impossible ? json.value(*known.impossible) : json.null();
+  return json.end_object().take();
+}
+
+void add_cells(Router& router, Explorer& explorer) {
+  const auto quick_or_slow = [](auto is_quick) {
+    return
+        [is_quick](const Request& request) { return is_quick(request) ? Lane::quick : Lane::slow; };
+  };
+  Route tables =
+      question(explorer, "api/table", {"v", "k", "change", "kind"}, Again::while_unchanged, table);
+  tables.lane = quick_or_slow(is_quick_table);
+  router.add(std::move(tables));
+
+  const auto of_cell = [&](const std::string& path, std::vector<std::string> parameters,
+                           std::function<Response(const Request&)> answer) {
+    Route route =
+        question(explorer, path, std::move(parameters), Again::while_unchanged, std::move(answer));
+    route.lane = quick_or_slow(is_quick);
+    router.add(std::move(route));
+  };
+  const std::vector<std::string> cell{"v", "k", "change", "kind", "strength"};
+  of_cell("api/cell", cell, [&explorer](const Request& request) {
+    return json_response(cell_json(explorer.catalog, cell_of(request)) + "\n");
+  });
+  of_cell("api/bounds", cell, [](const Request& request) {
+    return json_response(cli::bounds_json(cli::known_bounds(cell_of(request))) + "\n");
+  });
+  std::vector<std::string> or_label = cell;
+  or_label.emplace_back("label");
+  of_cell("api/explain", or_label, [&explorer](const Request& request) {
+    return json_response(cli::explanation_json(selected_recipe(explorer, request)) + "\n");
+  });
+}
+
+}  // namespace changeover::serve

@@ -1,0 +1,100 @@
+// Designs: to look at, to take away, to cite.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "answer/entry_words.hpp"
+#include "changeover/catalog/label.hpp"
+#include "core/printable.hpp"
+#include "serve/api/query.hpp"
+#include "serve/api/routes.hpp"
+#include "serve/api/selection.hpp"
+
+namespace changeover::serve {
+namespace {
+
+const std::vector<std::string>& download_formats() {
+  static const std::vector<std::string> formats = [] {
+    std::vector<std::string> all = cli::design_formats();
+    std::erase(all, "table");
+    return all;
+  }();
+  return formats;
+}
+
+std::string type_of(const std::string& format) {
+  static const std::map<std::string, std::string> types{
+      {"json", "application/json; charset=utf-8"},
+      {"csv", "text/csv; charset=utf-8"},
+      {"svg", "image/svg+xml"},
+      {"designtheory", "application/xml; charset=utf-8"}};
+  const auto found = types.find(format);
+  return found == types.end() ? "text/plain; charset=utf-8" : found->second;
+}
+
+Response download(Explorer& explorer, const Request& request) {
+  const std::string format = word_of(request, "format", download_formats());
+  const Selection selection = selected(explorer, request);
+  const cli::ChosenDesign& chosen = selection.chosen;
+  const Parameters& p = chosen.source->parameters();
+  if (const auto defect = cli::format_defect(p, chosen.offer.b, format)) {
+    throw Refusal{413, *defect};
+  }
+  StringSink sink;
+  cli::write_design(*chosen.source, chosen.exhibit, format, sink);
+  Response response = text_response(sink.take(), type_of(format));
+  response.headers.emplace_back(
+      "Content-Disposition",
+      fmt::format("attachment; filename=\"{}.{}.{}\"", cell_label(p), chosen.offer.b, format));
+  return response;
+}
+
+Response cite(const Explorer& explorer, const Request& request) {
+  constexpr const char* text = "text/plain; charset=utf-8";
+  const auto label = request.parameter("label");
+  if (!label) {
+    return text_response(cli::bibtex_of(explorer.catalog), text);
+  }
+  const auto entry = explorer.catalog.find(*label);
+  if (!entry) {
+    throw Refusal{404, fmt::format("the catalog has no design {}", printable(*label))};
+  }
+  return text_response(cli::bibtex_of(*entry), text);
+}
+
+}  // namespace
+
+void add_designs(Router& router, Explorer& explorer) {
+  const auto lane = [](const Request& request) {
+    return is_quick(request) ? Lane::quick : Lane::slow;
+  };
+  // A search can find something better meanwhile, so what is made of jobs is made anew.
+  const auto add = [&](const std::string& path, std::vector<std::string> parameters,
+                       std::function<Response(const Request&)> answer) {
+    Route route;
+    route.path = path;
+    route.parameters = std::move(parameters);
+    route.lane = lane;
+    route.answer = [&explorer, answer = std::move(answer)](const Request& request) {
+      const Again again = request.parameter("job") ? Again::made_anew : Again::while_unchanged;
+      return answered(explorer, request, again, [&] { return answer(request); });
+    };
+    router.add(std::move(route));
+  };
+  add("api/design", selectors(), [&explorer](const Request& request) {
+    return json_response(design_json(selected(explorer, request)));
+  });
+  std::vector<std::string> with_format = selectors();
+  with_format.emplace_back("format");
+  add("api/download", with_format,
+      [&explorer](const Request& request) { return download(explorer, request); });
+  Route cites = question(explorer, "api/cite", {"label"}, Again::while_unchanged,
+                         [&explorer](const Request& request) { return cite(explorer, request); });
+  cites.lane = [](const Request& request) {
+    return request.parameter("label") ? Lane::quick : Lane::slow;
+  };
+  router.add(std::move(cites));
+}
+
+}  // namespace changeover::serve

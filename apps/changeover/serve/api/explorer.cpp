@@ -1,0 +1,148 @@
+#include "serve/api/explorer.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "changeover/core/error.hpp"
+#include "changeover/io/input.hpp"
+#include "changeover/run/scope.hpp"
+#include "cli/cli.hpp"
+#include "serve/jobs/search_jobs.hpp"
+
+namespace changeover::serve {
+namespace {
+
+// "<text>:3:7: what is wrong" with its place.
+Refusal malformed(std::string message) {
+  Refusal refusal{422, message};
+  constexpr std::string_view name = "<text>";
+  if (!message.starts_with(name)) {
+    return refusal;
+  }
+  refusal.message = message.substr(name.size());
+  std::uint64_t line = 0;
+  std::uint64_t column = 0;
+  const char* const end = message.data() + message.size();
+  const char* at = message.data() + name.size();
+  const auto number = [&](std::uint64_t& value) {
+    if (at == end || *at != ':') {
+      return false;
+    }
+    const auto [rest, failure] = std::from_chars(at + 1, end, value);
+    at = rest;
+    return failure == std::errc();
+  };
+  if (number(line) && number(column)) {
+    refusal.line = line;
+    refusal.column = column;
+    refusal.message = std::string(at, end);
+  }
+  refusal.message.erase(0, refusal.message.find_first_not_of(": "));
+  return refusal;
+}
+
+std::string without_dashes(const std::string& message) {
+  return message.starts_with("--") ? message.substr(2) : message;
+}
+
+Refusal of_stop(const Explorer& explorer, WhyStopped why) {
+  return {503,
+          why == WhyStopped::time_limit
+              ? fmt::format("this takes more than {:.0f} s; ask for less, or ask changeover on "
+                            "the command line",
+                            explorer.limits.seconds.count())
+              : std::string("this was given up")};
+}
+
+}  // namespace
+
+std::optional<Response> AnswerCache::find(const std::string& key) {
+  const std::scoped_lock lock(mutex_);
+  const auto found = by_key_.find(key);
+  if (found == by_key_.end()) {
+    return std::nullopt;
+  }
+  kept_.splice(kept_.begin(), kept_, found->second);
+  return found->second->response;
+}
+
+void AnswerCache::keep(const std::string& key, const Response& response) {
+  const std::size_t bytes =
+      response.body->size() + (response.gzipped ? response.gzipped->size() : 0) + 2 * key.size();
+  const std::scoped_lock lock(mutex_);
+  if (bytes > most_bytes_ / 4 || by_key_.contains(key)) {
+    return;
+  }
+  kept_.push_front({key, response, bytes});
+  by_key_[key] = kept_.begin();
+  bytes_ += bytes;
+  while (bytes_ > most_bytes_) {
+    bytes_ -= kept_.back().bytes;
+    by_key_.erase(kept_.back().key);
+    kept_.pop_back();
+  }
+}
+
+Explorer::Explorer(Catalog& known) : catalog(known) {}
+
+Explorer::~Explorer() = default;
+
+std::string Explorer::generation() const {
+  std::string text;
+  for (const char* const suffix : {"", "-wal"}) {
+    struct stat status {};
+    if (::stat((catalog.user_path() + suffix).c_str(), &status) == 0) {
+      text +=
+          fmt::format("{}.{}.{};", status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size);
+    }
+  }
+  return text;
+}
+
+Response answered(Explorer& explorer, const Request& request, Again again,
+                  const std::function<Response()>& make) {
+  std::string key;
+  if (again == Again::while_unchanged) {
+    auto parameters = request.parameters;
+    std::ranges::sort(parameters);
+    key = request.path;
+    for (const auto& [name, value] : parameters) {
+      key += fmt::format("\n{}={}", name, value);
+    }
+    key += "\n" + explorer.generation();
+    if (auto found = explorer.cache.find(key)) {
+      return *std::move(found);
+    }
+  }
+  RunControl::Settings settings;
+  settings.time = explorer.limits.seconds;
+  settings.memory_bytes = explorer.limits.memory_bytes;
+  settings.interrupted = &explorer.stopping;
+  settings.found_elsewhere = request.left;
+  RunControl control(std::move(settings));
+  const RunScope scope(control);
+  try {
+    Response response = make();
+    if (again == Again::while_unchanged && response.status == 200) {
+      explorer.cache.keep(key, response);
+    }
+    return response;
+  } catch (const cli::UsageError& fault) {
+    throw Refusal{400, without_dashes(fault.message)};
+  } catch (const ImpossibleParameters& fault) {
+    throw Refusal{400, fault.what()};
+  } catch (const BadReadOption& fault) {
+    throw Refusal{400, fault.what()};
+  } catch (const BadInput& fault) {
+    throw request.method == "POST" ? malformed(fault.what()) : Refusal{400, fault.what()};
+  } catch (const MissingResource& fault) {
+    throw Refusal{503, fault.what()};
+  } catch (const Stopped& stopped) {
+    throw of_stop(explorer, stopped.why());
+  }
+}
+
+}  // namespace changeover::serve

@@ -1,0 +1,92 @@
+// What all answers of the server share.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/run/control.hpp"
+#include "serve/http/events.hpp"
+#include "serve/http/message.hpp"
+
+namespace changeover::serve {
+
+class SearchJobs;
+
+/// A design from a file of the user, read when the server started.
+struct GivenFile {
+  std::string name;
+  Design design;
+};
+
+struct Limits {
+  std::size_t body_bytes = std::size_t{64} << 20;  ///< of a design that is sent
+  std::size_t json_bytes = std::size_t{1} << 20;   ///< of other bodies
+  std::chrono::duration<double> seconds{60};       ///< of one answer
+  std::uint64_t memory_bytes = 0;                  ///< of one table in the making of an answer
+  unsigned searches = 2;                           ///< at once
+};
+
+/// Answers that were given, so that nobody waits for the same twice. Thread-safe; the least recently used go first.
+class AnswerCache {
+ public:
+  explicit AnswerCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
+
+  [[nodiscard]] std::optional<Response> find(const std::string& key);
+  void keep(const std::string& key, const Response& response);
+
+ private:
+  struct Kept {
+    std::string key;
+    Response response;
+    std::size_t bytes = 0;
+  };
+  std::size_t most_bytes_;
+  std::size_t bytes_ = 0;
+  std::mutex mutex_;
+  std::list<Kept> kept_;  // last used first
+  std::map<std::string, std::list<Kept>::iterator> by_key_;
+};
+
+struct Explorer {
+  Catalog& catalog;
+  std::vector<GivenFile> files;
+  Limits limits = {};
+  bool may_write = true;
+  EventHub events = {};
+  std::atomic<bool> stopping = false;
+  std::shared_ptr<SearchJobs> jobs = {};
+  AnswerCache cache{std::size_t{64} << 20};
+
+  explicit Explorer(Catalog& known);
+  ~Explorer();
+  Explorer(const Explorer&) = delete;
+  Explorer& operator=(const Explorer&) = delete;
+
+  /// Changes whenever the user's catalog does, by this process or another.
+  [[nodiscard]] std::string generation() const;
+};
+
+/// How an answer may be given again.
+enum class Again : std::uint8_t {
+  made_anew,       ///< it depends on what happens
+  while_unchanged  ///< as long as nobody adds to the catalog
+};
+
+/// Makes an answer within the limits, with faults as the statuses of HTTP: 400 for a question that cannot be, 422 with the
+/// place for a file that is malformed, 503 if a limit was reached. Work stops when whoever asked has gone.
+/// @throws Refusal; InternalError
+[[nodiscard]] Response answered(Explorer& explorer, const Request& request, Again again,
+                                const std::function<Response()>& make);
+
+}  // namespace changeover::serve

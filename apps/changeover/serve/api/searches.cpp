@@ -1,0 +1,122 @@
+// Searches, their events, and what is kept of them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "changeover/io/input.hpp"
+#include "io/write/json_writer.hpp"
+#include "serve/api/json_body.hpp"
+#include "serve/api/query.hpp"
+#include "serve/api/routes.hpp"
+#include "serve/api/verify.hpp"
+#include "serve/jobs/search_jobs.hpp"
+
+namespace changeover::serve {
+namespace {
+
+void require_writing(const Explorer& explorer) {
+  if (!explorer.may_write) {
+    throw Refusal{403,
+                  "the server was started with --no-write: it searches nothing and keeps nothing"};
+  }
+}
+
+SearchOrder order_of(const Request& request) {
+  constexpr double most_seconds = 86'400;
+  JsonBody body(request.body);
+  SearchOrder order;
+  Parameters& p = order.parameters;
+  p.v = body.needed_number("v");
+  p.k = body.needed_number("k");
+  p.change = body.number("change").value_or(2);
+  const auto kind = kind_from_string(body.text("kind").value_or("linear"));
+  if (!kind) {
+    throw Refusal{422, "kind: write \"circular\" or \"linear\""};
+  }
+  p.kind = *kind;
+  order.seconds = body.seconds("seconds").value_or(order.seconds);
+  if (order.seconds <= 0 || order.seconds > most_seconds) {
+    throw Refusal{422, fmt::format("seconds: write more than 0 and at most {}", most_seconds)};
+  }
+  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::uint64_t threads = body.number("threads").value_or(1);
+  if (threads < 1 || threads > cores) {
+    throw Refusal{422, fmt::format("threads: write 1 to {}, as many as this machine has", cores)};
+  }
+  order.threads = static_cast<unsigned>(threads);
+  order.seed = body.number("seed").value_or(1);
+  body.finish();
+  check(p);
+  return order;
+}
+
+std::string kept_json(const Kept& kept) {
+  JsonWriter json;
+  json.begin_object().key("label").value(kept.label).key("already").value(kept.already);
+  return json.end_object().take() + "\n";
+}
+
+Response not_kept(std::string body) {
+  Response response = json_response(std::move(body));
+  response.etag.clear();
+  return response;
+}
+
+}  // namespace
+
+void add_searches(Router& router, Explorer& explorer) {
+  Route list = question(
+      explorer, "api/search", {"id"}, Again::made_anew, [&explorer](const Request& request) {
+        const auto id = number_of(request, "id");
+        return not_kept(id ? explorer.jobs->one_json(*id) : explorer.jobs->list_json());
+      });
+  router.add(std::move(list));
+
+  Route events;
+  events.path = "api/events";
+  events.lane = always(Lane::here);
+  events.answer = [&explorer](const Request&) {
+    constexpr std::size_t most_listeners = 64;
+    if (explorer.events.listeners() >= most_listeners) {
+      throw Refusal{503, fmt::format("{} streams of events are open; close one", most_listeners)};
+    }
+    Response response;
+    response.type = "text/event-stream; charset=utf-8";
+    response.events = explorer.events.listen();
+    return response;
+  };
+  router.add(std::move(events));
+
+  const auto act = [&](const std::string& path, std::vector<std::string> parameters, Body body,
+                       std::size_t most_bytes, std::function<Response(const Request&)> answer) {
+    Route route = question(explorer, path, std::move(parameters), Again::made_anew,
+                           [&explorer, answer = std::move(answer)](const Request& request) {
+                             require_writing(explorer);
+                             return answer(request);
+                           });
+    route.method = "POST";
+    route.action = Action::changes;
+    route.body = body;
+    route.most_bytes = most_bytes;
+    router.add(std::move(route));
+  };
+  act("api/search", {}, Body::json, explorer.limits.json_bytes,
+      [&explorer](const Request& request) {
+        return not_kept(fmt::format("{{\"id\":{}}}\n", explorer.jobs->start(order_of(request))));
+      });
+  act("api/search/stop", {"id"}, Body::none, 0, [&explorer](const Request& request) {
+    explorer.jobs->stop(needed_number(request, "id"));
+    return not_kept("{}\n");
+  });
+  act("api/search/keep", {"id"}, Body::none, 0, [&explorer](const Request& request) {
+    return not_kept(kept_json(explorer.jobs->keep(needed_number(request, "id"))));
+  });
+  act("api/catalog/add", {"v", "k", "change", "kind", "strength"}, Body::any,
+      explorer.limits.body_bytes, [&explorer](const Request& request) {
+        return not_kept(kept_json(keep_in_catalog(
+            explorer.catalog, read_design(input_from_text(request.body), reading_of(request)))));
+      });
+}
+
+}  // namespace changeover::serve

@@ -1,0 +1,101 @@
+#include "serve/api/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "answer/answer.hpp"
+#include "answer/judgement.hpp"
+#include "changeover/io/formats.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "io/write/json_writer.hpp"
+#include "serve/api/query.hpp"
+#include "serve/api/routes.hpp"
+
+namespace changeover::serve {
+namespace {
+
+constexpr std::size_t most_bad_steps = 100;
+constexpr std::size_t most_uncovered = 200;
+constexpr std::size_t most_shown_blocks = 200'000;
+
+void write_defects(JsonWriter& json, const Verdict& verdict) {
+  json.key("bad_steps").begin_array();
+  for (std::size_t i = 0; i < std::min(verdict.bad_step_examples.size(), most_bad_steps); ++i) {
+    const BadStep& step = verdict.bad_step_examples[i];
+    json.begin_object().key("block").value(step.to);
+    json.key("why").value(fmt::format("from block {} to block {}{}: {} changed, not {}", step.from,
+                                      step.to, step.to < step.from ? " (the circle closes)" : "",
+                                      cli::count_of(step.changes, "element"),
+                                      verdict.parameters.change));
+    json.end_object();
+  }
+  json.end_array().key("uncovered_pairs").value(verdict.uncovered_examples);
+}
+
+}  // namespace
+
+ReadOptions reading_of(const Request& request) {
+  ReadOptions options{.v = number_of(request, "v"),
+                      .k = number_of(request, "k"),
+                      .change = number_of(request, "change"),
+                      .kind = kind_of(request),
+                      .strength = {}};
+  if (const auto strength = number_of(request, "strength")) {
+    if (*strength < 2 || *strength > max_strength) {
+      throw Refusal{400, fmt::format("strength={}: give 2 to {}", *strength, max_strength)};
+    }
+    options.strength = static_cast<std::uint32_t>(*strength);
+  }
+  return options;
+}
+
+std::string verified_json(const Design& design) {
+  const Verdict verdict = verify(design, {.examples = most_uncovered, .unchanged = true});
+  const cli::Judgement judgement = cli::judge(verdict);
+  // As many examples as the command line names.
+  Verdict details = verdict;
+  const std::size_t named = VerifyOptions().examples;
+  details.bad_step_examples.resize(std::min(details.bad_step_examples.size(), named));
+  details.uncovered_examples.resize(std::min(details.uncovered_examples.size(), named));
+  // The members of that document, between its braces.
+  const std::string document = cli::verify_json(details, judgement, design.labels());
+  JsonWriter more;
+  more.begin_object();
+  write_defects(more, verdict);
+  more.key("design");
+  if (design.block_count() > most_shown_blocks) {
+    more.null();
+  } else {
+    StringSink sink;
+    write_json(design, sink);
+    std::string text = sink.take();
+    std::ranges::replace(text, '\n', ' ');
+    more.raw(text);
+  }
+  const std::string rest = more.end_object().take();
+  return fmt::format("{{\"valid\":{},{},{}", verdict.valid(),
+                     std::string_view(document).substr(1, document.size() - 2),
+                     std::string_view(rest).substr(1));
+}
+
+void add_verify(Router& router, Explorer& explorer) {
+  constexpr std::size_t quick_bytes = 200'000;
+  Route route = question(explorer, "api/verify", {"v", "k", "change", "kind", "strength"},
+                         Again::made_anew, [](const Request& request) {
+                           const Design design =
+                               read_design(input_from_text(request.body), reading_of(request));
+                           Response response = json_response(verified_json(design) + "\n");
+                           response.etag.clear();
+                           return response;
+                         });
+  route.method = "POST";
+  route.body = Body::any;
+  route.most_bytes = explorer.limits.body_bytes;
+  route.lane = [](const Request& request) {
+    return request.body.size() <= quick_bytes ? Lane::quick : Lane::slow;
+  };
+  router.add(std::move(route));
+}
+
+}  // namespace changeover::serve

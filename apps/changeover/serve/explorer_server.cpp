@@ -1,0 +1,123 @@
+#include "serve/explorer_server.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <thread>
+#include <utility>
+
+#include "serve/api/routes.hpp"
+#include "serve/jobs/search_jobs.hpp"
+
+namespace changeover::serve {
+namespace {
+
+std::uint64_t an_eighth_of_the_memory() {
+  constexpr std::uint64_t least = 256'000'000;
+  constexpr std::uint64_t most = 2'000'000'000;
+  constexpr std::uint64_t part = 8;
+  const auto pages = ::sysconf(_SC_PHYS_PAGES);
+  const auto page = ::sysconf(_SC_PAGESIZE);
+  return pages > 0 && page > 0 ? std::clamp(static_cast<std::uint64_t>(pages) *
+                                                static_cast<std::uint64_t>(page) / part,
+                                            least, most)
+                               : least;
+}
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// The names that the server goes by.
+std::vector<std::string> names_of(const std::string& host, std::uint16_t port) {
+  std::vector<std::string> names{with_port("127.0.0.1", port), with_port("localhost", port),
+                                 with_port("::1", port), with_port(lower_case(host), port)};
+  constexpr std::uint16_t usual_port = 80;
+  if (port == usual_port) {
+    names.insert(names.end(), {"127.0.0.1", "localhost", "[::1]", lower_case(host)});
+  }
+  return names;
+}
+
+}  // namespace
+
+struct ExplorerServer::State {
+  std::string host;
+  Listening listening;
+  Pages pages;
+  Explorer explorer;
+  std::shared_ptr<const Guard> guard = {};
+  std::unique_ptr<Server> server = {};
+  bool stopped = false;
+
+  State(const std::string& address, std::uint16_t port, const std::string& assets, Catalog& catalog)
+      : host(address), listening(), pages(assets), explorer(catalog) {
+    listening = listen_on(host, port);
+  }
+};
+
+ExplorerServer::ExplorerServer(ExplorerSettings settings, Catalog& catalog)
+    : state_(std::make_unique<State>(settings.host, settings.port, settings.assets, catalog)) {
+  Explorer& explorer = state_->explorer;
+  explorer.files = std::move(settings.files);
+  explorer.limits = settings.limits;
+  if (explorer.limits.memory_bytes == 0) {
+    explorer.limits.memory_bytes = an_eighth_of_the_memory();
+  }
+  explorer.may_write = settings.may_write;
+  explorer.jobs = std::make_shared<SearchJobs>(
+      catalog, explorer.events,
+      SearchJobs::Settings{.at_once = explorer.limits.searches,
+                           .memory_bytes = explorer.limits.memory_bytes});
+  state_->guard =
+      std::make_shared<const Guard>(names_of(state_->host, state_->listening.port), make_token());
+  constexpr unsigned fewest = 2;
+  constexpr unsigned most = 16;
+  const unsigned threads = settings.threads != 0
+                               ? settings.threads
+                               : std::clamp(std::thread::hardware_concurrency(), fewest, most);
+  Server::Settings served;
+  served.listening = state_->listening;
+  served.router = routes(explorer, state_->pages);
+  served.guard = state_->guard;
+  served.lanes = {.quick = threads, .slow = std::max(1U, threads / 2)};
+  served.deadlines = settings.deadlines;
+  served.log = std::move(settings.log);
+  served.complain = std::move(settings.complain);
+  state_->server = std::make_unique<Server>(std::move(served));
+}
+
+ExplorerServer::~ExplorerServer() {
+  if (!state_->stopped) {
+    static_cast<void>(stop(std::chrono::hours(1)));
+  }
+}
+
+std::string ExplorerServer::address() const {
+  return "http://" + with_port(state_->host, port()) + "/?token=" + token();
+}
+
+std::uint16_t ExplorerServer::port() const { return state_->listening.port; }
+const std::string& ExplorerServer::token() const { return state_->guard->token(); }
+bool ExplorerServer::is_local() const { return state_->listening.loopback; }
+std::size_t ExplorerServer::connections() const { return state_->server->open_connections(); }
+std::size_t ExplorerServer::listeners() const { return state_->explorer.events.listeners(); }
+
+bool ExplorerServer::stop(std::chrono::duration<double> patience) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  Explorer& explorer = state_->explorer;
+  explorer.stopping = true;
+  explorer.events.close();
+  if (!explorer.jobs->stop_all(patience) ||
+      !state_->server->stop(std::max<std::chrono::duration<double>>(
+          end - std::chrono::steady_clock::now(), std::chrono::milliseconds(0)))) {
+    return false;
+  }
+  state_->stopped = true;
+  return true;
+}
+
+}  // namespace changeover::serve

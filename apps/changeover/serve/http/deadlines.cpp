@@ -1,0 +1,78 @@
+#include "serve/http/deadlines.hpp"
+
+#include <sys/socket.h>
+
+#include <utility>
+
+namespace changeover::serve {
+
+Deadlines::Deadlines(const Settings& settings, std::string timed_out)
+    : settings_(settings), timed_out_(std::move(timed_out)), thread_([this] { run(); }) {}
+
+Deadlines::~Deadlines() {
+  {
+    const std::scoped_lock lock(mutex_);
+    ended_ = true;
+    ending_.notify_all();
+  }
+  thread_.join();
+}
+
+void Deadlines::open(int socket) {
+  const std::scoped_lock lock(mutex_);
+  open_[socket] = {Stage::head, Clock::now()};
+}
+
+void Deadlines::enter(int socket, Stage stage) {
+  const std::scoped_lock lock(mutex_);
+  if (const auto found = open_.find(socket); found != open_.end()) {
+    found->second = {stage, Clock::now()};
+  }
+}
+
+void Deadlines::close(int socket) {
+  const std::scoped_lock lock(mutex_);
+  open_.erase(socket);
+}
+
+std::size_t Deadlines::open_connections() {
+  const std::scoped_lock lock(mutex_);
+  return open_.size();
+}
+
+bool Deadlines::is_late(const Open& open, Clock::time_point now) const {
+  const Seconds waited = now - open.since;
+  switch (open.stage) {
+    case Stage::head:
+      return waited > settings_.head;
+    case Stage::body:
+      return waited > settings_.body;
+    case Stage::reading:
+      return waited > settings_.reading;
+    case Stage::answer:
+    case Stage::listening:
+      break;
+  }
+  return false;
+}
+
+void Deadlines::run() {
+  constexpr std::chrono::milliseconds between_looks{200};
+  std::unique_lock lock(mutex_);
+  while (!ending_.wait_for(lock, between_looks, [this] { return ended_; })) {
+    const Clock::time_point now = Clock::now();
+    for (auto& [socket, open] : open_) {
+      if (is_late(open, now)) {
+        if (open.stage == Stage::body) {
+          static_cast<void>(
+              ::send(socket, timed_out_.data(), timed_out_.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
+        }
+        // Whoever reads from it sees the end, and closes it.
+        ::shutdown(socket, SHUT_RDWR);
+        open = {Stage::answer, now};
+      }
+    }
+  }
+}
+
+}  // namespace changeover::serve

@@ -1,0 +1,72 @@
+// A request and a response of HTTP, as the rest of the server knows them; what speaks HTTP is behind server.hpp.
+//
+//     Response answer(const Request& request) {
+//       const auto v = request.parameter("v");          // nothing if it was not given
+//       …
+//       return json_response(R"({"v":20})");
+//     }
+//
+// What cannot be answered is thrown: Refusal{404, "the catalog has no design 20.5.2.linear.1"}.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace changeover::serve {
+
+/// Why a request is not answered: a status of HTTP, and one clear line; where in the body, if that is known.
+struct Refusal {
+  int status = 400;
+  std::string message;
+  std::optional<std::uint64_t> line = {};
+  std::optional<std::uint64_t> column = {};
+};
+
+struct Request {
+  std::string method;
+  std::string path;                                             ///< without the first '/', decoded
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< of the query, decoded
+  std::map<std::string, std::string> headers;                   ///< names in lower case
+  std::vector<std::string> repeated;  ///< headers that were given more than once
+  std::string body;
+  std::function<bool()> left = {};  ///< whether whoever asked has gone; may be missing
+
+  /// The value of a parameter. @throws Refusal if it is there twice.
+  [[nodiscard]] std::optional<std::string> parameter(std::string_view name) const;
+  /// The value of a header; empty if there is none.
+  [[nodiscard]] std::string_view header(std::string_view name) const;
+};
+
+class EventFeed;
+
+struct Response {
+  int status = 200;
+  std::string type = "application/json; charset=utf-8";
+  std::shared_ptr<const std::string> body = {};
+  std::shared_ptr<const std::string> gzipped = {};  ///< the same for who takes it; may be missing
+  std::string etag = {};                            ///< with its quotes; empty: none
+  std::vector<std::pair<std::string, std::string>> headers = {};
+  std::shared_ptr<EventFeed> events = {};  ///< a stream of events instead of a body
+};
+
+/// A body of that type with its hash as ETag, compressed if that pays.
+[[nodiscard]] Response text_response(std::string body, std::string type);
+[[nodiscard]] Response json_response(std::string body);
+
+/// {"error":{"message":…,"line":…,"column":…}}
+[[nodiscard]] Response refused(const Refusal& refusal);
+
+/// What is sent with every answer, whatever it is.
+[[nodiscard]] const std::vector<std::pair<std::string, std::string>>& security_headers();
+
+/// gzip of a text. @throws MissingResource if there is no memory for it.
+[[nodiscard]] std::string gzip(std::string_view text);
+
+}  // namespace changeover::serve

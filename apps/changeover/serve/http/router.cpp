@@ -1,0 +1,115 @@
+#include "serve/http/router.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "changeover/core/error.hpp"
+#include "core/printable.hpp"
+
+namespace changeover::serve {
+
+void Router::add(Route route) {
+  auto key = std::pair(route.path, route.method);
+  if (!routes_.emplace(std::move(key), std::move(route)).second) {
+    throw InternalError("an address of the server is there twice");
+  }
+}
+
+void Router::add_elsewhere(Route route, std::function<bool(const std::string&)> has) {
+  elsewhere_ = std::move(route);
+  has_ = std::move(has);
+}
+
+bool Router::is_elsewhere(const std::string& path) const {
+  return has_ && allowed_here(path).empty() && has_(path);
+}
+
+std::size_t declared_length(const Request& request) {
+  const std::string_view text = request.header("content-length");
+  std::size_t length = 0;
+  const auto [rest, failure] = std::from_chars(text.data(), text.data() + text.size(), length);
+  if (!text.empty() && (failure != std::errc() || rest != text.data() + text.size())) {
+    throw Refusal{400, "the header Content-Length is no number of bytes"};
+  }
+  return length;
+}
+
+static void check_body(const Route& route, const Request& request) {
+  const std::size_t length = declared_length(request);
+  if (!request.header("transfer-encoding").empty() ||
+      (route.body != Body::none && request.header("content-length").empty())) {
+    throw Refusal{411, "say in the header Content-Length how many bytes are sent"};
+  }
+  if (length > route.most_bytes) {
+    throw Refusal{413, route.body == Body::none
+                           ? fmt::format("{} takes no body", route.path)
+                           : fmt::format("{} takes at most {} bytes, not {}", route.path,
+                                         route.most_bytes, length)};
+  }
+  std::string type(request.header("content-type"));
+  type = type.substr(0, type.find(';'));
+  type.erase(type.find_last_not_of(" \t") + 1);
+  std::ranges::transform(type, type.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (route.body == Body::json && type != "application/json") {
+    throw Refusal{415, "send JSON, with the header Content-Type: application/json"};
+  }
+  if (route.body == Body::any &&
+      (type == "application/x-www-form-urlencoded" || type.starts_with("multipart/"))) {
+    throw Refusal{415,
+                  "send the file itself and no form, with the header Content-Type: "
+                  "application/octet-stream"};
+  }
+}
+
+const Route& Router::route_of(const Request& request) const {
+  const std::string method = request.method == "HEAD" ? "GET" : request.method;
+  const auto found = routes_.find({request.path, method});
+  const bool elsewhere =
+      found == routes_.end() && method == elsewhere_.method && is_elsewhere(request.path);
+  if (found == routes_.end() && !elsewhere) {
+    if (const std::string methods = allowed(request.path); !methods.empty()) {
+      throw Refusal{405, fmt::format("{} takes {}", request.path, methods)};
+    }
+    throw Refusal{404, "there is nothing at this address"};
+  }
+  const Route& route = elsewhere ? elsewhere_ : found->second;
+  for (const auto& [name, value] : request.parameters) {
+    if (std::ranges::find(route.parameters, name) == route.parameters.end()) {
+      throw Refusal{400, route.parameters.empty()
+                             ? fmt::format("/{} takes no parameters", route.path)
+                             : fmt::format("/{} has no parameter '{}'; there are {}", route.path,
+                                           printable(name), fmt::join(route.parameters, ", "))};
+    }
+  }
+  check_body(route, request);
+  return route;
+}
+
+std::string Router::allowed(const std::string& path) const {
+  const std::string methods = allowed_here(path);
+  return methods.empty() && is_elsewhere(path) ? elsewhere_.method + ", HEAD" : methods;
+}
+
+std::string Router::allowed_here(const std::string& path) const {
+  std::string methods;
+  for (auto at = routes_.lower_bound({path, ""}); at != routes_.end() && at->first.first == path;
+       ++at) {
+    methods += (methods.empty() ? "" : ", ") + at->first.second;
+    methods += at->first.second == "GET" ? ", HEAD" : "";
+  }
+  return methods;
+}
+
+std::vector<const Route*> Router::routes() const {
+  std::vector<const Route*> all;
+  for (const auto& [key, route] : routes_) {
+    all.push_back(&route);
+  }
+  return all;
+}
+
+}  // namespace changeover::serve

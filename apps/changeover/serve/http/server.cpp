@@ -1,0 +1,435 @@
+#include "serve/http/server.hpp"
+
+#include <fmt/format.h>
+#include <microhttpd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cstdarg>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "core/printable.hpp"
+
+namespace changeover::serve {
+namespace {
+
+constexpr std::size_t longest_target = 8192;
+constexpr std::size_t bytes_of_a_head = 32 << 10;
+// A request that is refused is read to its end if that is near, so that who sends it hears why.
+constexpr std::size_t read_though_refused = 64 << 10;
+
+std::string raw_refusal(int status, const std::string& words, const std::string& message) {
+  const Response response = refused({status, message});
+  std::string text = fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n",
+                                 status, words, response.type, response.body->size());
+  for (const auto& [name, value] : security_headers()) {
+    text += fmt::format("{}: {}\r\n", name, value);
+  }
+  return text + "Connection: close\r\n\r\n" + *response.body;
+}
+
+bool takes_gzip(const Request& request) {
+  const std::string_view accepted = request.header("accept-encoding");
+  const std::size_t at = accepted.find("gzip");
+  return at != std::string_view::npos && !accepted.substr(at + 4).starts_with(";q=0,") &&
+         accepted.substr(at + 4) != ";q=0";
+}
+
+/// One request on its way.
+struct Exchange {
+  MHD_Connection* connection = nullptr;
+  int socket = -1;
+  std::string target;  // as it came
+  Request request = {};
+  const Route* route = nullptr;
+  std::optional<Response> response = {};
+  std::size_t expected = 0;  // bytes of the body
+  std::size_t held = 0;
+  bool begun = false;
+  bool dispatched = false;
+};
+
+struct Listener {
+  std::shared_ptr<EventFeed> feed;
+  MHD_Connection* connection;
+};
+
+}  // namespace
+
+struct Server::State {
+  struct Calls;
+
+  explicit State(Settings given)
+      : settings(std::move(given)),
+        deadlines(settings.deadlines,
+                  raw_refusal(408, "Request Timeout", "the request took too long to arrive")),
+        lanes(settings.lanes) {}
+
+  Settings settings;
+  Deadlines deadlines;
+  std::atomic<bool> stopping = false;
+  std::atomic<std::size_t> held = 0;
+  MHD_Daemon* daemon = nullptr;
+  Lanes lanes;  // last: its threads end first
+
+  void complain(const std::string& line) const {
+    if (settings.complain) {
+      settings.complain(line);
+    }
+  }
+
+  // Reads the head.
+  void begin(Exchange& exchange, const char* method);
+  void check(Exchange& exchange) const;
+  void take(Exchange& exchange, const char* bytes, std::size_t count);
+  MHD_Result dispatch(Exchange& exchange);
+  [[nodiscard]] Response answer(const Exchange& exchange) const;
+  MHD_Result send(Exchange& exchange);
+  MHD_Result handle(Exchange& exchange, const char* method, const char* upload,
+                    std::size_t* upload_size);
+};
+
+// What libmicrohttpd calls. Nothing may be thrown through it.
+struct Server::State::Calls {
+  static void* target(void* /*state*/, const char* uri, MHD_Connection* connection) {
+    try {
+      auto exchange = std::make_unique<Exchange>();
+      exchange->connection = connection;
+      exchange->target = uri;
+      return exchange.release();
+    } catch (...) {
+      return nullptr;
+    }
+  }
+
+  static MHD_Result access(void* cls, MHD_Connection* /*connection*/, const char* url,
+                           const char* method, const char* /*version*/, const char* upload,
+                           std::size_t* upload_size, void** context) {
+    auto* const state = static_cast<Server::State*>(cls);
+    Exchange* const exchange = static_cast<Exchange*>(*context);
+    if (exchange == nullptr) {
+      return MHD_NO;
+    }
+    try {
+      if (!exchange->begun) {
+        exchange->request.path = url[0] == '/' ? url + 1 : url;
+      }
+      return state->handle(*exchange, method, upload, upload_size);
+    } catch (const std::exception& fault) {
+      state->complain(fmt::format("a request was dropped: {}", fault.what()));
+      return MHD_NO;
+    } catch (...) {
+      return MHD_NO;
+    }
+  }
+
+  static void completed(void* cls, MHD_Connection* /*connection*/, void** context,
+                        MHD_RequestTerminationCode /*why*/) {
+    auto* const state = static_cast<Server::State*>(cls);
+    const std::unique_ptr<Exchange> exchange(static_cast<Exchange*>(*context));
+    *context = nullptr;
+    if (exchange) {
+      state->held -= exchange->held;
+      state->deadlines.enter(exchange->socket, Stage::head);
+    }
+  }
+
+  static void connection(void* cls, MHD_Connection* connection, void** /*context*/,
+                         MHD_ConnectionNotificationCode what) {
+    auto* const state = static_cast<Server::State*>(cls);
+    const int socket = socket_of(connection);
+    try {
+      what == MHD_CONNECTION_NOTIFY_STARTED ? state->deadlines.open(socket)
+                                            : state->deadlines.close(socket);
+    } catch (...) {
+      ::shutdown(socket, SHUT_RDWR);
+    }
+  }
+
+  static int socket_of(MHD_Connection* connection) {
+    return MHD_get_connection_info(connection, MHD_CONNECTION_INFO_CONNECTION_FD)->connect_fd;
+  }
+
+  static MHD_Result header(void* cls, MHD_ValueKind /*kind*/, const char* key, std::size_t key_size,
+                           const char* value, std::size_t value_size) {
+    auto& request = *static_cast<Request*>(cls);
+    std::string name(key, key_size);
+    std::ranges::transform(name, name.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (!request.headers.emplace(name, std::string(value, value_size)).second) {
+      request.repeated.push_back(name);
+    }
+    return MHD_YES;
+  }
+
+  static MHD_Result parameter(void* cls, MHD_ValueKind /*kind*/, const char* key,
+                              std::size_t key_size, const char* value, std::size_t value_size) {
+    auto& request = *static_cast<Request*>(cls);
+    request.parameters.emplace_back(
+        std::string(key, key_size),
+        value == nullptr ? std::string() : std::string(value, value_size));
+    return MHD_YES;
+  }
+
+  static ssize_t events(void* cls, std::uint64_t /*position*/, char* room, std::size_t size) {
+    const auto* const listener = static_cast<Listener*>(cls);
+    std::size_t count = 0;
+    const auto read = listener->feed->read(
+        {room, size}, count, [listener] { MHD_suspend_connection(listener->connection); });
+    return read == EventFeed::Read::ended ? MHD_CONTENT_READER_END_OF_STREAM
+                                          : static_cast<ssize_t>(count);
+  }
+
+  static void events_end(void* cls) {
+    const std::unique_ptr<Listener> listener(static_cast<Listener*>(cls));
+    listener->feed->on_more({});
+  }
+
+  static void body_end(void* cls) { delete static_cast<std::shared_ptr<const std::string>*>(cls); }
+
+  __attribute__((format(printf, 2, 0))) static void complain(void* cls, const char* format,
+                                                             va_list arguments) {
+    const auto* const state = static_cast<Server::State*>(cls);
+    std::string line(512, '\0');
+    const int length = std::vsnprintf(line.data(), line.size(), format, arguments);
+    line.resize(std::min(line.size() - 1, static_cast<std::size_t>(std::max(length, 0))));
+    line.erase(line.find_last_not_of("\r\n") + 1);
+    if (state->settings.log) {
+      state->settings.log(printable(line));
+    }
+  }
+};
+
+void Server::State::begin(Exchange& exchange, const char* method) {
+  exchange.begun = true;
+  Request& request = exchange.request;
+  request.method = method;
+  exchange.socket = Calls::socket_of(exchange.connection);
+  MHD_get_connection_values_n(exchange.connection, MHD_HEADER_KIND, &State::Calls::header,
+                              &request);
+  MHD_get_connection_values_n(exchange.connection, MHD_GET_ARGUMENT_KIND, &State::Calls::parameter,
+                              &request);
+  try {
+    check(exchange);
+  } catch (const Refusal& refusal) {
+    exchange.response = refused(refusal);
+    if (refusal.status == 405) {
+      exchange.response->headers.emplace_back("Allow", settings.router->allowed(request.path));
+    }
+  }
+  deadlines.enter(exchange.socket, Stage::body);
+}
+
+void Server::State::check(Exchange& exchange) const {
+  const Request& request = exchange.request;
+  exchange.expected = request.headers.contains("transfer-encoding") ? read_though_refused + 1
+                                                                    : declared_length(request);
+  if (stopping) {
+    throw Refusal{503, "the server is stopping"};
+  }
+  if (exchange.target.size() > longest_target) {
+    throw Refusal{414, "the address is too long"};
+  }
+  if (exchange.target.find("%00") != std::string::npos) {
+    throw Refusal{400, "there is a zero byte in the address"};
+  }
+  settings.guard->check(request, Action::asks);
+  exchange.route = &settings.router->route_of(request);
+  settings.guard->check(request, exchange.route->action);
+}
+
+void Server::State::take(Exchange& exchange, const char* bytes, std::size_t count) {
+  if (exchange.response) {
+    return;
+  }
+  exchange.held += count;
+  if ((held += count) > settings.most_bytes) {
+    exchange.response = refused({503, "too much is being sent to the server at once; try again"});
+    exchange.request.body = {};
+    return;
+  }
+  exchange.request.body.append(bytes, count);
+}
+
+Response Server::State::answer(const Exchange& exchange) const {
+  try {
+    if (stopping) {
+      throw Refusal{503, "the server is stopping"};
+    }
+    return exchange.route->answer(exchange.request);
+  } catch (const Refusal& refusal) {
+    return refused(refusal);
+  } catch (const std::bad_alloc&) {
+    return refused({503, "the server has no memory left for this"});
+  } catch (const std::exception& fault) {
+    complain(fmt::format("{} {}: {}", exchange.request.method, printable(exchange.request.path),
+                         fault.what()));
+    return refused({500, "the server made a mistake, which its log names"});
+  }
+}
+
+MHD_Result Server::State::dispatch(Exchange& exchange) {
+  exchange.dispatched = true;
+  deadlines.enter(exchange.socket, Stage::answer);
+  Lane lane = Lane::quick;
+  try {
+    lane = exchange.route->lane(exchange.request);
+  } catch (const Refusal& refusal) {
+    exchange.response = refused(refusal);
+    return send(exchange);
+  }
+  if (lane == Lane::here) {
+    exchange.response = answer(exchange);
+    return send(exchange);
+  }
+  exchange.request.left = [socket = exchange.socket] {
+    char byte = 0;
+    return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+  };
+  MHD_suspend_connection(exchange.connection);
+  lanes.add(lane, [this, &exchange] {
+    exchange.response = answer(exchange);
+    MHD_resume_connection(exchange.connection);
+  });
+  return MHD_YES;
+}
+
+MHD_Result Server::State::send(Exchange& exchange) {
+  Response& response = *exchange.response;
+  const Request& request = exchange.request;
+  const bool unchanged = response.status == MHD_HTTP_OK && !response.etag.empty() &&
+                         (request.method == "GET" || request.method == "HEAD") &&
+                         request.header("if-none-match") == response.etag;
+  const bool packed = response.gzipped && takes_gzip(request);
+  using Made = std::unique_ptr<MHD_Response, void (*)(MHD_Response*)>;
+  Made made(nullptr, &MHD_destroy_response);
+  if (response.events && request.method != "HEAD") {
+    auto listener = std::make_unique<Listener>(Listener{response.events, exchange.connection});
+    constexpr std::size_t room = 4096;
+    made.reset(MHD_create_response_from_callback(MHD_SIZE_UNKNOWN, room, &State::Calls::events,
+                                                 listener.get(), &State::Calls::events_end));
+    if (made) {
+      static_cast<void>(listener.release());
+      response.events->on_more(
+          [connection = exchange.connection] { MHD_resume_connection(connection); });
+    }
+  } else {
+    auto body = std::make_unique<std::shared_ptr<const std::string>>(packed ? response.gzipped
+                                                                            : response.body);
+    if (unchanged || !*body) {
+      *body = std::make_shared<const std::string>();
+    }
+    const std::string& bytes = **body;
+    // The bytes are only read.
+    made.reset(MHD_create_response_from_buffer_with_free_callback_cls(
+        bytes.size(), const_cast<char*>(bytes.data()), &State::Calls::body_end, body.get()));
+    if (made) {
+      static_cast<void>(body.release());
+    }
+  }
+  if (!made) {
+    return MHD_NO;
+  }
+  const auto add = [&](const std::string& name, const std::string& value) {
+    MHD_add_response_header(made.get(), name.c_str(), value.c_str());
+  };
+  for (const auto& [name, value] : security_headers()) {
+    add(name, value);
+  }
+  bool says_caching = false;
+  for (const auto& [name, value] : response.headers) {
+    add(name, value);
+    says_caching = says_caching || name == "Cache-Control";
+  }
+  if (!says_caching) {
+    add("Cache-Control", response.etag.empty() ? "no-store" : "no-cache");
+  }
+  add("Vary", "Accept-Encoding");
+  if (!response.etag.empty()) {
+    add("ETag", response.etag);
+  }
+  if (!unchanged) {
+    add("Content-Type", response.type);
+    if (packed) {
+      add("Content-Encoding", "gzip");
+    }
+  }
+  const int status = unchanged ? MHD_HTTP_NOT_MODIFIED : response.status;
+  if (settings.log) {
+    settings.log(fmt::format("{} {} {}", request.method, printable(exchange.target), status));
+  }
+  deadlines.enter(exchange.socket, response.events ? Stage::listening : Stage::reading);
+  return MHD_queue_response(exchange.connection, static_cast<unsigned>(status), made.get());
+}
+
+MHD_Result Server::State::handle(Exchange& exchange, const char* method, const char* upload,
+                                 std::size_t* upload_size) {
+  if (!exchange.begun) {
+    begin(exchange, method);
+    if (exchange.response && exchange.expected > read_though_refused) {
+      exchange.response->headers.emplace_back("Connection", "close");
+      return send(exchange);
+    }
+    return MHD_YES;
+  }
+  if (*upload_size > 0) {
+    take(exchange, upload, *upload_size);
+    *upload_size = 0;
+    return MHD_YES;
+  }
+  if (exchange.response) {
+    return send(exchange);
+  }
+  return dispatch(exchange);
+}
+
+Server::Server(Settings settings) : state_(std::make_unique<State>(std::move(settings))) {
+  const Settings& given = state_->settings;
+  constexpr unsigned threads = 2;
+  constexpr unsigned idle_seconds = 30;
+  state_->daemon = MHD_start_daemon(
+      MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME | MHD_USE_ERROR_LOG, 0, nullptr,
+      nullptr, &State::Calls::access, state_.get(), MHD_OPTION_EXTERNAL_LOGGER,
+      &State::Calls::complain, state_.get(), MHD_OPTION_LISTEN_SOCKET, given.listening.socket,
+      MHD_OPTION_THREAD_POOL_SIZE, threads, MHD_OPTION_CONNECTION_LIMIT, given.connections,
+      MHD_OPTION_PER_IP_CONNECTION_LIMIT, given.connections_of_one, MHD_OPTION_CONNECTION_TIMEOUT,
+      idle_seconds, MHD_OPTION_CONNECTION_MEMORY_LIMIT, bytes_of_a_head,
+      MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_URI_LOG_CALLBACK, &State::Calls::target,
+      state_.get(), MHD_OPTION_NOTIFY_COMPLETED, &State::Calls::completed, state_.get(),
+      MHD_OPTION_NOTIFY_CONNECTION, &State::Calls::connection, state_.get(), MHD_OPTION_END);
+  if (state_->daemon == nullptr) {
+    ::close(given.listening.socket);
+    throw MissingResource("the server cannot start: the system has no threads or files left");
+  }
+}
+
+Server::~Server() {
+  if (state_->daemon != nullptr) {
+    static_cast<void>(stop(std::chrono::hours(1)));
+  }
+}
+
+bool Server::stop(std::chrono::duration<double> patience) {
+  state_->stopping = true;
+  const int listening = MHD_quiesce_daemon(state_->daemon);
+  if (listening != MHD_INVALID_SOCKET) {
+    ::close(listening);
+  }
+  if (!state_->lanes.stop(patience)) {
+    return false;
+  }
+  MHD_stop_daemon(state_->daemon);
+  state_->daemon = nullptr;
+  return true;
+}
+
+std::size_t Server::open_connections() const { return state_->deadlines.open_connections(); }
+
+}  // namespace changeover::serve

@@ -1,0 +1,317 @@
+#include "serve/jobs/search_jobs.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "answer/answer.hpp"
+#include "answer/today.hpp"
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/closure.hpp"
+#include "changeover/curator/add.hpp"
+#include "changeover/run/scope.hpp"
+#include "changeover/search/local_search.hpp"
+#include "io/write/json_writer.hpp"
+#include "request/search_request.hpp"
+#include "serve/http/message.hpp"
+
+namespace changeover::serve {
+namespace {
+
+constexpr std::size_t most_remembered = 50;
+constexpr std::size_t most_points = 2000;
+
+struct Point {
+  double seconds = 0;
+  std::optional<std::uint64_t> best = {};
+  double rate = 0;  // moves a second
+};
+
+}  // namespace
+
+struct SearchJobs::Job {
+  std::uint64_t id = 0;
+  SearchOrder order;
+  std::unique_ptr<RunControl> control;
+  std::thread thread;
+
+  mutable std::mutex mutex;  // of all below
+  std::string state = "running";
+  std::optional<std::uint64_t> best = {};
+  std::optional<std::uint64_t> lower_bound = {};
+  std::optional<std::uint64_t> start_best = {};
+  std::optional<std::uint64_t> restarts = {};
+  double seconds = 0;
+  std::uint64_t moves = 0;
+  std::string message = "searching";
+  std::vector<Point> points = {};
+  std::shared_ptr<const Design> design = {};
+
+  [[nodiscard]] bool running() const {
+    const std::scoped_lock lock(mutex);
+    return state == "running";
+  }
+  void tell(const Progress& progress);
+  void write(JsonWriter& json, bool with_points) const;
+};
+
+void SearchJobs::Job::tell(const Progress& progress) {
+  const std::scoped_lock lock(mutex);
+  const double now = progress.elapsed.count();
+  const double rate = now > seconds && progress.steps >= moves
+                          ? static_cast<double>(progress.steps - moves) / (now - seconds)
+                          : 0;
+  seconds = now;
+  moves = progress.steps;
+  best = progress.best ? progress.best : best;
+  lower_bound = progress.lower_bound ? progress.lower_bound : lower_bound;
+  start_best = start_best ? start_best : progress.best;
+  message = progress.phase;
+  if (points.size() == most_points) {
+    // Every second point goes, as often as need be: the curve keeps its shape.
+    for (std::size_t i = 1; 2 * i < points.size(); ++i) {
+      points[i] = points[2 * i];
+    }
+    points.resize(most_points / 2);
+  }
+  points.push_back({now, best, rate});
+}
+
+void SearchJobs::Job::write(JsonWriter& json, bool with_points) const {
+  const std::scoped_lock lock(mutex);
+  const Parameters& p = order.parameters;
+  json.begin_object().key("id").value(id).key("v").value(p.v).key("k").value(p.k);
+  json.key("change").value(p.change).key("kind").value(to_string(p.kind));
+  json.key("state").value(state).key("best").value(best).key("lower_bound").value(lower_bound);
+  json.key("start_best").value(start_best).key("seconds").value(seconds);
+  json.key("limit").value(order.seconds).key("threads").value(order.threads);
+  json.key("seed").value(order.seed).key("restarts").value(restarts);
+  json.key("message").value(message);
+  if (with_points) {
+    json.key("points").begin_array();
+    for (const Point& point : points) {
+      json.begin_object().key("seconds").value(point.seconds).key("best").value(point.best);
+      json.key("rate").value(point.rate).end_object();
+    }
+    json.end_array();
+  }
+  json.end_object();
+}
+
+Kept keep_in_catalog(Catalog& catalog, const Design& design) {
+  const Newcomer newcomer = newcomer_of(
+      design, {.credit = {.who = "", .date = cli::today(), .program = "", .command = ""}});
+  if (!newcomer.entry) {
+    throw Refusal{422, "it is no change covering design: " + newcomer.refused};
+  }
+  const CatalogEntry& entry = *newcomer.entry;
+  const auto there = catalog.find(entry.label());
+  if (there && there->checksum == entry.checksum) {
+    return {entry.label(), true};
+  }
+  if (const auto same = same_in_catalog(catalog, entry)) {
+    return {*same, true};
+  }
+  return {entry.label(), catalog.add(entry) == Added::already_there};
+}
+
+SearchJobs::SearchJobs(Catalog& catalog, EventHub& events, const Settings& settings)
+    : catalog_(catalog), events_(events), settings_(settings) {}
+
+SearchJobs::~SearchJobs() {
+  for (const auto& [id, job] : jobs_) {
+    job->control->stop(WhyStopped::interrupted);
+  }
+  for (const auto& [id, job] : jobs_) {
+    job->thread.join();
+  }
+}
+
+std::uint64_t SearchJobs::start(const SearchOrder& order) {
+  if (const auto reason = impossibility(order.parameters)) {
+    throw Refusal{400, fmt::format("no {} exists: {}", name(order.parameters), *reason)};
+  }
+  const std::scoped_lock lock(mutex_);
+  const auto running =
+      std::ranges::count_if(jobs_, [](const auto& each) { return each.second->running(); });
+  if (running >= static_cast<std::ptrdiff_t>(settings_.at_once)) {
+    throw Refusal{429, fmt::format("searches that run: {}, as many as may; wait for one to end, or "
+                                   "stop it",
+                                   running)};
+  }
+  forget_old();
+  const auto job = std::make_shared<Job>();
+  job->id = next_++;
+  job->order = order;
+  RunControl::Settings settings;
+  settings.time = std::chrono::duration<double>(order.seconds);
+  settings.memory_bytes = settings_.memory_bytes;
+  settings.threads = order.threads;
+  settings.seed = order.seed;
+  settings.progress_interval = std::chrono::duration<double>(0.25);
+  settings.on_progress = [this, one = job.get()](const Progress& progress) {
+    one->tell(progress);
+    publish(*one);
+  };
+  job->control = std::make_unique<RunControl>(std::move(settings));
+  job->thread = std::thread([this, one = job.get()] { run(*one); });
+  jobs_[job->id] = job;
+  return job->id;
+}
+
+// With mutex_ held.
+void SearchJobs::forget_old() {
+  for (auto at = jobs_.begin(); jobs_.size() >= most_remembered && at != jobs_.end();) {
+    if (at->second->running()) {
+      ++at;
+      continue;
+    }
+    at->second->thread.join();
+    at = jobs_.erase(at);
+  }
+}
+
+void SearchJobs::run(Job& job) {
+  // Who answers comes first.
+  constexpr int gives_way = 10;
+  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));
+  publish(job);
+  std::string fault;
+  try {
+    search(job);
+  } catch (const Stopped&) {
+    const std::scoped_lock lock(job.mutex);
+    job.state = "stopped";
+    job.message = "stopped before there was a design";
+  } catch (const std::exception& failure) {
+    fault = failure.what();
+  }
+  if (!fault.empty()) {
+    const std::scoped_lock lock(job.mutex);
+    job.state = "failed";
+    job.message = fault;
+  }
+  publish(job);
+}
+
+void SearchJobs::search(Job& job) {
+  const Parameters& p = job.order.parameters;
+  RunControl& control = *job.control;
+  const RunScope scope(control);
+  const Bound bound = lower_bound(p);
+  {
+    const std::scoped_lock lock(job.mutex);
+    job.lower_bound = bound.blocks;
+  }
+  ImproveResult result = improve(p, {}, control);
+  const bool better = result.design &&
+                      (!result.started_from || result.design->block_count() < *result.started_from);
+  std::shared_ptr<Design> found;
+  if (result.design) {
+    found = std::make_shared<Design>((*std::move(result.design)).take());
+    if (better || !found->recipe) {
+      cli::SearchRequest request;
+      request.run.seed = job.order.seed;
+      request.run.threads = job.order.threads;
+      request.run.time = fmt::format("{:g}s", job.order.seconds);
+      found->recipe = literal_recipe(*found, cli::provenance(request, p, ""));
+    }
+  }
+  const std::scoped_lock lock(job.mutex);
+  job.design = found;
+  job.best = found ? std::optional<std::uint64_t>(found->block_count()) : job.best;
+  job.start_best = result.started_from;
+  job.restarts = result.attempts;
+  job.seconds = control.elapsed().count();
+  job.points.push_back({job.seconds, job.best, result.moves_per_second});
+  job.state = result.why_stopped == WhyStopped::interrupted ? "stopped" : "done";
+  if (!found) {
+    job.message =
+        fmt::format("stopped ({}) before there was a design", to_string(result.why_stopped));
+  } else if (*job.best == bound.blocks) {
+    job.message = "minimum: as many blocks as the lower bound";
+  } else if (better) {
+    job.message = fmt::format("{}; {} were known", result.how,
+                              cli::count_of(result.started_from.value_or(0), "block"));
+  } else {
+    job.message = result.unsearched.empty() ? "nothing better was found"
+                                            : "no search was made: " + result.unsearched;
+  }
+}
+
+void SearchJobs::publish(const Job& job) {
+  JsonWriter json;
+  job.write(json, false);
+  events_.publish("search", std::to_string(job.id), json.take());
+}
+
+std::shared_ptr<SearchJobs::Job> SearchJobs::find(std::uint64_t id) const {
+  const std::scoped_lock lock(mutex_);
+  const auto found = jobs_.find(id);
+  if (found == jobs_.end()) {
+    throw Refusal{404, fmt::format("there is no search {}", id)};
+  }
+  return found->second;
+}
+
+void SearchJobs::stop(std::uint64_t id) { find(id)->control->stop(WhyStopped::interrupted); }
+
+bool SearchJobs::stop_all(std::chrono::duration<double> patience) {
+  std::vector<std::shared_ptr<Job>> all;
+  {
+    const std::scoped_lock lock(mutex_);
+    for (const auto& [id, job] : jobs_) {
+      job->control->stop(WhyStopped::interrupted);
+      all.push_back(job);
+    }
+  }
+  constexpr std::chrono::milliseconds between_looks{10};
+  const auto end = std::chrono::steady_clock::now() + patience;
+  const auto any_runs = [&] {
+    return std::ranges::any_of(all, [](const auto& job) { return job->running(); });
+  };
+  while (any_runs()) {
+    if (std::chrono::steady_clock::now() >= end) {
+      return false;
+    }
+    std::this_thread::sleep_for(between_looks);
+  }
+  return true;
+}
+
+std::shared_ptr<const Design> SearchJobs::design_of(std::uint64_t id) const {
+  const auto job = find(id);
+  const std::scoped_lock lock(job->mutex);
+  if (!job->design) {
+    throw Refusal{
+        404, fmt::format("search {} has no design {}", id,
+                         job->state == "running" ? "yet; stop it to see the best" : "to show")};
+  }
+  return job->design;
+}
+
+Kept SearchJobs::keep(std::uint64_t id) { return keep_in_catalog(catalog_, *design_of(id)); }
+
+std::string SearchJobs::list_json() const {
+  const std::scoped_lock lock(mutex_);
+  JsonWriter json;
+  json.begin_array();
+  for (auto at = jobs_.rbegin(); at != jobs_.rend(); ++at) {
+    at->second->write(json, false);
+  }
+  return json.end_array().take() + "\n";
+}
+
+std::string SearchJobs::one_json(std::uint64_t id) const {
+  JsonWriter json;
+  find(id)->write(json, true);
+  return json.take() + "\n";
+}
+
+}  // namespace changeover::serve

@@ -1,0 +1,75 @@
+// Is a list of blocks developed from its first ones under a rotation?
+#include <numeric>
+
+#include "changeover/core/automorphism.hpp"
+#include "changeover/draw/draw.hpp"
+
+namespace changeover {
+namespace {
+
+class Search {
+ public:
+  explicit Search(const Design& design)
+      : design_(design), seen_(static_cast<std::size_t>(design.v())) {}
+
+  // π^shift takes each block to the one c later, and the last c to the first.
+  bool holds(const Automorphism& pi, std::uint64_t shift, std::size_t c) {
+    for (std::size_t i = 0; i < design_.block_count(); ++i) {
+      if (!takes(pi, shift, i, (i + c) % design_.block_count())) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  bool takes(const Automorphism& pi, std::uint64_t shift, std::size_t from, std::size_t to) {
+    ++stamp_;
+    for (const Element x : design_.block(to)) {
+      seen_[x] = stamp_;
+    }
+    for (const Element x : design_.block(from)) {
+      if (seen_[pi.image(x, shift)] != stamp_) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const Design& design_;
+  std::vector<std::uint64_t> seen_;
+  std::uint64_t stamp_ = 0;
+};
+
+}  // namespace
+
+std::optional<FoundRotation> find_rotation(const Design& design) {
+  const std::size_t b = design.block_count();
+  if (design.parameters().kind != Kind::circular || b < 2) {
+    return std::nullopt;
+  }
+  Search search(design);
+  for (std::size_t c = 1; 2 * c <= b; ++c) {
+    const std::uint64_t order = b / c;  // of π^shift
+    if (b % c != 0) {
+      continue;
+    }
+    for (const std::uint64_t fixed : {0U, 1U}) {
+      const std::uint64_t n = design.v() - fixed;
+      if (n < 2 || n % order != 0) {
+        continue;
+      }
+      const Automorphism pi{.n = n, .cycles = 1, .fixed = fixed};
+      for (std::uint64_t shift = n / order; shift < n; shift += n / order) {
+        if (std::gcd(n, shift) == n / order && search.holds(pi, shift, c)) {
+          const std::vector<Block> blocks = design.blocks();
+          return FoundRotation{
+              n, shift, {blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(c)}};
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace changeover

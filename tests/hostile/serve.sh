@@ -1,0 +1,169 @@
+#!/usr/bin/env bash
+# The server against clients that mean no good and days that go wrong: bytes that are no HTTP, connections that stay half open,
+# a port that is taken, kill -9 while a design is kept, a disk that is full while files are exported. It answers afterwards, no
+# file is half written, and what stops it is one line with the documented exit code.
+# shellcheck source=support/attack.sh
+source "$(dirname "$0")/support/attack.sh"
+CHANGEOVER=$(program CHANGEOVER) || exit
+export CHANGEOVER_CATALOG=$scratch/ground/mine.db
+
+# start ARGUMENT...: a server in the background; sets process, port, token.
+start() {
+  local line tries
+  rm -f "$out"
+  env --default-signal=INT "$CHANGEOVER" serve "$@" >"$out" 2>"$err" </dev/null &
+  process=$!
+  for ((tries = 0; tries < 600; ++tries)); do
+    [[ ! -s $out ]] || break
+    kill -0 "$process" 2>/dev/null || break
+    sleep 0.1
+  done
+  read -r line <"$out" || { fault "serve $(quoted "$@"): no address; $(head -c 300 "$err")"; return 1; }
+  port=${line#http://127.0.0.1:}
+  token=${line##*token=}
+  port=${port%%/*}
+}
+
+# ask METHOD TARGET [BODY [HEADER]...]: sets status and answer.
+ask() {
+  local method=$1 target=$2 body=${3:-} header
+  shift 2
+  shift $(($# > 0 ? 1 : 0))
+  status=none answer=
+  exec {server}<>"/dev/tcp/127.0.0.1/$port" || return 1
+  {
+    printf '%s %s HTTP/1.1\r\nHost: 127.0.0.1:%s\r\nConnection: close\r\n' "$method" "$target" "$port"
+    for header in "$@"; do printf '%s\r\n' "$header"; done
+    [[ $method == GET ]] || printf 'Content-Length: %s\r\n' "${#body}"
+    printf '\r\n%s' "$body"
+  } >&"$server" 2>/dev/null
+  answer=$(timeout 120 cat <&"$server" | tr -d '\0')
+  exec {server}>&-
+  status=${answer#HTTP/1.1 }
+  status=${status%% *}
+}
+
+alive() { # after what
+  attacks=$((attacks + 1))
+  kill -0 "$process" 2>/dev/null || { fault "$1: the server is gone; $(head -c 300 "$err")"; return 1; }
+  ask GET '/api/bounds?v=20&k=5&kind=linear'
+  [[ $status == 200 ]] || fault "$1: the server answers $status afterwards"
+}
+
+stop() { # signal, after what
+  local code
+  kill -s "$1" "$process"
+  wait "$process"
+  code=$?
+  [[ $code == 0 ]] || fault "SIG$1 after $2: exit code $code; $(head -c 300 "$err")"
+}
+
+# Sockets that close say so, and kill who writes to them; faults go to standard output.
+exec 2>/dev/null
+trap '' PIPE
+shopt -s execfail
+
+start --port 0 || finish
+for ((round = 0; round < 30 * rounds; ++round)); do
+  # Bytes that are no HTTP, and HTTP with some of its bytes changed.
+  request="GET /api/cell?v=20&k=5&kind=linear HTTP/1.1\r\nHost: 127.0.0.1:$port\r\nContent-Length: 10\r\n\r\n0 1 2 3 4 "
+  exec {socket}<>"/dev/tcp/127.0.0.1/$port" || { fault 'no connection'; break; }
+  if ((round % 3 == 0)); then
+    head -c $((RANDOM % 3000)) /dev/urandom >&"$socket"
+  else
+    place=$((RANDOM % 120))
+    printf '%b' "${request:0:place}\\x$(printf '%02x' $((RANDOM % 256)))${request:place}" >&"$socket"
+  fi
+  exec {socket}>&-
+done
+alive 'garbage'
+
+# Connections that stay open and say nothing, or half of something.
+held=()
+for ((i = 0; i < 100; ++i)); do
+  exec {socket}<>"/dev/tcp/127.0.0.1/$port" || break
+  held+=("$socket")
+  ((i % 2 == 0)) || printf 'POST /api/verify HTTP/1.1\r\nHost: 127.0.0.1:%s\r\nContent-Length: 99\r\n\r\n0 1' "$port" >&"$socket"
+done
+alive '100 connections that stay open'
+for socket in "${held[@]}"; do exec {socket}>&-; done
+
+# Bodies of every kind of wrong.
+for body in '' '[' "$(printf '[%.0s' {1..5000})" '{"parts":1e999}' $'\x01\x02' '{"a":"\ud800"}' '<!DOCTYPE x [<!ENTITY a "b">]>'; do
+  for target in /api/verify /api/plan /api/loadorder /api/draw '/api/verify?v=99999999999'; do
+    ask POST "$target" "$body" 'Content-Type: application/json'
+    [[ $status == 4?? ]] || fault "POST $target with $(quoted "$body"): $status"
+  done
+done
+alive 'wrong bodies'
+
+# Nobody without the token; nobody from elsewhere.
+ask POST /api/search '{"v":9,"k":4}' 'Content-Type: application/json'
+[[ $status == 401 ]] || fault "a search without the token: $status"
+ask POST /api/verify '0 1 2' 'Origin: http://evil.example'
+[[ $status == 403 ]] || fault "a foreign origin: $status"
+
+# A second server on the same port.
+run 60 "$CHANGEOVER" serve --port "$port"
+attacks=$((attacks + 1))
+[[ $code == 4 && $said == *'another program listens there'* ]] || fault "a port that is taken: exit code $code $said"
+alive 'a second server'
+stop INT 'all that'
+
+# Killed while a design is being kept: the catalog is whole, and the next server keeps it.
+for ((round = 0; round < 3 * rounds; ++round)); do
+  rm -f mine.db*
+  start || break
+  (
+    for ((i = 0; i < 20; ++i)); do
+      ask POST '/api/catalog/add?kind=circular' $'0 1 2 3\n4 5 2 3\n4 5 0 1\n' "X-Changeover-Token: $token" \
+        'Content-Type: text/plain'
+    done
+  ) &
+  client=$!
+  sleep "0.$((RANDOM % 4))$((RANDOM % 10))"
+  kill -KILL "$process"
+  wait "$process" "$client"
+  attacks=$((attacks + 1))
+  run 60 "$CHANGEOVER" catalog list --users
+  [[ $code == 0 ]] || fault "the catalog after kill -9: exit code $code $said"
+  start || break
+  ask POST '/api/catalog/add?kind=circular' $'0 1 2 3\n4 5 2 3\n4 5 0 1\n' "X-Changeover-Token: $token" 'Content-Type: text/plain'
+  [[ $status == 200 && $answer == *6.4.2.circular.3.* ]] || fault "keeping after kill -9: $status"
+  stop TERM 'kill -9'
+done
+
+# Files for any web server: whole, or not there.
+mkdir pages && printf '<!doctype html><html><head><title>x</title></head></html>' >pages/index.html
+small=(serve --assets pages --k 3 --v 5..7 --change 2 --export)
+run 120 "$CHANGEOVER" "${small[@]}" site
+[[ $code == 0 && -s site/index.html && -s site/data/config.json ]] || fault "export: exit code $code $said"
+mkdir full && printf 'mine' >full/mine
+run 60 "$CHANGEOVER" "${small[@]}" full
+attacks=$((attacks + 1))
+[[ $code == 4 && $(cat full/mine) == mine && $(ls -A full) == mine ]] || fault "export into a folder with other things: exit code $code"
+before=$(cat site/data/config.json site/index.html)
+for ((round = 0; round < 3 * rounds; ++round)); do
+  env --default-signal=INT "$CHANGEOVER" serve --assets pages --k 3..8 --v 5..60 --export site >"$out" 2>"$err" </dev/null &
+  process=$!
+  sleep "0.$((RANDOM % 10))"
+  if ((round % 2 == 0)); then kill -KILL $process; else kill -INT $process; fi
+  wait $process
+  code=$?
+  attacks=$((attacks + 1))
+  [[ $(cat site/data/config.json site/index.html) == "$before" ]] || fault 'export, stopped: the old site is another'
+  if ((round % 2 == 1)); then
+    [[ $code == 30 || $code == 130 ]] || fault "export, interrupted: exit code $code $(head -c 300 "$err")"
+    [[ -z $(find . -maxdepth 1 -name 'site.new-*') || $code == 130 ]] || fault 'export, interrupted: a folder is left'
+  fi
+  rm -rf site.new-*
+done
+if mkdir disk && mount -t tmpfs -o size=64k none disk; then
+  at_exit+=("umount '$PWD/disk'")
+  run 120 "$CHANGEOVER" "${small[@]}" disk/site
+  attacks=$((attacks + 1))
+  [[ $code == 4 ]] || fault "export to a full disk: exit code $code $said"
+  [[ -z $(ls -A disk) ]] || fault "export to a full disk: left $(ls -A disk)"
+fi
+
+finish

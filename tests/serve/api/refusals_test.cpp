@@ -1,0 +1,232 @@
+// What is refused, with its status and one clear line; nothing that is sent harms the server.
+#include <gmock/gmock.h>
+
+#include "served.hpp"
+
+namespace changeover::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Refused {
+  std::string target;
+  int status;
+  std::string says;
+};
+
+class Refusals : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { own_ = new OwnServer; }
+  static void TearDownTestSuite() {
+    delete own_;
+    own_ = nullptr;
+  }
+  static std::uint16_t port() { return own_->port(); }
+  inline static OwnServer* own_ = nullptr;
+};
+
+TEST_F(Refusals, QuestionsThatCannotBe) {
+  const std::vector<Refused> cases{
+      {"/api/nothing", 404, "nothing at this address"},
+      {"/api/", 404, "nothing at this address"},
+      {"/api/cell", 400, "kind is missing"},
+      {"/api/cell?kind=round&v=5&k=3", 400, "write circular or linear"},
+      {"/api/cell?kind=linear&k=3", 400, "v is missing"},
+      {"/api/cell?kind=linear&v=x&k=3", 400, "v=x: write a whole number"},
+      {"/api/cell?kind=linear&v=-5&k=3", 400, "whole number"},
+      {"/api/cell?kind=linear&v=5.0&k=3", 400, "whole number"},
+      {"/api/cell?kind=linear&v=&k=3", 400, "whole number"},
+      {"/api/cell?kind=linear&v=99999999999999999999999&k=3", 400, "whole number"},
+      {"/api/cell?kind=linear&v=5&k=9", 400, "k"},
+      {"/api/cell?kind=linear&v=5&k=3&change=4", 400, "change"},
+      {"/api/cell?kind=linear&v=5&k=3&strength=9", 400, "strength=9: give 2 to 4"},
+      {"/api/cell?kind=linear&v=5&v=6&k=3", 400, "v is given twice"},
+      {"/api/cell?kind=linear&v=5&k=3&colour=red", 400, "no parameter 'colour'"},
+      {"/api/about?x=1", 400, "takes no parameters"},
+      {"/api/table?k=5..3", 400, "range is empty"},
+      {"/api/table?k=1..3", 400, "k"},
+      {"/api/table?v=2..5000", 413, "more than 20000 cells"},
+      {"/api/table?k=3&v=5..2000", 400, "v = 1000"},
+      {"/api/table?change=0", 400, "differ in at least 1"},
+      {"/api/heatmap?k=3&v=5..9", 400, "kind is missing"},
+      {"/api/heatmap?k=3&v=5..9&kind=linear&theme=pink", 400, "light, dark"},
+      {"/api/design", 400, "name a design by v"},
+      {"/api/design?v=5&label=x", 400, "two ways"},
+      {"/api/design?label=nobody", 404, "no design nobody"},
+      {"/api/design?label=%1b%5b2J", 404, "no design \\x1b[2J"},
+      {"/api/design?file=1", 404, "there is no file 1"},
+      {"/api/design?job=1", 404, "there is no search 1"},
+      {"/api/design?v=4&k=2", 404, "exists"},
+      {"/api/design?v=3001&k=3&kind=circular", 413, "changeover design"},
+      {"/api/download?v=8&k=5&format=exe", 400, "write text, json"},
+      {"/api/draw?v=8&k=5&picture=cat", 400, "array"},
+      {"/api/draw?v=8&k=5&from=900", 400, ""},
+      {"/api/explain?v=4&k=2&kind=linear", 404, "exists"},
+      {"/api/search?id=7", 404, "there is no search 7"},
+      {"/api/cite?label=x", 404, "no design x"},
+      {"/api/verify", 405, "takes POST"},
+      {"/index.html?x=1", 400, "no parameter 'x'"},
+      {"/api/cell%00?kind=linear", 400, "zero byte"},
+      {"/" + std::string(10'000, 'a'), 414, "too long"},
+  };
+  for (const Refused& each : cases) {
+    const Reply reply = get(port(), each.target);
+    EXPECT_EQ(reply.status, each.status) << each.target.substr(0, 100) << "\n" << reply.body;
+    EXPECT_THAT(message_of(reply), HasSubstr(each.says)) << each.target.substr(0, 100);
+    EXPECT_EQ(message_of(reply).find('\n'), std::string::npos);
+  }
+}
+
+TEST_F(Refusals, PathsLeadNowhereElse) {
+  EXPECT_EQ(get(port(), "/").status, 200);
+  EXPECT_EQ(get(port(), "/?token=abc").status, 200);
+  EXPECT_EQ(get(port(), "/assets/app.js").header("content-type"), "text/javascript; charset=utf-8");
+  for (const char* const path :
+       {"/../outside.txt", "/assets/../../outside.txt", "/%2e%2e/outside.txt", "/..%2foutside.txt",
+        "//etc/passwd", "/etc/passwd", "/link.txt", "/secret", "/assets", "/assets/",
+        "/./index.html", "/assets//app.js", "/index.html/", "/INDEX.HTML", "/%00",
+        "/assets\\app.js"}) {
+    const Reply reply = get(port(), path);
+    EXPECT_TRUE(reply.status == 404 || reply.status == 400) << path << reply.status;
+    EXPECT_EQ(reply.body.find("not a page"), std::string::npos) << path;
+    EXPECT_EQ(reply.body.find("root:"), std::string::npos) << path;
+  }
+}
+
+TEST_F(Refusals, EveryAnswerHasTheHeadersOfSafety) {
+  for (const char* const target :
+       {"/", "/assets/app.js", "/api/about", "/api/nothing", "/api/cell"}) {
+    const Reply reply = get(port(), target);
+    EXPECT_EQ(reply.header("content-security-policy"),
+              "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data: "
+              "blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors "
+              "'none'");
+    EXPECT_EQ(reply.header("x-content-type-options"), "nosniff");
+    EXPECT_EQ(reply.header("referrer-policy"), "no-referrer");
+    EXPECT_EQ(reply.header("cross-origin-opener-policy"), "same-origin");
+    EXPECT_EQ(reply.header("cross-origin-resource-policy"), "same-origin");
+    EXPECT_EQ(reply.header("access-control-allow-origin"), "");
+  }
+}
+
+TEST_F(Refusals, StrangersAreNotAnswered) {
+  const std::string own = "127.0.0.1:" + std::to_string(port());
+  EXPECT_EQ(get(port(), "/api/about", {{"Host", "evil.example"}}).status, 403);
+  EXPECT_EQ(get(port(), "/", {{"Host", "evil.example:" + std::to_string(port())}}).status, 403);
+  EXPECT_EQ(get(port(), "/api/about", {{"Host", ""}}).status, 400);
+  EXPECT_EQ(get(port(), "/api/about", {{"Host", "localhost:" + std::to_string(port())}}).status,
+            200);
+  EXPECT_EQ(ask(port(), "POST", "/api/verify", {{"Origin", "http://evil.example"}}, "0 1\n").status,
+            403);
+  EXPECT_EQ(ask(port(), "POST", "/api/verify", {{"Origin", "http://" + own}}, "0 1 2\n").status,
+            200);
+  Connection twice(port());
+  twice.send("GET /api/about HTTP/1.1\r\nHost: " + own + "\r\nHost: evil.example\r\n\r\n");
+  EXPECT_EQ(twice.reply().status, 400);
+}
+
+TEST_F(Refusals, OnlyTheTokenChangesSomething) {
+  for (const char* const target :
+       {"/api/search", "/api/search/stop?id=1", "/api/search/keep?id=1", "/api/catalog/add"}) {
+    Headers wrong = own_->token();
+    wrong["X-Changeover-Token"].front() ^= 1;
+    EXPECT_EQ(ask(port(), "POST", target).status == 401, target != std::string("/api/search"))
+        << target;  // which wants JSON first
+    EXPECT_EQ(ask(port(), "POST", target, wrong).status, 401) << target;
+  }
+}
+
+TEST_F(Refusals, MethodsThatThereAreNot) {
+  for (const char* const method : {"PUT", "DELETE", "PATCH", "OPTIONS", "TRACE", "POST", "BREW"}) {
+    const Reply reply = ask(port(), method, "/api/about");
+    EXPECT_EQ(reply.status, 405) << method;
+    EXPECT_EQ(reply.header("allow"), "GET, HEAD") << method;
+  }
+  EXPECT_EQ(ask(port(), "PUT", "/index.html").header("allow"), "GET, HEAD");
+  const Reply head = ask(port(), "HEAD", "/api/about");
+  EXPECT_EQ(head.status, 200);
+  EXPECT_NE(head.header("content-length"), "0");
+  EXPECT_EQ(ask(port(), "HEAD", "/api/events").status, 200);
+}
+
+TEST_F(Refusals, BodiesThatAreNotTaken) {
+  const std::string json = "application/json";
+  const auto status = [&](const std::string& target, const Headers& headers,
+                          const std::string& body) {
+    return ask(port(), "POST", target, headers, body).status;
+  };
+  EXPECT_EQ(status("/api/plan", {{"Content-Type", "text/plain"}}, "{}"), 415);
+  EXPECT_EQ(status("/api/verify", {{"Content-Type", "application/x-www-form-urlencoded"}}, "a=b"),
+            415);
+  EXPECT_EQ(status("/api/verify", {{"Content-Length", ""}}, ""), 411);
+  EXPECT_EQ(status("/api/plan", {{"Content-Type", json}}, std::string((1 << 20) + 1, ' ')), 413);
+  EXPECT_EQ(status("/api/verify", {{"Content-Length", "99999999999"}}, ""), 413);
+  EXPECT_EQ(status("/api/verify", {{"Content-Length", "99999999999999999999999999"}}, ""), 413);
+  EXPECT_EQ(ask(port(), "GET", "/api/about", {}, "a body").status, 413);
+  Connection chunked(port());
+  chunked.send("POST /api/verify HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port()) +
+               "\r\nTransfer-Encoding: chunked\r\n\r\n5\r\n0 1 2\r\n0\r\n\r\n");
+  EXPECT_EQ(chunked.reply().status, 411);
+}
+
+TEST_F(Refusals, JsonThatIsNotWhatWasAsked) {
+  const std::vector<Refused> cases{
+      {"", 422, ""},
+      {"[]", 422, "object"},
+      {"{", 422, "not JSON"},
+      {"{}", 422, "missing"},
+      {std::string(100'000, '['), 422, "256"},
+      {"{\"parts\":" + std::string(300, '[') + std::string(300, ']') + "}", 422, "256"},
+      {R"({"parts":9,"at_once":3,"colour":1})", 422, "no member 'colour'"},
+      {R"({"parts":9,"at_once":"3"})", 422, "at_once: write a whole number"},
+      {R"({"parts":9,"at_once":-3})", 422, "whole number"},
+      {R"({"parts":9,"at_once":1})", 422, "room for two"},
+      {R"({"parts":1,"at_once":3})", 422, "two parts"},
+      {R"({"parts":99999,"at_once":3})", 422, ""},
+      {R"({"parts":9,"at_once":3,"test_cost":-1})", 422, "test_cost"},
+      {R"({"parts":9,"at_once":3,"test_cost":true})", 422, "test_cost"},
+      {R"({"parts":9,"at_once":3,"seconds":1e9})", 422, "seconds"},
+      {R"({"parts":["a","a"],"at_once":2})", 422, "two parts are called a"},
+      {R"({"parts":["a\u0007","b"],"at_once":2})", 422, "parts[0]"},
+      {R"({"parts":[1,2],"at_once":2})", 422, "parts[0]"},
+      {R"({"parts":["a","b"],"at_once":2,"pairs":[["a","c"]]})", 422, "no part c"},
+      {R"({"parts":["a","b"],"at_once":2,"pairs":[["a","a"]]})", 422, "with itself"},
+      {R"({"parts":["a","b"],"at_once":2,"pairs":[["a"]]})", 422, "two parts each"},
+      {R"({"parts":["a","b"],"at_once":2,"pairs":[]})", 422, "no pair"},
+      {R"({"parts":["a","b"],"at_once":2,"done":[["a","a"]]})", 422, ""},
+  };
+  for (const Refused& each : cases) {
+    const Reply reply =
+        ask(port(), "POST", "/api/plan", {{"Content-Type", "application/json"}}, each.target);
+    EXPECT_EQ(reply.status, each.status) << each.target.substr(0, 100) << reply.body;
+    EXPECT_THAT(message_of(reply), HasSubstr(each.says)) << each.target.substr(0, 100);
+  }
+  for (const char* const body :
+       {R"({"items":0,"room":3})", R"({"items":10,"room":1})", R"({"items":99999999,"room":3})",
+        R"({"items":10,"room":3,"workers":0})", R"({"items":10,"room":3,"pairs":[[0,10]]})",
+        R"({"items":10,"room":3,"pairs":[]})", R"({"items":10,"room":3,"bytes_per_item":0})"}) {
+    EXPECT_EQ(
+        ask(port(), "POST", "/api/loadorder", {{"Content-Type", "application/json"}}, body).status,
+        422)
+        << body;
+  }
+}
+
+TEST_F(Refusals, DesignsThatAreNone) {
+  for (const std::string& body :
+       {std::string(),
+        std::string("\x7f"
+                    "ELF\x01\x02"),
+        std::string(200'000, '['),
+        std::string("<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY b \"c\">]><a>&b;</a>"),
+        std::string("0 1 2\n0 1\n"), std::string("0 1 1\n"),
+        std::string("# changeover design v=5 k=3\n7 8 9\n")}) {
+    const Reply reply = ask(port(), "POST", "/api/verify", {}, body);
+    EXPECT_EQ(reply.status, 422) << body.substr(0, 40) << reply.body;
+  }
+  // Declared by whoever asks: no fault of the file.
+  EXPECT_EQ(ask(port(), "POST", "/api/verify?k=0", {}, "0 1 2\n").status, 400);
+}
+
+}  // namespace
+}  // namespace changeover::test

@@ -1,0 +1,143 @@
+// Searches: begun, watched, stopped, kept.
+#include <gmock/gmock.h>
+
+#include "changeover/catalog/label.hpp"
+#include "changeover/io/input.hpp"
+#include "changeover/verify/verdict.hpp"
+#include "served.hpp"
+
+namespace changeover::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+Reply act(const OwnServer& own, const std::string& target, const std::string& body = "") {
+  return ask(own.port(), "POST", target, own.token(), body);
+}
+
+nlohmann::json search(const OwnServer& own, int id) {
+  return json_of(get(own.port(), "/api/search?id=" + std::to_string(id)));
+}
+
+bool ends(const OwnServer& own, int id) {
+  return eventually([&] { return search(own, id)["state"] != "running"; });
+}
+
+TEST(Searches, FindVerifyAndKeep) {
+  const OwnServer own;
+  const Reply begun = act(own, "/api/search",
+                          R"({"v":9,"k":4,"change":2,"kind":"circular","seconds":60,"seed":3})");
+  ASSERT_EQ(begun.status, 200) << begun.body;
+  EXPECT_EQ(json_of(begun)["id"], 1);
+  ASSERT_TRUE(ends(own, 1));
+  const auto job = search(own, 1);
+  EXPECT_EQ(job["state"], "done") << job;
+  EXPECT_EQ(job["best"], job["lower_bound"]);
+  EXPECT_GE(job["points"].size(), 1U);
+  const Reply reply = get(own.port(), "/api/design?job=1");
+  const Design design = read_design(input_from_text(reply.body));
+  EXPECT_TRUE(verify(design).valid());
+  EXPECT_EQ(json_of(reply)["label"], nullptr);
+  const auto kept = json_of(act(own, "/api/search/keep?id=1"));
+  EXPECT_EQ(kept["already"], false) << kept;
+  const auto label = parse_design_label(kept["label"].get<std::string>());
+  ASSERT_TRUE(label);
+  EXPECT_EQ(label->b, design.block_count());
+  EXPECT_TRUE(own.catalog.find(kept["label"].get<std::string>()));
+  EXPECT_EQ(json_of(act(own, "/api/search/keep?id=1"))["already"], true);
+  EXPECT_EQ(json_of(get(own.port(), "/api/design?job=1"))["label"], kept["label"]);
+  EXPECT_EQ(json_of(get(own.port(), "/api/about"))["catalog"]["designs"], 1);
+}
+
+TEST(Searches, StopAndTellOfIt) {
+  const OwnServer own;
+  Connection listener(own.port());
+  listener.send(request_text(own.port(), "GET", "/api/events"));
+  ASSERT_TRUE(listener.read_until("event: hello"));
+  ASSERT_EQ(act(own, "/api/search", R"({"v":30,"k":6,"seconds":3600})").status, 200);
+  ASSERT_TRUE(listener.read_until("\"state\":\"running\""));
+  EXPECT_EQ(get(own.port(), "/api/design?job=1").status, 404);
+  EXPECT_EQ(act(own, "/api/search/keep?id=1").status, 404);
+  ASSERT_EQ(act(own, "/api/search/stop?id=1").status, 200);
+  EXPECT_TRUE(listener.read_until("\"state\":\"stopped\""));
+  EXPECT_EQ(search(own, 1)["state"], "stopped");
+  EXPECT_EQ(get(own.port(), "/api/design?job=1").status, 200);
+}
+
+TEST(Searches, AreLimited) {
+  const OwnServer own;
+  const std::string long_one = R"({"v":30,"k":6,"seconds":3600})";
+  EXPECT_EQ(act(own, "/api/search", long_one).status, 200);
+  EXPECT_EQ(act(own, "/api/search", long_one).status, 200);
+  EXPECT_EQ(act(own, "/api/search", long_one).status, 429);
+  EXPECT_EQ(act(own, "/api/search/stop?id=2").status, 200);
+  EXPECT_TRUE(ends(own, 2));
+  EXPECT_EQ(act(own, "/api/search", long_one).status, 200);
+  EXPECT_EQ(json_of(get(own.port(), "/api/search")).size(), 3U);
+}
+
+TEST(Searches, RefuseWhatCannotBe) {
+  const OwnServer own;
+  for (const auto& [body, status, says] :
+       {std::tuple{R"({"v":4,"k":2,"kind":"circular"})", 400, "exists"},
+        std::tuple{R"({"v":4,"k":9})", 400, ""},
+        std::tuple{R"({"v":20,"k":5,"kind":"round"})", 422, "kind"},
+        std::tuple{R"({"v":20,"k":5,"seconds":0})", 422, "seconds"},
+        std::tuple{R"({"v":20,"k":5,"threads":100000})", 422, "threads"},
+        std::tuple{R"({"v":20})", 422, "k is missing"},
+        std::tuple{R"({"v":20,"k":5,"x":1})", 422, "no member 'x'"}}) {
+    const Reply reply = act(own, "/api/search", body);
+    EXPECT_EQ(reply.status, status) << body << reply.body;
+    EXPECT_THAT(message_of(reply), HasSubstr(says));
+  }
+  EXPECT_EQ(act(own, "/api/search/stop?id=9").status, 404);
+  EXPECT_EQ(act(own, "/api/search/stop").status, 400);
+}
+
+TEST(Searches, AreNotBegunWithoutLeave) {
+  serve::ExplorerSettings settings;
+  settings.may_write = false;
+  const OwnServer own(std::move(settings));
+  EXPECT_EQ(json_of(get(own.port(), "/api/about"))["write"], false);
+  EXPECT_EQ(act(own, "/api/search", R"({"v":20,"k":5})").status, 403);
+  EXPECT_EQ(act(own, "/api/catalog/add", "0 1 2\n").status, 403);
+}
+
+TEST(CatalogAdd, TakesDesignsAndNothingElse) {
+  const OwnServer own;
+  const std::string design = "0 1 2 3\n4 5 2 3\n4 5 0 1\n";
+  const auto added = json_of(act(own, "/api/catalog/add?kind=circular", design));
+  EXPECT_EQ(added["already"], false) << added;
+  EXPECT_THAT(added["label"].get<std::string>(), HasSubstr("6.4.2.circular.3."));
+  EXPECT_EQ(json_of(act(own, "/api/catalog/add?kind=circular", design))["already"], true);
+  // The same by other names of elements.
+  EXPECT_EQ(
+      json_of(act(own, "/api/catalog/add?kind=circular", "3 1 2 0\n4 5 2 0\n4 5 3 1\n"))["label"],
+      added["label"]);
+  EXPECT_EQ(act(own, "/api/catalog/add?kind=circular", "0 1 2 3\n4 5 2 3\n4 5 0 2\n").status, 422);
+  const std::string label = added["label"];
+  EXPECT_EQ(json_of(get(own.port(), "/api/design?label=" + label))["label"], label);
+  // What was answered before is not given again.
+  EXPECT_EQ(json_of(get(own.port(), "/api/cell?v=6&k=4&kind=circular"))["designs"].size(), 1U);
+}
+
+TEST(Files, AreShownAsTheyAre) {
+  serve::ExplorerSettings settings;
+  settings.files.push_back({"mine.txt", read_design(input_from_text("a b c d\ne f c d\ne f a b\n"),
+                                                    {.kind = Kind::circular})});
+  settings.files.push_back(
+      {"broken.txt", read_design(input_from_text("0 1 2 3\n4 5 2 3\n4 5 0 2\n"))});
+  const OwnServer own(std::move(settings));
+  const auto about = json_of(get(own.port(), "/api/about"));
+  EXPECT_EQ(about["files"][0]["name"], "mine.txt");
+  EXPECT_EQ(about["files"][1]["index"], 2);
+  const auto mine = json_of(get(own.port(), "/api/design?file=1"));
+  EXPECT_EQ(mine["verdict"]["valid"], true);
+  EXPECT_EQ(mine["labels"], nlohmann::json::parse(R"(["a","b","c","d","e","f"])"));
+  EXPECT_EQ(json_of(get(own.port(), "/api/design?file=2"))["verdict"]["valid"], false);
+  EXPECT_EQ(get(own.port(), "/api/draw?file=2&picture=stays").status, 200);
+  EXPECT_EQ(get(own.port(), "/api/design?file=3").status, 404);
+}
+
+}  // namespace
+}  // namespace changeover::test

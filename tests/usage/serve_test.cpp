@@ -1,0 +1,82 @@
+#include "cases.hpp"
+
+namespace changeover::test {
+namespace {
+
+TEST(Serve, SaysWhatIsWrong) {
+  const TemporaryFolder folder;
+  spit(folder.file("bad.txt"), "0 1 2\n0 1\n");
+  spit(folder.file("good.txt"), "0 1 2 3\n4 5 2 3\n");
+  std::filesystem::create_directory(folder.path() / "pages");
+  spit(folder.file("pages/index.html"), "<html><head></head></html>");
+  std::filesystem::create_directory(folder.path() / "full");
+  spit(folder.file("full/mine"), "mine");
+  expect({{"$changeover serve --port 65536", 2, "--port 65536: give 0 to 65535"},
+          {"$changeover serve --port x", 2, "--port"},
+          {"$changeover serve --threads 0", 2, "--threads 0: give 1 to 256"},
+          {"$changeover serve --host 203.0.113.7", 4, "cannot listen on 203.0.113.7:0"},
+          {"$changeover serve --host no.such.name.invalid", 4, "--host no.such.name.invalid"},
+          {"$changeover serve missing.txt", 4, "missing.txt"},
+          {"$changeover serve good.txt bad.txt", 3, "bad.txt:2:"},
+          {"$changeover serve --assets missing", 4, "--assets missing: there is no such folder"},
+          {"$changeover serve --k 3..4", 2, "is for --export; give both"},
+          {"$changeover serve --export x --port 80", 2, "has no meaning with --export"},
+          {"$changeover serve good.txt --export x", 2, "FILE has no meaning with --export"},
+          {"$changeover serve --assets pages --export x --k 4..3", 2, "the range is empty"},
+          {"$changeover serve --assets pages --export x --v 5..5000", 2, "v = 1000"},
+          {"$changeover serve --assets pages --export full", 4, "holds other things"},
+          {"$changeover serve --assets pages --export full/mine", 4, "it is no folder"},
+          {"$changeover serve --assets pages --export none/such/x", 4, "cannot make a folder"},
+          {"$changeover serve --assets full --export x", 4, "without pages"},
+          {"$changeover serve --help", 0, "--no-write"}},
+         folder);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "x"));
+  EXPECT_EQ(slurp(folder.path() / "full" / "mine"), "mine");
+}
+
+TEST(Serve, PrintsItsAddressAndEndsWhenAsked) {
+  const TemporaryFolder folder;
+  for (const char* const signal : {"INT", "TERM"}) {
+    const Outcome outcome =
+        run(std::string("$changeover serve good.txt >out 2>err & p=$!\n"
+                        "for i in $(seq 600); do [ -s out ] && break; sleep 0.1; done\n"
+                        "$changeover serve --port $(sed 's/.*:\\([0-9]*\\).*/\\1/' out)\n"
+                        "echo taken $?; kill -") +
+                signal + " $p; wait $p; echo ended $?; cat out err",
+            (spit(folder.file("good.txt"), "0 1 2 3\n4 5 2 3\n"), folder.path()));
+    EXPECT_NE(outcome.err.find("another program listens there"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.out.find("taken 4\nended 0\nhttp://127.0.0.1:"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(count(outcome.out, "\n"), 3U) << outcome.out;
+  }
+}
+
+TEST(Serve, ExportsWhatItWouldAnswer) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "pages");
+  spit(folder.file("pages/index.html"), "<html><head></head></html>");
+  const std::string site = "$changeover serve --assets pages --export site --k 3..4 --v 3..8 -m 2";
+  expect({{site, 0, "22 cells"}, {site, 0, "22 cells"}}, folder);
+  const std::filesystem::path data = folder.path() / "site" / "data";
+  EXPECT_NE(slurp(folder.file("site/index.html")).find("<meta name=\"changeover-data\""),
+            std::string::npos);
+  EXPECT_NE(slurp(data / "config.json").find("\"static\":true"), std::string::npos);
+  for (const char* const kind : {"circular", "linear"}) {
+    const std::string name = std::string("2.") + kind;
+    EXPECT_TRUE(slurp(data / "table" / (name + ".json")).starts_with("[{\"v\":3,\"k\":3"));
+    EXPECT_TRUE(slurp(data / "cell" / (name + ".4.json")).starts_with("{\"4\":{"));
+    EXPECT_TRUE(std::filesystem::exists(data / "heatmap" / (name + ".ratio.dark.svg")));
+  }
+  std::size_t designs = 0;
+  for (const auto& file : std::filesystem::directory_iterator(data / "design")) {
+    const Outcome verified = run("$changeover verify " + file.path().string(), folder.path());
+    EXPECT_EQ(verified.code, 0) << file.path();
+    EXPECT_TRUE(std::filesystem::exists(data / "cite" / (file.path().stem().string() + ".bib")));
+    ++designs;
+  }
+  EXPECT_GT(designs, 10U);
+  EXPECT_EQ(run("ls -d site.new-*", folder.path()).out, "");
+}
+
+}  // namespace
+}  // namespace changeover::test
