@@ -1,34 +1,41 @@
-// What one page hands to another: a design that is in no file and no catalog, and text that somebody pasted.
-// Both live as long as the window.
+// What one page hands to another within this window: a design that is in no catalog, and a text to be checked.
+//
+// Both survive a reload as long as they fit into the storage of a window (some 5 MB); a larger one lasts as long as the
+// page itself.
 import type { Design } from './api';
 
-const designKey = 'changeover-local-design';
-const textKey = 'changeover-pasted';
+const designKey = 'changeover-local';
+const textKey = 'changeover-text';
+let design: Design | null = null;
+let text: string | null = null;
 
-/** Keeps a design for `#/design?local=1`. False if the browser has no room for it. */
-export function keepLocal(design: Design): boolean {
-  return keep(designKey, JSON.stringify(design));
+function store(key: string, value: string): void {
+  try {
+    sessionStorage.setItem(key, value);
+  } catch {
+    sessionStorage.removeItem(key);
+  }
+}
+
+/** The design that `#/design?local=1` shows. */
+export function keepLocal(shown: Design): void {
+  design = shown;
+  store(designKey, JSON.stringify(shown));
 }
 
 export function localDesign(): Design | null {
-  const text = sessionStorage.getItem(designKey);
-  return text === null ? null : (JSON.parse(text) as Design);
+  const kept = sessionStorage.getItem(designKey);
+  design ??= kept === null ? null : (JSON.parse(kept) as Design);
+  return design;
 }
 
-/** Keeps text for `#/verify?pasted=1`, which takes it as its input. */
-export function keepPasted(text: string): boolean {
-  return keep(textKey, text);
+/** A text that was pasted elsewhere: `#/verify?pasted=1` checks it at once. */
+export function keepText(pasted: string): void {
+  text = pasted;
+  store(textKey, pasted);
 }
 
-export function pasted(): string | null {
-  return sessionStorage.getItem(textKey);
-}
-
-function keep(key: string, text: string): boolean {
-  try {
-    sessionStorage.setItem(key, text);
-    return true;
-  } catch {
-    return false;
-  }
+export function keptText(): string | null {
+  text ??= sessionStorage.getItem(textKey);
+  return text;
 }
