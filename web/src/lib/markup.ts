@@ -1,11 +1,11 @@
 // Markdown as nodes. Text stays text: no HTML comes in with it.
-import { h } from './dom';
+import { h, type Child } from './dom';
 import { inline, parse, type Inline, type Part } from './markdown';
 
 /** Where a link of the text leads in these pages; null: it is shown as words only. */
 type Links = (to: string) => string | null;
 
-function nodes(parts: readonly Inline[], links: Links): (Node | string)[] {
+function nodes(parts: readonly Inline[], links: Links): Child[] {
   return parts.map((part) => {
     switch (part.is) {
       case 'text':
@@ -14,16 +14,16 @@ function nodes(parts: readonly Inline[], links: Links): (Node | string)[] {
         return h('code', {}, part.text);
       case 'link': {
         const to = links(part.to);
-        return to === null ? h('span', {}, nodes(part.inside, links) as Node[]) : h('a', { href: to }, ...(nodes(part.inside, links) as Node[]));
+        return to === null ? h('span', {}, nodes(part.inside, links)) : h('a', { href: to }, nodes(part.inside, links));
       }
       default:
-        return h(part.is, {}, ...(nodes(part.inside, links) as Node[]));
+        return h(part.is, {}, nodes(part.inside, links));
     }
   });
 }
 
 function block(part: Part, links: Links): HTMLElement {
-  const inside = (parts: readonly Inline[]): Node[] => nodes(parts, links) as Node[];
+  const inside = (parts: readonly Inline[]): Child[] => nodes(parts, links);
   switch (part.is) {
     case 'paragraph':
       return h('p', {}, ...inside(part.inside));
@@ -57,6 +57,6 @@ export function markup(markdown: string, links: Links = () => null): HTMLElement
 }
 
 /** One line of text with mathematics in it. */
-export function line(text: string): (Node | string)[] {
+export function line(text: string): Child[] {
   return nodes(inline(text), () => null);
 }

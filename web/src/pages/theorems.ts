@@ -59,7 +59,7 @@ function theorem(it: Theorem, gallery: Gallery, chosen: boolean): HTMLElement {
   return h(
     'article',
     { id: `theorem-${it.number}`, class: chosen ? 'statement chosen' : 'statement', tabindex: -1 },
-    h('h3', {}, h('a', { href: link('theorems', { theorem: it.number }) }, `Theorem ${it.number}`), it.title && it.title !== `Theorem ${it.number}` ? [': ', ...line(it.title)] as (Node | string)[] : ''),
+    h('h3', {}, h('a', { href: link('theorems', { theorem: it.number }) }, `Theorem ${it.number}`), it.title && it.title !== `Theorem ${it.number}` ? [': ', ...line(it.title)] : ''),
     h('div', { class: 'with-example' }, h('div', { class: 'prose' }, markup(it.statement, inPages)), it.example && gallery.add(it.example)),
   );
 }
@@ -75,8 +75,8 @@ function construction(it: Construction, gallery: Gallery, chosen: boolean): HTML
       h(
         'div',
         { class: 'prose' },
-        h('p', {}, ...(line(it.summary) as Node[]), '.'),
-        it.serves && h('p', { class: 'hint' }, 'Serves: ', ...(line(it.serves) as Node[]), '.'),
+        h('p', {}, line(it.summary), '.'),
+        it.serves && h('p', { class: 'hint' }, 'Serves: ', line(it.serves), '.'),
         it.citation && it.citation !== '[elementary]' && h('p', { class: 'hint' }, citation(it.citation)),
       ),
       it.example && gallery.add(it.example),
