@@ -99,6 +99,8 @@ export interface Construction {
   summary: string;
   citation: string;
   serves: string;
+  /** How many blocks, or how few. */
+  gives?: string;
   example: Cell | null;
 }
 

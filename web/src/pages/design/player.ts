@@ -184,7 +184,7 @@ export function player(design: Design, options: Options): HTMLElement {
       steps.pairs ? [met, bar] : h('p', { class: 'hint' }, 'There are too many elements to count pairs in a page.'),
     ),
     map
-      ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key anew' }), ' meets in this block, ', h('span', { class: 'key met' }), ' has met, ', h('span', { class: 'key not' }), ' not yet.'))
+      ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key key-anew' }), ' meets in this block, ', h('span', { class: 'key key-met' }), ' has met, ', h('span', { class: 'key key-not' }), ' not yet.'))
       : h('p', { class: 'hint' }, 'The map of pairs is drawn for up to 512 elements.'),
   );
 }
