@@ -5,7 +5,8 @@
 //     await look(page, 'catalog');                          // screenshots in light and dark, and what axe-core finds
 //     await explorer.stop();
 //
-// CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_SCREENSHOTS the folder for pictures
+// CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_ASSETS a folder of pages to serve in place
+// of those in the program, CHANGEOVER_SCREENSHOTS the folder for pictures
 // (default: build/browser), CHROMIUM the browser (default: /usr/bin/chromium).
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
@@ -24,7 +25,8 @@ const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/
 /** Starts `changeover serve` with more arguments; resolves when it has printed its address. */
 export async function serve(arguments_ = []) {
   const home = mkdtempSync(join(tmpdir(), 'changeover-browser-'));
-  const child = spawn(program, ['serve', '--port', '0', ...arguments_], {
+  const assets = process.env.CHANGEOVER_ASSETS ? ['--assets', process.env.CHANGEOVER_ASSETS] : [];
+  const child = spawn(program, ['serve', '--port', '0', ...assets, ...arguments_], {
     env: { ...process.env, XDG_DATA_HOME: home, CHANGEOVER_CATALOG: join(home, 'catalog.db') },
     stdio: ['ignore', 'pipe', 'pipe'],
   });
