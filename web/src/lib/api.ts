@@ -199,6 +199,23 @@ export async function getText(path: string, parameters: object, signal: AbortSig
   return (await askWith(address(path, parameters), { signal })).text();
 }
 
+/** A file of a static export. What it does not have is said in `missing`. */
+async function askFile(url: string, signal: AbortSignal, missing: string): Promise<Response> {
+  const response = await fetch(url, { signal });
+  if (!response.ok) {
+    throw new ApiError(response.status === 404 ? missing : `The server answered ${response.status} for ${url}.`, response.status);
+  }
+  return response;
+}
+
+export async function getFile<T>(url: string, signal: AbortSignal, missing: string): Promise<T> {
+  return (await askFile(url, signal, missing)).json() as Promise<T>;
+}
+
+export async function getFileText(url: string, signal: AbortSignal, missing: string): Promise<string> {
+  return (await askFile(url, signal, missing)).text();
+}
+
 /** Asks with a body: an object goes as JSON, a string or a file as it is. With the token if this window has it. */
 export async function post<T>(path: string, parameters: object, body: unknown, signal: AbortSignal): Promise<T> {
   const token = sessionStorage.getItem(tokenKey);

@@ -3,14 +3,24 @@ import type { About } from '../lib/api';
 
 let known: Promise<About> | undefined;
 
-/** `data/config.json` says that there is no server behind these pages; where it is missing, there is one. */
+/** Where a static export has its files, relative to the page. */
+export function dataFolder(): string {
+  return document.querySelector<HTMLMetaElement>('meta[name="changeover-data"]')?.content ?? 'data/';
+}
+
+/** Whether the page itself says that it is a static export (`<meta name="changeover-data" content="data/">`). */
+function marked(): boolean {
+  return document.querySelector('meta[name="changeover-data"]') !== null;
+}
+
+/** Asks the server; where there is none, `config.json` of the static export. */
 export function about(): Promise<About> {
   known ??= (async () => {
-    const live = await fetch('api/about').catch(() => null);
+    const live = marked() ? null : await fetch('api/about').catch(() => null);
     if (live?.ok && live.headers.get('content-type')?.startsWith('application/json')) {
       return (await live.json()) as About;
     }
-    const kept = await fetch('data/config.json').catch(() => null);
+    const kept = await fetch(`${dataFolder()}config.json`).catch(() => null);
     if (kept?.ok) {
       return (await kept.json()) as About;
     }
