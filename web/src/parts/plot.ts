@@ -90,6 +90,7 @@ export function plot(options: PlotOptions): Plot {
             stroke: colour(`--line-${line.colour}`),
             width: line.width ?? 2,
             points: { show: false },
+            pxAlign: 0,
             ...(line.dash ? { dash: line.dash } : {}),
             ...(line.steps ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
             value: (_: uPlot, y: number | null) => (y === null ? '–' : (line.right ? rightText : yText)(y)),
