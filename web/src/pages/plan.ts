@@ -1,11 +1,12 @@
 import { announce, field, fill, h, select } from '../lib/dom';
+import { save } from '../lib/save';
 import { count, number } from '../lib/words';
 import { link, problem, type Page, type View } from '../shell/router';
 import { ask } from './plan/ask';
 import { csv, decimal, emptyJob, exampleJob, exact, money, partsOf, type Job, type Outcome, type PairMode, type State, type Test } from './plan/job';
 import { partsGrid } from './plan/parts';
 import { runSheet } from './plan/sheet';
-import { forget, keptJobs, load, newId, save } from './plan/store';
+import { forget, keep as keepState, keptJobs, load, newId } from './plan/store';
 import { whatIf } from './plan/what_if';
 
 const pairModes: readonly (readonly [PairMode, string])[] = [
@@ -14,17 +15,12 @@ const pairModes: readonly (readonly [PairMode, string])[] = [
   ['skip', 'the pairs listed need not meet'],
 ];
 const times: readonly (readonly [string, string])[] = [
+  ['0', 'as long as it brings something'],
   ['1', '1 second'],
   ['5', '5 seconds'],
   ['30', '30 seconds'],
   ['60', '1 minute'],
 ];
-
-function download(name: string, text: string): void {
-  const url = URL.createObjectURL(new Blob([text], { type: 'text/csv' }));
-  h('a', { href: url, download: name }).click();
-  setTimeout(() => URL.revokeObjectURL(url), 1000);
-}
 
 function gapInWords(outcome: Outcome): string {
   const { cost, bound } = outcome;
@@ -113,7 +109,7 @@ async function render(view: View): Promise<void> {
 
   async function keep(): Promise<void> {
     try {
-      const { s, id, whole } = await save(state);
+      const { s, id, whole } = await keepState(state);
       if (view.signal.aborted) {
         return;
       }
@@ -133,7 +129,7 @@ async function render(view: View): Promise<void> {
     go.disabled = true;
     try {
       const job = readJob();
-      fill(fault, h('p', { class: 'note', role: 'status' }, `Planning, for ${count(job.seconds, 'second')} at most … `, h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop')));
+      fill(fault, h('p', { class: 'note', role: 'status' }, `Planning, for ${count(job.seconds || 10, 'second')} at most … `, h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop')));
       const outcome = await ask(job, done, mine.signal);
       state.job = job;
       state.outcome = outcome;
@@ -188,7 +184,7 @@ async function render(view: View): Promise<void> {
         'div',
         { class: 'row no-print' },
         h('button', { type: 'button', class: 'plain', onclick: () => window.print() }, 'Print the sheet'),
-        h('button', { type: 'button', class: 'plain', onclick: () => download('run_sheet.csv', csv(outcome)) }, 'Download CSV'),
+        h('button', { type: 'button', class: 'plain', onclick: () => save('run_sheet.csv', csv(outcome), 'text/csv') }, 'Download CSV'),
         replan,
         h('span', { class: 'hint' }, 'Tick what is done. A part broke? Tick “gone” in the list, then plan the rest.'),
       ),

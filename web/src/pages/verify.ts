@@ -5,7 +5,7 @@ import { longestWord, pack, unpack } from '../lib/share';
 import { bytes, changes, kinds } from '../lib/words';
 import { about } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
-import { blockList } from './verify/blocks';
+import { blockList, defects } from './verify/blocks';
 import { check, type Report } from './verify/check';
 import { examples } from './verify/examples';
 import { excerpt, lineRange } from './verify/excerpt';
@@ -90,7 +90,7 @@ async function render(view: View): Promise<void> {
         await remember(body);
       }
       const report = await check({ url: address('verify', { v: v.value, change: change.value, kind: kind.value }), body }, mine.signal);
-      fill(result, headline(report), actions(report, body), h('div', { class: 'verify-parts' }, blockList(report, view), h('div', {}, facts(report), elementTable(report))));
+      fill(result, headline(report), actions(report, body), h('div', { class: 'verify-parts' }, report.blocks.shown ? blockList(report, view) : defects(report), h('div', {}, facts(report), elementTable(report))));
     } catch (fault) {
       if (!mine.signal.aborted) {
         await showFault(fault, body);
@@ -135,7 +135,7 @@ async function render(view: View): Promise<void> {
     const row = h(
       'div',
       { class: 'row actions' },
-      h('a', { class: 'button plain', href: link('design', { local: 1 }), onclick: () => keepLocal(designOf(report)) }, 'Open in the viewer'),
+      report.blocks.shown && h('a', { class: 'button plain', href: link('design', { local: 1 }), onclick: () => keepLocal(designOf(report)) }, 'Open in the viewer'),
       h('a', { class: 'button plain', href: link('cell', { v: report.blocks.v, k: report.blocks.k, change: report.blocks.change, kind: report.blocks.kind }) }, 'What is known for these parameters'),
     );
     if (report.answer.valid) {

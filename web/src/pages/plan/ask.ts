@@ -29,7 +29,7 @@ export async function ask(job: Job, done: readonly Test[], signal: AbortSignal):
       change_cost: job.changeCost,
       ...(pairs ? { pairs } : {}),
       ...(doneNow.length > 0 ? { done: doneNow } : {}),
-      seconds: job.seconds,
+      ...(job.seconds > 0 ? { seconds: job.seconds } : {}),
     },
     signal,
   );

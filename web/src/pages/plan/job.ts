@@ -19,6 +19,7 @@ export interface Job {
   pairMode: PairMode;
   /** Two names a line, with a comma between. */
   pairs: string;
+  /** How long is searched; 0: as long as it brings something. */
   seconds: number;
 }
 
@@ -58,7 +59,7 @@ export interface State {
 }
 
 export function emptyJob(): Job {
-  return { title: 'Run sheet', parts: [], atOnce: 3, testCost: 1, changeCost: 1, pairMode: 'all', pairs: '', seconds: 5 };
+  return { title: 'Run sheet', parts: [], atOnce: 3, testCost: 1, changeCost: 1, pairMode: 'all', pairs: '', seconds: 0 };
 }
 
 export const exampleJob: Job = {

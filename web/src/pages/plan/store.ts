@@ -126,7 +126,7 @@ export function forget(id: string): void {
 }
 
 /** Keeps the state and returns the parameters of its link. `whole` says whether the link has all of it. @throws if this browser has no room left. */
-export async function save(state: State): Promise<{ s: string | null; id: string; whole: boolean }> {
+export async function keep(state: State): Promise<{ s: string | null; id: string; whole: boolean }> {
   const small = packed(state);
   localStorage.setItem(prefix + state.id, JSON.stringify({ when: Date.now(), state: small }));
   for (const { id } of keptJobs().slice(mostKept)) {

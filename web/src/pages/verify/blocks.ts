@@ -16,6 +16,20 @@ export function wrongSteps({ blocks: { b, change, kind, introduced } }: Report):
   return wrong;
 }
 
+/** What is wrong with a list too long to be shown, in words. */
+export function defects({ answer, blocks }: Report): HTMLElement {
+  const words = (set: (number | string)[]) => `{${set.join(', ')}}`;
+  const more = (known: number, all: number) => all > known && h('li', {}, `and ${number(all - known)} more`);
+  return h(
+    'section',
+    {},
+    h('h2', {}, 'Blocks'),
+    h('p', { class: 'note' }, `The list is checked, but its ${number(blocks.b)} blocks are too many to be shown here.`),
+    ...(answer.bad_steps.length > 0 ? [h('h3', {}, 'Wrong steps'), h('ul', {}, answer.bad_steps.map(({ why }) => h('li', {}, why)), more(answer.bad_steps.length, answer.details.bad_steps))] : []),
+    ...(answer.uncovered_pairs.length > 0 ? [h('h3', {}, 'In no block'), h('p', {}, answer.uncovered_pairs.map(words).join(' ')), h('ul', {}, more(answer.uncovered_pairs.length, answer.details.uncovered))] : []),
+  );
+}
+
 export function blockList(report: Report, view: View): HTMLElement {
   const { answer, blocks } = report;
   const { k, b, change, kind } = blocks;

@@ -12,6 +12,12 @@ export interface Answer {
   verdict: { valid: boolean; tight: boolean; economical: boolean; b: number; lower_bound: number; minimum: string };
   bound: { name: string; reason: string } | null;
   details: {
+    v: number;
+    k: number;
+    change: number;
+    kind: Kind;
+    strength: number;
+    b: number;
     subsets: number;
     uncovered: number;
     covered: number;
@@ -29,6 +35,8 @@ export interface Answer {
 
 /** The blocks as numbers in a row: element j of block i is blocks[i·k + j]. */
 export interface Blocks {
+  /** The server leaves out the blocks of very long lists; the three rows are empty then. */
+  shown: boolean;
   v: number;
   k: number;
   b: number;

@@ -58,16 +58,20 @@ function rows(design: Design): Blocks {
       seen[blocks[start + j]!] = i + 1;
     }
   }
-  return { v, k, b, change, kind, strength: design.strength ?? 2, labels: design.labels ?? null, blocks, placed, introduced };
+  return { shown: true, v, k, b, change, kind, strength: design.strength ?? 2, labels: design.labels ?? null, blocks, placed, introduced };
+}
+
+function noRows({ v, k, b, change, kind, strength }: Answer['details']): Blocks {
+  return { shown: false, v, k, b, change, kind, strength, labels: null, blocks: new Int32Array(), placed: new Int32Array(), introduced: new Int32Array() };
 }
 
 port.onmessage = ({ data }) => {
   const headers = { 'Content-Type': 'text/plain; charset=utf-8' };
   askWith(data.url, { method: 'POST', headers, body: data.body })
-    .then((response) => response.json() as Promise<Answer & { design: Design }>)
+    .then((response) => response.json() as Promise<Answer & { design: Design | null }>)
     .then(
       ({ design, ...answer }) => {
-        const blocks = rows(design);
+        const blocks = design ? rows(design) : noRows(answer.details);
         port.postMessage({ report: { answer, blocks } }, [blocks.blocks.buffer, blocks.placed.buffer, blocks.introduced.buffer]);
       },
     )
