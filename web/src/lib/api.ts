@@ -175,7 +175,8 @@ export function address(path: string, parameters: object = {}): string {
   return `api/${path}${text ? `?${text}` : ''}`;
 }
 
-async function ask(url: string, init: RequestInit): Promise<Response> {
+/** Asks with what `fetch` takes; a fault is an ApiError with a line that can be shown. */
+export async function askWith(url: string, init: RequestInit): Promise<Response> {
   let response: Response;
   try {
     response = await fetch(url, init);
@@ -193,11 +194,11 @@ async function ask(url: string, init: RequestInit): Promise<Response> {
 }
 
 export async function get<T>(path: string, parameters: object, signal: AbortSignal): Promise<T> {
-  return (await ask(address(path, parameters), { signal })).json() as Promise<T>;
+  return (await askWith(address(path, parameters), { signal })).json() as Promise<T>;
 }
 
 export async function getText(path: string, parameters: object, signal: AbortSignal): Promise<string> {
-  return (await ask(address(path, parameters), { signal })).text();
+  return (await askWith(address(path, parameters), { signal })).text();
 }
 
 /** A file of a static export. What it does not have is said in `missing`. */
@@ -217,18 +218,18 @@ export async function getFileText(url: string, signal: AbortSignal, missing: str
   return (await askFile(url, signal, missing)).text();
 }
 
-/** Asks with a body: an object goes as JSON, a string as it is. With the token if this window has it. */
+/** Asks with a body: an object goes as JSON, a string or a file as it is. With the token if this window has it. */
 export async function post<T>(path: string, parameters: object, body: unknown, signal: AbortSignal): Promise<T> {
   const token = sessionStorage.getItem(tokenKey);
-  const text = typeof body === 'string';
+  const text = typeof body === 'string' || body instanceof Blob;
   const headers: Record<string, string> = { 'Content-Type': text ? 'text/plain; charset=utf-8' : 'application/json' };
   if (token) {
     headers['X-Changeover-Token'] = token;
   }
-  const response = await ask(address(path, parameters), { method: 'POST', headers, body: text ? body : JSON.stringify(body), signal });
+  const response = await askWith(address(path, parameters), { method: 'POST', headers, body: text ? body : JSON.stringify(body), signal });
   return response.json() as Promise<T>;
 }
 
 export async function postText(path: string, parameters: object, body: string, signal: AbortSignal): Promise<string> {
-  return (await ask(address(path, parameters), { method: 'POST', headers: { 'Content-Type': 'text/plain; charset=utf-8' }, body, signal })).text();
+  return (await askWith(address(path, parameters), { method: 'POST', headers: { 'Content-Type': 'text/plain; charset=utf-8' }, body, signal })).text();
 }

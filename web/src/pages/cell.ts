@@ -1,6 +1,6 @@
 // One cell: what is known of its parameters, why, from whom, and since when.
 import type { Cell, CellDetail } from '../lib/api';
-import { fill, h, type Child } from '../lib/dom';
+import { fill, h, scroll, type Child } from '../lib/dom';
 import { cellDetail, designOf, explain } from '../lib/source';
 import { changeWord, count, nameOf, number, ratio } from '../lib/words';
 import { copyButton } from '../parts/copy';
@@ -97,9 +97,7 @@ function bounds(detail: CellDetail): Child[] {
     h('h2', {}, 'Lower bounds'),
     detail.bounds.length === 0
       ? h('p', {}, detail.reason ? reason(detail.reason) : 'None is known.')
-      : h(
-          'div',
-          { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Lower bounds' },
+      : scroll('Lower bounds',
           h(
             'table',
             { class: 'bounds' },
@@ -116,9 +114,7 @@ function offers(detail: CellDetail): Child[] {
     ? []
     : [
         h('h2', {}, 'Other constructions'),
-        h(
-          'div',
-          { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Other constructions' },
+        scroll('Other constructions',
           h(
             'table',
             {},

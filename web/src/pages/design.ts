@@ -1,6 +1,6 @@
 // One design: its pictures, its blocks, and a player that steps through them.
 import { ApiError, type Design } from '../lib/api';
-import { fill, h } from '../lib/dom';
+import { fill, h, scroll } from '../lib/dom';
 import { designOf, explain, isCell, type Asked, type PictureName } from '../lib/source';
 import { count, nameOf } from '../lib/words';
 import { copyButton } from '../parts/copy';
@@ -120,7 +120,7 @@ export const design: Page = {
       tabs('What to show of the design', all, start, view.signal, (which) => view.go({ show: which }, { quiet: true })),
       h('h2', {}, 'In numbers'),
       h('p', { class: `verdict ${shown.verdict ? (shown.verdict.valid ? 'valid' : 'invalid') : ''}` }, verified(asked, shown, frozen)),
-      h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'The design in numbers' }, facts(shown)),
+      scroll('The design in numbers', facts(shown)),
       h('h2', {}, 'Download'),
       downloads(asked, shown, frozen),
     );

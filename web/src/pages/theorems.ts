@@ -136,7 +136,7 @@ export const theorems: Page = {
       proved.map((each) => theorem(each, gallery, each.number === wanted.theorem)),
       h('h2', { id: 'constructions' }, 'Constructions'),
       h('div', { class: 'row' }, h('div', { class: 'field' }, h('label', { for: filter.id }, 'Find a construction'), filter), found),
-      articles,
+      h('div', { class: 'constructions' }, articles),
     );
     const chosen = view.root.querySelector<HTMLElement>('.chosen');
     if (chosen) {

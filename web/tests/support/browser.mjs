@@ -19,7 +19,7 @@ import { chromium } from 'playwright-core';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..', '..');
 export const program = process.env.CHANGEOVER_PROGRAM ?? join(root, 'build/release/changeover');
-const screenshots = process.env.CHANGEOVER_SCREENSHOTS ?? join(root, 'build/browser');
+export const screenshots = process.env.CHANGEOVER_SCREENSHOTS ?? join(root, 'build/browser');
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 /** Starts `changeover serve` with more arguments; resolves when it has printed its address. */
