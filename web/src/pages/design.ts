@@ -69,7 +69,8 @@ export const design: Page = {
       return;
     }
     fill(view.root, h('h1', {}, 'Design'), h('p', { class: 'hint' }, 'Asking…'));
-    const frozen = (await about()).static;
+    const here = await about();
+    const frozen = here.static;
     let shown: Design;
     try {
       shown = await designOf(asked, view.signal);
@@ -106,6 +107,8 @@ export const design: Page = {
       { name: 'recipe', title: 'Recipe', draw: (panel, signal) => recipeTab(asked, shown, view, panel, signal) },
       { name: 'blocks', title: 'Blocks', draw: (panel) => textTab(shown, panel) },
     ];
+    const from =
+      shown.label ?? ('local' in asked ? 'of this window, in no catalog' : 'file' in asked ? `file ${here.files.find((each) => each.index === asked.file)?.name ?? asked.file}` : 'job' in asked ? `found by search ${asked.job}` : '');
     const start = view.params.get('show') ?? (view.params.has('at') || frozen ? 'steps' : 'array');
     fill(
       view.root,
@@ -113,8 +116,7 @@ export const design: Page = {
       h(
         'p',
         { class: 'under' },
-        shown.label ? h('span', { class: 'code' }, shown.label) : 'local' in asked ? 'pasted in this window, in no catalog' : null,
-        (shown.label || 'local' in asked) && ' · ',
+        from && [shown.label === from ? h('span', { class: 'code' }, from) : from, ' · '],
         h('a', { href: link('cell', { v: shown.v, k: shown.k, change: shown.change, kind: shown.kind, strength: shown.strength === 2 ? null : shown.strength }) }, 'what is known of these parameters'),
       ),
       tabs('What to show of the design', all, start, view.signal, (which) => view.go({ show: which }, { quiet: true })),
