@@ -12,7 +12,7 @@ import { about } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { facts } from './design/facts';
 import { drawn } from './design/pictures';
-import { player } from './design/player';
+import { openPlayer } from './design/player';
 
 /** More blocks than this are not put into the page as text. */
 const mostText = 20_000;
@@ -91,14 +91,12 @@ export const design: Page = {
         name: 'steps',
         title: 'Steps',
         draw: (panel, signal) =>
-          panel.append(
-            player(shown, {
-              at: Number(view.params.get('at')) || 1,
-              speed: view.params.get('speed') ?? '3',
-              signal,
-              moved: (at, speed) => view.go({ at: at === 1 ? null : at, speed: speed === '3' ? null : speed }, { quiet: true }),
-            }),
-          ),
+          void openPlayer(panel, shown, {
+            at: Number(view.params.get('at')) || 1,
+            speed: view.params.get('speed') ?? '3',
+            signal,
+            moved: (at, speed) => view.go({ at: at === 1 ? null : at, speed: speed === '3' ? null : speed }, { quiet: true }),
+          }).catch((fault: unknown) => fill(panel, problem(fault))),
       },
       picture('array', 'Array'),
       picture('stays', 'Stays'),
