@@ -31,7 +31,7 @@ export const catalog: Page = {
       change: Number(view.params.get('change') ?? (offered.some(([m]) => m === '2') ? 2 : (offered[0]?.[0] ?? 2))),
       kind: (view.params.get('kind') ?? 'circular') as Kind,
       k: view.params.get('k') ?? '3..12',
-      v: view.params.get('v') ?? '5..60',
+      v: view.params.get('v') ?? '5..50',
       measure: (view.params.get('measure') ?? 'ratio') as Measure,
     };
     let cells = new Map<string, TableCell>();
