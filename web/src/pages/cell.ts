@@ -6,7 +6,7 @@ import { changeWord, count, nameOf, number, ratio } from '../lib/words';
 import { copyButton } from '../parts/copy';
 import { downloads } from '../parts/downloads';
 import { busyKey, cellOf } from '../parts/fields';
-import { recipeTree } from '../parts/recipe';
+import { reason, recipeTree } from '../parts/recipe';
 import { badge, glossary } from '../parts/status';
 import { about } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
@@ -63,7 +63,7 @@ function argument(detail: CellDetail): string {
 
 function summary(cell: Cell, detail: CellDetail): HTMLElement {
   if (detail.impossible) {
-    return h('p', { class: 'note' }, h('strong', {}, 'There is none: '), detail.impossible, '.');
+    return h('p', { class: 'note' }, h('strong', {}, 'There is none: '), reason(detail.impossible), '.');
   }
   const best = detail.best;
   if (!best) {
@@ -79,7 +79,7 @@ function summary(cell: Cell, detail: CellDetail): HTMLElement {
       'div',
       {},
       over > 0 && h('p', {}, `${count(over, 'block')} over the lower bound ${number(detail.lower_bound!)} (b / bound ${ratio(best.b, detail.lower_bound!)}). A design with fewer blocks may exist.`),
-      why && h('p', {}, `Minimum: ${why}.`),
+      why && h('p', {}, 'Minimum: ', reason(why), '.'),
       h('p', {}, 'Made by ', h('a', { href: link('theorems', { construction: best.construction }) }, best.construction), best.label && [', catalog label ', h('a', { class: 'code', href: link('design', { label: best.label }) }, best.label)], '.'),
       h(
         'p',
@@ -96,15 +96,15 @@ function bounds(detail: CellDetail): Child[] {
   return [
     h('h2', {}, 'Lower bounds'),
     detail.bounds.length === 0
-      ? h('p', {}, detail.reason || 'None is known.')
+      ? h('p', {}, detail.reason ? reason(detail.reason) : 'None is known.')
       : h(
           'div',
           { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Lower bounds' },
           h(
             'table',
-            {},
+            { class: 'bounds' },
             h('thead', {}, h('tr', {}, h('th', { scope: 'col', class: 'number' }, 'blocks'), h('th', { scope: 'col' }, 'bound'), h('th', { scope: 'col' }, 'reason'))),
-            h('tbody', {}, detail.bounds.map((bound) => h('tr', {}, h('td', { class: 'number' }, number(bound.blocks)), h('td', {}, bound.name), h('td', { class: 'reason' }, bound.reason)))),
+            h('tbody', {}, detail.bounds.map((bound) => h('tr', {}, h('td', { class: 'number' }, number(bound.blocks)), h('td', {}, bound.name), h('td', { class: 'reason' }, reason(bound.reason))))),
           ),
         ),
   ];

@@ -1,6 +1,7 @@
 // How a design is made: the tree of constructions, each with what it does, and who found it.
 import type { TreeNode } from '../lib/api';
 import { h, type Child } from '../lib/dom';
+import { line } from '../lib/markup';
 import { changeWord, count, number } from '../lib/words';
 import { link } from '../shell/router';
 import { badge } from './status';
@@ -11,17 +12,23 @@ export function shortName(cell: { v: number; k: number; change: number; kind: st
   return `${cell.kind} ${family}(${cell.v},${cell.k})`;
 }
 
-/** A citation as text, with theorems of ours as links. */
-export function citation(text: string): Child[] {
+/** Plain text with mathematics as the program writes it (`2*n_j >= 3k`), with theorems of ours as links. */
+export function reason(text: string): Child[] {
   const parts: Child[] = [];
-  let rest = text.replace(/^\[|\]$/g, '');
+  const said = (words: string): Child[] => line(words.replace(/>=/g, '≥').replace(/<=/g, '≤').replace(/\*/g, '·'));
+  let rest = text;
   const pattern = /docs\/theorems\.md, Theorem (\d+)/;
   for (let found = pattern.exec(rest); found; found = pattern.exec(rest)) {
-    parts.push(rest.slice(0, found.index), h('a', { href: link('theorems', { theorem: found[1] }) }, `Theorem ${found[1]}`));
+    parts.push(...said(rest.slice(0, found.index)), h('a', { href: link('theorems', { theorem: found[1] }) }, `Theorem ${found[1]}`));
     rest = rest.slice(found.index + found[0].length);
   }
-  parts.push(rest);
+  parts.push(...said(rest));
   return parts;
+}
+
+/** A citation without its brackets. */
+export function citation(text: string): Child[] {
+  return reason(text.startsWith('[') ? text.replace(/^\[|\]$/g, '') : text);
 }
 
 function node(tree: TreeNode, depth: number): HTMLElement {
@@ -37,7 +44,7 @@ function node(tree: TreeNode, depth: number): HTMLElement {
       tree.verdict?.tight && h('span', { class: 'badge good' }, 'tight'),
       tree.verdict?.minimum === 'proved' && [' ', badge('minimum')],
     ),
-    h('p', {}, 'by ', h('a', { href: link('theorems', { construction: tree.construction }) }, h('strong', {}, tree.construction)), ': ', tree.explanation),
+    h('p', {}, 'by ', h('a', { href: link('theorems', { construction: tree.construction }) }, h('strong', {}, tree.construction)), ': ', reason(tree.explanation)),
     tree.citation && tree.citation !== '[elementary]' && h('p', { class: 'hint' }, citation(tree.citation)),
   );
   if (tree.inputs.length === 0) {

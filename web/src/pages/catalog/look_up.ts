@@ -13,7 +13,7 @@ export function understand(text: string, change: number, kind: Kind): Found {
   if (plain === '') {
     return { problem: 'Type v and k, as 20 5, or a label, as 20.5.2.linear.' };
   }
-  if (/\n/.test(plain) || /[{<[;]/.test(plain)) {
+  if (/\n/.test(plain) || /[{<[]/.test(plain)) {
     return { to: link('verify', { pasted: 1 }), paste: text };
   }
   const cell = cellOfLabel(plain);
