@@ -134,7 +134,7 @@ test('steps: slots, who enters and leaves, pairs', () => {
     }
     block = block.map((each, j) => (j === out ? next : each)).sort(() => random(3) - 1);
   }
-  const steps = new Steps({ v: 30, blocks });
+  const steps = Steps.of({ v: 30, blocks });
   let before = null;
   for (let n = 1; n <= 300; ++n) {
     const { slots, entered, left } = steps.step(n);
@@ -151,13 +151,18 @@ test('steps: slots, who enters and leaves, pairs', () => {
   assert.equal(steps.first[blocks[0][0] * 30 + blocks[0][1]], 1);
 });
 
-test('steps: names, many elements, lists that are no designs', () => {
-  const named = new Steps({ v: 3, labels: ['ann', 'bob', 'cy'], blocks: [['ann', 'bob'], ['bob', 'cy']] });
+test('steps: names, many elements, lists that are no designs', async () => {
+  const named = Steps.of({ v: 3, labels: ['ann', 'bob', 'cy'], blocks: [['ann', 'bob'], ['bob', 'cy']] });
   assert.deepEqual([...named.block(2)].map((each) => named.names[each]), ['bob', 'cy']);
-  const wrong = new Steps({ v: 4, blocks: [[0, 1, 2], [3], ['x', 'y', 'z']] });
+  const wrong = Steps.of({ v: 4, blocks: [[0, 1, 2], [3], ['x', 'y', 'z']] });
   assert.deepEqual(wrong.step(2).left, [0, 1, 2]);
   assert.equal(wrong.step(3).entered.length, 3);
-  const many = new Steps({ v: 1000, blocks: Array.from({ length: 999 }, (_, i) => [i, i + 1]) });
+  const many = Steps.of({ v: 1000, blocks: Array.from({ length: 999 }, (_, i) => [i, i + 1]) });
+  const leaving = new AbortController();
+  const shares = [];
+  const later = await Steps.soon({ v: 3000, blocks: Array.from({ length: 200000 }, (_, i) => [i % 3000, (i + 1) % 3000, (i + 2) % 3000]) }, leaving.signal, (share) => shares.push(share));
+  assert.equal(later.pairs[200000], 6000);
+  assert.ok(shares.every((share, i) => share >= (shares[i - 1] ?? 0) && share <= 1));
   assert.equal(many.first, null);
   assert.equal(many.pairs[999], 999);
 });

@@ -99,6 +99,8 @@ export interface Construction {
   summary: string;
   citation: string;
   serves: string;
+  /** How many blocks, or how few. */
+  gives?: string;
   example: Cell | null;
 }
 
@@ -134,6 +136,8 @@ export interface About {
   write: boolean;
   files: { index: number; name: string }[];
   static: boolean;
+  /** Of a static copy: what of the table it has. */
+  ranges?: { change: number; kind: Kind; k: [number, number]; v: [number, number] }[];
 }
 
 /** What a server said instead of an answer: one line that can be shown as it is. */

@@ -23,9 +23,12 @@ export const catalog: Page = {
   path: 'catalog',
   title: 'Catalog',
   async render(view: View) {
-    const frozen = await about().then((it) => it.static, () => false);
+    const here = await about().catch(() => null);
+    const frozen = here?.static ?? false;
+    const copied = (frozen && here?.ranges) || [];
+    const offered = changes.filter(([m]) => copied.length === 0 || copied.some((range) => range.change === Number(m)));
     const state = {
-      change: Number(view.params.get('change') ?? 2),
+      change: Number(view.params.get('change') ?? (offered.some(([m]) => m === '2') ? 2 : (offered[0]?.[0] ?? 2))),
       kind: (view.params.get('kind') ?? 'circular') as Kind,
       k: view.params.get('k') ?? '3..12',
       v: view.params.get('v') ?? '5..60',
@@ -171,7 +174,7 @@ export const catalog: Page = {
       h(
         'div',
         { class: 'row controls' },
-        field('Change number', select(String(state.change), changes, (value) => set('change', value))),
+        field('Change number', select(String(state.change), offered, (value) => set('change', value))),
         field('Kind', select(state.kind, kinds, (value) => set('kind', value))),
         field('k, block size', range('k')),
         field('v, elements', range('v')),

@@ -1,6 +1,6 @@
 // One cell: what is known of its parameters, why, from whom, and since when.
 import type { Cell, CellDetail } from '../lib/api';
-import { fill, h, type Child } from '../lib/dom';
+import { fill, h, scroll, type Child } from '../lib/dom';
 import { cellDetail, designOf, explain } from '../lib/source';
 import { changeWord, count, nameOf, number, ratio } from '../lib/words';
 import { copyButton } from '../parts/copy';
@@ -61,13 +61,13 @@ function argument(detail: CellDetail): string {
   return bound ? `its ${count(best.b, 'block')} are the lower bound “${bound.name}”: ${bound.reason}` : detail.reason;
 }
 
-function summary(cell: Cell, detail: CellDetail): HTMLElement {
+function summary(cell: Cell, detail: CellDetail, frozen: boolean): HTMLElement {
   if (detail.impossible) {
     return h('p', { class: 'note' }, h('strong', {}, 'There is none: '), reason(detail.impossible), '.');
   }
   const best = detail.best;
   if (!best) {
-    return h('p', { class: 'note' }, 'No design with these parameters is known. ', h('a', { href: link('search', { ...cell }) }, 'Search for one'), '.');
+    return h('p', { class: 'note' }, 'No design with these parameters is known. ', !frozen && [h('a', { href: link('search', { ...cell }) }, 'Search for one'), '.']);
   }
   const over = detail.lower_bound === null ? 0 : best.b - detail.lower_bound;
   const why = argument(detail);
@@ -86,7 +86,7 @@ function summary(cell: Cell, detail: CellDetail): HTMLElement {
         { class: 'buttons' },
         h('a', { class: 'button', href: link('design', { ...cell }) }, 'Open the design'),
         ' ',
-        best.status !== 'minimum' && h('a', { class: 'button plain', href: link('search', { ...cell }) }, 'Search for a better one'),
+        !frozen && best.status !== 'minimum' && h('a', { class: 'button plain', href: link('search', { ...cell }) }, 'Search for a better one'),
       ),
     ),
   );
@@ -97,9 +97,7 @@ function bounds(detail: CellDetail): Child[] {
     h('h2', {}, 'Lower bounds'),
     detail.bounds.length === 0
       ? h('p', {}, detail.reason ? reason(detail.reason) : 'None is known.')
-      : h(
-          'div',
-          { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Lower bounds' },
+      : scroll('Lower bounds',
           h(
             'table',
             { class: 'bounds' },
@@ -116,9 +114,7 @@ function offers(detail: CellDetail): Child[] {
     ? []
     : [
         h('h2', {}, 'Other constructions'),
-        h(
-          'div',
-          { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Other constructions' },
+        scroll('Other constructions',
           h(
             'table',
             {},
@@ -156,7 +152,7 @@ export const cell: Page = {
     const files = h('div', {}, !frozen && downloads(wanted, null, false));
     fill(
       body,
-      summary(wanted, detail),
+      summary(wanted, detail, frozen),
       glossary(),
       bounds(detail),
       detail.best && [h('h2', {}, 'How it is made'), recipe],

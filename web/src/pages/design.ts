@@ -1,6 +1,6 @@
 // One design: its pictures, its blocks, and a player that steps through them.
 import { ApiError, type Design } from '../lib/api';
-import { fill, h } from '../lib/dom';
+import { fill, h, scroll } from '../lib/dom';
 import { designOf, explain, isCell, type Asked, type PictureName } from '../lib/source';
 import { count, nameOf } from '../lib/words';
 import { copyButton } from '../parts/copy';
@@ -12,7 +12,7 @@ import { about } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { facts } from './design/facts';
 import { drawn } from './design/pictures';
-import { player } from './design/player';
+import { openPlayer } from './design/player';
 
 /** More blocks than this are not put into the page as text. */
 const mostText = 20_000;
@@ -69,7 +69,8 @@ export const design: Page = {
       return;
     }
     fill(view.root, h('h1', {}, 'Design'), h('p', { class: 'hint' }, 'Asking…'));
-    const frozen = (await about()).static;
+    const here = await about();
+    const frozen = here.static;
     let shown: Design;
     try {
       shown = await designOf(asked, view.signal);
@@ -90,14 +91,12 @@ export const design: Page = {
         name: 'steps',
         title: 'Steps',
         draw: (panel, signal) =>
-          panel.append(
-            player(shown, {
-              at: Number(view.params.get('at')) || 1,
-              speed: view.params.get('speed') ?? '3',
-              signal,
-              moved: (at, speed) => view.go({ at: at === 1 ? null : at, speed: speed === '3' ? null : speed }, { quiet: true }),
-            }),
-          ),
+          void openPlayer(panel, shown, {
+            at: Number(view.params.get('at')) || 1,
+            speed: view.params.get('speed') ?? '3',
+            signal,
+            moved: (at, speed) => view.go({ at: at === 1 ? null : at, speed: speed === '3' ? null : speed }, { quiet: true }),
+          }).catch((fault: unknown) => fill(panel, problem(fault))),
       },
       picture('array', 'Array'),
       picture('stays', 'Stays'),
@@ -106,6 +105,8 @@ export const design: Page = {
       { name: 'recipe', title: 'Recipe', draw: (panel, signal) => recipeTab(asked, shown, view, panel, signal) },
       { name: 'blocks', title: 'Blocks', draw: (panel) => textTab(shown, panel) },
     ];
+    const from =
+      shown.label ?? ('local' in asked ? 'of this window, in no catalog' : 'file' in asked ? `file ${here.files.find((each) => each.index === asked.file)?.name ?? asked.file}` : 'job' in asked ? `found by search ${asked.job}` : '');
     const start = view.params.get('show') ?? (view.params.has('at') || frozen ? 'steps' : 'array');
     fill(
       view.root,
@@ -113,14 +114,13 @@ export const design: Page = {
       h(
         'p',
         { class: 'under' },
-        shown.label ? h('span', { class: 'code' }, shown.label) : 'local' in asked ? 'pasted in this window, in no catalog' : null,
-        (shown.label || 'local' in asked) && ' · ',
+        from && [shown.label === from ? h('span', { class: 'code' }, from) : from, ' · '],
         h('a', { href: link('cell', { v: shown.v, k: shown.k, change: shown.change, kind: shown.kind, strength: shown.strength === 2 ? null : shown.strength }) }, 'what is known of these parameters'),
       ),
       tabs('What to show of the design', all, start, view.signal, (which) => view.go({ show: which }, { quiet: true })),
       h('h2', {}, 'In numbers'),
       h('p', { class: `verdict ${shown.verdict ? (shown.verdict.valid ? 'valid' : 'invalid') : ''}` }, verified(asked, shown, frozen)),
-      h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'The design in numbers' }, facts(shown)),
+      scroll('The design in numbers', facts(shown)),
       h('h2', {}, 'Download'),
       downloads(asked, shown, frozen),
     );

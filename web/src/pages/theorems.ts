@@ -4,7 +4,7 @@ import { fill, h, picture } from '../lib/dom';
 import { line, markup } from '../lib/markup';
 import { constructions, draw, theorems as ask } from '../lib/source';
 import { count } from '../lib/words';
-import { citation, shortName } from '../parts/recipe';
+import { citation, reason, shortName } from '../parts/recipe';
 import { link, problem, type Page, type View } from '../shell/router';
 import { theme } from '../shell/theme';
 
@@ -75,8 +75,9 @@ function construction(it: Construction, gallery: Gallery, chosen: boolean): HTML
       h(
         'div',
         { class: 'prose' },
-        h('p', {}, line(it.summary), '.'),
-        it.serves && h('p', { class: 'hint' }, 'Serves: ', line(it.serves), '.'),
+        h('p', {}, reason(it.summary), '.'),
+        it.serves && h('p', { class: 'hint' }, 'Serves: ', reason(it.serves), '.'),
+        it.gives && h('p', { class: 'hint' }, 'Gives: ', reason(it.gives), '.'),
         it.citation && it.citation !== '[elementary]' && h('p', { class: 'hint' }, citation(it.citation)),
       ),
       it.example && gallery.add(it.example),
@@ -135,7 +136,7 @@ export const theorems: Page = {
       proved.map((each) => theorem(each, gallery, each.number === wanted.theorem)),
       h('h2', { id: 'constructions' }, 'Constructions'),
       h('div', { class: 'row' }, h('div', { class: 'field' }, h('label', { for: filter.id }, 'Find a construction'), filter), found),
-      articles,
+      h('div', { class: 'constructions' }, articles),
     );
     const chosen = view.root.querySelector<HTMLElement>('.chosen');
     if (chosen) {

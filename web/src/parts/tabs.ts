@@ -12,7 +12,13 @@ export function tabs(label: string, all: readonly Tab[], start: string, signal: 
   let leaving = new AbortController();
   signal.addEventListener('abort', () => leaving.abort());
   const panel = h('div', { role: 'tabpanel', id: 'panel', tabindex: -1 });
-  const buttons = all.map((tab) => h('button', { type: 'button', role: 'tab', id: `tab-${tab.name}`, 'aria-controls': panel.id, onclick: () => open(tab, true) }, tab.title));
+  const buttons = all.map((tab) => h('button', { type: 'button', role: 'tab', id: `tab-${tab.name}`, 'aria-controls': panel.id, onclick: (event) => {
+    open(tab, true);
+    // Who points does not walk through the tabs by keys: keys are the panel's.
+    if ((event as MouseEvent).detail > 0) {
+      panel.focus({ preventScroll: true });
+    }
+  } }, tab.title));
 
   function open(tab: Tab, tell: boolean): void {
     leaving.abort();

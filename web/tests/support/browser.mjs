@@ -57,9 +57,9 @@ export async function serve(arguments_ = []) {
   };
 }
 
-/** A server and a browser. Options: `serve` (arguments), `viewport`, `colorScheme`. */
+/** A server and a browser. Options: `serve` (arguments) or `at` (what serves the pages instead of the program), `viewport`, `colorScheme`. */
 export async function start(options = {}) {
-  const server = await serve(options.serve);
+  const server = options.at ?? (await serve(options.serve));
   const profile = mkdtempSync(join(tmpdir(), 'changeover-chromium-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',

@@ -1,6 +1,6 @@
 // The table of cells: sorted and filtered by what the link says.
 import type { TableCell } from '../../lib/api';
-import { append, fill, h, select } from '../../lib/dom';
+import { append, fill, h, scroll, select } from '../../lib/dom';
 import { number, ratio } from '../../lib/words';
 import { badge, gap, statuses } from '../../parts/status';
 import { rows } from '../../parts/rows';
@@ -112,9 +112,7 @@ export function cellTable(view: View): CellTable {
     h('h2', { id: 'cells' }, 'Cells'),
     h('div', { class: 'row' }, field('Status', status, 'filter-status'), field('Gap at least', least, 'filter-gap'), field('Construction', constructions, 'filter-by'), summary),
     empty,
-    h(
-      'div',
-      { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Table of cells' },
+    scroll('Table of cells',
       h('table', { class: 'cells' }, h('thead', {}, h('tr', {}, heads, h('th', { scope: 'col' }, 'label'))), list.body),
     ),
     list.more,

@@ -1,6 +1,6 @@
 // How much is known: of the range that is shown, and of the whole catalog by block size.
 import type { TableCell } from '../../lib/api';
-import { h } from '../../lib/dom';
+import { h, scroll } from '../../lib/dom';
 import type { Completeness } from '../../lib/source';
 import { number } from '../../lib/words';
 
@@ -25,9 +25,7 @@ export function completenessTable(all: readonly Completeness[], change: number, 
   if (mine.length === 0) {
     return h('p', {}, 'The catalog has no designs of this change number and kind.');
   }
-  return h(
-    'div',
-    { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Completeness by block size' },
+  return scroll('Completeness by block size',
     h(
       'table',
       {},

@@ -1,6 +1,6 @@
 // The designs of a cell that have a label, with credit and how to cite them; and how the best one became better.
 import type { CatalogEntry, CellDetail, Credit } from '../../lib/api';
-import { fill, h, type Child } from '../../lib/dom';
+import { fill, h, scroll, type Child } from '../../lib/dom';
 import { cite } from '../../lib/source';
 import { number } from '../../lib/words';
 import { copyButton } from '../../parts/copy';
@@ -31,9 +31,7 @@ export function designsTable(detail: CellDetail, signal: AbortSignal): Child[] {
   }
   return [
     h('h2', {}, 'In the catalog'),
-    h(
-      'div',
-      { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': 'Designs in the catalog' },
+    scroll('Designs in the catalog',
       h(
         'table',
         {},

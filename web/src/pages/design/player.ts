@@ -23,8 +23,23 @@ interface Options {
   moved(at: number, speed: string): void;
 }
 
-export function player(design: Design, options: Options): HTMLElement {
-  const steps = new Steps(design);
+/** Fills `panel` with the player, as soon as the pairs are counted. */
+export async function openPlayer(panel: HTMLElement, design: Design, options: Options): Promise<void> {
+  const share = h('progress', { max: 1, value: 0, 'aria-label': 'Pairs are being counted' });
+  const waiting = window.setTimeout(() => fill(panel, h('p', {}, 'Counting pairs… ', share)), 150);
+  try {
+    const steps = await Steps.soon(design, options.signal, (done) => (share.value = done));
+    fill(panel, player(steps, design, options));
+  } catch (fault) {
+    if (!options.signal.aborted) {
+      throw fault;
+    }
+  } finally {
+    window.clearTimeout(waiting);
+  }
+}
+
+function player(steps: Steps, design: Design, options: Options): HTMLElement {
   const b = steps.b;
   const circular = design.kind === 'circular';
   let at = Math.min(b, Math.max(1, options.at));
@@ -184,7 +199,7 @@ export function player(design: Design, options: Options): HTMLElement {
       steps.pairs ? [met, bar] : h('p', { class: 'hint' }, 'There are too many elements to count pairs in a page.'),
     ),
     map
-      ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key anew' }), ' meets in this block, ', h('span', { class: 'key met' }), ' has met, ', h('span', { class: 'key not' }), ' not yet.'))
+      ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key key-anew' }), ' meets in this block, ', h('span', { class: 'key key-met' }), ' has met, ', h('span', { class: 'key key-not' }), ' not yet.'))
       : h('p', { class: 'hint' }, 'The map of pairs is drawn for up to 512 elements.'),
   );
 }

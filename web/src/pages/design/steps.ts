@@ -20,59 +20,104 @@ export interface Step {
 
 export class Steps {
   readonly b: number;
-  readonly v: number;
+  v = 0;
   readonly names: string[];
-  /** The element with that number in each place of each block. */
+  /** pairs[n] is the number of pairs that are together in one of the first n blocks. */
+  pairs: Int32Array | null = null;
+  /** first[x·v + y] is the first block with x and y, 0 if there is none; for few elements only. */
+  first: Int32Array | null = null;
+
+  private readonly index = new Map<string, number>();
+  /** The elements of all blocks, numbered; block n begins at starts[n − 1]. */
   private readonly flat: Int32Array;
   private readonly starts: Int32Array;
+  private width = 0;
   /** The slots after every 64th block. */
   private readonly kept: Int32Array[] = [];
-  private width = 0;
-  /** pairs[n] is the number of pairs that are together in one of the first n blocks. */
-  readonly pairs: Int32Array | null;
-  /** first[x·v + y] is the first block with x and y, 0 if there is none; for few elements only. */
-  readonly first: Int32Array | null;
+  private slots = new Int32Array(0);
+  private met: Uint8Array | null = null;
+  private mark = new Int32Array(0);
+  private stamp = 0;
+  /** Blocks that are numbered, blocks that are walked through. */
+  private read = 0;
+  private walked = 0;
 
-  constructor(design: Pick<Design, 'v' | 'blocks' | 'labels'>) {
-    const { blocks } = design;
+  private constructor(private readonly design: Pick<Design, 'v' | 'blocks' | 'labels'>) {
+    const { blocks, labels } = design;
     this.b = blocks.length;
-    const index = new Map<string, number>();
-    if (design.labels) {
-      design.labels.forEach((label, i) => index.set(label, i));
-      this.names = [...design.labels];
-    } else {
-      this.names = Array.from({ length: design.v }, (_, i) => String(i));
-      this.names.forEach((name, i) => index.set(name, i));
+    this.names = labels ? [...labels] : Array.from({ length: design.v }, (_, i) => String(i));
+    this.names.forEach((name, i) => this.index.set(name, i));
+    this.starts = new Int32Array(this.b + 1);
+    blocks.forEach((block, i) => {
+      this.starts[i + 1] = this.starts[i]! + block.length;
+      this.width = Math.max(this.width, block.length);
+    });
+    this.flat = new Int32Array(this.starts[this.b]!);
+  }
+
+  /** All at once. */
+  static of(design: Pick<Design, 'v' | 'blocks' | 'labels'>): Steps {
+    const steps = new Steps(design);
+    while (!steps.work(Infinity)) {
+      // work() does it all.
     }
-    const number = (element: number | string): number => {
+    return steps;
+  }
+
+  /** In pieces of some milliseconds, so that a page with a long design does not freeze. `progress` is told shares from 0 to 1. */
+  static async soon(design: Pick<Design, 'v' | 'blocks' | 'labels'>, signal: AbortSignal, progress: (share: number) => void): Promise<Steps> {
+    const steps = new Steps(design);
+    while (!steps.work(performance.now() + 25)) {
+      progress((steps.read + steps.walked) / (2 * steps.b));
+      await new Promise((resolve) => setTimeout(resolve, 0));
+      signal.throwIfAborted();
+    }
+    return steps;
+  }
+
+  /** Goes on until `deadline`; true when all is done. */
+  private work(deadline: number): boolean {
+    const late = (i: number): boolean => i % 64 === 0 && performance.now() > deadline;
+    for (; this.read < this.b; ++this.read) {
+      if (late(this.read)) {
+        return false;
+      }
+      this.readBlock(this.read);
+    }
+    if (this.walked === 0) {
+      this.v = this.names.length;
+      this.first = this.v <= mostMapped ? new Int32Array(this.v * this.v) : null;
+      this.pairs = this.v <= mostCounted ? new Int32Array(this.b + 1) : null;
+      this.met = this.first || !this.pairs ? null : new Uint8Array(Math.ceil((this.v * this.v) / 8));
+      this.mark = new Int32Array(this.v);
+      this.slots = new Int32Array(this.width).fill(-1);
+    }
+    for (; this.walked < this.b; ++this.walked) {
+      if (late(this.walked + 1)) {
+        return false;
+      }
+      this.walkTo(this.walked + 1);
+    }
+    this.met = null;
+    return true;
+  }
+
+  private readBlock(i: number): void {
+    let at = this.starts[i]!;
+    for (const element of this.design.blocks[i]!) {
+      if (typeof element === 'number' && !this.design.labels && element >= 0 && element < this.design.v) {
+        this.flat[at++] = element;
+        continue;
+      }
       const name = String(element);
-      let found = index.get(name);
+      let found = this.index.get(name);
       if (found === undefined) {
         found = this.names.length;
-        index.set(name, found);
+        this.index.set(name, found);
         this.names.push(name);
       }
-      return found;
-    };
-    this.starts = new Int32Array(this.b + 1);
-    let total = 0;
-    blocks.forEach((block, i) => {
-      total += block.length;
-      this.width = Math.max(this.width, block.length);
-      this.starts[i + 1] = total;
-    });
-    this.flat = new Int32Array(total);
-    let at = 0;
-    const numbered = !design.labels;
-    for (const block of blocks) {
-      for (const element of block) {
-        this.flat[at++] = numbered && typeof element === 'number' && element >= 0 && element < design.v ? element : number(element);
-      }
+      this.flat[at++] = found;
     }
-    this.v = this.names.length;
-    this.first = this.v <= mostMapped ? new Int32Array(this.v * this.v) : null;
-    this.pairs = this.v <= mostCounted ? new Int32Array(this.b + 1) : null;
-    this.walk();
   }
 
   /** The elements of block n, from 1. */
@@ -84,52 +129,53 @@ export class Steps {
     return (this.v * (this.v - 1)) / 2;
   }
 
-  private walk(): void {
-    const met = this.first || !this.pairs ? null : new Uint8Array(Math.ceil((this.v * this.v) / 8));
-    let count = 0;
-    let slots: Int32Array = new Int32Array(this.width).fill(-1);
-    for (let n = 1; n <= this.b; ++n) {
-      const { entered } = this.advance(n, slots);
-      if (n % every === 0) {
-        this.kept.push(slots.slice());
-      }
-      if (!this.pairs) {
-        continue;
-      }
-      const block = this.block(n);
-      for (const x of entered) {
-        for (const y of block) {
-          if (x === y) {
-            continue;
-          }
-          const place = x < y ? x * this.v + y : y * this.v + x;
-          if (this.first) {
-            if (this.first[place] === 0) {
-              this.first[place] = n;
-              this.first[x < y ? y * this.v + x : x * this.v + y] = n;
-              ++count;
-            }
-          } else if ((met![place >> 3]! & (1 << (place & 7))) === 0) {
-            met![place >> 3]! |= 1 << (place & 7);
+  private walkTo(n: number): void {
+    const { entered } = this.advance(n, this.slots);
+    if (n % every === 0) {
+      this.kept.push(this.slots.slice());
+    }
+    if (!this.pairs) {
+      return;
+    }
+    const { v, first, met } = this;
+    const block = this.block(n);
+    let count = this.pairs[n - 1]!;
+    for (const x of entered) {
+      for (const y of block) {
+        if (x === y) {
+          continue;
+        }
+        const place = x < y ? x * v + y : y * v + x;
+        if (first) {
+          if (first[place] === 0) {
+            first[place] = n;
+            first[x < y ? y * v + x : x * v + y] = n;
             ++count;
           }
+        } else if ((met![place >> 3]! & (1 << (place & 7))) === 0) {
+          met![place >> 3]! |= 1 << (place & 7);
+          ++count;
         }
       }
-      this.pairs[n] = count;
     }
+    this.pairs[n] = count;
   }
 
   /** Puts block n into the slots, which hold the block before: who enters takes the place of one who leaves. */
   private advance(n: number, slots: Int32Array): { entered: number[]; left: number[] } {
     const block = this.block(n);
-    const now = new Set(block);
+    const { mark } = this;
+    const inBlock = ++this.stamp;
+    const inSlots = ++this.stamp;
+    for (const element of block) {
+      mark[element] = inBlock;
+    }
     const free: number[] = [];
     const left: number[] = [];
-    const stayed = new Set<number>();
     for (let i = 0; i < slots.length; ++i) {
       const element = slots[i]!;
-      if (element >= 0 && now.has(element)) {
-        stayed.add(element);
+      if (element >= 0 && mark[element] === inBlock) {
+        mark[element] = inSlots;
       } else {
         if (element >= 0) {
           left.push(element);
@@ -140,10 +186,10 @@ export class Steps {
     }
     const entered: number[] = [];
     for (const element of block) {
-      if (!stayed.has(element)) {
+      if (mark[element] !== inSlots) {
+        mark[element] = inSlots;
+        slots[free[entered.length]!] = element;
         entered.push(element);
-        stayed.add(element);
-        slots[free[entered.length - 1]!] = element;
       }
     }
     return { entered, left };
