@@ -35,8 +35,8 @@ async function render(view: View): Promise<void> {
     return;
   }
   const hindered = hindrance(server);
-  const v = h('input', { type: 'number', min: 3, value: params.get('v') ?? '', placeholder: '20', onchange: () => look() });
-  const k = h('input', { type: 'number', min: 2, value: params.get('k') ?? '', placeholder: '5', onchange: () => look() });
+  const v = h('input', { type: 'number', min: 3, value: params.get('v') ?? '', placeholder: '20', oninput: () => soon() });
+  const k = h('input', { type: 'number', min: 2, value: params.get('k') ?? '', placeholder: '5', oninput: () => soon() });
   const change = select(params.get('change') ?? '2', changes, () => look());
   const kind = select(params.get('kind') ?? 'circular', kinds, () => look());
   const time = select(params.get('seconds') ?? '60', times, (seconds) => view.go({ seconds }, { quiet: true }));
@@ -60,8 +60,8 @@ async function render(view: View): Promise<void> {
     looking?.abort();
     looking = new AbortController();
     signal.addEventListener('abort', () => looking?.abort(), { once: true });
-    known.textContent = '\u00a0';
     if (v.value === '' || k.value === '') {
+      known.textContent = '';
       return;
     }
     const mine = looking.signal;
@@ -79,6 +79,12 @@ async function render(view: View): Promise<void> {
       },
       (why: unknown) => !mine.aborted && fill(known, (why as Error).message),
     );
+  }
+
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  function soon(): void {
+    clearTimeout(timer);
+    timer = setTimeout(() => signal.aborted || look(), 300);
   }
 
   function choose(id: string | null, focus = false): void {
@@ -113,6 +119,7 @@ async function render(view: View): Promise<void> {
 
   async function begin(): Promise<void> {
     fill(fault);
+    view.go({ v: v.value, k: k.value, change: change.value, kind: kind.value }, { quiet: true });
     if (v.value === '' || k.value === '') {
       fill(fault, problem(new Error('Write v, the number of elements, and k, the size of the blocks.')));
       (v.value === '' ? v : k).focus();
@@ -145,8 +152,8 @@ async function render(view: View): Promise<void> {
         },
       },
       h('div', { class: 'row' }, field('elements v', v), field('block size k', k), field('changes', change), field('kind', kind)),
-      known,
       h('div', { class: 'row' }, field('for', time), field('threads', threads), field('seed', seed), start),
+      known,
     ),
     hindered,
     fault,
