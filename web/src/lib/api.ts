@@ -112,19 +112,21 @@ export interface Theorem {
 }
 
 export interface SearchJob {
-  id: string;
+  id: number | string;
   v: number;
   k: number;
   change: number;
   kind: Kind;
   state: 'running' | 'done' | 'stopped' | 'failed';
   best: number | null;
-  lower_bound: number;
+  lower_bound: number | null;
   start_best: number | null;
   seconds: number;
+  /** So many seconds it may take. */
+  limit?: number;
   restarts: number | null;
   message: string;
-  points?: { seconds: number; best: number; rate: number }[];
+  points?: { seconds: number; best: number | null; rate: number }[];
 }
 
 export interface About {

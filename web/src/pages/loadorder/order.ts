@@ -33,7 +33,7 @@ export interface Asked {
 }
 
 function over(loads: number, bound: number): string {
-  return loads <= bound ? 'no order has fewer' : `at most ${((100 * (loads - bound)) / bound).toFixed(1)} % more than the fewest possible, ${number(bound)}`;
+  return loads <= bound ? 'no order has fewer' : `no order has fewer than ${number(bound)}, so this one has at most ${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least possible`;
 }
 
 export function headline(answer: Answer, asked: Asked): HTMLElement {
@@ -49,7 +49,7 @@ export function headline(answer: Answer, asked: Asked): HTMLElement {
       shared
         ? `For ${count(asked.workers, 'worker')}; the busiest has ${count(answer.makespan!, 'load')}: ${over(answer.makespan!, answer.makespan_bound!)}.`
         : `${asked.pairs ? count(asked.pairs.length, 'pair') : `All ${number((asked.items * (asked.items - 1)) / 2)} pairs`} of ${count(asked.items, 'item')}, with room for ${number(asked.room)}: ${over(answer.loads, answer.lower_bound)}.`,
-      asked.bytesPerItem !== null && ` ${bytes(answer.bytes)} are read${shared ? '' : `; less than ${bytes(answer.bytes_bound)} is not possible`}.`,
+      asked.bytesPerItem !== null && ` ${bytes(answer.bytes)} are read${shared || answer.bytes <= answer.bytes_bound ? '' : `; less than ${bytes(answer.bytes_bound)} is not possible`}.`,
     ),
     h('p', { class: 'hint' }, 'Every step was read and every pair counted by a program of its own.'),
     answer.reason && h('details', {}, h('summary', {}, 'Why not fewer'), h('p', {}, answer.reason)),
@@ -68,7 +68,7 @@ export function comparison(answer: Answer, asked: Asked): HTMLElement | null {
   const rows: [name: string, how: string, loads: number, own: boolean][] = [
     ['lower bound', 'no order has fewer', answer.lower_bound, false],
     ['this order', 'below, step by step', answer.loads, true],
-    ...simple.map(({ name, how, loads }): [string, string, number, boolean] => [name, how, loads, false]),
+    ...simple.sort((one, other) => one.loads - other.loads).map(({ name, how, loads }): [string, string, number, boolean] => [name, how, loads, false]),
   ];
   return h(
     'section',
