@@ -7,7 +7,7 @@ import { problem, type View } from '../../shell/router';
 import { theme } from '../../shell/theme';
 
 /** So many blocks at once: more are slow to draw and to look through. */
-const page = 200;
+const page = 100;
 
 const orders: readonly (readonly [string, string])[] = [
   ['first', 'of first blocks'],
