@@ -110,6 +110,33 @@ test('a file is chosen; the design opens in the viewer', async () => {
   assert.deepEqual(local.blocks[1], [1, 2, 4]);
 });
 
+test('a valid design goes into the catalog, once', async () => {
+  const page = await explorer.open('#/verify?example=good');
+  const add = page.getByRole('button', { name: 'Add to my catalog' });
+  await add.click();
+  const label = await page.locator('.actions a[href*="label="]').textContent();
+  assert.match(label, /^9\.4\.2\.linear\.8\./);
+  await page.reload();
+  await settled(page);
+  await add.click();
+  await page.getByText('Your catalog has it already').waitFor();
+});
+
+test('a file is dropped; what another page hands over is checked at once', async () => {
+  const page = await explorer.open('#/verify');
+  await page.locator('.verify-form').evaluate((form, text) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], 'dropped.txt', { type: 'text/plain' }));
+    form.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  }, design);
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  assert.equal(await box(page).inputValue(), design);
+  const other = await explorer.open('#/verify');
+  await other.evaluate((text) => sessionStorage.setItem('changeover-text', text), design);
+  await other.goto(new URL('#/verify?pasted=1', other.url()).href);
+  await other.getByRole('heading', { name: '✓ Valid' }).waitFor();
+});
+
 test('names of elements are kept', async () => {
   const page = await explorer.open('#/verify');
   await box(page).fill('a b c\nc d a\nd e a\n');
