@@ -104,7 +104,8 @@ test('the look-up box leads to cells, labels and the page Verify', async () => {
     data.setData('text', '0 1 2\n1 2 3\n');
     input.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true, cancelable: true }));
   });
-  await page.waitForURL(/#\/verify\?pasted=1/);
+  await page.waitForURL(/#\/verify/);
+  await page.getByRole('heading', { name: 'Verify', level: 1 }).waitFor();
   await page.close();
 });
 

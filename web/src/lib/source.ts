@@ -1,5 +1,5 @@
 // One way to ask for what a page shows: of the server, or of the files of a static export (docs/explorer.md has the rule).
-import { about, dataFolder } from '../shell/about';
+import { dataFolder, isCopy } from '../shell/about';
 import type { Theme } from '../shell/theme';
 import { address, ApiError, get, getFile, getFileText, getText, postText, type Cell, type CellDetail, type Construction, type Design, type Kind, type Selector, type TableCell, type Theorem, type TreeNode, type Recipe } from './api';
 import { inRange, parseRange } from './range';
@@ -49,10 +49,6 @@ export function isCell(asked: Asked): asked is Cell {
 
 const notCopied = 'This static copy does not have it. `changeover serve` on a machine of your own shows every cell and design.';
 
-async function frozen(): Promise<boolean> {
-  return (await about()).static;
-}
-
 async function file<T>(path: string, signal: AbortSignal): Promise<T> {
   return getFile<T>(dataFolder() + path, signal, notCopied);
 }
@@ -63,7 +59,7 @@ function parameters(cell: Cell): object {
 }
 
 export async function table(query: TableQuery, signal: AbortSignal): Promise<TableCell[]> {
-  if (!(await frozen())) {
+  if (!isCopy()) {
     return get<TableCell[]>('table', query, signal);
   }
   const k = parseRange(query.k);
@@ -74,7 +70,7 @@ export async function table(query: TableQuery, signal: AbortSignal): Promise<Tab
 
 /** A static copy has the picture of its whole range only. */
 export async function heatmap(query: TableQuery, measure: Measure, theme: Theme, signal: AbortSignal): Promise<string> {
-  return (await frozen())
+  return isCopy()
     ? getFileText(`${dataFolder()}heatmap/${query.change}.${query.kind}.${measure}.${theme}.svg`, signal, notCopied)
     : getText('heatmap', { ...query, measure, theme }, signal);
 }
@@ -92,7 +88,7 @@ async function keptCell(cell: Cell, signal: AbortSignal): Promise<KeptCell> {
 }
 
 export async function cellDetail(cell: Cell, signal: AbortSignal): Promise<CellDetail> {
-  return (await frozen()) ? keptCell(cell, signal) : get<CellDetail>('cell', parameters(cell), signal);
+  return isCopy() ? keptCell(cell, signal) : get<CellDetail>('cell', parameters(cell), signal);
 }
 
 export async function designOf(asked: Asked, signal: AbortSignal): Promise<Design> {
@@ -103,7 +99,7 @@ export async function designOf(asked: Asked, signal: AbortSignal): Promise<Desig
     }
     return kept;
   }
-  if (!(await frozen())) {
+  if (!isCopy()) {
     return get<Design>('design', isCell(asked) ? parameters(asked) : asked, signal);
   }
   if ('label' in asked) {
@@ -124,7 +120,7 @@ export async function explain(asked: Asked, signal: AbortSignal): Promise<Explan
   if (!isCell(asked) && !('label' in asked)) {
     return null;
   }
-  if (!(await frozen())) {
+  if (!isCopy()) {
     return get<Explanation>('explain', isCell(asked) ? parameters(asked) : asked, signal);
   }
   return (await keptCell(isCell(asked) ? asked : cellOfLabel(asked.label)!, signal)).explain ?? null;
@@ -132,7 +128,7 @@ export async function explain(asked: Asked, signal: AbortSignal): Promise<Explan
 
 /** Pictures of designs are drawn by a server only; null in a static copy. */
 export async function draw(asked: Asked, query: DrawQuery, signal: AbortSignal): Promise<string | null> {
-  if (await frozen()) {
+  if (isCopy()) {
     return null;
   }
   return 'local' in asked
@@ -141,19 +137,19 @@ export async function draw(asked: Asked, query: DrawQuery, signal: AbortSignal):
 }
 
 export async function cite(label: string, signal: AbortSignal): Promise<string> {
-  return (await frozen()) ? getFileText(`${dataFolder()}cite/${label}.bib`, signal, notCopied) : getText('cite', { label }, signal);
+  return isCopy() ? getFileText(`${dataFolder()}cite/${label}.bib`, signal, notCopied) : getText('cite', { label }, signal);
 }
 
 export async function completeness(signal: AbortSignal): Promise<Completeness[]> {
-  return (await frozen()) ? file('completeness.json', signal) : get('completeness', {}, signal);
+  return isCopy() ? file('completeness.json', signal) : get('completeness', {}, signal);
 }
 
 export async function constructions(signal: AbortSignal): Promise<Construction[]> {
-  return (await frozen()) ? file('constructions.json', signal) : get('constructions', {}, signal);
+  return isCopy() ? file('constructions.json', signal) : get('constructions', {}, signal);
 }
 
 export async function theorems(signal: AbortSignal): Promise<Theorem[]> {
-  return (await frozen()) ? file('theorems.json', signal) : get('theorems', {}, signal);
+  return isCopy() ? file('theorems.json', signal) : get('theorems', {}, signal);
 }
 
 /** Where the server gives a design as a file of that format. */

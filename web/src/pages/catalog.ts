@@ -5,7 +5,7 @@ import { readRange } from '../lib/range';
 import { completeness, heatmap, table, type Measure, type TableQuery } from '../lib/source';
 import { changes, changeWord, kinds, number, ratio } from '../lib/words';
 import { badge, gap, glossary } from '../parts/status';
-import { about } from '../shell/about';
+import { about, isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { theme, withTheme } from '../shell/theme';
 import { cellTable } from './catalog/cells';
@@ -23,15 +23,14 @@ export const catalog: Page = {
   path: 'catalog',
   title: 'Catalog',
   async render(view: View) {
-    const here = await about().catch(() => null);
-    const frozen = here?.static ?? false;
-    const copied = (frozen && here?.ranges) || [];
+    const frozen = isCopy();
+    const copied = (frozen && (await about()).ranges) || [];
     const offered = changes.filter(([m]) => copied.length === 0 || copied.some((range) => range.change === Number(m)));
     const state = {
       change: Number(view.params.get('change') ?? (offered.some(([m]) => m === '2') ? 2 : (offered[0]?.[0] ?? 2))),
       kind: (view.params.get('kind') ?? 'circular') as Kind,
       k: view.params.get('k') ?? '3..12',
-      v: view.params.get('v') ?? '5..60',
+      v: view.params.get('v') ?? '5..50',
       measure: (view.params.get('measure') ?? 'ratio') as Measure,
     };
     let cells = new Map<string, TableCell>();

@@ -2,13 +2,14 @@
 import type { Cell, CellDetail } from '../lib/api';
 import { fill, h, scroll, type Child } from '../lib/dom';
 import { cellDetail, designOf, explain } from '../lib/source';
+import { waiting } from '../lib/wait';
 import { changeWord, count, nameOf, number, ratio } from '../lib/words';
 import { copyButton } from '../parts/copy';
 import { downloads } from '../parts/downloads';
 import { busyKey, cellOf } from '../parts/fields';
 import { reason, recipeTree } from '../parts/recipe';
 import { badge, glossary } from '../parts/status';
-import { about } from '../shell/about';
+import { isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { designsTable, historyList } from './cell/designs';
 
@@ -137,18 +138,24 @@ export const cell: Page = {
     }
     const name = nameOf(wanted);
     document.title = `(${wanted.v},${wanted.k}) ${wanted.kind} m = ${wanted.change} · Changeover`;
-    const body = h('div', { class: 'cell-body' }, h('p', { class: 'hint' }, 'Asking…'));
-    fill(view.root, h('h1', {}, name[0]!.toUpperCase() + name.slice(1), (wanted.strength ?? 2) > 2 ? `, strength ${wanted.strength}` : ''), neighbours(wanted), body);
+    const head = h('h1', {}, name[0]!.toUpperCase() + name.slice(1), (wanted.strength ?? 2) > 2 ? `, strength ${wanted.strength}` : '');
+    const body = h('div', { class: 'cell-body' });
+    const begin = (): void => fill(view.root, head, neighbours(wanted), body);
     walk(view, wanted);
-    const frozen = (await about()).static;
+    const frozen = isCopy();
     let detail: CellDetail;
     try {
-      detail = await cellDetail(wanted, view.signal);
+      detail = await waiting(cellDetail(wanted, view.signal), view.signal, () => {
+        begin();
+        fill(body, h('p', { class: 'hint' }, 'Asking what is known…'));
+      });
     } catch (fault) {
       fill(body);
+      begin();
       throw fault;
     }
     const recipe = h('div', { class: 'recipe-place' }, h('p', { class: 'hint' }, 'Asking…'));
+    begin();
     const files = h('div', {}, !frozen && downloads(wanted, null, false));
     fill(
       body,

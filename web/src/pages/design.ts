@@ -2,13 +2,14 @@
 import { ApiError, type Design } from '../lib/api';
 import { fill, h, scroll } from '../lib/dom';
 import { designOf, explain, isCell, type Asked, type PictureName } from '../lib/source';
+import { waiting } from '../lib/wait';
 import { count, nameOf } from '../lib/words';
 import { copyButton } from '../parts/copy';
 import { asText, downloads } from '../parts/downloads';
 import { askedOf } from '../parts/fields';
 import { recipeTree } from '../parts/recipe';
 import { tabs, type Tab } from '../parts/tabs';
-import { about } from '../shell/about';
+import { about, isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { facts } from './design/facts';
 import { drawn } from './design/pictures';
@@ -18,10 +19,10 @@ import { openPlayer } from './design/player';
 const mostText = 20_000;
 
 function recipeTab(asked: Asked, design: Design, view: View, panel: HTMLElement, signal: AbortSignal): void {
-  const place = h('div', {}, h('p', { class: 'hint' }, 'Asking…'));
+  const place = h('div');
   const image = h('div');
   fill(panel, place, image);
-  explain(asked, signal).then(
+  waiting(explain(asked, signal), signal, () => fill(place, h('p', { class: 'hint' }, 'Asking how it is made…'))).then(
     (found) => {
       if (!found) {
         fill(place, h('p', {}, design.recipe ? `Made by ${design.recipe.construction}, as its file says.` : 'The blocks are all that is known of this design: nothing says how it was made.'));
@@ -68,12 +69,10 @@ export const design: Page = {
       fill(view.root, h('h1', {}, 'Which design?'), h('p', {}, 'Choose a cell in the ', h('a', { href: link('catalog') }, 'catalog'), ', paste a design on the page ', h('a', { href: link('verify') }, 'Verify'), ', or write a label into the address, as #/design?label=20.5.2.circular.29.17482f88.'));
       return;
     }
-    fill(view.root, h('h1', {}, 'Design'), h('p', { class: 'hint' }, 'Asking…'));
-    const here = await about();
-    const frozen = here.static;
+    const frozen = isCopy();
     let shown: Design;
     try {
-      shown = await designOf(asked, view.signal);
+      shown = await waiting(designOf(asked, view.signal), view.signal, () => fill(view.root, h('h1', {}, 'Design'), h('p', { class: 'hint' }, 'Asking for the design…')));
     } catch (fault) {
       fill(view.root, h('h1', {}, 'No design to show'));
       if (fault instanceof ApiError && isCell(asked)) {
@@ -106,7 +105,7 @@ export const design: Page = {
       { name: 'blocks', title: 'Blocks', draw: (panel) => textTab(shown, panel) },
     ];
     const from =
-      shown.label ?? ('local' in asked ? 'of this window, in no catalog' : 'file' in asked ? `file ${here.files.find((each) => each.index === asked.file)?.name ?? asked.file}` : 'job' in asked ? `found by search ${asked.job}` : '');
+      shown.label ?? ('local' in asked ? 'of this window, in no catalog' : 'file' in asked ? `file ${(await about()).files.find((each) => each.index === asked.file)?.name ?? asked.file}` : 'job' in asked ? `found by search ${asked.job}` : '');
     const start = view.params.get('show') ?? (view.params.has('at') || frozen ? 'steps' : 'array');
     fill(
       view.root,

@@ -3,6 +3,7 @@ import type { Cell, Construction, Theorem } from '../lib/api';
 import { fill, h, picture } from '../lib/dom';
 import { line, markup } from '../lib/markup';
 import { constructions, draw, theorems as ask } from '../lib/source';
+import { waiting } from '../lib/wait';
 import { count } from '../lib/words';
 import { citation, reason, shortName } from '../parts/recipe';
 import { link, problem, type Page, type View } from '../shell/router';
@@ -90,10 +91,9 @@ export const theorems: Page = {
   title: 'Theorems',
   async render(view: View) {
     const wanted = { theorem: view.params.get('theorem'), construction: view.params.get('construction') };
-    fill(view.root, h('h1', {}, 'Theorems and constructions'), h('p', { class: 'hint' }, 'Asking…'));
     let answers: [Theorem[], Construction[]];
     try {
-      answers = await Promise.all([ask(view.signal), constructions(view.signal)]);
+      answers = await waiting(Promise.all([ask(view.signal), constructions(view.signal)]), view.signal, () => fill(view.root, h('h1', {}, 'Theorems and constructions'), h('p', { class: 'hint' }, 'Asking…')));
     } catch (fault) {
       fill(view.root, h('h1', {}, 'Theorems and constructions'), problem(fault));
       return;

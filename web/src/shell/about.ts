@@ -8,24 +8,20 @@ export function dataFolder(): string {
   return document.querySelector<HTMLMetaElement>('meta[name="changeover-data"]')?.content ?? 'data/';
 }
 
-/** Whether the page itself says that it is a static export (`<meta name="changeover-data" content="data/">`). */
-function marked(): boolean {
+/** Whether these pages are a static export: they say so themselves (`<meta name="changeover-data" content="data/">`). */
+export function isCopy(): boolean {
   return document.querySelector('meta[name="changeover-data"]') !== null;
 }
 
-/** Asks the server; where there is none, `config.json` of the static export. */
+/** Asks the server, or `config.json` of the static export. */
 export function about(): Promise<About> {
   known ??= (async () => {
-    const live = marked() ? null : await fetch('api/about').catch(() => null);
-    if (live?.ok && live.headers.get('content-type')?.startsWith('application/json')) {
-      return (await live.json()) as About;
-    }
-    const kept = await fetch(`${dataFolder()}config.json`).catch(() => null);
-    if (kept?.ok) {
-      return (await kept.json()) as About;
+    const answer = await fetch(isCopy() ? `${dataFolder()}config.json` : 'api/about').catch(() => null);
+    if (answer?.ok) {
+      return (await answer.json()) as About;
     }
     known = undefined;
-    throw new Error('The server does not answer. Is `changeover serve` still running?');
+    throw new Error(isCopy() ? 'This copy is not complete: data/config.json is missing.' : 'The server does not answer. Is `changeover serve` still running?');
   })();
   return known;
 }

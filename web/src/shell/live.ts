@@ -1,15 +1,13 @@
 // Pages that need the program itself. In a static copy they say how to get it.
 import { fill, h } from '../lib/dom';
-import { about } from './about';
+import { isCopy } from './about';
 import { link, type Page } from './router';
 
 export function whereThereIsAServer(page: Page): Page {
   return {
     ...page,
-    async render(view) {
-      // Where nobody answers, the page itself says what fails.
-      const copy = await about().then((it) => it.static, () => false);
-      if (!copy) {
+    render(view) {
+      if (!isCopy()) {
         return page.render(view);
       }
       fill(

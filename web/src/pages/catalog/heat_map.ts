@@ -14,12 +14,13 @@ const steps: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight
 
 /** `say` names a cell in words; `chosen` is called when a cell is pointed at or focused, `open` when it is clicked or entered. */
 export function heatMap(say: (v: number, k: number) => string, chosen: (v: number, k: number) => void, open: (v: number, k: number) => void): HeatMap {
-  const element = h('div', { class: 'heat-map scroll picture', role: 'group', 'aria-label': 'Heat map of the table. Arrow keys move through its cells, Enter opens one.', tabindex: -1 });
+  const element = h('div', { class: 'heat-map scroll picture', role: 'group', 'aria-label': 'Heat map of the table. Arrow keys move through its cells, Enter opens one.', tabindex: -1 }, h('p', { class: 'hint' }, 'Asking for the table…'));
   let cells = new Map<string, SVGElement>();
   let current: SVGElement | null = null;
   let down = 1;
-  const ring = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
+  const ring = document.createElementNS('http://www.w3.org/2000/svg', 'g');
   ring.setAttribute('class', 'ring');
+  ring.append(document.createElementNS(ring.namespaceURI, 'rect'), document.createElementNS(ring.namespaceURI, 'rect'));
 
   const place = (rect: Element): [number, number] => [Number(rect.getAttribute('data-v')), Number(rect.getAttribute('data-k'))];
   const cellAt = (target: EventTarget | null): SVGElement | null => (target instanceof Element ? target.closest<SVGElement>('.cell') : null);
@@ -36,7 +37,9 @@ export function heatMap(say: (v: number, k: number) => string, chosen: (v: numbe
     rect.setAttribute('role', 'link');
     rect.setAttribute('aria-label', say(v, k));
     for (const side of ['x', 'y', 'width', 'height']) {
-      ring.setAttribute(side, rect.getAttribute(side) ?? '0');
+      for (const line of ring.children) {
+        line.setAttribute(side, rect.getAttribute(side) ?? '0');
+      }
     }
     rect.parentNode?.appendChild(ring);
     if (focus) {

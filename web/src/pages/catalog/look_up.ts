@@ -69,7 +69,7 @@ export function lookUp(here: () => { change: number; kind: Kind }): HTMLElement 
       },
     },
     h('label', { for: input.id }, 'Look up a design'),
-    h('div', { class: 'together' }, input, h('button', {}, 'Look up')),
+    h('div', { class: 'look-up-row' }, input, h('button', {}, 'Look up')),
     message,
   );
 }
