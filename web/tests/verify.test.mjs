@@ -110,6 +110,33 @@ test('a file is chosen; the design opens in the viewer', async () => {
   assert.deepEqual(local.blocks[1], [1, 2, 4]);
 });
 
+test('a valid design goes into the catalog, once', async () => {
+  const page = await explorer.open('#/verify?example=good');
+  const add = page.getByRole('button', { name: 'Add to my catalog' });
+  await add.click();
+  const label = await page.locator('.actions a[href*="label="]').textContent();
+  assert.match(label, /^9\.4\.2\.linear\.8\./);
+  await page.reload();
+  await settled(page);
+  await add.click();
+  await page.getByText('Your catalog has it already').waitFor();
+});
+
+test('a file is dropped; what another page hands over is checked at once', async () => {
+  const page = await explorer.open('#/verify');
+  await page.locator('.verify-form').evaluate((form, text) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], 'dropped.txt', { type: 'text/plain' }));
+    form.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  }, design);
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  assert.equal(await box(page).inputValue(), design);
+  const other = await explorer.open('#/verify');
+  await other.evaluate((text) => sessionStorage.setItem('changeover-text', text), design);
+  await other.goto(new URL('#/verify?pasted=1', other.url()).href);
+  await other.getByRole('heading', { name: '✓ Valid' }).waitFor();
+});
+
 test('names of elements are kept', async () => {
   const page = await explorer.open('#/verify');
   await box(page).fill('a b c\nc d a\nd e a\n');
@@ -119,25 +146,39 @@ test('names of elements are kept', async () => {
   await page.getByText('b is in block 1; d is in blocks 2, 3. No block has all of them.').waitFor();
 });
 
-test('a large file is read beside the page, which stays awake', async () => {
-  // 230,000 rounds of a circular design: valid steps all the way, 9.7 MB.
-  const page = await explorer.open('#/verify');
-  const round = '0 1 3\n1 2 4\n2 3 5\n3 4 6\n0 4 5\n1 5 6\n0 2 6\n';
+/** A file with so many rounds of a circular design: valid steps all the way. */
+function rounds(count) {
   const folder = mkdtempSync(join(tmpdir(), 'changeover-large-'));
   const path = join(folder, 'large.txt');
-  writeFileSync(path, '# changeover design v=7 k=3 change=2 kind=circular\n' + round.repeat(230_000));
+  writeFileSync(path, '# changeover design v=7 k=3 change=2 kind=circular\n' + '0 1 3\n1 2 4\n2 3 5\n3 4 6\n0 4 5\n1 5 6\n0 2 6\n'.repeat(count));
+  return { path, remove: () => rmSync(folder, { recursive: true }) };
+}
+
+test('a large file is read beside the page, and its list goes to the end', async () => {
+  const page = await explorer.open('#/verify');
+  const file = rounds(28_000);
   const worker = page.waitForEvent('worker');
-  await page.getByLabel('A file with a design').setInputFiles(path);
+  await page.getByLabel('A file with a design').setInputFiles(file.path);
   await worker;
   await page.getByText('too long to be shown here').waitFor();
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor({ timeout: 120_000 });
-  rmSync(folder, { recursive: true });
-  const list = page.getByRole('group', { name: /^The 1.610.000 blocks/ });
+  file.remove();
+  const list = page.getByRole('group', { name: /^The 196.000 blocks/ });
   await list.focus();
   await page.keyboard.press('End');
-  await page.locator('.block-number', { hasText: /^1.610.000$/ }).waitFor();
+  await page.locator('.block-number', { hasText: /^196.000$/ }).waitFor();
   assert.ok((await list.getByRole('listitem').count()) < 100);
   await look(page, 'verify-large');
+});
+
+test('a list with more blocks than a page can show is checked all the same', async () => {
+  const page = await explorer.open('#/verify');
+  const file = rounds(230_000);
+  await page.getByLabel('A file with a design').setInputFiles(file.path);
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor({ timeout: 120_000 });
+  file.remove();
+  await page.getByText(/its 1.610.000 blocks are too many/).waitFor();
+  await page.locator('table.facts').waitFor();
 });
 
 test('on a phone nothing scrolls sideways but the frames', async () => {

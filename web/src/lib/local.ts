@@ -6,6 +6,8 @@ import type { Design } from './api';
 
 const designKey = 'changeover-local';
 const textKey = 'changeover-text';
+/** Elements in all blocks together: beyond, the text of a design would not fit into that storage. */
+const mostStored = 1_000_000;
 let design: Design | null = null;
 let text: string | null = null;
 
@@ -20,7 +22,11 @@ function store(key: string, value: string): void {
 /** The design that `#/design?local=1` shows. */
 export function keepLocal(shown: Design): void {
   design = shown;
-  store(designKey, JSON.stringify(shown));
+  if (shown.blocks.length * shown.k <= mostStored) {
+    store(designKey, JSON.stringify(shown));
+  } else {
+    sessionStorage.removeItem(designKey);
+  }
 }
 
 export function localDesign(): Design | null {

@@ -3,7 +3,7 @@ import { save } from '../lib/save';
 import { count, number } from '../lib/words';
 import { link, problem, type Page, type View } from '../shell/router';
 import { ask } from './plan/ask';
-import { csv, decimal, emptyJob, exampleJob, exact, money, partsOf, type Job, type Outcome, type PairMode, type State, type Test } from './plan/job';
+import { csv, decimal, emptyJob, exampleJob, exact, moneyOf, partsOf, type Job, type Outcome, type PairMode, type State, type Test } from './plan/job';
 import { partsGrid } from './plan/parts';
 import { runSheet } from './plan/sheet';
 import { forget, keep as keepState, keptJobs, load, newId } from './plan/store';
@@ -24,12 +24,13 @@ const times: readonly (readonly [string, string])[] = [
 
 function gapInWords(outcome: Outcome): string {
   const { cost, bound } = outcome;
+  if (bound !== null && exact(cost) <= exact(bound)) {
+    return 'No plan is cheaper: this is the lower bound.';
+  }
   if (bound === null || bound <= 0) {
     return 'How little it could cost is not known.';
   }
-  if (exact(cost) <= exact(bound)) {
-    return 'No plan is cheaper: this is the lower bound.';
-  }
+  const money = moneyOf([cost, bound]);
   return `No plan costs less than ${money(bound)}, so this one is at most ${((100 * (cost - bound)) / bound).toFixed(1)} % above the least possible.`;
 }
 
@@ -137,7 +138,7 @@ async function render(view: View): Promise<void> {
       stale.hidden = true;
       show(outcome);
       result.scrollIntoView({ block: 'start' });
-      announce(`${count(outcome.tests.length, 'test')}, cost ${money(outcome.cost)}`);
+      announce(`${count(outcome.tests.length, 'test')}, cost ${outcome.cost}`);
       await keep();
     } catch (why) {
       if (!view.signal.aborted) {
@@ -154,6 +155,7 @@ async function render(view: View): Promise<void> {
 
   function show(outcome: Outcome): void {
     const { job } = state;
+    const money = moneyOf([outcome.testCost, outcome.changeCost, ...outcome.tests.map(({ cost }) => cost)]);
     const rest = outcome.tests.length - outcome.doneBefore;
     const changes = outcome.alternatives[0]!.changes;
     const replan = h('button', { type: 'button', class: 'plain', onclick: () => run(outcome.tests.filter((test) => test.done)) }, 'Plan the rest anew');

@@ -43,7 +43,7 @@ async function render(view: View): Promise<void> {
   const threads = h('input', { type: 'number', min: 1, value: params.get('threads') ?? 1, onchange: () => view.go({ threads: threads.value }, { quiet: true }) });
   const seed = h('input', { type: 'number', min: 0, value: params.get('seed') ?? 1, onchange: () => view.go({ seed: seed.value }, { quiet: true }) });
   const start = h('button', { type: 'submit', disabled: hindered !== null }, 'Start');
-  const known = h('p', { class: 'hint known', role: 'status' });
+  const known = h('p', { class: 'hint search-known', role: 'status' });
   const fault = h('div', {});
   const stream = h('p', { class: 'hint stream', role: 'status' });
   const list = jobList((id) => choose(id, true));

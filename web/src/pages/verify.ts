@@ -13,6 +13,8 @@ import { elementTable, facts, headline } from './verify/verdict';
 
 /** Larger texts are not put into the field, only named. */
 const longestShown = 1_000_000;
+/** Elements in all blocks together, beyond which the viewer would take its time. */
+const longestViewed = 2_000_000;
 /** A file that was chosen is there when one comes back to the page, but not after a reload. */
 let file: File | null = null;
 
@@ -135,7 +137,7 @@ async function render(view: View): Promise<void> {
     const row = h(
       'div',
       { class: 'row actions' },
-      report.blocks.shown && h('a', { class: 'button plain', href: link('design', { local: 1 }), onclick: () => keepLocal(designOf(report)) }, 'Open in the viewer'),
+      report.blocks.shown && report.blocks.blocks.length <= longestViewed && h('a', { class: 'button plain', href: link('design', { local: 1 }), onclick: () => keepLocal(designOf(report)) }, 'Open in the viewer'),
       h('a', { class: 'button plain', href: link('cell', { v: report.blocks.v, k: report.blocks.k, change: report.blocks.change, kind: report.blocks.kind }) }, 'What is known for these parameters'),
     );
     if (report.answer.valid) {

@@ -98,9 +98,16 @@ export function exact(cost: number): number {
   return Math.round(cost * 1e6) / 1e6;
 }
 
-export function money(cost: number): string {
-  const rounded = exact(cost);
-  return Number.isInteger(rounded) ? String(rounded) : rounded.toFixed(Math.max(2, (String(rounded).split('.')[1] ?? '').length > 2 ? 3 : 2));
+/** Writes costs with as many decimals as all of `costs` need: none, or two and more. */
+export function moneyOf(costs: readonly number[]): (cost: number) => string {
+  const decimals = Math.max(0, ...costs.map((cost) => (String(exact(cost)).split('.')[1] ?? '').length));
+  return (cost) => exact(cost).toFixed(decimals === 0 ? 0 : Math.max(2, decimals));
+}
+
+/** A cost of a plan that was never made, as prices would make it: to the hundredth, as far as it has any. */
+export function about(cost: number): string {
+  const rounded = Number(cost.toFixed(2));
+  return rounded === 0 && cost !== 0 ? String(Number(cost.toPrecision(3))) : Number.isInteger(rounded) ? String(rounded) : rounded.toFixed(2);
 }
 
 /** Cells of a table as spreadsheets copy it (tabs) or write it (CSV with commas or semicolons, fields quoted or not). */

@@ -1,7 +1,7 @@
 // The run sheet: what to take out and put in, test by test, and what has been done.
 import { h, scroll } from '../../lib/dom';
 import { count, number } from '../../lib/words';
-import { exact, money, step, type Outcome } from './job';
+import { exact, moneyOf, step, type Outcome } from './job';
 
 const piece = 200;
 
@@ -20,6 +20,7 @@ export function runSheet(outcome: Outcome, ticked: () => void, signal: AbortSign
   let sum = 0;
   const sums = tests.map(({ cost }) => (sum = exact(sum + cost)));
   const whole = sum;
+  const money = moneyOf(tests.map(({ cost }) => cost));
 
   function refresh(): void {
     const done = tests.filter((test) => test.done);

@@ -2,7 +2,7 @@
 import { field, fill, h, scroll, select } from '../../lib/dom';
 import { number } from '../../lib/words';
 import { plot, type Line, type Plot } from '../../parts/plot';
-import { money, type Alternative, type Outcome } from './job';
+import { about, type Alternative, type Outcome } from './job';
 
 /** What an alternative costs at other prices: its changes keep their proportions. */
 export function costAt(each: Alternative, planned: { testCost: number; changeCost: number }, testCost: number, changeCost: number): number {
@@ -76,6 +76,10 @@ function price(label: string, base: number, changed: () => void): { element: HTM
 }
 
 export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: number, changeCost: number) => void, signal: AbortSignal): HTMLElement {
+  // This plan, those that are the cheapest at some price, and others as far as there are colours.
+  const most = 6;
+  const best = ranges(outcome, 'change', outcome.testCost || 1).map((range) => range.best);
+  const plotted = [...new Set([outcome.alternatives[0]!, ...best, ...outcome.alternatives])].slice(0, most);
   const test = price('A test costs', outcome.testCost, draw);
   const change = price(byPart ? 'A change costs, where the list does not say' : 'A change costs', outcome.changeCost, draw);
   const body = h('tbody');
@@ -95,8 +99,8 @@ export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: n
       x: `cost of a ${along}`,
       y: 'cost of all tests',
       signal,
-      xText: money,
-      yText: money,
+      xText: about,
+      yText: about,
       mark: () => (along === 'change' ? change : test).value(),
       fromZero: true,
     });
@@ -109,14 +113,14 @@ export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: n
     const least = ranked[0]!.cost;
     fill(
       body,
-      ranked.map(({ each, i, cost }) =>
+      ranked.map(({ each, cost }) =>
         h(
           'tr',
           { class: each === outcome.alternatives[0] ? 'own' : null },
-          h('td', {}, h('span', { class: `swatch line-${(i % 6) + 1}`, 'aria-hidden': 'true' }), each.name),
+          h('td', {}, h('span', { class: `swatch line-${plotted.indexOf(each) + 1}`, 'aria-hidden': 'true' }), each.name),
           h('td', { class: 'number' }, number(each.tests)),
           h('td', { class: 'number' }, number(each.changes)),
-          h('td', { class: 'number' }, money(Number(cost.toPrecision(12)))),
+          h('td', { class: 'number' }, about(cost)),
           h('td', { class: 'number' }, cost === least ? 'least' : `+${((100 * (cost - least)) / (least || 1)).toFixed(1)} %`),
         ),
       ),
@@ -137,8 +141,8 @@ export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: n
         h(
           'tr',
           { class: here >= from && (to === null || here < to) ? 'own' : null },
-          h('td', { class: 'number' }, money(Number(from.toPrecision(4)))),
-          h('td', { class: 'number' }, to === null ? 'any' : money(Number(to.toPrecision(4)))),
+          h('td', { class: 'number' }, about(from)),
+          h('td', { class: 'number' }, to === null ? 'any' : about(to)),
           h('td', {}, cheapest.name),
           h('td', { class: 'number' }, number(cheapest.tests)),
           h('td', { class: 'number' }, number(cheapest.changes)),
@@ -149,7 +153,7 @@ export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: n
     const xs = Array.from({ length: 61 }, (_, i) => (far * i) / 60);
     chart.set(
       xs,
-      outcome.alternatives.slice(0, 6).map(
+      plotted.map(
         (each, i): Line => ({
           label: each.name,
           colour: i + 1,

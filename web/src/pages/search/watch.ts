@@ -21,7 +21,8 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
   const message = h('p', { class: 'hint' });
   const progress = h('progress', { max: 1, value: 0, 'aria-label': 'Time used' });
   const said = h('p', { role: 'status' });
-  const stop = h('button', { type: 'button', class: 'plain', onclick: () => act('search/stop', stop, () => 'Stopping …') }, 'Stop');
+  let stopping = false;
+  const stop = h('button', { type: 'button', class: 'plain', onclick: () => ((stopping = true), act('search/stop', stop, () => (stopping ? 'Stopping …' : ''))) }, 'Stop');
   const open = h('a', { class: 'button plain', href: link('design', { job: id }) }, 'Open in the viewer');
   const keep = h('button', {
     type: 'button',
@@ -67,6 +68,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       const job = await get<SearchJob>('search', { id }, signal);
       show(job);
       const points = (job.points ?? []).filter((point, i, all) => i === 0 || point.seconds > all[i - 1]!.seconds);
+      chart.element.hidden = points.length < 2;
       if (points.length > 1) {
         chart.set(
           points.map((point) => point.seconds),
@@ -93,12 +95,17 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
 
   function show(job: SearchJob): void {
     const running = job.state === 'running';
-    title.textContent = `${nameOf(job)}`;
+    const name = nameOf(job);
+    title.textContent = name[0]!.toUpperCase() + name.slice(1);
     words.textContent = `${running ? 'Running' : job.state === 'done' ? 'Done' : job.state === 'stopped' ? 'Stopped' : 'Failed'} after ${seconds(job.seconds)}${job.limit !== undefined && running ? ` of ${seconds(job.limit)}` : ''}: ${found(job)}; ${job.lower_bound === null ? 'no lower bound is known' : `the lower bound is ${number(job.lower_bound)}`}.`;
     message.textContent = job.message;
     message.classList.toggle('problem', job.state === 'failed');
     progress.hidden = !running || job.limit === undefined;
     progress.value = job.limit ? Math.min(1, job.seconds / job.limit) : 0;
+    if (!running && stopping) {
+      stopping = false;
+      fill(said);
+    }
     stop.hidden = !running || !mayAct;
     open.hidden = running || job.best === null;
     keep.hidden = running || job.best === null || !mayAct;
