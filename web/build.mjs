@@ -47,7 +47,7 @@ async function checksums() {
 async function pages() {
   const built = await esbuild.build({
     absWorkingDir: here,
-    entryPoints: { app: 'src/main.ts', style: 'src/style/main.css' },
+    entryPoints: { app: 'src/main.ts', 'verify-worker': 'src/pages/verify/worker.ts', style: 'src/style/main.css' },
     outdir: 'dist/assets',
     bundle: true,
     minify: true,

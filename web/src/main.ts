@@ -10,10 +10,11 @@ import { search } from './pages/search';
 import { theorems } from './pages/theorems';
 import { verify } from './pages/verify';
 import { about } from './shell/about';
+import { whereThereIsAServer } from './shell/live';
 import { link, placeOf, Router, type Page } from './shell/router';
 import { startTheme, toggleTheme } from './shell/theme';
 
-const pages: readonly Page[] = [catalog, cell, design, verify, plan, loadorder, search, theorems];
+const pages: readonly Page[] = [catalog, cell, design, verify, plan, loadorder, search, theorems].map((page) => (page.live ? whereThereIsAServer(page) : page));
 
 function element(id: string): HTMLElement {
   const found = document.getElementById(id);

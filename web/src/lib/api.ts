@@ -99,6 +99,8 @@ export interface Construction {
   summary: string;
   citation: string;
   serves: string;
+  /** How many blocks, or how few. */
+  gives?: string;
   example: Cell | null;
 }
 
@@ -110,19 +112,21 @@ export interface Theorem {
 }
 
 export interface SearchJob {
-  id: string;
+  id: number | string;
   v: number;
   k: number;
   change: number;
   kind: Kind;
   state: 'running' | 'done' | 'stopped' | 'failed';
   best: number | null;
-  lower_bound: number;
+  lower_bound: number | null;
   start_best: number | null;
   seconds: number;
+  /** So many seconds it may take. */
+  limit?: number;
   restarts: number | null;
   message: string;
-  points?: { seconds: number; best: number; rate: number }[];
+  points?: { seconds: number; best: number | null; rate: number }[];
 }
 
 export interface About {
@@ -132,6 +136,8 @@ export interface About {
   write: boolean;
   files: { index: number; name: string }[];
   static: boolean;
+  /** Of a static copy: what of the table it has. */
+  ranges?: { change: number; kind: Kind; k: [number, number]; v: [number, number] }[];
 }
 
 /** What a server said instead of an answer: one line that can be shown as it is. */
@@ -173,7 +179,8 @@ export function address(path: string, parameters: object = {}): string {
   return `api/${path}${text ? `?${text}` : ''}`;
 }
 
-async function ask(url: string, init: RequestInit): Promise<Response> {
+/** Asks with what `fetch` takes; a fault is an ApiError with a line that can be shown. */
+export async function askWith(url: string, init: RequestInit): Promise<Response> {
   let response: Response;
   try {
     response = await fetch(url, init);
@@ -191,25 +198,42 @@ async function ask(url: string, init: RequestInit): Promise<Response> {
 }
 
 export async function get<T>(path: string, parameters: object, signal: AbortSignal): Promise<T> {
-  return (await ask(address(path, parameters), { signal })).json() as Promise<T>;
+  return (await askWith(address(path, parameters), { signal })).json() as Promise<T>;
 }
 
 export async function getText(path: string, parameters: object, signal: AbortSignal): Promise<string> {
-  return (await ask(address(path, parameters), { signal })).text();
+  return (await askWith(address(path, parameters), { signal })).text();
 }
 
-/** Asks with a body: an object goes as JSON, a string as it is. With the token if this window has it. */
+/** A file of a static export. What it does not have is said in `missing`. */
+async function askFile(url: string, signal: AbortSignal, missing: string): Promise<Response> {
+  const response = await fetch(url, { signal });
+  if (!response.ok) {
+    throw new ApiError(response.status === 404 ? missing : `The server answered ${response.status} for ${url}.`, response.status);
+  }
+  return response;
+}
+
+export async function getFile<T>(url: string, signal: AbortSignal, missing: string): Promise<T> {
+  return (await askFile(url, signal, missing)).json() as Promise<T>;
+}
+
+export async function getFileText(url: string, signal: AbortSignal, missing: string): Promise<string> {
+  return (await askFile(url, signal, missing)).text();
+}
+
+/** Asks with a body: an object goes as JSON, a string or a file as it is. With the token if this window has it. */
 export async function post<T>(path: string, parameters: object, body: unknown, signal: AbortSignal): Promise<T> {
   const token = sessionStorage.getItem(tokenKey);
-  const text = typeof body === 'string';
+  const text = typeof body === 'string' || body instanceof Blob;
   const headers: Record<string, string> = { 'Content-Type': text ? 'text/plain; charset=utf-8' : 'application/json' };
   if (token) {
     headers['X-Changeover-Token'] = token;
   }
-  const response = await ask(address(path, parameters), { method: 'POST', headers, body: text ? body : JSON.stringify(body), signal });
+  const response = await askWith(address(path, parameters), { method: 'POST', headers, body: text ? body : JSON.stringify(body), signal });
   return response.json() as Promise<T>;
 }
 
 export async function postText(path: string, parameters: object, body: string, signal: AbortSignal): Promise<string> {
-  return (await ask(address(path, parameters), { method: 'POST', headers: { 'Content-Type': 'text/plain; charset=utf-8' }, body, signal })).text();
+  return (await askWith(address(path, parameters), { method: 'POST', headers: { 'Content-Type': 'text/plain; charset=utf-8' }, body, signal })).text();
 }

@@ -68,6 +68,11 @@ export function announce(text: string): void {
   }
 }
 
+/** A frame in which something wide scrolls sideways, for the keyboard too. */
+export function scroll(label: string, ...children: Child[]): HTMLElement {
+  return h('div', { class: 'scroll', tabindex: 0, role: 'region', 'aria-label': label }, children);
+}
+
 /** A labelled field: the label first, an explanation after it if there is one. */
 export function field(label: string, control: HTMLElement, hint?: string): HTMLElement {
   control.id ||= `f${++fields}`;

@@ -5,10 +5,10 @@ export function count(n: number, singular: string, plural = `${singular}s`): str
   return `${number(n)} ${n === 1 ? singular : plural}`;
 }
 
-/** With thin spaces between thousands from 10 000 on. */
+/** With narrow spaces, at which no line is broken, between thousands from 10 000 on. */
 export function number(n: number): string {
   const digits = String(Math.abs(n));
-  return Number.isInteger(n) && digits.length > 4 ? (n < 0 ? '−' : '') + digits.replace(/\B(?=(\d{3})+$)/g, '\u2009') : String(n);
+  return Number.isInteger(n) && digits.length > 4 ? (n < 0 ? '−' : '') + digits.replace(/\B(?=(\d{3})+$)/g, '\u202f') : String(n);
 }
 
 export function changeWord(change: number): string {

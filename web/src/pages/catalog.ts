@@ -1,11 +1,199 @@
-import { fill, h } from '../lib/dom';
-import type { Page, View } from '../shell/router';
+// Home: what is known, as a heat map and as a table, and a box to look one design up.
+import type { Kind, TableCell } from '../lib/api';
+import { announce, field, fill, h, select } from '../lib/dom';
+import { readRange } from '../lib/range';
+import { completeness, heatmap, table, type Measure, type TableQuery } from '../lib/source';
+import { changes, changeWord, kinds, number, ratio } from '../lib/words';
+import { badge, gap, glossary } from '../parts/status';
+import { about, isCopy } from '../shell/about';
+import { link, problem, type Page, type View } from '../shell/router';
+import { theme, withTheme } from '../shell/theme';
+import { cellTable } from './catalog/cells';
+import { heatMap, sayCell } from './catalog/heat_map';
+import { lookUp } from './catalog/look_up';
+import { completenessTable, totals } from './catalog/totals';
+
+const measures: readonly (readonly [Measure, string])[] = [
+  ['ratio', 'blocks / bound'],
+  ['gap', 'blocks over the bound'],
+  ['status', 'status'],
+];
 
 export const catalog: Page = {
   path: 'catalog',
   title: 'Catalog',
-  
-  render(view: View) {
-    fill(view.root, h('h1', {}, 'Catalog'));
+  async render(view: View) {
+    const frozen = isCopy();
+    const copied = (frozen && (await about()).ranges) || [];
+    const offered = changes.filter(([m]) => copied.length === 0 || copied.some((range) => range.change === Number(m)));
+    const state = {
+      change: Number(view.params.get('change') ?? (offered.some(([m]) => m === '2') ? 2 : (offered[0]?.[0] ?? 2))),
+      kind: (view.params.get('kind') ?? 'circular') as Kind,
+      k: view.params.get('k') ?? '3..12',
+      v: view.params.get('v') ?? '5..50',
+      measure: (view.params.get('measure') ?? 'ratio') as Measure,
+    };
+    let cells = new Map<string, TableCell>();
+    let asking = new AbortController();
+    view.signal.addEventListener('abort', () => asking.abort());
+
+    const readout = h('div', { class: 'readout', 'aria-live': 'off' });
+    const said = h('div');
+    const sums = h('div', { class: 'sums' });
+    const map = heatMap(
+      (v, k) => sayCell(cells.get(`${v}.${k}`) ?? none(v, k)),
+      (v, k) => {
+        read(cells.get(`${v}.${k}`) ?? none(v, k));
+        view.go({ at: `${v}.${k}` }, { quiet: true });
+        map.mark(v, k);
+      },
+      (v, k) => (window.location.hash = link('cell', { v, k, change: state.change, kind: state.kind })),
+    );
+    const list = cellTable(view);
+    const complete = h('details', { class: 'completeness' }, h('summary', {}, 'How complete the whole catalog is, by block size'), h('div', { class: 'inside' }));
+
+    function none(v: number, k: number): TableCell {
+      return { v, k, change: state.change, kind: state.kind, b: null, lower_bound: null, status: 'unknown', construction: null, label: null };
+    }
+
+    function read(cell: TableCell): void {
+      const measure = gap(cell);
+      const to = { v: cell.v, k: cell.k, change: cell.change, kind: cell.kind };
+      fill(
+        readout,
+        h('h2', {}, `v = ${cell.v}, k = ${cell.k} `, badge(cell.status)),
+        h(
+          'dl',
+          { class: 'facts' },
+          h('dt', {}, 'blocks'),
+          h('dd', {}, cell.b === null ? 'none known' : number(cell.b)),
+          h('dt', {}, 'lower bound'),
+          h('dd', {}, cell.lower_bound === null ? '–' : number(cell.lower_bound), measure ? ` (gap ${measure}, b / bound ${ratio(cell.b!, cell.lower_bound!)})` : ''),
+          h('dt', {}, 'construction'),
+          h('dd', {}, cell.construction ?? '–'),
+        ),
+        h('p', {}, h('a', { href: link('cell', to) }, 'Bounds, recipe, history'), cell.b !== null && [' · ', h('a', { href: link('design', to) }, 'The design')]),
+      );
+    }
+
+    async function drawMap(query: TableQuery, signal: AbortSignal): Promise<void> {
+      const svg = await heatmap(query, state.measure, theme(), signal);
+      map.show(svg);
+      const at = /^(\d+)\.(\d+)$/.exec(view.params.get('at') ?? '');
+      if (at) {
+        map.mark(Number(at[1]), Number(at[2]));
+      }
+    }
+
+    async function refresh(): Promise<void> {
+      asking.abort();
+      asking = new AbortController();
+      const signal = asking.signal;
+      const query = { change: state.change, kind: state.kind, k: state.k, v: state.v };
+      fill(said);
+      map.element.setAttribute('aria-busy', 'true');
+      fill(complete.lastElementChild!);
+      complete.dataset['for'] = '';
+      if (complete.open) {
+        void fillCompleteness();
+      }
+      try {
+        const picture = drawMap(query, signal);
+        picture.catch(() => undefined);
+        const answer = await table(query, signal);
+        cells = new Map(answer.map((cell) => [`${cell.v}.${cell.k}`, cell]));
+        list.show(answer);
+        fill(sums, totals(answer));
+        const at = cells.get(view.params.get('at') ?? '');
+        at ? read(at) : fill(readout, h('p', { class: 'hint' }, 'Point at a cell of the map, or walk through it by the arrow keys: what is known is said here.'));
+        await picture;
+        announce(`${answer.length} cells`);
+      } catch (fault) {
+        if (!signal.aborted) {
+          fill(said, problem(fault));
+        }
+      }
+      if (!signal.aborted) {
+        map.element.removeAttribute('aria-busy');
+      }
+    }
+
+    async function fillCompleteness(): Promise<void> {
+      const wanted = `${state.change}.${state.kind}`;
+      if (complete.dataset['for'] === wanted) {
+        return;
+      }
+      complete.dataset['for'] = wanted;
+      const inside = complete.lastElementChild!;
+      try {
+        fill(inside, h('p', { class: 'hint' }, 'Counting…'));
+        fill(inside, completenessTable(await completeness(asking.signal), state.change, state.kind));
+      } catch (fault) {
+        if (!asking.signal.aborted) {
+          fill(inside, problem(fault));
+        }
+      }
+    }
+    complete.addEventListener('toggle', () => complete.open && void fillCompleteness());
+
+    function set(name: keyof typeof state, value: string): void {
+      Object.assign(state, { [name]: name === 'change' ? Number(value) : value });
+      view.go({ [name]: value }, { quiet: true });
+      void refresh();
+    }
+    const range = (name: 'k' | 'v'): HTMLInputElement => {
+      const input = h('input', {
+        type: 'text',
+        class: 'range',
+        value: state[name],
+        autocomplete: 'off',
+        onchange: () => {
+          const good = readRange(input.value) !== null;
+          good ? input.removeAttribute('aria-invalid') : input.setAttribute('aria-invalid', 'true');
+          if (good) {
+            set(name, input.value.trim());
+          } else {
+            fill(said, problem(new Error(`“${input.value}” is no range: write it as 3..12, or one number.`)));
+          }
+        },
+      });
+      return input;
+    };
+
+    fill(
+      view.root,
+      h('div', { class: 'title-row' }, h('h1', {}, 'Change covering designs'), lookUp(() => state)),
+      h(
+        'p',
+        {},
+        'Lists of blocks, each ', h('var', {}, 'k'), ' of ', h('var', {}, 'v'), ' elements, in which every two elements are together in some block, and each block differs from the one before in exactly ', h('var', {}, 'm'),
+        ' elements. A cell of the map is a pair of parameters; the fewer blocks, the better.',
+      ),
+      glossary(),
+      h(
+        'div',
+        { class: 'row controls' },
+        field('Change number', select(String(state.change), offered, (value) => set('change', value))),
+        field('Kind', select(state.kind, kinds, (value) => set('kind', value))),
+        field('k, block size', range('k')),
+        field('v, elements', range('v')),
+        frozen && h('p', { class: 'hint' }, 'This static copy draws the whole range that it has; the table follows k and v.'),
+        field('Colour says', select(state.measure, measures, (value) => set('measure', value))),
+      ),
+      said,
+      h('div', { class: 'map-and-readout' }, map.element, readout),
+      sums,
+      list.element,
+      complete,
+    );
+    document.title = `${state.kind} ${changeWord(state.change)} designs · Changeover`;
+    let first = true;
+    withTheme(view.signal, () => {
+      if (!first) {
+        void drawMap({ change: state.change, kind: state.kind, k: state.k, v: state.v }, asking.signal).catch(() => undefined);
+      }
+      first = false;
+    });
+    await refresh();
   },
 };

@@ -1,11 +1,217 @@
-import { fill, h } from '../lib/dom';
-import type { Page, View } from '../shell/router';
+import { ApiError, address, hasToken, post, type Design, type Kind } from '../lib/api';
+import { field, fill, h, select } from '../lib/dom';
+import { keepLocal, keepText, keptText } from '../lib/local';
+import { longestWord, pack, unpack } from '../lib/share';
+import { bytes, changes, kinds } from '../lib/words';
+import { about } from '../shell/about';
+import { link, problem, type Page, type View } from '../shell/router';
+import { blockList, defects } from './verify/blocks';
+import { check, type Report } from './verify/check';
+import { examples } from './verify/examples';
+import { excerpt, lineRange } from './verify/excerpt';
+import { elementTable, facts, headline } from './verify/verdict';
 
-export const verify: Page = {
-  path: 'verify',
-  title: 'Verify',
-  live: true,
-  render(view: View) {
-    fill(view.root, h('h1', {}, 'Verify'));
-  },
-};
+/** Larger texts are not put into the field, only named. */
+const longestShown = 1_000_000;
+/** Elements in all blocks together, beyond which the viewer would take its time. */
+const longestViewed = 2_000_000;
+/** A file that was chosen is there when one comes back to the page, but not after a reload. */
+let file: File | null = null;
+
+function designOf({ blocks: { v, k, b, change, kind, strength, labels, blocks }, answer }: Report): Design {
+  const list = Array.from({ length: b }, (_, i) => [...blocks.subarray(i * k, (i + 1) * k)]);
+  return { format: 'changeover-design/1', v, k, change, kind, ...(strength === 2 ? {} : { strength }), blocks: list, ...(labels ? { labels } : {}), verdict: answer.verdict };
+}
+
+async function firstText(view: View): Promise<string> {
+  const example = examples.find(({ name }) => name === view.params.get('example'));
+  if (example) {
+    return example.text;
+  }
+  const word = view.params.get('text');
+  const linked = word ? await unpack(word) : null;
+  return typeof linked === 'string' ? linked : view.params.has('pasted') || view.params.has('kept') ? (keptText() ?? '') : '';
+}
+
+async function render(view: View): Promise<void> {
+  let running: AbortController | null = null;
+  const text = h('textarea', { spellcheck: 'false', autocomplete: 'off', autocapitalize: 'off', placeholder: '0 1 2 3\n2 3 4 5\n…', 'aria-label': 'The design: a block a line, or any format that Changeover reads' });
+  const chosen = h('div', { class: 'note chosen', hidden: true });
+  const result = h('div', { class: 'result' });
+  const pick = h('input', { type: 'file', class: 'unseen', tabindex: -1, 'aria-label': 'A file with a design', onchange: () => pick.files?.[0] && take(pick.files[0]) });
+  const v = h('input', { type: 'number', min: 2, value: view.params.get('v') ?? '', placeholder: 'as in the file', onchange: () => view.go({ v: v.value }, { quiet: true }) });
+  const change = select(view.params.get('change') ?? '', [['', 'as in the file'], ...changes], (value) => view.go({ change: value }, { quiet: true }));
+  const kind = select(view.params.get('kind') ?? '', [['', 'as in the file'], ...kinds], (value) => view.go({ kind: value as Kind }, { quiet: true }));
+  const go = h('button', { type: 'submit' }, 'Check');
+
+  function show(content: string): void {
+    file = null;
+    pick.value = '';
+    text.value = content;
+    text.hidden = false;
+    chosen.hidden = true;
+  }
+  function showFile(content: File): void {
+    file = content;
+    text.hidden = true;
+    chosen.hidden = false;
+    fill(chosen, h('p', {}, h('strong', {}, content.name), `, ${bytes(content.size)}: too long to be shown here, and checked all the same.`), h('button', { type: 'button', class: 'plain', onclick: () => show('') }, 'Take it away'));
+  }
+  async function take(content: File): Promise<void> {
+    view.go({ example: null, text: null, pasted: null, pair: null }, { quiet: true });
+    content.size > longestShown ? showFile(content) : show(await content.text());
+    await run();
+  }
+
+  /** The text goes into the link if it is short, else into the storage of this window. */
+  async function remember(content: string): Promise<void> {
+    const example = examples.find((each) => each.text === content);
+    const word = example ? null : await pack(content);
+    const short = word !== null && word.length <= longestWord;
+    if (!example && !short) {
+      keepText(content);
+    }
+    view.go({ example: example?.name ?? null, text: short ? word : null, kept: example || short ? null : 1, pasted: null }, { quiet: true });
+  }
+
+  async function run(): Promise<void> {
+    const body = file ?? text.value;
+    if (typeof body === 'string' && body.trim() === '') {
+      fill(result, problem(new Error('There is nothing to check yet: paste a design, choose a file, or take one of the examples.')));
+      text.focus();
+      return;
+    }
+    running?.abort();
+    const mine = (running = new AbortController());
+    const stop = () => mine.abort();
+    view.signal.addEventListener('abort', stop, { once: true });
+    go.disabled = true;
+    fill(result, h('p', { class: 'note', role: 'status' }, typeof body === 'string' ? 'Checking …' : `Checking ${bytes(body.size)} … `, h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop')));
+    try {
+      if (typeof body === 'string') {
+        await remember(body);
+      }
+      const report = await check({ url: address('verify', { v: v.value, change: change.value, kind: kind.value }), body }, mine.signal);
+      fill(result, headline(report), actions(report, body), h('div', { class: 'verify-parts' }, report.blocks.shown ? blockList(report, view) : defects(report), h('div', {}, facts(report), elementTable(report))));
+    } catch (fault) {
+      if (!mine.signal.aborted) {
+        await showFault(fault, body);
+      } else if (!view.signal.aborted && running === mine) {
+        fill(result, h('p', { class: 'note' }, 'Stopped.'));
+      }
+    } finally {
+      view.signal.removeEventListener('abort', stop);
+      if (running === mine) {
+        go.disabled = false;
+      }
+    }
+  }
+
+  async function showFault(fault: unknown, body: string | Blob): Promise<void> {
+    const line = fault instanceof ApiError ? fault.line : undefined;
+    fill(
+      result,
+      h('h2', {}, 'This could not be read'),
+      problem(fault),
+      line && (await excerpt(body, line, (fault as ApiError).column)),
+      line && typeof body === 'string' && h('button', { type: 'button', class: 'plain', onclick: () => (text.focus(), text.setSelectionRange(...lineRange(text.value, line))) }, `Go to line ${line} in the text`),
+    );
+  }
+
+  function actions(report: Report, body: string | Blob): HTMLElement {
+    const said = h('span', { role: 'status' });
+    const add = h('button', {
+      type: 'button',
+      class: 'plain',
+      onclick: async () => {
+        add.disabled = true;
+        try {
+          const { label, already } = await post<{ label: string; already: boolean }>('catalog/add', { v: v.value, change: change.value, kind: kind.value }, body, view.signal);
+          fill(said, already ? 'Your catalog has it already: ' : 'Added to your catalog: ', h('a', { href: link('design', { label }) }, label), '.');
+        } catch (fault) {
+          add.disabled = false;
+          fill(said, problem(fault));
+        }
+      },
+    }, 'Add to my catalog');
+    const row = h(
+      'div',
+      { class: 'row actions' },
+      report.blocks.shown && report.blocks.blocks.length <= longestViewed && h('a', { class: 'button plain', href: link('design', { local: 1 }), onclick: () => keepLocal(designOf(report)) }, 'Open in the viewer'),
+      h('a', { class: 'button plain', href: link('cell', { v: report.blocks.v, k: report.blocks.k, change: report.blocks.change, kind: report.blocks.kind }) }, 'What is known for these parameters'),
+    );
+    if (report.answer.valid) {
+      about().then(({ write }) => {
+        if (write && hasToken()) {
+          row.append(add, said);
+        } else {
+          row.append(h('span', { class: 'hint' }, write ? 'To add it to your catalog, open the address that changeover serve printed, with its token.' : 'This server was started with --no-write: it adds nothing to a catalog.'));
+        }
+      }, () => undefined);
+    }
+    return row;
+  }
+
+  const drop = h(
+    'form',
+    {
+      class: 'verify-form',
+      onsubmit: (event) => {
+        event.preventDefault();
+        view.go({ pair: null }, { quiet: true });
+        void run();
+      },
+      ondragover: (event) => {
+        event.preventDefault();
+        drop.classList.add('over');
+      },
+      ondragleave: () => drop.classList.remove('over'),
+      ondrop: (event) => {
+        event.preventDefault();
+        drop.classList.remove('over');
+        const dropped = (event as DragEvent).dataTransfer?.files[0];
+        if (dropped) {
+          void take(dropped);
+        }
+      },
+    },
+    h('div', { class: 'verify-input' }, text, chosen, h('p', { class: 'hint' }, 'A block a line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here.')),
+    h(
+      'div',
+      { class: 'row' },
+      field('elements v', v),
+      field('changes', change),
+      field('kind', kind),
+      go,
+      h('button', { type: 'button', class: 'plain', onclick: () => pick.click() }, 'Choose a file …'),
+      pick,
+    ),
+  );
+  text.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter' && (event.ctrlKey || event.metaKey)) {
+      drop.requestSubmit();
+    }
+  });
+  fill(
+    view.root,
+    h('h1', {}, 'Verify a design'),
+    h('p', {}, 'Is a list of blocks a change covering design, and how good? Every pair of elements must be in some block, and every step from a block to the next must change exactly m elements.'),
+    h('p', { class: 'examples' }, 'Try ', examples.map(({ name, title }, i) => [i === 0 ? '' : ', ', h('a', { href: link('verify', { example: name }) }, title)]).flat(), '.'),
+    drop,
+    result,
+  );
+  const start = await firstText(view);
+  if (view.signal.aborted) {
+    return;
+  }
+  if (start !== '') {
+    show(start);
+  } else if (file) {
+    showFile(file);
+  }
+  if (start !== '' || file) {
+    await run();
+  }
+}
+
+export const verify: Page = { path: 'verify', title: 'Verify', live: true, render };

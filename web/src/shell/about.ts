@@ -3,19 +3,25 @@ import type { About } from '../lib/api';
 
 let known: Promise<About> | undefined;
 
-/** `data/config.json` says that there is no server behind these pages; where it is missing, there is one. */
+/** Where a static export has its files, relative to the page. */
+export function dataFolder(): string {
+  return document.querySelector<HTMLMetaElement>('meta[name="changeover-data"]')?.content ?? 'data/';
+}
+
+/** Whether these pages are a static export: they say so themselves (`<meta name="changeover-data" content="data/">`). */
+export function isCopy(): boolean {
+  return document.querySelector('meta[name="changeover-data"]') !== null;
+}
+
+/** Asks the server, or `config.json` of the static export. */
 export function about(): Promise<About> {
   known ??= (async () => {
-    const live = await fetch('api/about').catch(() => null);
-    if (live?.ok && live.headers.get('content-type')?.startsWith('application/json')) {
-      return (await live.json()) as About;
-    }
-    const kept = await fetch('data/config.json').catch(() => null);
-    if (kept?.ok) {
-      return (await kept.json()) as About;
+    const answer = await fetch(isCopy() ? `${dataFolder()}config.json` : 'api/about').catch(() => null);
+    if (answer?.ok) {
+      return (await answer.json()) as About;
     }
     known = undefined;
-    throw new Error('The server does not answer. Is `changeover serve` still running?');
+    throw new Error(isCopy() ? 'This copy is not complete: data/config.json is missing.' : 'The server does not answer. Is `changeover serve` still running?');
   })();
   return known;
 }

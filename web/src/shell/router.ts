@@ -83,11 +83,25 @@ export class Router {
     }
     this.entered(page);
     const signal = this.leaving.signal;
+    // Each drawing has a place of its own: what a page that was left still writes is not seen. What was there before stays until
+    // the page has something to show.
+    const before = [...this.root.childNodes];
+    const place = h('div', { class: 'page' });
+    this.root.append(place);
+    const shown = () => {
+      filled.disconnect();
+      before.forEach((node) => node.remove());
+    };
+    const filled = new MutationObserver(shown);
+    filled.observe(place, { childList: true });
     const view: View = {
-      root: this.root,
+      root: place,
       params,
       signal,
       go: (changes, how = {}) => {
+        if (signal.aborted) {
+          return;
+        }
         for (const [name, value] of Object.entries(changes)) {
           value === null || value === '' ? params.delete(name) : params.set(name, String(value));
         }
@@ -107,6 +121,7 @@ export class Router {
     this.root.setAttribute('aria-busy', 'true');
     const done = () => {
       if (!signal.aborted) {
+        shown();
         this.root.removeAttribute('aria-busy');
       }
     };
@@ -114,7 +129,7 @@ export class Router {
       .then(() => page.render(view))
       .then(done, (fault: unknown) => {
         if (!signal.aborted) {
-          this.root.append(problem(fault));
+          place.append(problem(fault));
           done();
         }
       });

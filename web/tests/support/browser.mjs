@@ -5,7 +5,8 @@
 //     await look(page, 'catalog');                          // screenshots in light and dark, and what axe-core finds
 //     await explorer.stop();
 //
-// CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_SCREENSHOTS the folder for pictures
+// CHANGEOVER_PROGRAM names the program (default: the one in build/release), CHANGEOVER_ASSETS a folder of pages to serve in place
+// of those in the program, CHANGEOVER_SCREENSHOTS the folder for pictures
 // (default: build/browser), CHROMIUM the browser (default: /usr/bin/chromium).
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
@@ -18,13 +19,14 @@ import { chromium } from 'playwright-core';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..', '..');
 export const program = process.env.CHANGEOVER_PROGRAM ?? join(root, 'build/release/changeover');
-const screenshots = process.env.CHANGEOVER_SCREENSHOTS ?? join(root, 'build/browser');
+export const screenshots = process.env.CHANGEOVER_SCREENSHOTS ?? join(root, 'build/browser');
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
 /** Starts `changeover serve` with more arguments; resolves when it has printed its address. */
 export async function serve(arguments_ = []) {
   const home = mkdtempSync(join(tmpdir(), 'changeover-browser-'));
-  const child = spawn(program, ['serve', '--port', '0', ...arguments_], {
+  const assets = process.env.CHANGEOVER_ASSETS ? ['--assets', process.env.CHANGEOVER_ASSETS] : [];
+  const child = spawn(program, ['serve', '--port', '0', ...assets, ...arguments_], {
     env: { ...process.env, XDG_DATA_HOME: home, CHANGEOVER_CATALOG: join(home, 'catalog.db') },
     stdio: ['ignore', 'pipe', 'pipe'],
   });
@@ -55,9 +57,9 @@ export async function serve(arguments_ = []) {
   };
 }
 
-/** A server and a browser. Options: `serve` (arguments), `viewport`, `colorScheme`. */
+/** A server and a browser. Options: `serve` (arguments) or `at` (what serves the pages instead of the program), `viewport`, `colorScheme`. */
 export async function start(options = {}) {
-  const server = await serve(options.serve);
+  const server = options.at ?? (await serve(options.serve));
   const profile = mkdtempSync(join(tmpdir(), 'changeover-chromium-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',

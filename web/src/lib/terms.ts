@@ -1,0 +1,21 @@
+// The field's terms, a sentence each, for the place where a newcomer meets them.
+export const terms = {
+  v: 'how many elements there are',
+  k: 'how many elements are in a block',
+  change: 'how many elements each block has that the one before it has not',
+  kind: 'circular: the first block follows the last by the same rule; linear: it need not',
+  blocks: 'how many sets are in the list, b for short',
+  bound: 'no design of these parameters has fewer blocks; the reason is a theorem',
+  valid: 'every pair of elements is in some block, and every step changes exactly m elements',
+  tight: 'every pair is newly covered exactly once, so nothing is wasted',
+  economical: 'it has as many blocks as counting pairs alone says it must have',
+  minimum: 'no design with these parameters has fewer blocks',
+  excess: 'how often pairs are newly covered beyond once',
+  covered: 'two elements are covered when they are together in a block',
+  introduced: 'an element is introduced in a block if it was not in the one before',
+  leaving: 'an element is leaving if it is not in the next block',
+  unchanged: 'what two consecutive blocks have in common',
+  introductions: 'i_x: how many times x is introduced',
+  occurrences: 'r_x: how many blocks x is in',
+  surplus: 'e_x: how many of the pairs with x are newly covered beyond once',
+} as const;

@@ -1,0 +1,75 @@
+// The look-up box: a cell in any spelling, a label, or a design as it stands.
+import type { Kind } from '../../lib/api';
+import { fill, h } from '../../lib/dom';
+import { keepText } from '../../lib/local';
+import { cellOfLabel } from '../../lib/source';
+import { link } from '../../shell/router';
+
+export type Found = { to: string; paste?: string } | { problem: string };
+
+/** Where `text` leads to. `change` and `kind` hold where it does not say. */
+export function understand(text: string, change: number, kind: Kind): Found {
+  const plain = text.trim();
+  if (plain === '') {
+    return { problem: 'Type v and k, as 20 5, or a label, as 20.5.2.linear.' };
+  }
+  if (/\n/.test(plain) || /[{<[]/.test(plain)) {
+    return { to: link('verify', { pasted: 1 }), paste: text };
+  }
+  const cell = cellOfLabel(plain);
+  if (cell) {
+    const rest = plain.replace(/^\d+\.\d+\.\d+\.(circular|linear)(\.t\d+)?/, '');
+    return { to: rest === '' || rest === '.' ? link('cell', { ...cell }) : link('design', { label: plain }) };
+  }
+  let words = plain.toLowerCase();
+  const wordChange = /\b(?:m|change)\s*=?\s*(\d+)/.exec(words)?.[1] ?? (/\bsingle|\bsccd/.test(words) ? '1' : /\bdouble|\bdccd/.test(words) ? '2' : null);
+  const wordKind = /\b(circular|linear)\b/.exec(words)?.[1] ?? kind;
+  words = words.replace(/\b(?:m|change)\s*=?\s*\d+/, '');
+  const named = [/\bv\s*=?\s*(\d+)/.exec(words)?.[1], /\bk\s*=?\s*(\d+)/.exec(words)?.[1]];
+  const bare = words.match(/\d+/g) ?? [];
+  const [v, k] = named[0] && named[1] ? named : bare;
+  if (v && k && (named[0] || bare.length <= 3) && words.replace(/[\d\s(),;=]|[vk]\b|circular|linear|single|double|change|sccd|dccd|-/g, '') === '') {
+    return { to: link('cell', { v, k, change: wordChange ?? (bare.length === 3 && !named[0] ? bare[2] : change), kind: wordKind }) };
+  }
+  return { problem: `“${plain.slice(0, 60)}” is neither v and k (20 5), nor a label (20.5.2.linear), nor a design with a block in each line.` };
+}
+
+export function lookUp(here: () => { change: number; kind: Kind }): HTMLElement {
+  const message = h('p', { class: 'hint', id: 'look-up-says' }, 'v and k as in 20 5, a label as in 20.5.2.linear, or paste a whole design.');
+  const input = h('input', { id: 'look-up', type: 'text', autocomplete: 'off', spellcheck: 'false', placeholder: '20 5', 'aria-describedby': message.id });
+  const go = (text: string): void => {
+    const { change, kind } = here();
+    const found = understand(text, change, kind);
+    if ('problem' in found) {
+      message.className = 'hint wrong';
+      message.setAttribute('role', 'alert');
+      fill(message, found.problem);
+      return;
+    }
+    if (found.paste !== undefined) {
+      keepText(found.paste);
+    }
+    window.location.hash = found.to;
+  };
+  input.addEventListener('paste', (event) => {
+    const text = event.clipboardData?.getData('text') ?? '';
+    if (text.trim().includes('\n')) {
+      event.preventDefault();
+      go(text);
+    }
+  });
+  return h(
+    'form',
+    {
+      class: 'look-up',
+      role: 'search',
+      onsubmit: (event) => {
+        event.preventDefault();
+        go(input.value);
+      },
+    },
+    h('label', { for: input.id }, 'Look up a design'),
+    h('div', { class: 'look-up-row' }, input, h('button', {}, 'Look up')),
+    message,
+  );
+}

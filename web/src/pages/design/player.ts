@@ -1,0 +1,208 @@
+// Stepping through a design: the memory of k slots, who enters and leaves, and which pairs have met so far.
+import type { Design } from '../../lib/api';
+import { fill, h, select } from '../../lib/dom';
+import { count, number } from '../../lib/words';
+import { busyKey } from '../../parts/fields';
+import { coverage } from './coverage';
+import { Steps } from './steps';
+
+const speeds: readonly (readonly [string, string])[] = [
+  ['1', '1 block a second'],
+  ['3', '3 blocks a second'],
+  ['10', '10 blocks a second'],
+  ['30', '30 blocks a second'],
+  ['200', '200 blocks a second'],
+];
+
+interface Options {
+  /** The block to begin with, from 1. */
+  at: number;
+  speed: string;
+  signal: AbortSignal;
+  /** Called a moment after the block or the speed has changed. */
+  moved(at: number, speed: string): void;
+}
+
+/** Fills `panel` with the player, as soon as the pairs are counted. */
+export async function openPlayer(panel: HTMLElement, design: Design, options: Options): Promise<void> {
+  const share = h('progress', { max: 1, value: 0, 'aria-label': 'Pairs are being counted' });
+  const waiting = window.setTimeout(() => fill(panel, h('p', {}, 'Counting pairs… ', share)), 150);
+  try {
+    const steps = await Steps.soon(design, options.signal, (done) => (share.value = done));
+    fill(panel, player(steps, design, options));
+  } catch (fault) {
+    if (!options.signal.aborted) {
+      throw fault;
+    }
+  } finally {
+    window.clearTimeout(waiting);
+  }
+}
+
+function player(steps: Steps, design: Design, options: Options): HTMLElement {
+  const b = steps.b;
+  const circular = design.kind === 'circular';
+  let at = Math.min(b, Math.max(1, options.at));
+  let speed = speeds.some(([each]) => each === options.speed) ? options.speed : '3';
+  let playing = false;
+  let timer = 0;
+  let note = 0;
+
+  const map = coverage(steps);
+  const pair = h('div', { class: 'pair' }, '\u00a0');
+  map?.element.addEventListener('pointermove', (event) => (pair.textContent = map.pairAt(event) || '\u00a0'));
+  map?.element.addEventListener('pointerleave', () => (pair.textContent = '\u00a0'));
+  const slots = h('ol', { class: 'slots', 'aria-label': 'Memory: the block, slot by slot' });
+  const words = h('div', { class: 'step-words' });
+  const met = h('p', { class: 'met' });
+  const bar = h('progress', { max: steps.allPairs || 1, value: 0, 'aria-label': 'Pairs that have met' });
+  const slider = h('input', { type: 'range', min: 1, max: b, value: at, step: 1, 'aria-label': 'Block', oninput: () => go(Number(slider.value)) });
+  const where = h('input', { type: 'number', min: 1, max: b, value: at, 'aria-label': 'Number of the block', onchange: () => go(Number(where.value) || 1) });
+  const button = (sign: string, label: string, keys: string, act: () => void): HTMLButtonElement =>
+    h('button', { type: 'button', class: 'plain', 'aria-label': label, title: `${label} (${keys})`, onclick: act }, sign);
+  const first = button('«', 'First block', 'Home', () => go(1));
+  const back = button('‹', 'Block before', '←', () => go(at - 1));
+  const play = button('Play', 'Play', 'space', () => toggle());
+  const next = button('›', 'Next block', '→', () => go(at + 1));
+  const last = button('»', 'Last block', 'End', () => go(b));
+  play.classList.remove('plain');
+  play.classList.add('play');
+
+  function show(): void {
+    const { slots: memory, entered, left } = steps.step(at);
+    const isNew = new Set(entered);
+    // Who left a slot stands below who took it, in the order in which both were found.
+    const gone = at > 1 ? steps.step(at - 1).slots : null;
+    fill(
+      slots,
+      [...memory].map((element, i) => {
+        const before = gone?.[i] ?? -1;
+        const entering = element >= 0 && isNew.has(element) && at > 1;
+        return h(
+          'li',
+          { class: element < 0 ? 'empty' : entering ? 'entering' : 'staying' },
+          h('span', { class: 'name' }, element < 0 ? '' : steps.names[element]!),
+          h('span', { class: 'gone' }, before >= 0 && before !== element ? h('del', {}, steps.names[before]!) : '\u00a0'),
+        );
+      }),
+    );
+    const list = (elements: number[]): string => elements.map((each) => steps.names[each]).join(', ') || 'none';
+    const fresh = steps.newPairs(at);
+    fill(
+      words,
+      h('p', { class: 'block-text' }, `Block ${number(at)} of ${number(b)}: `, h('span', { class: 'code' }, `{${[...steps.block(at)].map((each) => steps.names[each]).join(', ')}}`)),
+      at === 1
+        ? h('p', {}, 'The first block: all its elements come in.', circular && ' As the design is circular, it also follows the last one.')
+        : h('p', {}, h('span', { class: 'in' }, `Introduced: ${list(entered)}`), ' · ', h('span', { class: 'out' }, `leaving: ${list(left)}`), ` · unchanged: ${steps.block(at).length - entered.length}`),
+      fresh !== null && h('p', {}, `${count(fresh, 'pair')} ${fresh === 1 ? 'meets' : 'meet'} for the first time here.`),
+    );
+    if (steps.pairs) {
+      const done = steps.pairs[at]!;
+      bar.value = done;
+      fill(met, h('strong', {}, number(done)), ` of ${number(steps.allPairs)} pairs have met (${steps.allPairs ? Math.floor((100 * done) / steps.allPairs) : 100} %)`);
+    }
+    map?.show(at);
+    slider.value = String(at);
+    slider.setAttribute('aria-valuetext', `block ${at} of ${b}`);
+    if (document.activeElement !== where) {
+      where.value = String(at);
+    }
+    for (const [button, off] of [[first, at === 1], [back, at === 1], [next, at === b], [last, at === b]] as const) {
+      off ? button.setAttribute('aria-disabled', 'true') : button.removeAttribute('aria-disabled');
+    }
+  }
+
+  function go(n: number): void {
+    const to = Math.min(b, Math.max(1, Math.round(n)));
+    if (to !== at) {
+      at = to;
+      show();
+    }
+    remember();
+  }
+
+  function remember(): void {
+    window.clearTimeout(note);
+    note = window.setTimeout(() => !options.signal.aborted && options.moved(at, speed), playing ? 1000 : 150);
+  }
+
+  function toggle(): void {
+    playing = !playing;
+    play.textContent = playing ? 'Pause' : 'Play';
+    play.setAttribute('aria-label', playing ? 'Pause' : 'Play');
+    if (playing) {
+      if (at === b) {
+        go(1);
+      }
+      let then = performance.now();
+      let owed = 0;
+      const tick = (now: number): void => {
+        if (!playing || options.signal.aborted) {
+          return;
+        }
+        owed += ((now - then) * Number(speed)) / 1000;
+        then = now;
+        const whole = Math.floor(Math.min(owed, b));
+        if (whole > 0) {
+          owed -= whole;
+          // Fast play steps over blocks in one picture, but counts them all.
+          go(at + whole);
+        }
+        if (at === b) {
+          toggle();
+        } else {
+          timer = requestAnimationFrame(tick);
+        }
+      };
+      timer = requestAnimationFrame(tick);
+    } else {
+      cancelAnimationFrame(timer);
+      remember();
+    }
+  }
+
+  const keys: Record<string, () => void> = { ArrowLeft: () => go(at - 1), ArrowRight: () => go(at + 1), Home: () => go(1), End: () => go(b), ' ': toggle };
+  document.addEventListener(
+    'keydown',
+    (event) => {
+      const act = keys[event.key];
+      const press = event.key === ' ' ? ', button, a, summary' : '';
+      if (act && !event.shiftKey && !busyKey(event, press)) {
+        event.preventDefault();
+        if (playing && event.key !== ' ') {
+          toggle();
+        }
+        act();
+      }
+    },
+    { signal: options.signal },
+  );
+  document.addEventListener('themechange', () => map?.recolour(), { signal: options.signal });
+  options.signal.addEventListener('abort', () => {
+    playing = false;
+    cancelAnimationFrame(timer);
+    window.clearTimeout(note);
+  });
+
+  show();
+  return h(
+    'div',
+    { class: 'player' },
+    h(
+      'div',
+      { class: 'player-left' },
+      h('div', { class: 'transport', role: 'group', 'aria-label': 'Steps' }, first, back, play, next, last, where, h('span', { class: 'hint' }, `of ${number(b)}`)),
+      slider,
+      h('div', { class: 'speed' }, h('label', {}, 'Speed ', select(speed, speeds, (value) => {
+        speed = value;
+        remember();
+      })), h('span', { class: 'hint keys' }, h('kbd', {}, '←'), ' ', h('kbd', {}, '→'), ' step, ', h('kbd', {}, 'Home'), ' ', h('kbd', {}, 'End'), ', ', h('kbd', {}, 'space'), ' plays')),
+      slots,
+      words,
+      steps.pairs ? [met, bar] : h('p', { class: 'hint' }, 'There are too many elements to count pairs in a page.'),
+    ),
+    map
+      ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key key-anew' }), ' meets in this block, ', h('span', { class: 'key key-met' }), ' has met, ', h('span', { class: 'key key-not' }), ' not yet.', pair))
+      : h('p', { class: 'hint' }, 'The map of pairs is drawn for up to 512 elements.'),
+  );
+}

@@ -1,0 +1,122 @@
+// One search, watched: best and bound as they were over time, how fast it goes, and what can be done with what it found.
+import { get, post, type SearchJob } from '../../lib/api';
+import { fill, h } from '../../lib/dom';
+import { nameOf, number } from '../../lib/words';
+import { plot } from '../../parts/plot';
+import { link, problem } from '../../shell/router';
+import { found, rate, seconds } from './words';
+
+export interface Watch {
+  readonly element: HTMLElement;
+  /** News of this search. */
+  update(job: SearchJob): void;
+}
+
+/** The points are asked for no more often than this, in milliseconds. */
+const pause = 1000;
+
+export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
+  const title = h('h2', { tabindex: -1 });
+  const words = h('p', { role: 'status' });
+  const message = h('p', { class: 'hint' });
+  const progress = h('progress', { max: 1, value: 0, 'aria-label': 'Time used' });
+  const said = h('p', { role: 'status' });
+  let stopping = false;
+  const stop = h('button', { type: 'button', class: 'plain', onclick: () => ((stopping = true), act('search/stop', stop, () => (stopping ? 'Stopping …' : ''))) }, 'Stop');
+  const open = h('a', { class: 'button plain', href: link('design', { job: id }) }, 'Open in the viewer');
+  const keep = h('button', {
+    type: 'button',
+    class: 'plain',
+    onclick: () =>
+      act('search/keep', keep, (answer) => {
+        const { label, already } = answer as { label: string; already: boolean };
+        return [already ? 'Your catalog has it already: ' : 'Kept in your catalog: ', h('a', { href: link('design', { label }) }, label), '.'];
+      }),
+  }, 'Keep in my catalog');
+  const chart = plot({
+    label: 'The best number of blocks over time, with the lower bound, and the moves a second; the last numbers are in the text',
+    x: 'seconds',
+    y: 'blocks',
+    right: 'moves a second',
+    signal,
+    yText: (y) => (Number.isInteger(y) ? number(y) : ''),
+    rightText: rate,
+  });
+  const element = h('section', { class: 'watch' }, title, h('div', { class: 'row' }, progress, words), message, h('div', { class: 'row' }, stop, open, keep), said, chart.element);
+
+  async function act(path: string, button: HTMLButtonElement, done: (answer: unknown) => string | (string | Node)[]): Promise<void> {
+    button.disabled = true;
+    try {
+      fill(said, done(await post<unknown>(path, { id }, undefined, signal)));
+    } catch (fault) {
+      button.disabled = false;
+      if (!signal.aborted) {
+        fill(said, problem(fault));
+      }
+    }
+  }
+
+  let asking = false;
+  let wanted = false;
+  async function points(): Promise<void> {
+    if (asking) {
+      wanted = true;
+      return;
+    }
+    asking = true;
+    try {
+      const job = await get<SearchJob>('search', { id }, signal);
+      show(job);
+      const points = (job.points ?? []).filter((point, i, all) => i === 0 || point.seconds > all[i - 1]!.seconds);
+      chart.element.hidden = points.length < 2;
+      if (points.length > 1) {
+        chart.set(
+          points.map((point) => point.seconds),
+          [
+            { label: 'best', colour: 1, values: points.map((point) => point.best), steps: true, width: 3 },
+            { label: 'lower bound', colour: 3, values: points.map(() => job.lower_bound), dash: [8, 4] },
+            { label: 'moves a second', colour: 6, values: points.map((point) => point.rate), right: true, width: 1 },
+          ],
+        );
+      }
+    } catch (fault) {
+      if (!signal.aborted && title.textContent === '') {
+        fill(element, problem(fault), h('p', {}, 'The server forgets its searches when it stops. What was kept is in your catalog.'));
+      }
+    }
+    setTimeout(() => {
+      asking = false;
+      if (wanted && !signal.aborted) {
+        wanted = false;
+        void points();
+      }
+    }, pause);
+  }
+
+  function show(job: SearchJob): void {
+    const running = job.state === 'running';
+    const name = nameOf(job);
+    title.textContent = name[0]!.toUpperCase() + name.slice(1);
+    words.textContent = `${running ? 'Running' : job.state === 'done' ? 'Done' : job.state === 'stopped' ? 'Stopped' : 'Failed'} after ${seconds(job.seconds)}${job.limit !== undefined && running ? ` of ${seconds(job.limit)}` : ''}: ${found(job)}; ${job.lower_bound === null ? 'no lower bound is known' : `the lower bound is ${number(job.lower_bound)}`}.`;
+    message.textContent = job.message;
+    message.classList.toggle('problem', job.state === 'failed');
+    progress.hidden = !running || job.limit === undefined;
+    progress.value = job.limit ? Math.min(1, job.seconds / job.limit) : 0;
+    if (!running && stopping) {
+      stopping = false;
+      fill(said);
+    }
+    stop.hidden = !running || !mayAct;
+    open.hidden = running || job.best === null;
+    keep.hidden = running || job.best === null || !mayAct;
+  }
+  [stop, open, keep].forEach((each) => (each.hidden = true));
+  void points();
+  return {
+    element,
+    update(job) {
+      show(job);
+      void points();
+    },
+  };
+}

@@ -1,0 +1,24 @@
+// What a search is doing, in words.
+import type { SearchJob } from '../../lib/api';
+import { count, number } from '../../lib/words';
+
+export function seconds(s: number): string {
+  const whole = Math.round(s);
+  return whole < 100 ? `${whole} s` : whole < 6000 ? `${Math.floor(whole / 60)} min ${whole % 60} s` : `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
+}
+
+export const stateWords: Record<SearchJob['state'], string> = { running: 'running', done: 'done', stopped: 'stopped', failed: 'failed' };
+
+/** "87 blocks, 3 fewer than were known" */
+export function found(job: SearchJob): string {
+  const { best, start_best: start, lower_bound: bound } = job;
+  if (best === null) {
+    return job.state === 'running' ? 'nothing yet' : 'nothing found';
+  }
+  const better = start !== null && best < start ? `, ${number(start - best)} fewer than were known` : '';
+  return count(best, 'block') + better + (best === bound ? ', the minimum' : '');
+}
+
+export function rate(perSecond: number): string {
+  return perSecond >= 1e6 ? `${(perSecond / 1e6).toFixed(1)} M/s` : perSecond >= 1e3 ? `${(perSecond / 1e3).toFixed(0)} k/s` : `${Math.round(perSecond)}/s`;
+}

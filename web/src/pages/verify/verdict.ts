@@ -1,0 +1,87 @@
+// What the verdict says, with its reasons: first in a sentence, then fact by fact, then element by element.
+import { h, type Child } from '../../lib/dom';
+import { terms } from '../../lib/terms';
+import { count, nameOf, number, ratio } from '../../lib/words';
+import { virtualList } from '../../parts/virtual';
+import type { Report } from './check';
+
+function reasons({ answer, blocks }: Report): Child[] {
+  const { details, verdict, bound } = answer;
+  if (answer.valid) {
+    const what = verdict.minimum === 'proved' ? 'It is minimum: no design with these parameters has fewer blocks.' : `No design has fewer than ${count(verdict.lower_bound, 'block')}; whether one has fewer than this is not known.`;
+    return [h('p', {}, `Every one of the ${number(details.subsets)} ${blocks.strength === 2 ? 'pairs' : 'sets'} is in a block, and every step changes ${count(blocks.change, 'element')}. ${what}`), bound && h('p', { class: 'reason' }, `Lower bound (${bound.name}): ${bound.reason}`)];
+  }
+  const list: Child[] = [];
+  if (details.bad_steps > 0) {
+    list.push(h('li', {}, `${count(details.bad_steps, 'step')} ${details.bad_steps === 1 ? 'does' : 'do'} not change exactly ${count(blocks.change, 'element')}.`));
+  }
+  if (details.uncovered > 0) {
+    list.push(h('li', {}, `${number(details.uncovered)} of ${number(details.subsets)} ${blocks.strength === 2 ? 'pairs' : 'sets'} ${details.uncovered === 1 ? 'is' : 'are'} in no block.`));
+  }
+  return [h('ul', {}, list)];
+}
+
+export function headline(report: Report): HTMLElement {
+  const { answer, blocks } = report;
+  const name = `${nameOf(blocks)}${blocks.strength === 2 ? '' : ` of strength ${blocks.strength}`}`;
+  return h(
+    'div',
+    { class: `verdict ${answer.valid ? 'valid' : 'invalid'}`, role: 'status' },
+    h('h2', { tabindex: -1 }, answer.valid ? '✓ Valid' : '✗ Not a design'),
+    h('p', {}, answer.valid ? 'A ' : 'Taken as a ', h('strong', {}, name), `, with ${count(blocks.b, 'block')}.`),
+    reasons(report),
+  );
+}
+
+function yes(value: boolean): string {
+  return value ? 'yes' : 'no';
+}
+
+/** A table of what is so, and what it means. */
+export function facts({ answer, blocks }: Report): HTMLElement {
+  const { details, verdict } = answer;
+  const rows: [term: string, value: string, meaning: string][] = [
+    ['elements v', number(blocks.v), terms.v],
+    ['block size k', number(blocks.k), terms.k],
+    ['changes m', number(blocks.change), terms.change],
+    ['kind', blocks.kind, terms.kind],
+    ['blocks b', number(blocks.b), terms.blocks],
+    ['lower bound', verdict.lower_bound > 0 ? `${number(verdict.lower_bound)}${answer.valid && blocks.b > verdict.lower_bound ? ` (b is ${ratio(blocks.b, verdict.lower_bound)} times as much)` : ''}` : 'not known', terms.bound],
+    ['valid', yes(answer.valid), terms.valid],
+    ['tight', yes(verdict.tight), terms.tight],
+    ['economical', yes(verdict.economical), terms.economical],
+    ['minimum', verdict.minimum === 'proved' ? 'yes, proved' : answer.valid ? 'not known' : 'no', terms.minimum],
+    ['excess', `${number(details.excess)} of ${number(details.covered)} newly covered`, terms.excess],
+  ];
+  return h(
+    'section',
+    { class: 'verify-facts' },
+    h('h2', {}, 'Facts'),
+    h('table', { class: 'facts' }, h('tbody', {}, rows.map(([term, value, meaning]) => h('tr', {}, h('th', { scope: 'row' }, h('dfn', {}, term)), h('td', {}, value), h('td', { class: 'meaning' }, meaning))))),
+    details.fixed.length > 0 && h('p', {}, `In every block: ${details.fixed.join(', ')}.`),
+  );
+}
+
+export function elementTable({ answer }: Report): HTMLElement | null {
+  const elements = answer.details.elements;
+  if (!elements || elements.length === 0) {
+    return null;
+  }
+  const head = h('div', { class: 'element-row head', 'aria-hidden': 'true' }, ['x', 'i_x', 'r_x', 'e_x'].map((name) => h('span', {}, name)));
+  const list = virtualList({
+    label: 'Elements: how often each is introduced, in how many blocks it is, and its excess',
+    rows: elements.length,
+    row: (i) => {
+      const { element, introductions, blocks, excess } = elements[i]!;
+      return h('div', { class: 'element-row' }, [element, introductions, blocks, excess].map((value) => h('span', {}, typeof value === 'number' ? number(value) : value)));
+    },
+  });
+  return h(
+    'section',
+    { class: 'verify-elements' },
+    h('h2', {}, 'Element by element'),
+    h('p', { class: 'hint' }, `${terms.introductions}; ${terms.occurrences}; ${terms.surplus}.`),
+    head,
+    list.element,
+  );
+}

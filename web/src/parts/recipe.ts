@@ -1,0 +1,58 @@
+// How a design is made: the tree of constructions, each with what it does, and who found it.
+import type { TreeNode } from '../lib/api';
+import { h, type Child } from '../lib/dom';
+import { line } from '../lib/markup';
+import { changeWord, count, number } from '../lib/words';
+import { link } from '../shell/router';
+import { badge } from './status';
+
+/** "circular DCCD(61,4)" */
+export function shortName(cell: { v: number; k: number; change: number; kind: string }): string {
+  const family = cell.change === 1 ? 'SCCD' : cell.change === 2 ? 'DCCD' : `${cell.change}-change design `;
+  return `${cell.kind} ${family}(${cell.v},${cell.k})`;
+}
+
+/** Plain text with mathematics as the program writes it (`2*n_j >= 3k`), with theorems of ours as links. */
+export function reason(text: string): Child[] {
+  const parts: Child[] = [];
+  const said = (words: string): Child[] => line(words.replace(/>=/g, '≥').replace(/<=/g, '≤').replace(/\*/g, '·'));
+  let rest = text;
+  const pattern = /docs\/theorems\.md, Theorem (\d+)/;
+  for (let found = pattern.exec(rest); found; found = pattern.exec(rest)) {
+    parts.push(...said(rest.slice(0, found.index)), h('a', { href: link('theorems', { theorem: found[1] }) }, `Theorem ${found[1]}`));
+    rest = rest.slice(found.index + found[0].length);
+  }
+  parts.push(...said(rest));
+  return parts;
+}
+
+/** A citation without its brackets. */
+export function citation(text: string): Child[] {
+  return reason(text.startsWith('[') ? text.replace(/^\[|\]$/g, '') : text);
+}
+
+function node(tree: TreeNode, depth: number): HTMLElement {
+  const known = tree.b !== undefined && tree.verdict?.valid !== false;
+  const text = h(
+    'div',
+    { class: 'recipe-node' },
+    h(
+      'p',
+      {},
+      h('a', { href: link('cell', { v: tree.v, k: tree.k, change: tree.change, kind: tree.kind }) }, shortName(tree)),
+      known && [`, ${count(tree.b!, 'block')} `],
+      tree.verdict?.tight && h('span', { class: 'badge good' }, 'tight'),
+      tree.verdict?.minimum === 'proved' && [' ', badge('minimum')],
+    ),
+    h('p', {}, 'by ', h('a', { href: link('theorems', { construction: tree.construction }) }, h('strong', {}, tree.construction)), ': ', reason(tree.explanation)),
+    tree.citation && tree.citation !== '[elementary]' && h('p', { class: 'hint' }, citation(tree.citation)),
+  );
+  if (tree.inputs.length === 0) {
+    return h('li', {}, text);
+  }
+  return h('li', {}, text, h('details', { open: depth < 6 }, h('summary', {}, tree.inputs.length === 1 ? 'from one design' : `from ${number(tree.inputs.length)} designs`), h('ul', {}, tree.inputs.map((each) => node(each, depth + 1)))));
+}
+
+export function recipeTree(tree: TreeNode): HTMLElement {
+  return h('ul', { class: 'recipe', 'aria-label': `How the ${tree.kind} ${changeWord(tree.change)} design is made` }, node(tree, 0));
+}

@@ -1,0 +1,42 @@
+// Long tables in pieces: rows are made as the reader comes near to them.
+import { h } from '../lib/dom';
+
+const piece = 100;
+
+export interface Rows<T> {
+  readonly body: HTMLTableSectionElement;
+  /** Put behind the table: asks for more when it comes into sight. */
+  readonly more: HTMLElement;
+  show(items: readonly T[]): void;
+}
+
+export function rows<T>(draw: (item: T) => HTMLTableRowElement, signal: AbortSignal): Rows<T> {
+  const body = h('tbody');
+  const button = h('button', { type: 'button', class: 'plain', onclick: () => add() }, 'More rows');
+  const more = h('p', { class: 'more', hidden: true }, button);
+  let waiting: readonly T[] = [];
+  let shown = 0;
+  function add(): void {
+    const part = document.createDocumentFragment();
+    for (const item of waiting.slice(shown, shown + piece)) {
+      part.append(draw(item));
+    }
+    shown = Math.min(waiting.length, shown + piece);
+    body.append(part);
+    more.hidden = shown >= waiting.length;
+    button.textContent = `More rows (${shown} of ${waiting.length} shown)`;
+  }
+  const watcher = new IntersectionObserver((seen) => seen.some((each) => each.isIntersecting) && add(), { rootMargin: '200px' });
+  watcher.observe(more);
+  signal.addEventListener('abort', () => watcher.disconnect());
+  return {
+    body,
+    more,
+    show(items) {
+      waiting = items;
+      shown = 0;
+      body.replaceChildren();
+      add();
+    },
+  };
+}

@@ -1,0 +1,76 @@
+// A cell: bounds, recipe, designs of the catalog, neighbours.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { look, settled, start } from './support/browser.mjs';
+import { phone } from './support/phone.mjs';
+
+let explorer;
+before(async () => {
+  explorer = await start();
+});
+after(() => explorer.stop());
+
+test('what is known, and why', async () => {
+  const page = await explorer.open('#/cell?v=40&k=6&change=2&kind=circular');
+  assert.match(await page.locator('.known').textContent(), /92.*best known.*over the lower bound 87/s);
+  assert.match(await page.locator('table.bounds').textContent(), /counting.*stays/s);
+  assert.match(await page.locator('.recipe').first().textContent(), /partial-expansion.*cyclic.*Theorem 1/s);
+  await page.getByRole('link', { name: 'Theorem 1', exact: true }).click();
+  await page.locator('#theorem-1.chosen').waitFor();
+  await page.goBack();
+  await settled(page);
+  await page.getByRole('button', { name: /^BibTeX of/ }).first().click();
+  await page.locator('.bibtex pre', { hasText: '@misc{' }).waitFor();
+  await page.close();
+});
+
+test('a minimum says by which argument', async () => {
+  const page = await explorer.open('#/cell?v=20&k=5');
+  assert.match(await page.locator('.known').textContent(), /29.*minimum.*lower bound “degree”/s);
+  assert.equal(await page.getByRole('link', { name: 'Search for a better one' }).count(), 0);
+  await page.getByRole('link', { name: 'Open the design' }).click();
+  await page.getByRole('heading', { name: /29 blocks/ }).waitFor();
+  await page.close();
+});
+
+test('arrow keys lead to the neighbours', async () => {
+  const page = await explorer.open('#/cell?v=20&k=5');
+  await page.keyboard.press('ArrowRight');
+  await page.getByRole('heading', { name: /21 elements in blocks of 5/ }).waitFor();
+  await page.keyboard.press('ArrowDown');
+  await page.getByRole('heading', { name: /21 elements in blocks of 6/ }).waitFor();
+  await page.getByRole('link', { name: 'linear', exact: true }).click();
+  await page.getByRole('heading', { name: /^Linear/ }).waitFor();
+  await settled(page);
+  await page.close();
+});
+
+test('what does not exist, and addresses without a cell', async () => {
+  const page = await explorer.open('#/cell?v=6&k=5&change=5');
+  await page.getByText('There is none').waitFor();
+  assert.equal(await page.getByRole('heading', { name: 'How it is made' }).count(), 0);
+  await page.goto(page.url().replace(/#.*/, '#/cell?v=x'));
+  await page.getByRole('heading', { name: 'Which cell?' }).waitFor();
+  await page.close();
+});
+
+test('what the server refuses is said', async () => {
+  const page = await explorer.open('#/cell?v=5&k=50', { mayFail: /status of 4\d\d/ });
+  assert.ok((await page.locator('.problem, .note').first().textContent()).length > 20);
+  await page.close();
+});
+
+test('downloads are files of the server', async () => {
+  const page = await explorer.open('#/cell?v=9&k=4');
+  const waiting = page.waitForEvent('download');
+  await page.getByRole('link', { name: 'Text', exact: true }).click();
+  assert.match((await waiting).suggestedFilename(), /\.(txt|text)$/);
+  await page.close();
+});
+
+test('it looks right', async () => {
+  const page = await explorer.open('#/cell?v=40&k=6');
+  await look(page, 'cell');
+  await phone(page, 'cell');
+  await page.close();
+});

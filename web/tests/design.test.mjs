@@ -1,0 +1,163 @@
+// A design: pictures, the player, facts, downloads.
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { look, settled, start } from './support/browser.mjs';
+import { phone } from './support/phone.mjs';
+
+let explorer;
+before(async () => {
+  explorer = await start();
+});
+after(() => explorer.stop());
+
+const params = (page) => new URLSearchParams(page.url().split('?').at(-1));
+
+test('the player is moved by keys, and its block is in the link', async () => {
+  const page = await explorer.open('#/design?v=20&k=5&at=7');
+  const words = page.locator('.block-text');
+  await words.filter({ hasText: 'Block 7 of 29' }).waitFor();
+  assert.equal(await page.locator('.slots .entering').count(), 2);
+  assert.equal(await page.locator('.slots del').count(), 2);
+  await page.keyboard.press('ArrowRight');
+  await words.filter({ hasText: 'Block 8 of 29' }).waitFor();
+  await page.keyboard.press('End');
+  await words.filter({ hasText: 'Block 29 of 29' }).waitFor();
+  assert.match(await page.locator('.met').textContent(), /190 of 190 pairs have met \(100 %\)/);
+  await page.keyboard.press('ArrowRight');
+  await words.filter({ hasText: 'Block 29 of 29' }).waitFor();
+  await page.waitForURL(/at=29/);
+  await page.reload();
+  await settled(page);
+  await words.filter({ hasText: 'Block 29 of 29' }).waitFor();
+  await page.keyboard.press('Home');
+  await words.filter({ hasText: 'Block 1 of 29' }).waitFor();
+  await page.getByLabel('Speed').selectOption('200');
+  await page.locator('h1').click();
+  await page.keyboard.press(' ');
+  await words.filter({ hasText: 'Block 29 of 29' }).waitFor();
+  await page.getByRole('button', { name: 'Play' }).waitFor();
+  await page.close();
+});
+
+test('slider and number lead to a block; keys of a field stay with it', async () => {
+  const page = await explorer.open('#/design?v=20&k=5&show=steps');
+  await page.getByLabel('Block', { exact: true }).fill('12');
+  await page.locator('.block-text', { hasText: 'Block 12 of 29' }).waitFor();
+  await page.getByLabel('Number of the block').fill('3');
+  await page.getByLabel('Number of the block').press('Enter');
+  await page.locator('.block-text', { hasText: 'Block 3 of 29' }).waitFor();
+  await page.keyboard.press('ArrowLeft');
+  await page.locator('.block-text', { hasText: 'Block 3 of 29' }).waitFor();
+  await page.close();
+});
+
+test('tabs by arrow keys, in the link', async () => {
+  const page = await explorer.open('#/design?v=20&k=5');
+  await page.locator('.picture svg').waitFor();
+  await page.getByRole('tab', { name: 'Array' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await page.getByLabel('Order of elements').waitFor();
+  assert.equal(params(page).get('show'), 'stays');
+  await page.getByLabel('Order of elements').selectOption('stays');
+  assert.equal(params(page).get('order'), 'stays');
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.getByLabel('Order of elements').inputValue(), 'stays');
+  for (const name of ['Coverage', 'Circle']) {
+    await page.getByRole('tab', { name }).click();
+    await page.locator('.picture svg').waitFor();
+  }
+  await page.getByRole('tab', { name: 'Recipe' }).click();
+  await page.locator('.recipe-node', { hasText: 'found' }).waitFor();
+  await page.getByRole('tab', { name: 'Blocks' }).click();
+  assert.equal((await page.locator('pre.blocks').textContent()).trim().split('\n').length, 30);
+  await page.close();
+});
+
+test('a long design is drawn in parts', async () => {
+  const page = await explorer.open('#/design?v=253&k=13&kind=circular');
+  await page.locator('.picture svg').waitFor();
+  assert.equal(await page.getByLabel('From block').inputValue(), '1');
+  await page.getByRole('button', { name: /later/ }).click();
+  await page.waitForURL(/from=101/);
+  assert.equal(await page.getByLabel(/^to, of/).inputValue(), '200');
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.getByLabel('From block').inputValue(), '101');
+  await page.getByRole('tab', { name: 'Steps' }).click();
+  await page.locator('canvas.coverage-map').waitFor();
+  await page.keyboard.press('End');
+  await page.locator('.met', { hasText: '(100 %)' }).waitFor();
+  await page.close();
+});
+
+test('by label, and a label that does not exist', async () => {
+  const page = await explorer.open('#/design?label=20.5.2.circular.29.17482f88');
+  assert.match(await page.locator('.under').textContent(), /20\.5\.2\.circular\.29\.17482f88/);
+  await page.close();
+  const none = await explorer.open('#/design?label=20.5.2.circular.29.00000000', { mayFail: /status of 404/ });
+  await none.getByRole('alert').waitFor();
+  await none.close();
+  const which = await explorer.open('#/design');
+  await which.getByRole('heading', { name: 'Which design?' }).waitFor();
+  await which.close();
+});
+
+test('a design of this window, and none', async () => {
+  const page = await explorer.open('#/design?local=1');
+  await page.getByRole('alert').filter({ hasText: 'no pasted design' }).waitFor();
+  await page.evaluate(() =>
+    sessionStorage.setItem(
+      'changeover-local',
+      JSON.stringify({ format: 'changeover-design/1', v: 4, k: 3, change: 1, kind: 'linear', labels: ['ann', 'bob', 'cy', 'dee'], blocks: [[0, 1, 2], [0, 1, 3], [1, 2, 3]], verdict: { valid: true, tight: false, economical: true, b: 3, lower_bound: 3, minimum: 'proved' } }),
+    ),
+  );
+  await page.reload();
+  await settled(page);
+  await page.getByRole('heading', { name: /3 blocks/ }).waitFor();
+  await page.getByRole('tab', { name: 'Steps' }).click();
+  await page.keyboard.press('ArrowRight');
+  await page.locator('.in', { hasText: 'Introduced: dee' }).waitFor();
+  const waiting = page.waitForEvent('download');
+  await page.getByRole('link', { name: 'CSV', exact: true }).click();
+  assert.equal((await waiting).suggestedFilename(), '4.3.1.linear.3.csv');
+  await page.close();
+});
+
+test('a file of the command line is what is shown first', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'changeover-file-'));
+  writeFileSync(join(folder, 'mine.txt'), 'a b c\na b d\nb c d\n');
+  const other = await start({ serve: [join(folder, 'mine.txt')] });
+  try {
+    const page = await other.open();
+    await page.waitForURL(/#\/design\?file=1/);
+    await page.locator('.under', { hasText: 'mine.txt' }).waitFor();
+    await page.getByRole('tab', { name: 'Steps' }).click();
+    await page.keyboard.press('ArrowRight');
+    await page.locator('.in', { hasText: 'Introduced: d' }).waitFor();
+    const map = page.locator('canvas.coverage-map');
+    const { width } = await map.boundingBox();
+    await map.hover({ position: { x: (width * 3.5) / 4, y: width / 8 } });
+    await page.locator('.pair', { hasText: 'a and d: first together in block 2' }).waitFor();
+  } finally {
+    await other.stop();
+    rmSync(folder, { recursive: true, force: true });
+  }
+});
+
+test('it looks right', async () => {
+  const page = await explorer.open('#/design?v=20&k=5&at=7');
+  await look(page, 'design-steps');
+  await phone(page, 'design-steps');
+  await page.setViewportSize({ width: 1280, height: 900 });
+  for (const name of ['Array', 'Stays', 'Coverage', 'Circle', 'Recipe', 'Blocks']) {
+    await page.getByRole('tab', { name }).click();
+    await look(page, `design-${name.toLowerCase()}`);
+  }
+  await page.getByRole('tab', { name: 'Array' }).click();
+  await phone(page, 'design-array');
+  await page.close();
+});

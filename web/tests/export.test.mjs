@@ -1,0 +1,90 @@
+// The same pages as files, behind any file server, in a folder of it.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { createReadStream, mkdtempSync, rmSync, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { tmpdir } from 'node:os';
+import { extname, join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { look, program, settled, start } from './support/browser.mjs';
+import { phone } from './support/phone.mjs';
+
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json', '.bib': 'text/plain' };
+const folder = mkdtempSync(join(tmpdir(), 'changeover-export-'));
+const asked = [];
+let files;
+let explorer;
+
+before(async () => {
+  const assets = process.env.CHANGEOVER_ASSETS ? ['--assets', process.env.CHANGEOVER_ASSETS] : [];
+  execFileSync(program, ['serve', '--export', join(folder, 'site'), '--k', '4..5', '--v', '6..20', '--change', '2', ...assets], { stdio: 'pipe', env: { ...process.env, CHANGEOVER_CATALOG: '' } });
+  files = createServer((request, response) => {
+    const path = new URL(request.url, 'http://localhost').pathname;
+    asked.push(path);
+    const name = /^\/some\/where(\/.*)$/.exec(path)?.[1].replace(/\/$/, '/index.html');
+    const file = name && !name.includes('..') ? join(folder, 'site', name) : null;
+    if (!file || !statSync(file, { throwIfNoEntry: false })?.isFile()) {
+      response.writeHead(404).end();
+      return;
+    }
+    response.writeHead(200, { 'Content-Type': types[extname(file)] ?? 'application/octet-stream' });
+    createReadStream(file).pipe(response);
+  });
+  await new Promise((resolve) => files.listen(0, '127.0.0.1', resolve));
+  const origin = `http://127.0.0.1:${files.address().port}`;
+  explorer = await start({ at: { address: `${origin}/some/where/`, origin, stop: async () => 0 } });
+});
+after(async () => {
+  await explorer?.stop();
+  files?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test('catalog, cell, design, theorems', async () => {
+  const page = await explorer.open('#/catalog');
+  await page.locator('.heat-map .cell').first().waitFor({ state: 'attached' });
+  assert.ok((await page.locator('table.cells tbody tr').count()) > 10);
+  await look(page, 'export-catalog');
+  await page.locator('table.cells a', { hasText: /^20$/ }).first().click();
+  await page.locator('.known').waitFor();
+  await page.locator('.recipe-node').first().waitFor();
+  await page.getByRole('button', { name: /^BibTeX of/ }).first().click();
+  await page.locator('.bibtex pre', { hasText: '@misc{' }).waitFor();
+  await page.getByRole('link', { name: 'Open the design' }).click();
+  await page.locator('.block-text', { hasText: 'Block 1 of' }).waitFor();
+  await page.keyboard.press('End');
+  await page.locator('.met', { hasText: '(100 %)' }).waitFor();
+  await page.getByRole('tab', { name: 'Array' }).click();
+  await page.getByText('has no pictures of single designs').waitFor();
+  const waiting = page.waitForEvent('download');
+  await page.getByRole('link', { name: 'Text', exact: true }).click();
+  assert.match((await waiting).suggestedFilename(), /^20\.\d\.2\..*\.txt$/);
+  await page.goto(page.url().replace(/#.*/, '#/theorems'));
+  await page.locator('#theorem-1').waitFor();
+  await page.close();
+});
+
+test('what the copy does not have is said', async () => {
+  const page = await explorer.open('#/cell?v=50&k=5');
+  await page.getByRole('alert').filter({ hasText: 'static copy does not have it' }).waitFor();
+  await page.close();
+  const none = await explorer.open('#/design?label=99.5.2.circular.1.00000000', { mayFail: /status of 404/ });
+  await none.getByRole('alert').filter({ hasText: 'static copy does not have it' }).waitFor();
+  await none.close();
+});
+
+test('pages that need the program say how to get it', async () => {
+  const page = await explorer.open();
+  for (const name of ['Verify', 'Plan', 'Load order', 'Search']) {
+    await page.locator('nav a', { hasText: name }).click();
+    await page.getByRole('heading', { name, level: 1 }).waitFor();
+    await settled(page);
+    await page.locator('.note', { hasText: 'changeover serve' }).waitFor();
+  }
+  await phone(page, 'export-search');
+  await page.close();
+});
+
+test('nothing but files was asked for', () => {
+  assert.deepEqual(asked.filter((path) => !path.startsWith('/some/where/') || path.includes('/api/')), []);
+});

@@ -1,0 +1,119 @@
+// The page of load orders.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { after, before, test } from 'node:test';
+import { look, settled, start } from './support/browser.mjs';
+
+let explorer;
+before(async () => {
+  explorer = await start();
+});
+after(() => explorer.stop());
+
+const steps = (page) => page.getByRole('list', { name: /^The .* steps$/ }).getByRole('listitem');
+
+test('what is missing is said', async () => {
+  const page = await explorer.open('#/loadorder');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('alert').getByText('write how many there are').waitFor();
+  await page.getByRole('spinbutton', { name: 'Items' }).fill('20');
+  await page.getByRole('spinbutton', { name: 'Room' }).fill('1');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('alert').getByText('at least 2').waitFor();
+  await page.getByRole('spinbutton', { name: 'Room' }).fill('5');
+  await page.getByRole('textbox', { name: 'Bytes an item' }).fill('2 boxes');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('alert').getByText('“2 boxes” is no size').waitFor();
+  await look(page, 'loadorder-fault');
+});
+
+test('twelve items, room for four: the fewest loads, beside simple orders', async () => {
+  const page = await explorer.open('#/loadorder');
+  await page.getByRole('spinbutton', { name: 'Items' }).fill('12');
+  await page.getByRole('spinbutton', { name: 'Room' }).fill('4');
+  await page.getByRole('textbox', { name: 'Bytes an item' }).fill('2 GB');
+  await page.getByRole('textbox', { name: 'Bytes an item' }).press('Enter');
+  await page.getByRole('heading', { name: '24 loads in 21 steps' }).waitFor();
+  await page.getByText('no order has fewer', { exact: false }).first().waitFor();
+  await page.getByText('48.0 GB are read').waitFor();
+  // 3 stay and 9, 6, 3 pass: 12 + 9 + 6 + 3 loads; 2 stay: 12 + 10 + … + 2; pair by pair: 12 · 11.
+  const loads = async (name) => (await page.getByRole('row', { name: new RegExp(`^${name}`) }).getByRole('cell').first().textContent());
+  assert.equal(await loads('lower bound'), '24');
+  assert.equal(await loads('block nested loops'), '30');
+  assert.equal(await loads('halves'), '42');
+  assert.equal(await loads('pair by pair'), '132');
+  assert.equal(await steps(page).count(), 21);
+  assert.match(await steps(page).first().textContent(), /load \d+ \d+ \d+ \d+/);
+  assert.match(new URL(page.url()).hash, /items=12&room=4&bytes=2\+GB/);
+  await page.locator('.u-over').waitFor();
+  await look(page, 'loadorder-twelve');
+  await page.reload();
+  await settled(page);
+  await page.getByRole('heading', { name: '24 loads in 21 steps' }).waitFor();
+});
+
+test('the steps bring all pairs together, and come as JSON lines', async () => {
+  const page = await explorer.open('#/loadorder?items=12&room=4');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download JSON lines' }).click()]);
+  const [first, ...rest] = readFileSync(await download.path(), 'utf8').trim().split('\n').map((line) => JSON.parse(line));
+  assert.equal(first.loads, 24);
+  const memory = new Set();
+  const met = new Set();
+  let loads = 0;
+  for (const { load, evict } of rest) {
+    evict.forEach((item) => assert.ok(memory.delete(item)));
+    loads += load.length;
+    load.forEach((item) => memory.add(item));
+    assert.ok(memory.size <= 4);
+    for (const one of memory) {
+      for (const other of memory) {
+        one < other && met.add(`${one} ${other}`);
+      }
+    }
+  }
+  assert.equal(met.size, 66);
+  assert.equal(loads, 24);
+});
+
+test('workers share the pairs', async () => {
+  const page = await explorer.open('#/loadorder?items=30&room=6&workers=3');
+  await page.getByText('For 3 workers; the busiest has').waitFor();
+  await page.getByText('Worker · step').waitFor();
+  await page.getByText('--workers 3').waitFor();
+  await look(page, 'loadorder-workers');
+});
+
+test('only some pairs: they are in the link', async () => {
+  const page = await explorer.open('#/loadorder');
+  await page.getByText('Only some pairs').click();
+  await page.getByRole('spinbutton', { name: 'Items' }).fill('6');
+  await page.getByRole('spinbutton', { name: 'Room' }).fill('2');
+  const pairs = page.getByRole('textbox', { name: /^Pairs/ });
+  await pairs.fill('0 1\n1 9\n');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('alert').getByText('Pairs, line 2: items are 0 to 5').waitFor();
+  await pairs.fill('0 1\n1 2\n# the end\n2 3\n');
+  await page.getByRole('button', { name: 'Find an order' }).click();
+  await page.getByRole('heading', { name: '4 loads' }).waitFor();
+  const other = await explorer.open(new URL(page.url()).hash);
+  await other.getByRole('heading', { name: '4 loads' }).waitFor();
+});
+
+test('a long order: the list goes to its end, the rest is on the command line', async () => {
+  const page = await explorer.open('#/loadorder?items=600&room=20');
+  await page.getByText('These are the first 5000').waitFor({ timeout: 60_000 });
+  const list = page.getByRole('group', { name: 'The 5000 steps' });
+  await list.focus();
+  await page.keyboard.press('End');
+  await page.locator('.block-number', { hasText: /^5000$/ }).waitFor();
+  assert.ok(await page.getByRole('button', { name: 'Download JSON lines' }).isDisabled());
+  await look(page, 'loadorder-long');
+});
+
+test('on a phone nothing scrolls sideways but the frames', async () => {
+  const page = await explorer.open('#/loadorder?items=64&room=16&bytes=2+GB');
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.locator('.u-over').waitFor();
+  assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+  await look(page, 'loadorder-phone');
+});

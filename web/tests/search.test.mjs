@@ -1,0 +1,115 @@
+// The page of searches: they run in the server, and one stream of events tells all pages of a window about them.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { look, settled, start } from './support/browser.mjs';
+
+let explorer;
+before(async () => {
+  explorer = await start();
+});
+after(() => explorer.stop());
+
+async function begin(page, v, k, { seconds = '10', change = '2', kind = 'linear' } = {}) {
+  await page.getByRole('spinbutton', { name: 'elements v' }).fill(String(v));
+  await page.getByRole('spinbutton', { name: 'block size k' }).fill(String(k));
+  await page.getByRole('combobox', { name: 'changes' }).selectOption(change);
+  await page.getByRole('combobox', { name: 'kind' }).selectOption(kind);
+  await page.getByRole('combobox', { name: 'for' }).selectOption(seconds);
+  await page.getByRole('button', { name: 'Start' }).click();
+}
+const watched = (page) => page.locator('.watch');
+
+test('what is missing is said', async () => {
+  const page = await explorer.open('#/search');
+  await page.getByText('Live: this page follows').waitFor();
+  await page.getByRole('button', { name: 'Start' }).click();
+  await page.getByRole('alert').getByText('Write v').waitFor();
+  await look(page, 'search-empty');
+});
+
+test('a cell comes with the link, and what is known of it is said before it is searched', async () => {
+  const page = await explorer.open('#/search?v=9&k=4&change=2&kind=linear');
+  await page.getByText('Known: 8 blocks, and no design has fewer').waitFor();
+  assert.equal(await page.getByRole('spinbutton', { name: 'elements v' }).inputValue(), '9');
+});
+
+test('a search: started, watched live, stopped; it survives a reload and another page', async () => {
+  const page = await explorer.open('#/search');
+  await begin(page, 30, 6, { seconds: '60' });
+  await watched(page).getByText(/^Running after/).waitFor();
+  await watched(page).locator('.u-over').waitFor();
+  assert.match(page.url(), /id=\d+/);
+  await look(page, 'search-running');
+  await page.reload();
+  await settled(page);
+  await watched(page).getByText(/^Running after/).waitFor();
+  await page.getByRole('link', { name: 'Theorems' }).click();
+  await page.goBack();
+  await watched(page).getByRole('button', { name: 'Stop' }).click();
+  await watched(page).getByText(/^Stopped after/).waitFor();
+  await page.locator('.searches .badge.stopped').waitFor();
+  await look(page, 'search-stopped');
+});
+
+test('what it found opens in the viewer and is kept in the catalog', async () => {
+  const page = await explorer.open('#/search');
+  await begin(page, 12, 5);
+  await watched(page).getByText(/^(Done|Stopped) after/).waitFor({ timeout: 60_000 });
+  await watched(page).getByRole('button', { name: 'Keep in my catalog' }).click();
+  const label = await watched(page).locator('a[href*="label="]').textContent();
+  assert.match(label, /^12\.5\.2\.linear\.\d+\./);
+  await watched(page).getByRole('link', { name: 'Open in the viewer' }).click();
+  await page.waitForURL(/design\?job=\d+/);
+});
+
+test('a search of nonsense is refused in words', async () => {
+  const page = await explorer.open('#/search', { mayFail: /status of 4/ });
+  await begin(page, 5, 9);
+  await page.getByRole('alert').waitFor();
+});
+
+test('the window has one stream of events, however often its pages change', async () => {
+  const page = await explorer.open('#/theorems');
+  let streams = 0;
+  page.on('request', (request) => request.url().endsWith('/api/events') && ++streams);
+  for (let i = 0; i < 3; ++i) {
+    await page.getByRole('link', { name: 'Search', exact: true }).click();
+    await page.getByText('Live: this page follows').waitFor();
+    await page.getByRole('link', { name: 'Verify', exact: true }).click();
+    await page.getByRole('heading', { name: 'Verify a design' }).waitFor();
+  }
+  assert.equal(streams, 1);
+});
+
+test('without the token the page looks on, and says how to get it', async () => {
+  const page = await explorer.context.newPage();
+  await page.goto(`${explorer.server.origin}/#/search`);
+  await settled(page);
+  await page.getByText('it was opened without the token').waitFor();
+  assert.ok(await page.getByRole('button', { name: 'Start' }).isDisabled());
+  await page.close();
+});
+
+test('a server that only reads says so; one that is gone is noticed', async () => {
+  const reader = await start({ serve: ['--no-write'] });
+  const page = await reader.open('#/search', { mayFail: /ERR_|status of/ });
+  await page.getByText('--no-write').first().waitFor();
+  assert.ok(await page.getByRole('button', { name: 'Start' }).isDisabled());
+  await page.getByText('Live: this page follows').waitFor();
+  await reader.server.stop();
+  await page.getByText('The server does not answer.').waitFor();
+  await page.getByRole('button', { name: 'Try now' }).focus();
+  await page.keyboard.press('Enter');
+  await page.getByText('Trying again in').waitFor();
+  await reader.stop();
+});
+
+test('on a phone nothing scrolls sideways but the frames', async () => {
+  const page = await explorer.open('#/search?v=30&k=6&change=2&kind=linear');
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.locator('.searches tbody tr').first().waitFor();
+  await page.locator('.searches button').first().click();
+  await watched(page).getByText(/after/).waitFor();
+  assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+  await look(page, 'search-phone');
+});

@@ -1,0 +1,54 @@
+// Theorems and constructions, with mathematics as such.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { look, settled, start } from './support/browser.mjs';
+import { phone } from './support/phone.mjs';
+
+let explorer;
+before(async () => {
+  explorer = await start();
+});
+after(() => explorer.stop());
+
+test('statements with subscripts, and no raw marks', async () => {
+  const page = await explorer.open('#/theorems');
+  const all = await page.locator('#main').textContent();
+  assert.ok(!/\*\*|_\{/.test(all), /.{20}(\*\*|_\{).{20}/.exec(all)?.[0]);
+  assert.ok((await page.locator('#theorem-5 sub').count()) > 0);
+  assert.ok((await page.locator('article').count()) > 40);
+  await page.close();
+});
+
+test('a link leads to a theorem or a construction', async () => {
+  const page = await explorer.open('#/theorems?construction=cyclic');
+  const chosen = page.locator('#construction-cyclic.chosen');
+  await chosen.waitFor();
+  assert.ok(await chosen.evaluate((it) => it.getBoundingClientRect().top < window.innerHeight));
+  await chosen.getByRole('link', { name: /^Example/ }).locator('svg').waitFor({ state: 'attached' });
+  await chosen.getByRole('link', { name: /^Example/ }).click();
+  await page.getByRole('tab', { name: 'Array' }).waitFor();
+  await page.close();
+  const none = await explorer.open('#/theorems?theorem=99');
+  await none.getByRole('alert').filter({ hasText: 'no Theorem 99' }).waitFor();
+  await none.close();
+});
+
+test('constructions are found by words', async () => {
+  const page = await explorer.open('#/theorems');
+  await page.getByLabel('Find a construction').fill('single-change cyclic');
+  const shown = await page.locator('article[id^=construction]:visible').count();
+  assert.ok(shown > 0 && shown < 20);
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.locator('article[id^=construction]:visible').count(), shown);
+  await page.getByLabel('Find a construction').fill('no such words');
+  await page.getByText('No construction says that').waitFor();
+  await page.close();
+});
+
+test('it looks right', async () => {
+  const page = await explorer.open('#/theorems');
+  await look(page, 'theorems');
+  await phone(page, 'theorems');
+  await page.close();
+});

@@ -1,0 +1,178 @@
+// What the pages compute without a browser: Markdown, ranges, the look-up box, and the steps of a design.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { load } from './support/source.mjs';
+
+const { parse, inline } = await load('lib/markdown.ts');
+const { readRange } = await load('lib/range.ts');
+const { understand } = await load('pages/catalog/look_up.ts');
+const { compare } = await load('pages/catalog/cells.ts');
+const { Steps } = await load('pages/design/steps.ts');
+const { asText, asCsv } = await load('parts/downloads.ts');
+
+const text = (it) => ({ is: 'text', text: it });
+const words = (parts) => parts.map((each) => each.text ?? words(each.inside)).join('');
+
+test('Markdown: emphasis, code, links', () => {
+  assert.deepEqual(inline('a *b* **c** `d*e*` [f](#g).'), [
+    text('a '),
+    { is: 'em', inside: [text('b')] },
+    text(' '),
+    { is: 'strong', inside: [text('c')] },
+    text(' '),
+    { is: 'code', text: 'd*e*' },
+    text(' '),
+    { is: 'link', to: '#g', inside: [text('f')] },
+    text('.'),
+  ]);
+  assert.deepEqual(inline('[ChafeeStevens2025, Theorem 2] stays'), [text('[ChafeeStevens2025, Theorem 2] stays')]);
+  assert.deepEqual(inline('2 * 3 * 4'), [text('2 * 3 * 4')]);
+  assert.deepEqual(inline('*open'), [text('*open')]);
+  assert.deepEqual(inline('*a **b** c*')[0].is, 'em');
+  assert.deepEqual(inline('<b>&amp;'), [text('<b>&amp;')]);
+});
+
+test('Markdown: subscripts and superscripts of mathematics, and no others', () => {
+  const sub = (it) => ({ is: 'sub', inside: [text(it)] });
+  assert.deepEqual(inline('B_{i+1} ∖ B_i'), [text('B'), sub('i+1'), text(' ∖ B'), sub('i')]);
+  assert.deepEqual(inline('x̄_p, T_{x′}, n_12'), [text('x̄'), sub('p'), text(', T'), sub('x′'), text(', n'), sub('12')]);
+  assert.deepEqual(inline('Σ_x i_x'), [text('Σ'), sub('x'), text(' i'), sub('x')]);
+  assert.deepEqual(inline('v^2'), [text('v'), { is: 'sup', inside: [text('2')] }]);
+  assert.deepEqual(inline('a_{b_c}')[1], { is: 'sub', inside: [text('b'), sub('c')] });
+  assert.deepEqual(inline('in a_file, _x, a _ b, open_{brace'), [text('in a_file, _x, a _ b, open_{brace')]);
+});
+
+test('Markdown: paragraphs, headings, lists, tables, formulas', () => {
+  const parts = parse('# One\n\nfirst\nline\n- a\n- b\n  more\n\n  second\n\n1. x\n2. y\n   - z\n\nand\n\n    E + 1  *if* v\n    F\n\n| a | |\n|---|---|\n| b | c |\n');
+  assert.deepEqual(parts.map((part) => part.is), ['heading', 'paragraph', 'list', 'list', 'paragraph', 'formula', 'table']);
+  assert.equal(words(parts[1].inside), 'first\nline');
+  assert.deepEqual(parts[2].items.map((item) => item.length), [1, 2]);
+  assert.equal(parts[3].ordered, true);
+  assert.deepEqual(parts[3].items[1].map((part) => part.is), ['paragraph', 'list']);
+  assert.equal(parts[5].lines.length, 2);
+  assert.deepEqual(parts[6].rows.map((row) => row.map(words)), [['b', 'c']]);
+  assert.deepEqual(parse(''), []);
+  assert.equal(parse('p = 3\n4. is no list here')[0].is, 'paragraph');
+});
+
+test('Markdown: nothing of docs/theorems.md is lost', () => {
+  const source = readFileSync(join(dirname(fileURLToPath(import.meta.url)), '../../docs/theorems.md'), 'utf8');
+  const all = (part) =>
+    part.is === 'list' ? part.items.flat().map(all).join(' ') : part.is === 'table' ? [part.head, ...part.rows].flat().map(words).join(' ') : part.is === 'formula' ? part.lines.map(words).join(' ') : words(part.inside);
+  const shown = parse(source).map(all).join(' ');
+  // Letters and digits in their order, whatever marks stood between them; targets of links and rules of tables are no words.
+  const letters = (it) => it.replace(/[^\p{L}\p{N}]+/gu, '');
+  const plain = source.replace(/\]\([^)]*\)/g, ']').replace(/^(\d+)\. /gm, '').replace(/^( *)(\d+)\. /gm, '');
+  assert.equal(letters(shown), letters(plain));
+  assert.ok(!/\*\*|_\{/.test(shown), /.{20}(\*\*|_\{).{20}/.exec(shown)?.[0]);
+});
+
+test('ranges', () => {
+  assert.deepEqual(readRange('3..12'), { from: 3, to: 12 });
+  assert.deepEqual(readRange('5'), { from: 5, to: 5 });
+  assert.deepEqual(readRange('..40'), { from: 0, to: 40 });
+  assert.deepEqual(readRange('7–9'), { from: 7, to: 9 });
+  for (const wrong of ['', '..', 'a', '9..3', '1..2..3', '-4x']) {
+    assert.equal(readRange(wrong), null, wrong);
+  }
+});
+
+test('the look-up box understands cells, labels and designs', () => {
+  const to = (typed) => understand(typed, 2, 'circular').to;
+  const cell = '#/cell?v=20&k=5&change=2&kind=circular';
+  for (const typed of ['20 5', '20,5', ' (20, 5) ', '20;5', 'v=20 k=5', 'k = 5, v = 20', 'DCCD(20,5)', 'circular double-change (20,5)', '20.5.2.circular']) {
+    assert.equal(to(typed), cell, typed);
+  }
+  assert.equal(to('20 5 1 linear'), '#/cell?v=20&k=5&change=1&kind=linear');
+  assert.equal(to('SCCD(20,5)'), '#/cell?v=20&k=5&change=1&kind=circular');
+  assert.equal(to('v=20 k=5 m=3'), '#/cell?v=20&k=5&change=3&kind=circular');
+  assert.equal(to('6.4.1.linear.t3'), '#/cell?v=6&k=4&change=1&kind=linear&strength=3');
+  assert.equal(to('20.5.2.circular.29.17482f88'), '#/design?label=20.5.2.circular.29.17482f88');
+  assert.equal(to('20.5.2.circular.29'), '#/design?label=20.5.2.circular.29');
+  assert.equal(to('0 1 2\n1 2 3'), '#/verify?pasted=1');
+  assert.equal(understand('{"v":3}', 2, 'linear').paste, '{"v":3}');
+  for (const wrong of ['', '20', 'hello', '20 5 6 7', '20 5 kangaroo']) {
+    assert.ok('problem' in understand(wrong, 2, 'linear'), wrong);
+  }
+});
+
+test('what is not known is sorted behind the rest', () => {
+  assert.deepEqual([3, null, 1].sort(compare), [1, 3, null]);
+  assert.deepEqual(['b', null, 'a'].sort(compare), ['a', 'b', null]);
+});
+
+/** Pairs together in one of the first n blocks, counted anew. */
+function pairsOf(blocks) {
+  const met = new Set();
+  for (const block of blocks) {
+    for (const x of block) {
+      for (const y of block) {
+        if (x < y) {
+          met.add(`${x} ${y}`);
+        }
+      }
+    }
+  }
+  return met.size;
+}
+
+test('steps: slots, who enters and leaves, pairs', () => {
+  const blocks = [];
+  // 300 blocks of 4 over 30 elements, so that several kept slots are used.
+  let state = 12345;
+  const random = (n) => (state = (state * 1103515245 + 12345) % 2147483648) % n;
+  let block = [0, 1, 2, 3];
+  for (let i = 0; i < 300; ++i) {
+    blocks.push([...block]);
+    const out = random(4);
+    let next = random(30);
+    while (block.includes(next)) {
+      next = (next + 1) % 30;
+    }
+    block = block.map((each, j) => (j === out ? next : each)).sort(() => random(3) - 1);
+  }
+  const steps = Steps.of({ v: 30, blocks });
+  let before = null;
+  for (let n = 1; n <= 300; ++n) {
+    const { slots, entered, left } = steps.step(n);
+    assert.deepEqual([...slots].sort((a, b) => a - b), [...blocks[n - 1]].sort((a, b) => a - b));
+    if (before) {
+      assert.equal(entered.length, 1);
+      assert.equal(left.length, 1);
+      const moved = [...slots].filter((each, i) => each !== before[i]);
+      assert.deepEqual(moved, entered, 'who stays keeps the slot');
+    }
+    before = [...slots];
+    assert.equal(steps.pairs[n], pairsOf(blocks.slice(0, n)));
+  }
+  assert.equal(steps.first[blocks[0][0] * 30 + blocks[0][1]], 1);
+});
+
+test('steps: names, many elements, lists that are no designs', async () => {
+  const named = Steps.of({ v: 3, labels: ['ann', 'bob', 'cy'], blocks: [['ann', 'bob'], ['bob', 'cy']] });
+  assert.deepEqual([...named.block(2)].map((each) => named.names[each]), ['bob', 'cy']);
+  const placed = Steps.of({ v: 3, labels: ['ann', 'bob', 'cy'], blocks: [[0, 1], [1, 2]] });
+  assert.deepEqual([placed.v, ...placed.names], [3, 'ann', 'bob', 'cy']);
+  assert.deepEqual([...placed.block(2)], [1, 2]);
+  const wrong = Steps.of({ v: 4, blocks: [[0, 1, 2], [3], ['x', 'y', 'z']] });
+  assert.deepEqual(wrong.step(2).left, [0, 1, 2]);
+  assert.equal(wrong.step(3).entered.length, 3);
+  const many = Steps.of({ v: 1000, blocks: Array.from({ length: 999 }, (_, i) => [i, i + 1]) });
+  const leaving = new AbortController();
+  const shares = [];
+  const later = await Steps.soon({ v: 3000, blocks: Array.from({ length: 200000 }, (_, i) => [i % 3000, (i + 1) % 3000, (i + 2) % 3000]) }, leaving.signal, (share) => shares.push(share));
+  assert.equal(later.pairs[200000], 6000);
+  assert.ok(shares.every((share, i) => share >= (shares[i - 1] ?? 0) && share <= 1));
+  assert.equal(many.first, null);
+  assert.equal(many.pairs[999], 999);
+});
+
+test('files that a page makes itself', () => {
+  const design = { v: 3, k: 2, change: 1, kind: 'linear', blocks: [['a,b', 'c'], ['c', 'd']] };
+  assert.equal(asText({ ...design, blocks: [[0, 1], [1, 2]] }), '# changeover design v=3 k=2 change=1 kind=linear\n0 1\n1 2\n');
+  assert.equal(asText({ ...design, labels: ['a', 'b', 'c'], blocks: [[0, 1], [1, 2]] }), '# changeover design v=3 k=2 change=1 kind=linear\n# labels: a b c\na b\nb c\n');
+  assert.equal(asCsv(design), 'block,element_1,element_2,v,change,kind\n1,"a,b",c,3,1,linear\n2,c,d,3,1,linear\n');
+});

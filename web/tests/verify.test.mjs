@@ -1,0 +1,190 @@
+// The page that checks designs.
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { look, settled, start } from './support/browser.mjs';
+
+let explorer;
+before(async () => {
+  explorer = await start();
+});
+after(() => explorer.stop());
+
+const design = ['# changeover design v=7 k=3 change=2 kind=circular', '0 1 3', '1 2 4', '2 3 5', '3 4 6', '0 4 5', '1 5 6', '0 2 6', ''].join('\n');
+const box = (page) => page.getByRole('textbox', { name: /^The design/ });
+
+test('an empty page says what to do, and nothing to check is said where it happens', async () => {
+  const page = await explorer.open('#/verify');
+  await page.getByRole('link', { name: 'a good one' }).waitFor();
+  await page.getByRole('button', { name: 'Check' }).click();
+  await page.getByRole('alert').getByText('nothing to check yet').waitFor();
+  await look(page, 'verify-empty');
+});
+
+test('a good design: the verdict, its reasons, facts and elements', async () => {
+  const page = await explorer.open('#/verify');
+  await page.getByRole('link', { name: 'a good one' }).click();
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  await page.getByText('It is minimum').waitFor();
+  const fact = (name) => page.locator('table.facts tr', { has: page.getByRole('rowheader', { name, exact: true }) }).locator('td').first();
+  assert.equal(await fact('blocks b').textContent(), '8');
+  assert.equal(await fact('tight').textContent(), 'no');
+  assert.equal(await fact('minimum').textContent(), 'yes, proved');
+  assert.equal(await fact('excess').textContent(), '5 of 41 newly covered');
+  assert.equal(await page.getByRole('list', { name: /^Elements/ }).getByRole('listitem').count(), 9);
+  const rows = page.getByRole('list', { name: 'The 8 blocks' }).getByRole('listitem');
+  assert.equal(await rows.count(), 8);
+  assert.deepEqual((await rows.nth(1).locator('.element.in').allTextContents()).sort(), ['2', '5']);
+  assert.deepEqual((await rows.nth(1).locator('s').allTextContents()).map((text) => text.trim()).sort(), ['1', '3']);
+  await look(page, 'verify-good');
+});
+
+test('a wrong step is marked in its place, and the buttons lead from one to the next', async () => {
+  const page = await explorer.open('#/verify?example=steps');
+  await page.getByRole('heading', { name: '✗ Not a design' }).waitFor();
+  const bad = page.locator('.block.bad');
+  await bad.first().waitFor();
+  assert.equal(await bad.count(), 2);
+  await bad.first().getByText('3 elements change, 2 should').waitFor();
+  await page.getByText('1 of 2: the step from block 5 to block 6', { exact: true }).waitFor();
+  await page.getByRole('button', { name: 'Next wrong step ›' }).click();
+  await page.getByText('2 of 2: the step from block 7 to block 8', { exact: true }).waitFor();
+  await look(page, 'verify-steps');
+});
+
+test('an uncovered pair leads to its elements, and the choice is in the link', async () => {
+  const page = await explorer.open('#/verify?example=pairs');
+  const pair = page.getByRole('button', { name: '{6, 7}' });
+  await pair.click();
+  await page.getByText('No block has all of them').waitFor();
+  assert.equal(await pair.getAttribute('aria-pressed'), 'true');
+  assert.ok((await page.locator('.element.of-pair').count()) > 0);
+  await page.reload();
+  await settled(page);
+  assert.equal(await page.getByRole('button', { name: '{6, 7}' }).getAttribute('aria-pressed'), 'true');
+  await look(page, 'verify-pairs');
+});
+
+test('a typing error is shown at its line and column', async () => {
+  const page = await explorer.open('#/verify?example=typing', { mayFail: /status of 422/ });
+  await page.getByRole('alert').waitFor();
+  await page.locator('.excerpt-line.here', { hasText: '2 3 4 4' }).waitFor();
+  await page.getByRole('button', { name: 'Go to line 5 in the text' }).click();
+  assert.equal(await box(page).evaluate((field) => field.value.slice(field.selectionStart, field.selectionEnd)), '2 3 4 4');
+  await look(page, 'verify-typing');
+});
+
+test('a pasted text is checked by keyboard alone, is in the link, and survives a reload', async () => {
+  const page = await explorer.open('#/verify');
+  await box(page).focus();
+  await page.keyboard.insertText(design);
+  await page.keyboard.press('Control+Enter');
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  await page.getByText('circular double-change covering design on 7 elements in blocks of 3').waitFor();
+  assert.match(page.url(), /text=/);
+  const other = await explorer.open(new URL(page.url()).hash);
+  await other.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  assert.equal(await box(other).inputValue(), design);
+});
+
+test('what the file says can be overruled', async () => {
+  const page = await explorer.open('#/verify?example=good');
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  await page.getByRole('combobox', { name: 'changes' }).selectOption('1');
+  await page.getByRole('button', { name: 'Check' }).click();
+  await page.getByRole('heading', { name: '✗ Not a design' }).waitFor();
+  await page.getByText('7 steps do not change exactly 1 element').waitFor();
+  assert.match(page.url(), /change=1/);
+});
+
+test('a file is chosen; the design opens in the viewer', async () => {
+  const page = await explorer.open('#/verify');
+  await page.getByLabel('A file with a design').setInputFiles({ name: 'fano.txt', mimeType: 'text/plain', buffer: Buffer.from(design) });
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  await page.getByRole('link', { name: 'Open in the viewer' }).click();
+  await page.waitForURL(/design\?local=1/);
+  const local = await page.evaluate(() => JSON.parse(sessionStorage.getItem('changeover-local')));
+  assert.equal(local.v, 7);
+  assert.deepEqual(local.blocks[1], [1, 2, 4]);
+});
+
+test('a valid design goes into the catalog, once', async () => {
+  const page = await explorer.open('#/verify?example=good');
+  const add = page.getByRole('button', { name: 'Add to my catalog' });
+  await add.click();
+  const label = await page.locator('.actions a[href*="label="]').textContent();
+  assert.match(label, /^9\.4\.2\.linear\.8\./);
+  await page.reload();
+  await settled(page);
+  await add.click();
+  await page.getByText('Your catalog has it already').waitFor();
+});
+
+test('a file is dropped; what another page hands over is checked at once', async () => {
+  const page = await explorer.open('#/verify');
+  await page.locator('.verify-form').evaluate((form, text) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([text], 'dropped.txt', { type: 'text/plain' }));
+    form.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+  }, design);
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  assert.equal(await box(page).inputValue(), design);
+  const other = await explorer.open('#/verify');
+  await other.evaluate((text) => sessionStorage.setItem('changeover-text', text), design);
+  await other.goto(new URL('#/verify?pasted=1', other.url()).href);
+  await other.getByRole('heading', { name: '✓ Valid' }).waitFor();
+});
+
+test('names of elements are kept', async () => {
+  const page = await explorer.open('#/verify');
+  await box(page).fill('a b c\nc d a\nd e a\n');
+  await page.getByRole('combobox', { name: 'changes' }).selectOption('1');
+  await page.getByRole('button', { name: 'Check' }).click();
+  await page.getByRole('button', { name: '{b, d}' }).click();
+  await page.getByText('b is in block 1; d is in blocks 2, 3. No block has all of them.').waitFor();
+});
+
+/** A file with so many rounds of a circular design: valid steps all the way. */
+function rounds(count) {
+  const folder = mkdtempSync(join(tmpdir(), 'changeover-large-'));
+  const path = join(folder, 'large.txt');
+  writeFileSync(path, '# changeover design v=7 k=3 change=2 kind=circular\n' + '0 1 3\n1 2 4\n2 3 5\n3 4 6\n0 4 5\n1 5 6\n0 2 6\n'.repeat(count));
+  return { path, remove: () => rmSync(folder, { recursive: true }) };
+}
+
+test('a large file is read beside the page, and its list goes to the end', async () => {
+  const page = await explorer.open('#/verify');
+  const file = rounds(28_000);
+  const worker = page.waitForEvent('worker');
+  await page.getByLabel('A file with a design').setInputFiles(file.path);
+  await worker;
+  await page.getByText('too long to be shown here').waitFor();
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor({ timeout: 120_000 });
+  file.remove();
+  const list = page.getByRole('group', { name: /^The 196.000 blocks/ });
+  await list.focus();
+  await page.keyboard.press('End');
+  await page.locator('.block-number', { hasText: /^196.000$/ }).waitFor();
+  assert.ok((await list.getByRole('listitem').count()) < 100);
+  await look(page, 'verify-large');
+});
+
+test('a list with more blocks than a page can show is checked all the same', async () => {
+  const page = await explorer.open('#/verify');
+  const file = rounds(230_000);
+  await page.getByLabel('A file with a design').setInputFiles(file.path);
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor({ timeout: 120_000 });
+  file.remove();
+  await page.getByText(/its 1.610.000 blocks are too many/).waitFor();
+  await page.locator('table.facts').waitFor();
+});
+
+test('on a phone nothing scrolls sideways but the frames', async () => {
+  const page = await explorer.open('#/verify?example=pairs');
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.getByRole('heading', { name: '✗ Not a design' }).waitFor();
+  assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+  await look(page, 'verify-phone');
+});
