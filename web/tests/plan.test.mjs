@@ -104,6 +104,19 @@ test('the whole job is in the link, with what is done', async () => {
   assert.equal(await nameOf(other, 9).inputValue(), '9');
 });
 
+test('a link to an older state does not undo what was done since', async () => {
+  const page = await explorer.open('#/plan');
+  await planNine(page);
+  await page.getByText('The link of this page holds the whole job').waitFor();
+  const older = new URL(page.url()).hash;
+  await page.getByRole('checkbox', { name: 'Test 1 is done', exact: true }).check();
+  await page.waitForFunction((hash) => location.hash !== hash, older);
+  const other = await explorer.open(older);
+  await other.getByText('0 of 17 tests done').waitFor();
+  await other.getByRole('link', { name: 'open that Run sheet' }).click();
+  await other.getByText('1 of 17 tests done; 16 of 117 spent').waitFor();
+});
+
 test('the rest is planned anew after some tests, without a part that is gone', async () => {
   const page = await explorer.open('#/plan');
   await planNine(page);
@@ -182,7 +195,7 @@ test('a job too long for a link is kept in this browser, and a link to one that 
   await settled(page);
   await page.locator('.run-sheet tbody tr').nth(rows - 1).waitFor();
   const other = await explorer.open('#/plan?id=nowhere');
-  await other.getByRole('alert').getByText('not in this browser').waitFor();
+  await other.getByRole('alert').getByText('this browser does not have it either').waitFor();
 });
 
 test('the keyboard alone: rows by Enter and arrows, ticks by arrows and Space', async () => {

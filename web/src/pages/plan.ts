@@ -1,6 +1,6 @@
 import { announce, field, fill, h, select } from '../lib/dom';
 import { save } from '../lib/save';
-import { count, number } from '../lib/words';
+import { count } from '../lib/words';
 import { link, problem, type Page, type View } from '../shell/router';
 import { ask } from './plan/ask';
 import { csv, decimal, emptyJob, exampleJob, exact, moneyOf, partsOf, type Job, type Outcome, type PairMode, type State, type Test } from './plan/job';
@@ -56,7 +56,7 @@ function keptList(): HTMLElement | null {
 
 async function render(view: View): Promise<void> {
   const given = await load(view.params);
-  const state: State = given ?? { id: newId(), job: emptyJob(), outcome: null };
+  const state: State = given?.state ?? { id: newId(), job: emptyJob(), outcome: null };
   if (view.signal.aborted) {
     return;
   }
@@ -269,9 +269,16 @@ async function render(view: View): Promise<void> {
   grid.set(state.job.parts);
   if (state.outcome) {
     show(state.outcome);
-    await keep();
+    if (!given?.other) {
+      await keep();
+    }
   } else if ((view.params.has('s') || view.params.has('id')) && !given) {
-    fill(fault, problem(new Error(`This link names a job that is not in this browser (${number(keptJobs().length)} are). Open it where it was made, or make it anew.`)));
+    fill(fault, problem(new Error('This link does not hold a whole job (it may have been cut), and this browser does not have it either. Open it where it was made, or make it anew.')));
+  }
+  if (given?.other) {
+    const { id, title: name, done, tests, when } = given.other;
+    fill(fault, h('p', { class: 'note' }, `This is the job as the link has it. This browser has it, too, as of ${new Date(when).toLocaleString()}, ${done} of ${count(tests, 'test')} done: `, h('a', { href: link('plan', { id }) }, `open that ${name}`), '. What you change here is kept beside it.'));
+    state.id = newId();
   }
 }
 

@@ -52,7 +52,7 @@ export function headline(answer: Answer, asked: Asked): HTMLElement {
       asked.bytesPerItem !== null && ` ${bytes(answer.bytes)} are read${shared || answer.bytes <= answer.bytes_bound ? '' : `; less than ${bytes(answer.bytes_bound)} is not possible`}.`,
     ),
     h('p', { class: 'hint' }, 'Every step was read and every pair counted by a program of its own.'),
-    answer.reason && h('details', {}, h('summary', {}, 'Why not fewer'), h('p', {}, answer.reason)),
+    answer.reason && h('details', {}, h('summary', {}, 'Why not fewer'), h('p', {}, shared ? `All workers together have at least ${count(answer.lower_bound, 'load')}: ` : '', answer.reason)),
     answer.explanation && h('details', {}, h('summary', {}, 'Where the order comes from'), h('p', {}, answer.explanation)),
   );
 }

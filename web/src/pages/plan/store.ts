@@ -109,14 +109,18 @@ function entry(id: string): { when: number; state: State } | null {
   }
 }
 
+function keptOf({ when, state: { id, job, outcome } }: { when: number; state: State }): Kept {
+  const tests = outcome?.tests ?? [];
+  return { id, title: job.title, when, tests: tests.length, done: tests.filter(({ done }) => done).length };
+}
+
 /** The jobs of this browser, the last one first. */
 export function keptJobs(): Kept[] {
   return Object.keys(localStorage)
     .filter((key) => key.startsWith(prefix))
     .flatMap((key) => {
       const found = entry(key.slice(prefix.length));
-      const tests = found?.state.outcome?.tests ?? [];
-      return found ? [{ id: found.state.id, title: found.state.job.title, when: found.when, tests: tests.length, done: tests.filter(({ done }) => done).length }] : [];
+      return found ? [keptOf(found)] : [];
     })
     .sort((one, other) => other.when - one.when);
 }
@@ -137,11 +141,22 @@ export async function keep(state: State): Promise<{ s: string | null; id: string
   return { s: whole ? word : null, id: state.id, whole };
 }
 
-/** What a link names: what it holds, else what this browser has kept under its name. */
-export async function load(params: URLSearchParams): Promise<State | null> {
+export interface Loaded {
+  state: State;
+  /** This browser has kept the same job in another state than the link. */
+  other: Kept | null;
+}
+
+/** What a link holds, else what this browser has kept under its name. */
+export async function load(params: URLSearchParams): Promise<Loaded | null> {
   const word = params.get('s');
   const linked = word ? unpacked(await unpack(word)) : null;
-  return linked ?? entry(params.get('id') ?? '')?.state ?? null;
+  const here = entry(linked?.id ?? params.get('id') ?? '');
+  if (!linked) {
+    return here && { state: here.state, other: null };
+  }
+  const same = here === null || JSON.stringify(packed(here.state)) === JSON.stringify(packed(linked));
+  return { state: linked, other: same ? null : keptOf(here) };
 }
 
 export function newId(): string {
