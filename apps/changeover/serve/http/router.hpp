@@ -23,7 +23,7 @@ namespace changeover::serve {
 enum class Body : std::uint8_t {
   none,
   json,  ///< Content-Type application/json
-  any    ///< a file of any type, but no form of a web page
+  any    ///< a file of any type, but no form of several parts
 };
 
 struct Route {
