@@ -96,6 +96,12 @@ TEST(TikzTest, EveryShapeIsWrittenAndStylesAreInherited) {
   EXPECT_EQ(count(tikz(all_shapes(), Theme::dark), "\\path["), 5U);
 }
 
+TEST(TikzTest, WordsBesidesNamesHaveInfinityToo) {
+  Picture picture{.width = 9, .height = 9, .title = "words"};
+  picture.add({.shape = Text{.at = {1, 1}, .content = "B1 = ∞_s* 50%"}});
+  EXPECT_EQ(count(tikz(picture), "{B1 = $\\infty$\\_s* 50\\%};"), 1U) << tikz(picture);
+}
+
 TEST(TikzTest, ATitleOfSeveralLinesStaysAComment) {
   Picture picture{.width = 9, .height = 9, .title = "a\nb\\end{tikzpicture}"};
   const std::string text = tikz(picture);
