@@ -116,6 +116,20 @@ TEST(TikzTest, APictureThatTexCannotHoldIsRefused) {
   EXPECT_NE(message_of([&] { (void)tikz(picture); }).find("--from and --to"), std::string::npos);
 }
 
+TEST(SvgTest, TextsThatOverlapOrLeaveThePageAreNoticed) {
+  const auto page = [](const std::vector<Point>& places) {
+    Picture picture{.width = 100, .height = 50, .title = "texts"};
+    for (const Point& place : places) {
+      picture.add({.shape = Text{.at = place, .content = "word"}});
+    }
+    return read_svg(svg(picture)).overlap();
+  };
+  EXPECT_EQ(page({{10, 20}, {50, 20}, {10, 40}}), "");
+  EXPECT_NE(page({{10, 20}, {30, 22}}), "");
+  EXPECT_NE(page({{90, 20}}), "");
+  EXPECT_NE(page({{10, 5}}), "");
+}
+
 TEST(TextWidthTest, ItGrowsWithTheTextAndTheFont) {
   EXPECT_NEAR(text_width("00", 10), 12.7, 0.1);
   EXPECT_GT(text_width("漢字", 10), 19);
