@@ -147,6 +147,29 @@ double spacing(const Round& round) {
   return 2 * std::sin(std::numbers::pi / around);
 }
 
+// Where texts stand already, by their middles on the baseline.
+class Taken {
+ public:
+  // Whether a text has room there; if so, it is taken from now on.
+  bool has_room(const Point& middle, double width, double height) {
+    const Rectangle mine{.x = middle.x - width / 2 - 1,
+                         .y = middle.y - height,
+                         .width = width + 2,
+                         .height = height};
+    for (const Rectangle& other : taken_) {
+      if (mine.x < other.x + other.width && other.x < mine.x + mine.width &&
+          mine.y < other.y + other.height && other.y < mine.y + mine.height) {
+        return false;
+      }
+    }
+    taken_.push_back(mine);
+    return true;
+  }
+
+ private:
+  std::vector<Rectangle> taken_;
+};
+
 Picture laid_out(const Round& round) {
   constexpr double size = 480, middle = size / 2, circle_radius = 205;
   const double node_radius = std::min(19.0, 0.42 * circle_radius * spacing(round));
@@ -181,6 +204,7 @@ Picture laid_out(const Round& round) {
 
   Group nodes;
   Group names;
+  Taken names_beside;
   for (const Node& node : round.nodes) {
     const Paint fill = node.fill ? Paint::series(*node.fill) : Paint(Paint::Role::ground);
     nodes.marks.push_back({.shape = Disc{at(node, node.radius * circle_radius), node_radius},
@@ -197,8 +221,12 @@ Picture laid_out(const Round& round) {
     Point place = names_inside ? at(node, node.radius * circle_radius)
                                : at(node, circle_radius + node_radius + 9);
     place.y += 0.35 * font;
+    const std::string name = fitted(node.name, room, font);
+    if (!names_inside && !names_beside.has_room(place, text_width(name, font), font)) {
+      continue;  // who points at the point is told its name
+    }
     names.marks.push_back(
-        {.shape = Text{.at = place, .content = fitted(node.name, room, font), .element = true},
+        {.shape = Text{.at = place, .content = name, .element = true},
          .style = {.fill = names_inside && node.fill ? Paint::upon(fill) : Paint(Paint::Role::ink),
                    .font_size = font}});
   }

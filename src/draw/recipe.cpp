@@ -12,7 +12,7 @@ namespace {
 
 constexpr double font = 12, small_font = 11;
 constexpr double padding = 10;
-constexpr double most_room = 400;  // of a line in a node
+constexpr double most_room = 560;  // of a line in a node
 constexpr double between = 24, below = 36;
 constexpr double node_height = 68;
 
@@ -33,7 +33,7 @@ Node node_of(const Recipe& recipe, const Registry& registry) {
   node.b = registry.build(recipe)->block_count().value_or(0);
   node.lines = {name(recipe.parameters), fmt::format("{} block{}", node.b, node.b == 1 ? "" : "s"),
                 recipe.construction, construction.citation().to_string()};
-  node.title = construction.explain(recipe);
+  node.title = construction.explain(recipe) + " " + node.lines.back();
   for (const Recipe& input : recipe.inputs) {
     node.inputs.push_back(node_of(input, registry));
   }

@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
+#include "changeover/core/automorphism.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/recipe.hpp"
@@ -94,17 +95,17 @@ inline constexpr std::uint64_t most_read_elements = 20'000'000;  ///< circle: bl
                                   const Registry& registry = Registry::standard(),
                                   const std::string& note = {});
 
-/// Base blocks that were found in a list of blocks: block i·c + j is πⁱ of base block j, where π adds `shift` to each
-/// element of Z_n and keeps element n if v = n + 1.
+/// Base blocks that were found in a list of blocks: block i·c + j is the image of base block j under π^(shift·i).
 struct FoundRotation {
-  std::uint64_t n = 0;
-  std::uint64_t shift = 0;
-  std::vector<Block> base_blocks;
+  Automorphism pi;
+  std::uint64_t shift = 1;
+  std::vector<Block> base_blocks;  ///< c of them
 
   bool operator==(const FoundRotation&) const = default;
 };
 
-/// The rotation of least c under which a circular design is developed, n = v before n = v − 1; nullopt if there is none.
+/// The rotation of least c under which a circular design is developed: π is x ↦ x + 1 over Z_v, the same over Z_(v−1) with one
+/// fixed element, or has cycles of length b/c and at most three fixed elements; nullopt if there is none.
 /// O(b·k·v) at worst, in practice O(b·k).
 [[nodiscard]] std::optional<FoundRotation> find_rotation(const Design& design);
 

@@ -159,7 +159,7 @@ struct Picture {
 [[nodiscard]] std::string svg(const Picture& picture, Theme theme = Theme::light);
 
 /// TeX has a limited memory: a picture for it has at most so many marks.
-inline constexpr std::size_t most_marks_of_tikz = 20'000;
+inline constexpr std::size_t most_marks_of_tikz = 10'000;
 
 /// One tikzpicture. @throws BadInput if the picture has more than most_marks_of_tikz marks.
 [[nodiscard]] std::string tikz(const Picture& picture, Theme theme = Theme::light);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "changeover/draw/figures.hpp"
 #include "draw/design/pictures.hpp"
@@ -15,32 +16,36 @@ constexpr double list_width = 330;
 constexpr double font = 12;
 constexpr double line_height = 17;
 
-// What a block newly covers, in words: ∞ for a pair with the fixed element.
-std::vector<std::string> differences_of(const DrawnBlock& block, std::uint64_t n) {
+// What a block newly covers, in words: "5" between elements of the only cycle, "0:5" of cycle 0, "0-1:5" from cycle 0 to cycle
+// 1, ∞ for a pair with a fixed element.
+std::vector<std::string> differences_of(const DrawnBlock& block, const Automorphism& pi) {
   const auto is_new = [&](Element x) {
     return std::find(block.introduced.begin(), block.introduced.end(), x) != block.introduced.end();
   };
-  std::vector<std::uint64_t> differences;
+  std::vector<std::array<std::uint64_t, 3>> differences;  // two cycles and the difference
   std::size_t with_fixed = 0;
   for (std::size_t a = 1; a < block.elements.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      const Element x = block.elements[a];
-      const Element y = block.elements[b];
+      const auto [x, y] = std::minmax(block.elements[a], block.elements[b]);
       if (!is_new(x) && !is_new(y)) {
         continue;
       }
-      if (x >= n || y >= n) {
+      if (!pi.moves(y)) {
         ++with_fixed;
         continue;
       }
-      const std::uint64_t apart = x > y ? x - y : y - x;
-      differences.push_back(std::min(apart, n - apart));
+      const std::uint64_t apart = (pi.residue(y) + pi.n - pi.residue(x)) % pi.n;
+      const bool pure = pi.cycle(x) == pi.cycle(y);
+      differences.push_back(
+          {pi.cycle(x), pi.cycle(y), pure ? std::min(apart, pi.n - apart) : apart});
     }
   }
   std::sort(differences.begin(), differences.end());
   std::vector<std::string> words = {"new differences:"};
-  for (const std::uint64_t difference : differences) {
-    words.push_back(std::to_string(difference));
+  for (const auto& [from, to, apart] : differences) {
+    words.push_back(pi.cycles == 1 ? fmt::format("{}", apart)
+                    : from == to   ? fmt::format("{}:{}", from, apart)
+                                   : fmt::format("{}-{}:{}", from, to, apart));
   }
   words.insert(words.end(), with_fixed, "∞");
   return words;
@@ -117,17 +122,30 @@ Picture draw_design_circle(const Drawing& drawing) {
       drawing.options.to ? *drawing.options.to - first : std::max<std::uint64_t>(2, base_blocks);
   CircleFigure figure = circle_figure(design, first, std::min(named, most_blocks));
   drawing.require_blocks(figure.blocks.size());
-  if (rotation && rotation->n < design.v()) {
-    figure.centre = static_cast<std::uint32_t>(rotation->n);
+  if (rotation && rotation->pi.cycles == 1 && rotation->pi.fixed == 1) {
+    figure.centre = static_cast<std::uint32_t>(rotation->pi.n);
   }
 
   Picture content = draw_circle(figure);
   BlockList list(content.width + 10);
   if (rotation) {
-    list.headline(fmt::format("{} base block{} over Z_{}, developed by +{}", base_blocks,
-                              base_blocks == 1 ? "" : "s", rotation->n, rotation->shift));
-    if (figure.centre) {
-      list.headline(fmt::format("{} stays where it is (∞)", drawing.name(*figure.centre)));
+    const Automorphism& pi = rotation->pi;
+    const std::string developed =
+        fmt::format("{} base block{}", base_blocks, base_blocks == 1 ? "" : "s");
+    if (pi.cycles == 1) {
+      list.headline(
+          fmt::format("{} over Z_{}, developed by +{}", developed, pi.n, rotation->shift));
+    } else {
+      list.headline(fmt::format("{}, {} cycles of length {}", developed, pi.cycles, pi.n));
+      list.headline("o:d within cycle o, o-p:d from cycle o to cycle p");
+    }
+    if (pi.fixed > 0) {
+      std::string fixed;
+      for (std::uint64_t x = pi.moved(); x < pi.v(); ++x) {
+        fixed += (fixed.empty() ? "" : ", ") + drawing.name(static_cast<Element>(x));
+      }
+      list.headline(fmt::format("{} {} (∞)", fixed,
+                                pi.fixed == 1 ? "stays where it is" : "stay where they are"));
     }
   } else {
     list.headline(fmt::format("blocks {} to {} and what they newly cover", first + 1,
@@ -143,7 +161,7 @@ Picture draw_design_circle(const Drawing& drawing) {
     }
     list.block(Paint::series(i % (Paint::series_length - 1)), words);
     if (rotation && i < base_blocks) {
-      list.lines(differences_of(block, rotation->n), true);
+      list.lines(differences_of(block, rotation->pi), true);
     }
   }
   content.width += 10 + list_width;

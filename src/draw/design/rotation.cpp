@@ -1,4 +1,5 @@
 // Is a list of blocks developed from its first ones under a rotation?
+#include <algorithm>
 #include <numeric>
 
 #include "changeover/core/automorphism.hpp"
@@ -41,6 +42,31 @@ class Search {
   std::uint64_t stamp_ = 0;
 };
 
+// What may have that order, one cycle first.
+std::vector<std::pair<Automorphism, std::uint64_t>> candidates(std::uint64_t v,
+                                                               std::uint64_t order) {
+  constexpr std::uint64_t most_fixed = 3;
+  std::vector<std::pair<Automorphism, std::uint64_t>> all;
+  for (const std::uint64_t fixed : {0U, 1U}) {
+    const std::uint64_t n = v - fixed;
+    if (n < 2 || n % order != 0) {
+      continue;
+    }
+    for (std::uint64_t shift = n / order; shift < n; shift += n / order) {
+      if (std::gcd(n, shift) == n / order) {
+        all.emplace_back(Automorphism{.n = n, .cycles = 1, .fixed = fixed}, shift);
+      }
+    }
+  }
+  for (std::uint64_t fixed = 0; fixed <= std::min(most_fixed, v); ++fixed) {
+    const auto pi = Automorphism::on(v, order, fixed);
+    if (pi && pi->cycles > 1) {
+      all.emplace_back(*pi, 1);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 std::optional<FoundRotation> find_rotation(const Design& design) {
@@ -50,22 +76,15 @@ std::optional<FoundRotation> find_rotation(const Design& design) {
   }
   Search search(design);
   for (std::size_t c = 1; 2 * c <= b; ++c) {
-    const std::uint64_t order = b / c;  // of π^shift
     if (b % c != 0) {
       continue;
     }
-    for (const std::uint64_t fixed : {0U, 1U}) {
-      const std::uint64_t n = design.v() - fixed;
-      if (n < 2 || n % order != 0) {
-        continue;
-      }
-      const Automorphism pi{.n = n, .cycles = 1, .fixed = fixed};
-      for (std::uint64_t shift = n / order; shift < n; shift += n / order) {
-        if (std::gcd(n, shift) == n / order && search.holds(pi, shift, c)) {
-          const std::vector<Block> blocks = design.blocks();
-          return FoundRotation{
-              n, shift, {blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(c)}};
-        }
+    const std::uint64_t order = b / c;  // of π^shift
+    for (const auto& [pi, shift] : candidates(design.v(), order)) {
+      if (search.holds(pi, shift, c)) {
+        const std::vector<Block> blocks = design.blocks();
+        return FoundRotation{
+            pi, shift, {blocks.begin(), blocks.begin() + static_cast<std::ptrdiff_t>(c)}};
       }
     }
   }

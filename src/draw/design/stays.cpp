@@ -16,6 +16,7 @@ constexpr double small_font = 8, usual_font = 11;
 constexpr double longest_name = 120;
 constexpr double beyond = 5;  // by so much a bar that goes on stands out of the frame
 constexpr double axis_height = 18;
+constexpr double narrowest = 1.8;  // of a bar
 
 class Stays {
  public:
@@ -116,8 +117,10 @@ class Stays {
   // A bar from the left of one block to the right of another, out of the frame where it goes on.
   Rectangle bar(std::uint64_t from, std::uint64_t to, bool before, bool after, double y) const {
     const double gap = std::min(0.15 * row_, 2.0);
-    const double left = x_of(from) - (before ? beyond : 0);
-    const double right = x_of(to) + unit_ + (after ? beyond : 0);
+    // A stay of one block is seen however narrow blocks are.
+    const double wider = std::max(0.0, narrowest - static_cast<double>(to - from + 1) * unit_) / 2;
+    const double left = x_of(from) - (before ? beyond : wider);
+    const double right = x_of(to) + unit_ + (after ? beyond : wider);
     return {.x = left, .y = y + gap, .width = right - left, .height = row_ - 2 * gap};
   }
 

@@ -31,6 +31,16 @@ struct Look {
   }
 };
 
+// ∞, which names of elements have, is the one sign of ours that LaTeX does not know by itself.
+std::string plain_words(std::string_view text) {
+  constexpr std::string_view infinity = "∞";
+  std::string words = latex_escaped(text);
+  for (std::size_t at = 0; (at = words.find(infinity, at)) != std::string::npos;) {
+    words.replace(at, infinity.size(), "$\\infty$");
+  }
+  return words;
+}
+
 class Writer {
  public:
   explicit Writer(Theme theme) : theme_(theme) {}
@@ -133,7 +143,7 @@ class Writer {
   void put(const Text& shape, const Look& look) {
     const std::string content = shape.element
                                     ? latex_element(shape.content, shape.introduced, shape.leaving)
-                                    : latex_escaped(shape.content);
+                                    : plain_words(shape.content);
     const std::string_view anchor = look.anchor == Anchor::start    ? "base west"
                                     : look.anchor == Anchor::middle ? "base"
                                                                     : "base east";

@@ -317,7 +317,7 @@ TEST(CircleTest, BaseBlocksAreFoundByRotation) {
   const Design design = read_all(source);
   const auto found = find_rotation(design);
   ASSERT_TRUE(found);
-  EXPECT_EQ(*found, (FoundRotation{11, 1, {{0, 1, 2, 5}}}));
+  EXPECT_EQ(*found, (FoundRotation{{.n = 11, .cycles = 1}, 1, {{0, 1, 2, 5}}}));
   const Picture picture = draw(design, {.picture = PictureKind::circle});
   expect_legible(picture);
   const Page page = read_svg(svg(picture));
@@ -331,12 +331,14 @@ TEST(CircleTest, BaseBlocksAreFoundByRotation) {
 }
 
 TEST(CircleTest, AShortRotationAndOneWithAFixedElementAreFoundAndNothingElseIs) {
-  EXPECT_EQ(find_rotation(three_blocks()), (FoundRotation{6, 2, {{0, 1, 2, 3}}}));
+  EXPECT_EQ(find_rotation(three_blocks()),
+            (FoundRotation{{.n = 6, .cycles = 1}, 2, {{0, 1, 2, 3}}}));
   // {0,1,6} over Z_6 with 6 fixed.
   const Design fixed(
       Parameters{.v = 7, .k = 3, .change = 1, .kind = Kind::circular},
       std::vector<Block>{{0, 1, 6}, {1, 2, 6}, {2, 3, 6}, {3, 4, 6}, {4, 5, 6}, {5, 0, 6}});
-  EXPECT_EQ(find_rotation(fixed), (FoundRotation{6, 1, {{0, 1, 6}}}));
+  EXPECT_EQ(find_rotation(fixed),
+            (FoundRotation{{.n = 6, .cycles = 1, .fixed = 1}, 1, {{0, 1, 6}}}));
   expect_legible(draw(fixed, {.picture = PictureKind::circle}));
   Design spoilt(fixed.parameters());
   for (std::size_t i = 0; i < fixed.block_count(); ++i) {
@@ -350,6 +352,25 @@ TEST(CircleTest, AShortRotationAndOneWithAFixedElementAreFoundAndNothingElseIs) 
   const Page page =
       read_svg(svg(draw(linear, {.picture = PictureKind::circle, .from = 2, .to = 3})));
   EXPECT_EQ(page.count("pair"), 4U);
+}
+
+TEST(CircleTest, ARotationWithSeveralCyclesIsFound) {
+  // Two cycles of length 5 and a fixed element.
+  const Automorphism pi{.n = 5, .cycles = 2, .fixed = 1};
+  const BaseBlocks base{{.v = 11, .k = 4, .kind = Kind::circular}, {{0, 1, 5, 10}, {0, 2, 6, 10}}};
+  DevelopedSource source(base, pi);
+  const Design design = read_all(source);
+  EXPECT_EQ(find_rotation(design), (FoundRotation{pi, 1, base.blocks}));
+  const Picture picture = draw(design, {.picture = PictureKind::circle});
+  expect_legible(picture);
+  std::string words;
+  for (const DrawnText& text : read_svg(svg(picture)).texts) {
+    words += text.content + "\n";
+  }
+  EXPECT_NE(words.find("2 base blocks, 2 cycles of length 5\n"), std::string::npos) << words;
+  EXPECT_NE(words.find("10 stays where it is (∞)\n"), std::string::npos) << words;
+  // The second block keeps 0 and 10: {0,2}, {0,6}, {2,6} and two pairs with 10 are new.
+  EXPECT_NE(words.find("new differences: 0:2 0-1:1 0-1:4 ∞ ∞\n"), std::string::npos) << words;
 }
 
 TEST(LimitsTest, WhatIsTooMuchIsSaidInOneLine) {

@@ -96,6 +96,12 @@ TEST(TikzTest, EveryShapeIsWrittenAndStylesAreInherited) {
   EXPECT_EQ(count(tikz(all_shapes(), Theme::dark), "\\path["), 5U);
 }
 
+TEST(TikzTest, WordsBesidesNamesHaveInfinityToo) {
+  Picture picture{.width = 9, .height = 9, .title = "words"};
+  picture.add({.shape = Text{.at = {1, 1}, .content = "B1 = ∞_s* 50%"}});
+  EXPECT_EQ(count(tikz(picture), "{B1 = $\\infty$\\_s* 50\\%};"), 1U) << tikz(picture);
+}
+
 TEST(TikzTest, ATitleOfSeveralLinesStaysAComment) {
   Picture picture{.width = 9, .height = 9, .title = "a\nb\\end{tikzpicture}"};
   const std::string text = tikz(picture);
@@ -108,6 +114,20 @@ TEST(TikzTest, APictureThatTexCannotHoldIsRefused) {
   check_tikz(tikz(picture));
   picture.add({.shape = Disc{{1, 1}, 1}});
   EXPECT_NE(message_of([&] { (void)tikz(picture); }).find("--from and --to"), std::string::npos);
+}
+
+TEST(SvgTest, TextsThatOverlapOrLeaveThePageAreNoticed) {
+  const auto page = [](const std::vector<Point>& places) {
+    Picture picture{.width = 100, .height = 50, .title = "texts"};
+    for (const Point& place : places) {
+      picture.add({.shape = Text{.at = place, .content = "word"}});
+    }
+    return read_svg(svg(picture)).overlap();
+  };
+  EXPECT_EQ(page({{10, 20}, {50, 20}, {10, 40}}), "");
+  EXPECT_NE(page({{10, 20}, {30, 22}}), "");
+  EXPECT_NE(page({{90, 20}}), "");
+  EXPECT_NE(page({{10, 5}}), "");
 }
 
 TEST(TextWidthTest, ItGrowsWithTheTextAndTheFont) {
