@@ -34,6 +34,7 @@ declare -A settings=(
   [paper]=''
   [loadorder]='--items 20 --room 5|--items 12 --room 4 --workers 3|--items 9 --room 4 --prefetch'
   [completion]='bash'
+  [serve]='|good.txt|--export site --assets pages --k 3 --v 5..6 -m 2'
   [describe]=''
 )
 
@@ -65,7 +66,8 @@ prepare() {
   printf '2,1,linear,2,3,3,3,3,cut,0.00,0.00,0.00,0,0,100000\n' >>minima.csv
   : >empty
   ln -s loop loop
-  mkdir folder closed precious
+  mkdir folder closed precious pages
+  printf '<html><head></head></html>\n' >pages/index.html
   printf 'precious\n' >precious/file
   chmod 000 closed
 }
@@ -84,13 +86,13 @@ restore() {
   prepare
 }
 
-# Words after -o, --output, --proof, --checkpoint, --data and --figures may appear or change.
+# Words after -o, --output, --proof, --checkpoint, --data, --figures and --export may appear or change.
 named() {
   local wanted=$1 previous='' word
   shift
   for word in "$@"; do
     case $previous in
-      -o | --output | --proof | --checkpoint | --data | --figures)
+      -o | --output | --proof | --checkpoint | --data | --figures | --export)
         word=${word#../ground/}
         [[ ${word%%/*} != "$wanted" ]] || return 0
         ;;
@@ -103,9 +105,9 @@ named() {
 attack() { # the verb and its words
   local name text changed=no now
   attacks=$((attacks + 1))
-  if [[ "$* " == *" --time 100ms "* || " $* " != *' --time '* ]]; then
+  if [[ $1 != serve && ("$* " == *" --time 100ms "* || " $* " != *' --time '*) ]]; then
     run 10 "$CHANGEOVER" "$@"
-  else # It may have been given much time, so it is asked to stop.
+  else # A server never ends, others may have been given much time: they are asked to stop.
     { timeout --preserve-status -s INT -k 8 2 "$CHANGEOVER" "$@" >"$out" 2>"$err" </dev/null; } 2>/dev/null
     code=$?
     heard

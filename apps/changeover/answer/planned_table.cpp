@@ -13,14 +13,14 @@ namespace {
 
 std::string text_of(const Range& range) { return fmt::format("{}..{}", range.from, range.to); }
 
-// What is planned for a range. @throws UsageError if it cannot be.
-PlanRange with_surroundings(const TableRange& asked) {
+// What is planned for a range that was asked for in these words. @throws UsageError if it cannot be.
+PlanRange with_surroundings(const TableRange& asked, const std::string& k, const std::string& v) {
   if (asked.k.from < 2) {
-    throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", text_of(asked.k))};
+    throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", k)};
   }
   if (asked.v.from < 2 || asked.v.to > largest_v_of_a_plan) {
-    throw UsageError{fmt::format("--v {}: a table goes from v = 2 to v = {}", text_of(asked.v),
-                                 largest_v_of_a_plan)};
+    throw UsageError{
+        fmt::format("--v {}: a table goes from v = 2 to v = {}", v, largest_v_of_a_plan)};
   }
   if (asked.change < 1) {
     throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
@@ -32,8 +32,8 @@ PlanRange with_surroundings(const TableRange& asked) {
                                               .change = asked.change});
   if (planned.k_to - planned.k_from >=
       most_cells_of_a_plan / 2 / (planned.v_to - planned.v_from + 1)) {
-    throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells",
-                                 text_of(asked.k), text_of(asked.v), most_cells_of_a_plan)};
+    throw UsageError{
+        fmt::format("--k {} --v {}: the range has more than {} cells", k, v, most_cells_of_a_plan)};
   }
   return planned;
 }
@@ -54,12 +54,13 @@ TableRange table_range(const std::string& k, const std::string& v,
                        std::optional<std::uint64_t> change) {
   TableRange range{.k = range_of("--k", k, 2), .v = {}, .change = change.value_or(2)};
   range.v = range_of("--v", v, range.k.from);
-  static_cast<void>(with_surroundings(range));
+  static_cast<void>(with_surroundings(range, k, v));
   return range;
 }
 
 PlannedTable plan_table(const TableRange& asked) {
-  return {asked, plan_range(Registry::standard(), with_surroundings(asked))};
+  return {asked, plan_range(Registry::standard(),
+                            with_surroundings(asked, text_of(asked.k), text_of(asked.v)))};
 }
 
 std::string table_json(const Cells& cells, bool with_labels) {

@@ -84,6 +84,30 @@ TEST(Catalog, AddsAndFinds) {
   EXPECT_EQ(again.problem(), "");
 }
 
+TEST(Catalog, CountsWhatThereIs) {
+  const TemporaryFolder folder;
+  const Stock stock(3, 60);
+  Catalog catalog({.shipped = stock.image, .user = folder.file("mine.db")});
+  const auto expect_size = [&](const std::vector<CatalogEntry>& entries) {
+    std::set<Parameters> cells;
+    std::string latest;
+    for (const CatalogEntry& entry : entries) {
+      cells.insert(entry.parameters);
+      latest = std::max(latest, entry.credit.date);
+    }
+    const Catalog::Size size = catalog.size();
+    EXPECT_EQ(size.designs, entries.size());
+    EXPECT_EQ(size.cells, cells.size());
+    EXPECT_EQ(size.latest, latest);
+  };
+  expect_size(stock.shipped);
+  catalog.add(stock.own);
+  std::vector<CatalogEntry> all = stock.shipped;
+  all.insert(all.end(), stock.own.begin(), stock.own.end());
+  expect_size(all);
+  EXPECT_EQ(Catalog(Catalog::Files{}).size().designs, 0U);
+}
+
 TEST(Catalog, SeesWhatOthersAdd) {
   const TemporaryFolder folder;
   std::mt19937 random(1);

@@ -1,6 +1,8 @@
 // Searches: begun, watched, stopped, kept.
 #include <gmock/gmock.h>
 
+#include <mutex>
+
 #include "changeover/catalog/label.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/verify/verdict.hpp"
@@ -137,6 +139,22 @@ TEST(Files, AreShownAsTheyAre) {
   EXPECT_EQ(json_of(get(own.port(), "/api/design?file=2"))["verdict"]["valid"], false);
   EXPECT_EQ(get(own.port(), "/api/draw?file=2&picture=stays").status, 200);
   EXPECT_EQ(get(own.port(), "/api/design?file=3").status, 404);
+}
+
+TEST(Log, HasALineARequestAndNoToken) {
+  std::mutex mutex;
+  std::string lines;
+  serve::ExplorerSettings settings;
+  settings.log = [&](const std::string& line) {
+    const std::scoped_lock lock(mutex);
+    lines += line + "\n";
+  };
+  const OwnServer own(std::move(settings));
+  EXPECT_EQ(get(own.port(), "/?token=" + own.server->token()).status, 200);
+  EXPECT_EQ(get(own.port(), "/api/cell?v=1%0a2").status, 400);
+  const std::scoped_lock lock(mutex);
+  EXPECT_EQ(lines, "GET / 200\nGET /api/cell?v=1%0a2 400\n");
+  EXPECT_THAT(own.server->address(), HasSubstr("/?token=" + own.server->token()));
 }
 
 }  // namespace

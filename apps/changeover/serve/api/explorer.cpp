@@ -128,6 +128,8 @@ Response answered(Explorer& explorer, const Request& request, Again again,
     Response response = make();
     if (again == Again::while_unchanged && response.status == 200) {
       explorer.cache.keep(key, response);
+    } else if (again == Again::made_anew) {
+      response.etag.clear();
     }
     return response;
   } catch (const cli::UsageError& fault) {

@@ -207,20 +207,13 @@ Response load_order(const Request& request) {
     json.end_array();
   }
   json.key("verified").value(true).end_object();
-  Response response = json_response(json.take() + "\n");
-  response.etag.clear();
-  return response;
+  return json_response(json.take() + "\n");
 }
 
 }  // namespace
 
 void add_loads(Router& router, Explorer& explorer) {
-  Route route = question(explorer, "api/loadorder", {}, Again::made_anew, load_order);
-  route.method = "POST";
-  route.body = Body::json;
-  route.most_bytes = explorer.limits.json_bytes;
-  route.lane = always(Lane::slow);
-  router.add(std::move(route));
+  router.add(posted(explorer, "api/loadorder", {}, Body::json, load_order));
 }
 
 }  // namespace changeover::serve

@@ -114,20 +114,12 @@ void add_pictures(Router& router, Explorer& explorer) {
   router.add(std::move(route));
 
   // A design that is sent is drawn as it is, valid or not.
-  Route sent = question(explorer, "api/draw", {"v", "k", "change", "kind", "strength"},
-                        Again::made_anew, [](const Request& request) {
-                          const Design design =
-                              read_design(input_from_text(request.body), reading_of(request));
-                          Response response = drawn(request, design, options_of(request));
-                          response.etag.clear();
-                          return response;
-                        });
-  sent.parameters.insert(sent.parameters.end(), ways.begin(), ways.end());
-  sent.method = "POST";
-  sent.body = Body::any;
-  sent.most_bytes = explorer.limits.body_bytes;
-  sent.lane = always(Lane::slow);
-  router.add(std::move(sent));
+  std::vector<std::string> declared{"v", "k", "change", "kind", "strength"};
+  declared.insert(declared.end(), ways.begin(), ways.end());
+  router.add(posted(explorer, "api/draw", declared, Body::any, [](const Request& request) {
+    return drawn(request, read_design(input_from_text(request.body), reading_of(request)),
+                 options_of(request));
+  }));
 }
 
 }  // namespace changeover::serve

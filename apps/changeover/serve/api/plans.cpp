@@ -207,21 +207,14 @@ Response plan(const Explorer& explorer, const Request& request) {
   json.key("verified").value(sheet.does_the_job());
   SheetDocument document{.job = &job, .plan = &found};
   json.key("csv").value(sheet_as_csv(document)).end_object();
-  Response response = json_response(json.take() + "\n");
-  response.etag.clear();
-  return response;
+  return json_response(json.take() + "\n");
 }
 
 }  // namespace
 
 void add_plans(Router& router, Explorer& explorer) {
-  Route route = question(explorer, "api/plan", {}, Again::made_anew,
-                         [&explorer](const Request& request) { return plan(explorer, request); });
-  route.method = "POST";
-  route.body = Body::json;
-  route.most_bytes = explorer.limits.json_bytes;
-  route.lane = always(Lane::slow);
-  router.add(std::move(route));
+  router.add(posted(explorer, "api/plan", {}, Body::json,
+                    [&explorer](const Request& request) { return plan(explorer, request); }));
 }
 
 }  // namespace changeover::serve

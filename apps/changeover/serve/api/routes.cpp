@@ -19,6 +19,19 @@ Route question(Explorer& explorer, std::string path, std::vector<std::string> pa
   return route;
 }
 
+Route posted(Explorer& explorer, std::string path, std::vector<std::string> parameters, Body body,
+             std::function<Response(const Request&)> answer) {
+  Route route = question(explorer, std::move(path), std::move(parameters), Again::made_anew,
+                         std::move(answer));
+  route.method = "POST";
+  route.body = body;
+  route.most_bytes = body == Body::any    ? explorer.limits.body_bytes
+                     : body == Body::json ? explorer.limits.json_bytes
+                                          : 0;
+  route.lane = always(Lane::slow);
+  return route;
+}
+
 void add_pages(Router& router, const Pages& pages) {
   Route route;
   route.parameters = {"token"};

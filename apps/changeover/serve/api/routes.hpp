@@ -28,6 +28,11 @@ void add_pages(Router& router, const Pages& pages);
                              std::vector<std::string> parameters, Again again,
                              std::function<Response(const Request&)> answer);
 
+/// The same for a POST with a body of that kind.
+[[nodiscard]] Route posted(Explorer& explorer, std::string path,
+                           std::vector<std::string> parameters, Body body,
+                           std::function<Response(const Request&)> answer);
+
 /// A constant lane.
 [[nodiscard]] std::function<Lane(const Request&)> always(Lane lane);
 

@@ -57,19 +57,13 @@ std::string kept_json(const Kept& kept) {
   return json.end_object().take() + "\n";
 }
 
-Response not_kept(std::string body) {
-  Response response = json_response(std::move(body));
-  response.etag.clear();
-  return response;
-}
-
 }  // namespace
 
 void add_searches(Router& router, Explorer& explorer) {
   Route list = question(
       explorer, "api/search", {"id"}, Again::made_anew, [&explorer](const Request& request) {
         const auto id = number_of(request, "id");
-        return not_kept(id ? explorer.jobs->one_json(*id) : explorer.jobs->list_json());
+        return json_response(id ? explorer.jobs->one_json(*id) : explorer.jobs->list_json());
       });
   router.add(std::move(list));
 
@@ -89,32 +83,29 @@ void add_searches(Router& router, Explorer& explorer) {
   router.add(std::move(events));
 
   const auto act = [&](const std::string& path, std::vector<std::string> parameters, Body body,
-                       std::size_t most_bytes, std::function<Response(const Request&)> answer) {
-    Route route = question(explorer, path, std::move(parameters), Again::made_anew,
-                           [&explorer, answer = std::move(answer)](const Request& request) {
-                             require_writing(explorer);
-                             return answer(request);
-                           });
-    route.method = "POST";
+                       Lane lane, std::function<Response(const Request&)> answer) {
+    Route route = posted(explorer, path, std::move(parameters), body,
+                         [&explorer, answer = std::move(answer)](const Request& request) {
+                           require_writing(explorer);
+                           return answer(request);
+                         });
     route.action = Action::changes;
-    route.body = body;
-    route.most_bytes = most_bytes;
+    route.lane = always(lane);
     router.add(std::move(route));
   };
-  act("api/search", {}, Body::json, explorer.limits.json_bytes,
-      [&explorer](const Request& request) {
-        return not_kept(fmt::format("{{\"id\":{}}}\n", explorer.jobs->start(order_of(request))));
-      });
-  act("api/search/stop", {"id"}, Body::none, 0, [&explorer](const Request& request) {
+  act("api/search", {}, Body::json, Lane::quick, [&explorer](const Request& request) {
+    return json_response(fmt::format("{{\"id\":{}}}\n", explorer.jobs->start(order_of(request))));
+  });
+  act("api/search/stop", {"id"}, Body::none, Lane::quick, [&explorer](const Request& request) {
     explorer.jobs->stop(needed_number(request, "id"));
-    return not_kept("{}\n");
+    return json_response("{}\n");
   });
-  act("api/search/keep", {"id"}, Body::none, 0, [&explorer](const Request& request) {
-    return not_kept(kept_json(explorer.jobs->keep(needed_number(request, "id"))));
+  act("api/search/keep", {"id"}, Body::none, Lane::slow, [&explorer](const Request& request) {
+    return json_response(kept_json(explorer.jobs->keep(needed_number(request, "id"))));
   });
-  act("api/catalog/add", {"v", "k", "change", "kind", "strength"}, Body::any,
-      explorer.limits.body_bytes, [&explorer](const Request& request) {
-        return not_kept(kept_json(keep_in_catalog(
+  act("api/catalog/add", {"v", "k", "change", "kind", "strength"}, Body::any, Lane::slow,
+      [&explorer](const Request& request) {
+        return json_response(kept_json(keep_in_catalog(
             explorer.catalog, read_design(input_from_text(request.body), reading_of(request)))));
       });
 }

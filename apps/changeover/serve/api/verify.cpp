@@ -81,17 +81,12 @@ std::string verified_json(const Design& design) {
 
 void add_verify(Router& router, Explorer& explorer) {
   constexpr std::size_t quick_bytes = 200'000;
-  Route route = question(explorer, "api/verify", {"v", "k", "change", "kind", "strength"},
-                         Again::made_anew, [](const Request& request) {
-                           const Design design =
-                               read_design(input_from_text(request.body), reading_of(request));
-                           Response response = json_response(verified_json(design) + "\n");
-                           response.etag.clear();
-                           return response;
-                         });
-  route.method = "POST";
-  route.body = Body::any;
-  route.most_bytes = explorer.limits.body_bytes;
+  Route route = posted(
+      explorer, "api/verify", {"v", "k", "change", "kind", "strength"}, Body::any,
+      [](const Request& request) {
+        return json_response(
+            verified_json(read_design(input_from_text(request.body), reading_of(request))) + "\n");
+      });
   route.lane = [](const Request& request) {
     return request.body.size() <= quick_bytes ? Lane::quick : Lane::slow;
   };

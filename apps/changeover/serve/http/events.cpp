@@ -68,10 +68,7 @@ void EventFeed::end() {
 
 EventHub::EventHub() : thread_([this] { run(); }) {}
 
-EventHub::~EventHub() {
-  close();
-  thread_.join();
-}
+EventHub::~EventHub() { close(); }
 
 std::shared_ptr<EventFeed> EventHub::listen() {
   auto feed = std::make_shared<EventFeed>();
@@ -107,6 +104,10 @@ void EventHub::close() {
     closed_ = true;
     feeds.swap(feeds_);
     closing_.notify_all();
+  }
+  // Nobody is woken by it from here on: who listened may go away.
+  if (thread_.joinable()) {
+    thread_.join();
   }
   for (const auto& each : feeds) {
     if (const auto feed = each.lock()) {

@@ -66,7 +66,7 @@ class EventHub {
   /// `data` is one line.
   void publish(const std::string& event, const std::string& key, const std::string& data);
 
-  /// Ends all feeds. Nothing may be published afterwards.
+  /// Ends all feeds; no function of on_more() is called any more when it returns. Not from two threads at once.
   void close();
 
  private:

@@ -363,7 +363,11 @@ MHD_Result Server::State::send(Exchange& exchange) {
   }
   const int status = unchanged ? MHD_HTTP_NOT_MODIFIED : response.status;
   if (settings.log) {
-    settings.log(fmt::format("{} {} {}", request.method, printable(exchange.target), status));
+    // The token is nobody's to read in a log.
+    const std::string target = exchange.target.find("token=") == std::string::npos
+                                   ? exchange.target
+                                   : exchange.target.substr(0, exchange.target.find('?'));
+    settings.log(fmt::format("{} {} {}", request.method, printable(target), status));
   }
   deadlines.enter(exchange.socket, response.events ? Stage::listening : Stage::reading);
   return MHD_queue_response(exchange.connection, static_cast<unsigned>(status), made.get());

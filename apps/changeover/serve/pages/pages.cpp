@@ -14,17 +14,28 @@
 namespace changeover::serve {
 namespace {
 
-// The files of a folder by their paths in it; links are left out.
-std::map<std::string, std::filesystem::path> files_of(const std::string& folder) {
-  std::map<std::string, std::filesystem::path> files;
-  std::error_code fault;
-  for (auto at = std::filesystem::recursive_directory_iterator(folder, fault);
-       !fault && at != std::filesystem::recursive_directory_iterator(); at.increment(fault)) {
-    if (at->symlink_status(fault).type() == std::filesystem::file_type::regular) {
-      files[at->path().lexically_relative(folder).generic_string()] = at->path();
+namespace fs = std::filesystem;
+
+// The file of that path below a folder: by names only, without links, and never out of it.
+std::optional<fs::path> file_at(const fs::path& folder, std::string_view path) {
+  fs::path at = folder;
+  for (;;) {
+    const std::size_t slash = path.find('/');
+    const std::string_view name = path.substr(0, slash);
+    if (name.empty() || name == "." || name == "..") {
+      return std::nullopt;
     }
+    at /= name;
+    std::error_code ignored;
+    const fs::file_type type = fs::symlink_status(at, ignored).type();
+    if (slash == std::string_view::npos) {
+      return type == fs::file_type::regular ? std::optional(at) : std::nullopt;
+    }
+    if (type != fs::file_type::directory) {
+      return std::nullopt;
+    }
+    path.remove_prefix(slash + 1);
   }
-  return files;
 }
 
 }  // namespace
@@ -68,14 +79,13 @@ std::optional<Response> Pages::find(const std::string& path) const {
     const auto found = embedded_.find(wanted);
     return found == embedded_.end() ? std::nullopt : std::optional(found->second);
   }
-  const auto files = files_of(folder_);
-  const auto found = files.find(wanted);
   const std::string_view type = type_of_page(wanted);
-  if (found == files.end() || type.empty()) {
+  const auto file = type.empty() ? std::nullopt : file_at(folder_, wanted);
+  if (!file) {
     return std::nullopt;
   }
   constexpr std::size_t largest_page = std::size_t{64} << 20;
-  const auto input = open_input(found->second.string());
+  const auto input = open_input(file->string());
   return text_response(read_to_end(*input, largest_page, "it is no page"), std::string(type));
 }
 
@@ -85,11 +95,19 @@ std::vector<std::string> Pages::paths() const {
     for (const auto& [path, page] : embedded_) {
       all.push_back(path);
     }
-  } else {
-    for (const auto& [path, file] : files_of(folder_)) {
-      if (!type_of_page(path).empty()) {
-        all.push_back(path);
-      }
+    return all;
+  }
+  constexpr std::size_t most_files = 10'000;
+  std::error_code fault;
+  for (auto at = fs::recursive_directory_iterator(folder_, fault);
+       !fault && at != fs::recursive_directory_iterator(); at.increment(fault)) {
+    const std::string path = at->path().lexically_relative(folder_).generic_string();
+    if (!type_of_page(path).empty() && file_at(folder_, path)) {
+      all.push_back(path);
+    }
+    if (all.size() > most_files) {
+      throw MissingResource(
+          fmt::format("--assets {}: there are more than {} files", printable(folder_), most_files));
     }
   }
   return all;
