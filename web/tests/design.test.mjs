@@ -1,5 +1,8 @@
 // A design: pictures, the player, facts, downloads.
 import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
@@ -79,11 +82,11 @@ test('a long design is drawn in parts', async () => {
   await page.locator('.picture svg').waitFor();
   assert.equal(await page.getByLabel('From block').inputValue(), '1');
   await page.getByRole('button', { name: /later/ }).click();
-  await page.waitForURL(/from=201/);
-  assert.equal(await page.getByLabel(/^to, of/).inputValue(), '400');
+  await page.waitForURL(/from=101/);
+  assert.equal(await page.getByLabel(/^to, of/).inputValue(), '200');
   await page.reload();
   await settled(page);
-  assert.equal(await page.getByLabel('From block').inputValue(), '201');
+  assert.equal(await page.getByLabel('From block').inputValue(), '101');
   await page.getByRole('tab', { name: 'Steps' }).click();
   await page.locator('canvas.coverage-map').waitFor();
   await page.keyboard.press('End');
@@ -109,7 +112,7 @@ test('a design of this window, and none', async () => {
   await page.evaluate(() =>
     sessionStorage.setItem(
       'changeover-local',
-      JSON.stringify({ format: 'changeover-design/1', v: 4, k: 3, change: 1, kind: 'linear', labels: ['ann', 'bob', 'cy', 'dee'], blocks: [['ann', 'bob', 'cy'], ['ann', 'bob', 'dee'], ['bob', 'cy', 'dee']], verdict: { valid: true, tight: false, economical: true, b: 3, lower_bound: 3, minimum: 'proved' } }),
+      JSON.stringify({ format: 'changeover-design/1', v: 4, k: 3, change: 1, kind: 'linear', labels: ['ann', 'bob', 'cy', 'dee'], blocks: [[0, 1, 2], [0, 1, 3], [1, 2, 3]], verdict: { valid: true, tight: false, economical: true, b: 3, lower_bound: 3, minimum: 'proved' } }),
     ),
   );
   await page.reload();
@@ -122,6 +125,27 @@ test('a design of this window, and none', async () => {
   await page.getByRole('link', { name: 'CSV', exact: true }).click();
   assert.equal((await waiting).suggestedFilename(), '4.3.1.linear.3.csv');
   await page.close();
+});
+
+test('a file of the command line is what is shown first', async () => {
+  const folder = mkdtempSync(join(tmpdir(), 'changeover-file-'));
+  writeFileSync(join(folder, 'mine.txt'), 'a b c\na b d\nb c d\n');
+  const other = await start({ serve: [join(folder, 'mine.txt')] });
+  try {
+    const page = await other.open();
+    await page.waitForURL(/#\/design\?file=1/);
+    await page.locator('.under', { hasText: 'mine.txt' }).waitFor();
+    await page.getByRole('tab', { name: 'Steps' }).click();
+    await page.keyboard.press('ArrowRight');
+    await page.locator('.in', { hasText: 'Introduced: d' }).waitFor();
+    const map = page.locator('canvas.coverage-map');
+    const { width } = await map.boundingBox();
+    await map.hover({ position: { x: (width * 3.5) / 4, y: width / 8 } });
+    await page.locator('.pair', { hasText: 'a and d: first together in block 2' }).waitFor();
+  } finally {
+    await other.stop();
+    rmSync(folder, { recursive: true, force: true });
+  }
 });
 
 test('it looks right', async () => {

@@ -1,5 +1,5 @@
 // One design: its pictures, its blocks, and a player that steps through them.
-import { ApiError, type Design } from '../lib/api';
+import type { Design } from '../lib/api';
 import { fill, h, scroll } from '../lib/dom';
 import { designOf, explain, isCell, type Asked, type PictureName } from '../lib/source';
 import { waiting } from '../lib/wait';
@@ -74,11 +74,17 @@ export const design: Page = {
     try {
       shown = await waiting(designOf(asked, view.signal), view.signal, () => fill(view.root, h('h1', {}, 'Design'), h('p', { class: 'hint' }, 'Asking for the design…')));
     } catch (fault) {
-      fill(view.root, h('h1', {}, 'No design to show'));
-      if (fault instanceof ApiError && isCell(asked)) {
-        view.root.append(h('p', {}, h('a', { href: link('cell', { ...asked }) }, `What is known of v = ${asked.v}, k = ${asked.k}`)));
+      if (view.signal.aborted) {
+        return;
       }
-      throw fault;
+      fill(
+        view.root,
+        h('h1', {}, 'No design to show'),
+        problem(fault),
+        isCell(asked) && h('p', {}, h('a', { href: link('cell', { ...asked }) }, `What is known of v = ${asked.v}, k = ${asked.k}`)),
+        h('p', {}, h('a', { href: link('catalog') }, 'The catalog')),
+      );
+      return;
     }
     const b = shown.blocks.length;
     const name = nameOf(shown);
@@ -109,7 +115,7 @@ export const design: Page = {
     const start = view.params.get('show') ?? (view.params.has('at') || frozen ? 'steps' : 'array');
     fill(
       view.root,
-      h('h1', {}, `${name[0]!.toUpperCase()}${name.slice(1)}: ${count(b, 'block')}`),
+      h('h1', {}, `${name[0]!.toUpperCase()}${name.slice(1)}${(shown.strength ?? 2) > 2 ? `, strength ${shown.strength}` : ''}: ${count(b, 'block')}`),
       h(
         'p',
         { class: 'under' },

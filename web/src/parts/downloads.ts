@@ -20,12 +20,20 @@ function name(design: Design, ending: string): string {
   return `${design.label ?? `${design.v}.${design.k}.${design.change}.${design.kind}.${design.blocks.length}`}.${ending}`;
 }
 
+/** What an element is called: blocks have their places among the labels, if there are labels. */
+function nameOf(design: Design): (element: number | string) => string {
+  return (element) => (typeof element === 'number' && design.labels?.[element]) || String(element);
+}
+
 export function asText(design: Design): string {
-  return `# changeover design v=${design.v} k=${design.k} change=${design.change} kind=${design.kind}\n${design.blocks.map((block) => `${block.join(' ')}\n`).join('')}`;
+  const called = nameOf(design);
+  const labels = design.labels ? `# labels: ${design.labels.join(' ')}\n` : '';
+  return `# changeover design v=${design.v} k=${design.k} change=${design.change} kind=${design.kind}\n${labels}${design.blocks.map((block) => `${block.map(called).join(' ')}\n`).join('')}`;
 }
 
 export function asCsv(design: Design): string {
-  const cell = (value: string | number): string => (/[",\n]/.test(String(value)) ? `"${String(value).replace(/"/g, '""')}"` : String(value));
+  const called = nameOf(design);
+  const cell = (element: string | number): string => (/[",\n]/.test(called(element)) ? `"${called(element).replace(/"/g, '""')}"` : called(element));
   const head = ['block', ...Array.from({ length: design.k }, (_, i) => `element_${i + 1}`), 'v', 'change', 'kind'];
   const lines = design.blocks.map((block, i) => [i + 1, ...block.map(cell), design.v, design.change, design.kind].join(','));
   return `${[head.join(','), ...lines].join('\n')}\n`;

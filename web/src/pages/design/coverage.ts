@@ -6,6 +6,8 @@ export interface Coverage {
   readonly element: HTMLElement;
   /** Shows what has met after `n` blocks; the pairs of block n stand out. */
   show(n: number): void;
+  /** What is known of the pair at a place of the map, in words; empty on the diagonal. */
+  pairAt(event: MouseEvent): string;
   /** Takes the colours of the theme anew. */
   recolour(): void;
 }
@@ -22,7 +24,7 @@ export function coverage(steps: Steps): Coverage | null {
   if (!first) {
     return null;
   }
-  const side = Math.max(1, Math.min(20, Math.floor(512 / v)));
+  const side = Math.max(1, Math.min(32, Math.floor(512 / v)));
   const canvas = h('canvas', { width: v * side, height: v * side, class: 'coverage-map', role: 'img' });
   const pen = canvas.getContext('2d')!;
   let paint = colours();
@@ -69,6 +71,16 @@ export function coverage(steps: Steps): Coverage | null {
       }
       shown = n;
       canvas.setAttribute('aria-label', `Map of pairs: ${steps.pairs![n]} of ${steps.allPairs} have met after block ${n}`);
+    },
+    pairAt(event) {
+      const box = canvas.getBoundingClientRect();
+      const x = Math.floor(((event.clientX - box.left) / box.width) * v);
+      const y = Math.floor(((event.clientY - box.top) / box.height) * v);
+      if (x === y || x < 0 || y < 0 || x >= v || y >= v) {
+        return '';
+      }
+      const met = first[x * v + y]!;
+      return `${steps.names[y]} and ${steps.names[x]}: ${met === 0 ? 'never together' : `first together in block ${met}`}`;
     },
     recolour() {
       paint = colours();

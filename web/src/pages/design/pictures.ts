@@ -7,7 +7,9 @@ import { problem, type View } from '../../shell/router';
 import { theme } from '../../shell/theme';
 
 /** So many blocks at once: more are slow to draw and to look through. */
-const page = 200;
+function pageOf(k: number): number {
+  return Math.max(10, Math.min(100, Math.floor(2000 / k)));
+}
 
 const orders: readonly (readonly [string, string])[] = [
   ['first', 'of first blocks'],
@@ -25,6 +27,7 @@ const captions: Record<PictureName, string> = {
 
 export function drawn(name: PictureName, asked: Asked, design: Design, view: View, panel: HTMLElement, signal: AbortSignal): void {
   const b = design.blocks.length;
+  const page = pageOf(design.k);
   const paged = name === 'array' || name === 'stays';
   const ordered = name === 'stays' || name === 'coverage';
   const wanted = (param: string, otherwise: number): number => {

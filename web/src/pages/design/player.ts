@@ -49,6 +49,9 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
   let note = 0;
 
   const map = coverage(steps);
+  const pair = h('div', { class: 'pair' }, '\u00a0');
+  map?.element.addEventListener('pointermove', (event) => (pair.textContent = map.pairAt(event) || '\u00a0'));
+  map?.element.addEventListener('pointerleave', () => (pair.textContent = '\u00a0'));
   const slots = h('ol', { class: 'slots', 'aria-label': 'Memory: the block, slot by slot' });
   const words = h('div', { class: 'step-words' });
   const met = h('p', { class: 'met' });
@@ -199,7 +202,7 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
       steps.pairs ? [met, bar] : h('p', { class: 'hint' }, 'There are too many elements to count pairs in a page.'),
     ),
     map
-      ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key key-anew' }), ' meets in this block, ', h('span', { class: 'key key-met' }), ' has met, ', h('span', { class: 'key key-not' }), ' not yet.'))
+      ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key key-anew' }), ' meets in this block, ', h('span', { class: 'key key-met' }), ' has met, ', h('span', { class: 'key key-not' }), ' not yet.', pair))
       : h('p', { class: 'hint' }, 'The map of pairs is drawn for up to 512 elements.'),
   );
 }

@@ -105,7 +105,8 @@ export class Steps {
   private readBlock(i: number): void {
     let at = this.starts[i]!;
     for (const element of this.design.blocks[i]!) {
-      if (typeof element === 'number' && !this.design.labels && element >= 0 && element < this.design.v) {
+      // A number is the place of an element; a word is its name.
+      if (typeof element === 'number' && element >= 0 && element < this.design.v) {
         this.flat[at++] = element;
         continue;
       }
