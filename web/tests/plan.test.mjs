@@ -72,7 +72,9 @@ test('parts are pasted from a spreadsheet, headings passed over', async () => {
 
 test('a list comes from a CSV file; pairs that need not meet are left out', async () => {
   const page = await explorer.open('#/plan');
-  await page.getByLabel('A file with a list of parts').setInputFiles({ name: 'parts.csv', mimeType: 'text/csv', buffer: Buffer.from('"Pump, large",4\nMotor,2\nValve,1\n') });
+  await page
+    .getByLabel('A file with a list of parts')
+    .setInputFiles({ name: 'parts.csv', mimeType: 'text/csv', buffer: Buffer.from('"Pump, large",4\nMotor,2\nValve,1\n') });
   await page.getByText('3 parts', { exact: true }).waitFor();
   assert.equal(await nameOf(page, 1).inputValue(), 'Pump, large');
   await nameOf(page, 1).fill('Pump');
@@ -102,6 +104,19 @@ test('the whole job is in the link, with what is done', async () => {
   await other.getByText('2 of 17 tests done').waitFor();
   assert.equal(await sheetRows(other).nth(5).locator('td').nth(4).textContent(), set);
   assert.equal(await nameOf(other, 9).inputValue(), '9');
+});
+
+test('a link to an older state does not undo what was done since', async () => {
+  const page = await explorer.open('#/plan');
+  await planNine(page);
+  await page.getByText('The link of this page holds the whole job').waitFor();
+  const older = new URL(page.url()).hash;
+  await page.getByRole('checkbox', { name: 'Test 1 is done', exact: true }).check();
+  await page.waitForFunction((hash) => location.hash !== hash, older);
+  const other = await explorer.open(older);
+  await other.getByText('0 of 17 tests done').waitFor();
+  await other.getByRole('link', { name: 'open that Run sheet' }).click();
+  await other.getByText('1 of 17 tests done; 16 of 117 spent').waitFor();
 });
 
 test('the rest is planned anew after some tests, without a part that is gone', async () => {
@@ -149,7 +164,9 @@ test('the sheet is downloaded as CSV that the command line reads back', async ()
   await planNine(page);
   await page.getByRole('checkbox', { name: 'Test 1 is done', exact: true }).check();
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download CSV' }).click()]);
-  const lines = readFileSync(await download.path(), 'utf8').trim().split('\n');
+  const lines = readFileSync(await download.path(), 'utf8')
+    .trim()
+    .split('\n');
   assert.equal(lines.length, 18);
   assert.match(lines[0], /^step,take_out,put_in,slot_1,slot_2,slot_3,cost,cost_so_far,result$/);
   assert.match(lines[1], /,16,16,done$/);
@@ -180,9 +197,12 @@ test('a job too long for a link is kept in this browser, and a link to one that 
   const rows = await sheetRows(page).count();
   await page.reload();
   await settled(page);
-  await page.locator('.run-sheet tbody tr').nth(rows - 1).waitFor();
+  await page
+    .locator('.run-sheet tbody tr')
+    .nth(rows - 1)
+    .waitFor();
   const other = await explorer.open('#/plan?id=nowhere');
-  await other.getByRole('alert').getByText('not in this browser').waitFor();
+  await other.getByRole('alert').getByText('this browser does not have it either').waitFor();
 });
 
 test('the keyboard alone: rows by Enter and arrows, ticks by arrows and Space', async () => {

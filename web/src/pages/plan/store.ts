@@ -7,14 +7,43 @@ const mostKept = 30;
 
 type Packed = [
   id: string,
-  job: [title: string, parts: [name: string, cost: number | null, gone: 0 | 1][], atOnce: number, testCost: number, changeCost: number, pairMode: PairMode, pairs: string, seconds: number],
-  outcome: null | [tests: [parts: string[], cost: number, done: 0 | 1][], cost: number, bound: number | null, reason: string, alternatives: [string, number, number, number][], testCost: number, changeCost: number, doneBefore: number],
+  job: [
+    title: string,
+    parts: [name: string, cost: number | null, gone: 0 | 1][],
+    atOnce: number,
+    testCost: number,
+    changeCost: number,
+    pairMode: PairMode,
+    pairs: string,
+    seconds: number,
+  ],
+  outcome:
+    | null
+    | [
+        tests: [parts: string[], cost: number, done: 0 | 1][],
+        cost: number,
+        bound: number | null,
+        reason: string,
+        alternatives: [string, number, number, number][],
+        testCost: number,
+        changeCost: number,
+        doneBefore: number,
+      ],
 ];
 
 function packed({ id, job, outcome }: State): Packed {
   return [
     id,
-    [job.title, job.parts.map(({ name, cost, gone }) => [name, cost, gone ? 1 : 0]), job.atOnce, job.testCost, job.changeCost, job.pairMode, job.pairs, job.seconds],
+    [
+      job.title,
+      job.parts.map(({ name, cost, gone }) => [name, cost, gone ? 1 : 0]),
+      job.atOnce,
+      job.testCost,
+      job.changeCost,
+      job.pairMode,
+      job.pairs,
+      job.seconds,
+    ],
     outcome && [
       outcome.tests.map(({ parts, cost, done }) => [parts, cost, done ? 1 : 0]),
       outcome.cost,
@@ -43,7 +72,13 @@ export function unpacked(value: unknown): State | null {
     return null;
   }
   const [title, parts, atOnce, testCost, changeCost, pairMode, pairs, seconds] = job;
-  if (!isText(title) || !isList(parts) || ![atOnce, testCost, changeCost, seconds].every(isNumber) || !['all', 'only', 'skip'].includes(pairMode as string) || !isText(pairs)) {
+  if (
+    !isText(title) ||
+    !isList(parts) ||
+    ![atOnce, testCost, changeCost, seconds].every(isNumber) ||
+    !['all', 'only', 'skip'].includes(pairMode as string) ||
+    !isText(pairs)
+  ) {
     return null;
   }
   if (!parts.every((part) => isList(part) && isText(part[0]) && isNumberOrNull(part[1]))) {
@@ -83,7 +118,12 @@ export function unpacked(value: unknown): State | null {
     cost: cost as number,
     bound,
     reason,
-    alternatives: (alternatives as [string, number, number, number][]).map(([name, count, changes, each]): Alternative => ({ name, tests: count, changes, cost: each })),
+    alternatives: (alternatives as [string, number, number, number][]).map(([name, count, changes, each]): Alternative => ({
+      name,
+      tests: count,
+      changes,
+      cost: each,
+    })),
     testCost: plannedTest as number,
     changeCost: plannedChange as number,
     doneBefore: doneBefore as number,
@@ -109,14 +149,18 @@ function entry(id: string): { when: number; state: State } | null {
   }
 }
 
+function keptOf({ when, state: { id, job, outcome } }: { when: number; state: State }): Kept {
+  const tests = outcome?.tests ?? [];
+  return { id, title: job.title, when, tests: tests.length, done: tests.filter(({ done }) => done).length };
+}
+
 /** The jobs of this browser, the last one first. */
 export function keptJobs(): Kept[] {
   return Object.keys(localStorage)
     .filter((key) => key.startsWith(prefix))
     .flatMap((key) => {
       const found = entry(key.slice(prefix.length));
-      const tests = found?.state.outcome?.tests ?? [];
-      return found ? [{ id: found.state.id, title: found.state.job.title, when: found.when, tests: tests.length, done: tests.filter(({ done }) => done).length }] : [];
+      return found ? [keptOf(found)] : [];
     })
     .sort((one, other) => other.when - one.when);
 }
@@ -137,11 +181,22 @@ export async function keep(state: State): Promise<{ s: string | null; id: string
   return { s: whole ? word : null, id: state.id, whole };
 }
 
-/** What a link names: what it holds, else what this browser has kept under its name. */
-export async function load(params: URLSearchParams): Promise<State | null> {
+export interface Loaded {
+  state: State;
+  /** This browser has kept the same job in another state than the link. */
+  other: Kept | null;
+}
+
+/** What a link holds, else what this browser has kept under its name. */
+export async function load(params: URLSearchParams): Promise<Loaded | null> {
   const word = params.get('s');
   const linked = word ? unpacked(await unpack(word)) : null;
-  return linked ?? entry(params.get('id') ?? '')?.state ?? null;
+  const here = entry(linked?.id ?? params.get('id') ?? '');
+  if (!linked) {
+    return here && { state: here.state, other: null };
+  }
+  const same = here === null || JSON.stringify(packed(here.state)) === JSON.stringify(packed(linked));
+  return { state: linked, other: same ? null : keptOf(here) };
 }
 
 export function newId(): string {
