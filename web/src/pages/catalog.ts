@@ -113,7 +113,9 @@ export const catalog: Page = {
         svg.catch(() => undefined);
         // The table first: it says what the cells of the map are.
         const answer = await table(query(), signal);
-        cells = new Map(answer.map((cell) => [`${cell.v}.${cell.k}`, cell]));
+        // The picture of a static copy has more cells than the table if that is of a part of the range.
+        const pictured = frozen ? await table({ ...query(), k: '', v: '' }, signal) : answer;
+        cells = new Map(pictured.map((cell) => [`${cell.v}.${cell.k}`, cell]));
         list.show(answer);
         fill(sums, totals(answer));
         const at = cells.get(view.params.get('at') ?? '');
