@@ -284,7 +284,7 @@ async function render(view: View): Promise<void> {
       h(
         'p',
         { class: 'hint' },
-        'A block a line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here.',
+        'A block a line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here. What it does not say is taken from the blocks: as many changes as the first step has, and linear.',
       ),
     ),
     h(

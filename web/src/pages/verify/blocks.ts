@@ -4,6 +4,7 @@ import { count, number } from '../../lib/words';
 import { virtualList } from '../../parts/virtual';
 import type { View } from '../../shell/router';
 import type { Report } from './check';
+import { setsOf } from './verdict';
 
 /** Blocks (from 0) at whose step the number of changes is wrong. */
 export function wrongSteps({ blocks: { b, change, kind, introduced } }: Report): number[] {
@@ -165,7 +166,7 @@ export function blockList(report: Report, view: View): HTMLElement {
   let first: (() => void) | null = null;
   const pairs = h(
     'div',
-    { class: 'pairs', role: 'group', 'aria-label': 'Pairs that are in no block' },
+    { class: 'pairs', role: 'group', 'aria-label': `The ${setsOf(blocks.strength)} that are in no block` },
     answer.uncovered_pairs.map((each) => {
       const set = each.map(index);
       const button = h(
@@ -186,7 +187,7 @@ export function blockList(report: Report, view: View): HTMLElement {
       'section',
       { class: 'verify-missing' },
       h('h2', {}, 'In no block'),
-      h('p', { class: 'hint' }, 'Choose a pair to see where its elements are.'),
+      h('p', { class: 'hint' }, `Choose one of the ${setsOf(blocks.strength)} to see where its elements are.`),
       pairs,
       more > 0 && h('p', { class: 'hint' }, `and ${number(more)} more`),
       said,

@@ -5,6 +5,14 @@ import { count, nameOf, number, ratio } from '../../lib/words';
 import { virtualList } from '../../parts/virtual';
 import type { Report } from './check';
 
+/** Longer lists of elements are cut. */
+const mostNamed = 20;
+
+/** What must be together in a block: pairs, or more for a larger strength. */
+export function setsOf(strength: number): string {
+  return strength === 2 ? 'pairs' : strength === 3 ? 'triples' : 'quadruples';
+}
+
 function reasons({ answer, blocks }: Report): Child[] {
   const { details, verdict, bound } = answer;
   if (answer.valid) {
@@ -12,12 +20,9 @@ function reasons({ answer, blocks }: Report): Child[] {
       verdict.minimum === 'proved'
         ? 'It is minimum: no design with these parameters has fewer blocks.'
         : `No design has fewer than ${count(verdict.lower_bound, 'block')}; whether one has fewer than this is not known.`;
+    const steps = blocks.b === 1 ? 'with one block there is no step' : `every step changes ${count(blocks.change, 'element')}`;
     return [
-      h(
-        'p',
-        {},
-        `Every one of the ${number(details.subsets)} ${blocks.strength === 2 ? 'pairs' : 'sets'} is in a block, and every step changes ${count(blocks.change, 'element')}. ${what}`,
-      ),
+      h('p', {}, `Every one of the ${number(details.subsets)} ${setsOf(blocks.strength)} is in a block, and ${steps}. ${what}`),
       bound && h('p', { class: 'reason' }, `Lower bound (${bound.name}): ${bound.reason}`),
     ];
   }
@@ -36,7 +41,7 @@ function reasons({ answer, blocks }: Report): Child[] {
       h(
         'li',
         {},
-        `${number(details.uncovered)} of ${number(details.subsets)} ${blocks.strength === 2 ? 'pairs' : 'sets'} ${details.uncovered === 1 ? 'is' : 'are'} in no block.`,
+        `${number(details.uncovered)} of ${number(details.subsets)} ${setsOf(blocks.strength)} ${details.uncovered === 1 ? 'is' : 'are'} in no block.`,
       ),
     );
   }
@@ -96,7 +101,12 @@ export function facts({ answer, blocks }: Report): HTMLElement {
         ),
       ),
     ),
-    details.fixed.length > 0 && h('p', {}, `In every block: ${details.fixed.join(', ')}.`),
+    details.fixed.length > 0 &&
+      h(
+        'p',
+        {},
+        `In every block: ${details.fixed.slice(0, mostNamed).join(', ')}${details.fixed.length > mostNamed ? ` and ${number(details.fixed.length - mostNamed)} more` : ''}.`,
+      ),
   );
 }
 
