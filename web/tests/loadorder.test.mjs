@@ -37,7 +37,12 @@ test('twelve items, room for four: the fewest loads, beside simple orders', asyn
   await page.getByText('no order has fewer', { exact: false }).first().waitFor();
   await page.getByText('48.0 GB are read').waitFor();
   // 3 stay and 9, 6, 3 pass: 12 + 9 + 6 + 3 loads; 2 stay: 12 + 10 + … + 2; pair by pair: 12 · 11.
-  const loads = async (name) => (await page.getByRole('row', { name: new RegExp(`^${name}`) }).getByRole('cell').first().textContent());
+  const loads = async (name) =>
+    await page
+      .getByRole('row', { name: new RegExp(`^${name}`) })
+      .getByRole('cell')
+      .first()
+      .textContent();
   assert.equal(await loads('lower bound'), '24');
   assert.equal(await loads('block nested loops'), '30');
   assert.equal(await loads('halves'), '42');
@@ -55,7 +60,10 @@ test('twelve items, room for four: the fewest loads, beside simple orders', asyn
 test('the steps bring all pairs together, and come as JSON lines', async () => {
   const page = await explorer.open('#/loadorder?items=12&room=4');
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download JSON lines' }).click()]);
-  const [first, ...rest] = readFileSync(await download.path(), 'utf8').trim().split('\n').map((line) => JSON.parse(line));
+  const [first, ...rest] = readFileSync(await download.path(), 'utf8')
+    .trim()
+    .split('\n')
+    .map((line) => JSON.parse(line));
   assert.equal(first.loads, 24);
   const memory = new Set();
   const met = new Set();

@@ -72,7 +72,9 @@ test('parts are pasted from a spreadsheet, headings passed over', async () => {
 
 test('a list comes from a CSV file; pairs that need not meet are left out', async () => {
   const page = await explorer.open('#/plan');
-  await page.getByLabel('A file with a list of parts').setInputFiles({ name: 'parts.csv', mimeType: 'text/csv', buffer: Buffer.from('"Pump, large",4\nMotor,2\nValve,1\n') });
+  await page
+    .getByLabel('A file with a list of parts')
+    .setInputFiles({ name: 'parts.csv', mimeType: 'text/csv', buffer: Buffer.from('"Pump, large",4\nMotor,2\nValve,1\n') });
   await page.getByText('3 parts', { exact: true }).waitFor();
   assert.equal(await nameOf(page, 1).inputValue(), 'Pump, large');
   await nameOf(page, 1).fill('Pump');
@@ -162,7 +164,9 @@ test('the sheet is downloaded as CSV that the command line reads back', async ()
   await planNine(page);
   await page.getByRole('checkbox', { name: 'Test 1 is done', exact: true }).check();
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download CSV' }).click()]);
-  const lines = readFileSync(await download.path(), 'utf8').trim().split('\n');
+  const lines = readFileSync(await download.path(), 'utf8')
+    .trim()
+    .split('\n');
   assert.equal(lines.length, 18);
   assert.match(lines[0], /^step,take_out,put_in,slot_1,slot_2,slot_3,cost,cost_so_far,result$/);
   assert.match(lines[1], /,16,16,done$/);
@@ -193,7 +197,10 @@ test('a job too long for a link is kept in this browser, and a link to one that 
   const rows = await sheetRows(page).count();
   await page.reload();
   await settled(page);
-  await page.locator('.run-sheet tbody tr').nth(rows - 1).waitFor();
+  await page
+    .locator('.run-sheet tbody tr')
+    .nth(rows - 1)
+    .waitFor();
   const other = await explorer.open('#/plan?id=nowhere');
   await other.getByRole('alert').getByText('this browser does not have it either').waitFor();
 });

@@ -36,17 +36,23 @@ test('a cell comes with the link, and what is known of it is said before it is s
 test('a search: started, watched live, stopped; it survives a reload and another page', async () => {
   const page = await explorer.open('#/search');
   await begin(page, 30, 6, { seconds: '60' });
-  await watched(page).getByText(/^Running after/).waitFor();
+  await watched(page)
+    .getByText(/^Running after/)
+    .waitFor();
   await watched(page).locator('.u-over').waitFor();
   assert.match(page.url(), /id=\d+/);
   await look(page, 'search-running');
   await page.reload();
   await settled(page);
-  await watched(page).getByText(/^Running after/).waitFor();
+  await watched(page)
+    .getByText(/^Running after/)
+    .waitFor();
   await page.getByRole('link', { name: 'Theorems' }).click();
   await page.goBack();
   await watched(page).getByRole('button', { name: 'Stop' }).click();
-  await watched(page).getByText(/^Stopped after/).waitFor();
+  await watched(page)
+    .getByText(/^Stopped after/)
+    .waitFor();
   await page.locator('.searches .badge.stopped').waitFor();
   await look(page, 'search-stopped');
 });
@@ -54,7 +60,9 @@ test('a search: started, watched live, stopped; it survives a reload and another
 test('what it found opens in the viewer and is kept in the catalog', async () => {
   const page = await explorer.open('#/search');
   await begin(page, 12, 5);
-  await watched(page).getByText(/^(Done|Stopped) after/).waitFor({ timeout: 60_000 });
+  await watched(page)
+    .getByText(/^(Done|Stopped) after/)
+    .waitFor({ timeout: 60_000 });
   await watched(page).getByRole('button', { name: 'Keep in my catalog' }).click();
   const label = await watched(page).locator('a[href*="label="]').textContent();
   assert.match(label, /^12\.5\.2\.linear\.\d+\./);

@@ -12,7 +12,17 @@ before(async () => {
 });
 after(() => explorer.stop());
 
-const design = ['# changeover design v=7 k=3 change=2 kind=circular', '0 1 3', '1 2 4', '2 3 5', '3 4 6', '0 4 5', '1 5 6', '0 2 6', ''].join('\n');
+const design = [
+  '# changeover design v=7 k=3 change=2 kind=circular',
+  '0 1 3',
+  '1 2 4',
+  '2 3 5',
+  '3 4 6',
+  '0 4 5',
+  '1 5 6',
+  '0 2 6',
+  '',
+].join('\n');
 const box = (page) => page.getByRole('textbox', { name: /^The design/ });
 
 test('an empty page says what to do, and nothing to check is said where it happens', async () => {
@@ -28,12 +38,22 @@ test('a good design: the verdict, its reasons, facts and elements', async () => 
   await page.getByRole('link', { name: 'a good one' }).click();
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
   await page.getByText('It is minimum').waitFor();
-  const fact = (name) => page.locator('table.facts tr', { has: page.getByRole('rowheader', { name, exact: true }) }).locator('td').first();
+  const fact = (name) =>
+    page
+      .locator('table.facts tr', { has: page.getByRole('rowheader', { name, exact: true }) })
+      .locator('td')
+      .first();
   assert.equal(await fact('blocks b').textContent(), '8');
   assert.equal(await fact('tight').textContent(), 'no');
   assert.equal(await fact('minimum').textContent(), 'yes, proved');
   assert.equal(await fact('excess').textContent(), '5 of 41 newly covered');
-  assert.equal(await page.getByRole('list', { name: /^Elements/ }).getByRole('listitem').count(), 9);
+  assert.equal(
+    await page
+      .getByRole('list', { name: /^Elements/ })
+      .getByRole('listitem')
+      .count(),
+    9,
+  );
   const rows = page.getByRole('list', { name: 'The 8 blocks' }).getByRole('listitem');
   assert.equal(await rows.count(), 8);
   assert.deepEqual((await rows.nth(1).locator('.element.in').allTextContents()).sort(), ['2', '5']);
@@ -150,7 +170,10 @@ test('names of elements are kept', async () => {
 function rounds(count) {
   const folder = mkdtempSync(join(tmpdir(), 'changeover-large-'));
   const path = join(folder, 'large.txt');
-  writeFileSync(path, '# changeover design v=7 k=3 change=2 kind=circular\n' + '0 1 3\n1 2 4\n2 3 5\n3 4 6\n0 4 5\n1 5 6\n0 2 6\n'.repeat(count));
+  writeFileSync(
+    path,
+    '# changeover design v=7 k=3 change=2 kind=circular\n' + '0 1 3\n1 2 4\n2 3 5\n3 4 6\n0 4 5\n1 5 6\n0 2 6\n'.repeat(count),
+  );
   return { path, remove: () => rmSync(folder, { recursive: true }) };
 }
 

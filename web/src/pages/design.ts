@@ -115,7 +115,7 @@ export const design: Page = {
     const start = view.params.get('show') ?? (view.params.has('at') || frozen ? 'steps' : 'array');
     fill(
       view.root,
-      h('h1', {}, `${name[0]!.toUpperCase()}${name.slice(1)}: ${count(b, 'block')}`),
+      h('h1', {}, `${name[0]!.toUpperCase()}${name.slice(1)}${(shown.strength ?? 2) > 2 ? `, strength ${shown.strength}` : ''}: ${count(b, 'block')}`),
       h(
         'p',
         { class: 'under' },

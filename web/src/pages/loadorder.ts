@@ -27,7 +27,12 @@ async function render(view: View): Promise<void> {
   const workers = h('input', { type: 'number', min: 1, value: params.get('workers') ?? '', placeholder: '1' });
   const pairs = h('textarea', { class: 'pairs-text', spellcheck: 'false', placeholder: '0 5\n1 5\n…' });
   pairs.value = typeof linked === 'string' ? linked : '';
-  const some = h('details', { open: pairs.value !== '' }, h('summary', {}, 'Only some pairs'), field('Pairs, two items a line', pairs, 'items are numbered from 0'));
+  const some = h(
+    'details',
+    { open: pairs.value !== '' },
+    h('summary', {}, 'Only some pairs'),
+    field('Pairs, two items a line', pairs, 'items are numbered from 0'),
+  );
   const go = h('button', { type: 'submit' }, 'Find an order');
   const result = h('div', { class: 'result' });
 
@@ -39,7 +44,13 @@ async function render(view: View): Promise<void> {
     if (room.value === '' || !Number.isInteger(c) || c < 2) {
       throw new Error('Room: write how many items are in memory at once, at least 2; with less no pair ever meets.');
     }
-    return { items: p, room: c, workers: w, bytesPerItem: size.value.trim() === '' ? null : bytesOf(size.value), pairs: pairsOf(pairs.value, p) };
+    return {
+      items: p,
+      room: c,
+      workers: w,
+      bytesPerItem: size.value.trim() === '' ? null : bytesOf(size.value),
+      pairs: pairsOf(pairs.value, p),
+    };
   }
 
   async function run(): Promise<void> {
@@ -51,9 +62,37 @@ async function render(view: View): Promise<void> {
     try {
       const asked = read();
       const packed = asked.pairs ? await pack(pairs.value) : null;
-      view.go({ items: asked.items, room: asked.room, bytes: size.value.trim(), workers: asked.workers > 1 ? asked.workers : null, pairs: packed !== null && packed.length <= longestWord ? packed : null }, { quiet: true });
-      fill(result, h('p', { class: 'note', role: 'status' }, 'Looking for an order … ', h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop')));
-      const answer = await post<Answer>('loadorder', {}, { items: asked.items, room: asked.room, workers: asked.workers, ...(asked.bytesPerItem !== null ? { bytes_per_item: asked.bytesPerItem } : {}), ...(asked.pairs ? { pairs: asked.pairs } : {}) }, mine.signal);
+      view.go(
+        {
+          items: asked.items,
+          room: asked.room,
+          bytes: size.value.trim(),
+          workers: asked.workers > 1 ? asked.workers : null,
+          pairs: packed !== null && packed.length <= longestWord ? packed : null,
+        },
+        { quiet: true },
+      );
+      fill(
+        result,
+        h(
+          'p',
+          { class: 'note', role: 'status' },
+          'Looking for an order … ',
+          h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop'),
+        ),
+      );
+      const answer = await post<Answer>(
+        'loadorder',
+        {},
+        {
+          items: asked.items,
+          room: asked.room,
+          workers: asked.workers,
+          ...(asked.bytesPerItem !== null ? { bytes_per_item: asked.bytesPerItem } : {}),
+          ...(asked.pairs ? { pairs: asked.pairs } : {}),
+        },
+        mine.signal,
+      );
       show(answer, asked);
       announce(count(answer.loads, 'load'));
     } catch (fault) {
@@ -81,8 +120,36 @@ async function render(view: View): Promise<void> {
           'div',
           {},
           stepList(answer),
-          h('div', { class: 'row' }, h('button', { type: 'button', class: 'plain', disabled: answer.truncated, onclick: () => save('order.jsonl', jsonLines(answer, asked), 'application/jsonl') }, 'Download JSON lines')),
-          h('section', {}, h('h2', {}, 'On the command line'), h('div', { class: 'command' }, h('code', { tabindex: 0 }, command), copyButton('Copy', () => command)), h('p', { class: 'hint' }, 'There it can search for fewer loads (--time), hold two levels of memory (--fast-room), write back what changes (--write-back) and prefetch (--prefetch).')),
+          h(
+            'div',
+            { class: 'row' },
+            h(
+              'button',
+              {
+                type: 'button',
+                class: 'plain',
+                disabled: answer.truncated,
+                onclick: () => save('order.jsonl', jsonLines(answer, asked), 'application/jsonl'),
+              },
+              'Download JSON lines',
+            ),
+          ),
+          h(
+            'section',
+            {},
+            h('h2', {}, 'On the command line'),
+            h(
+              'div',
+              { class: 'command' },
+              h('code', { tabindex: 0 }, command),
+              copyButton('Copy', () => command),
+            ),
+            h(
+              'p',
+              { class: 'hint' },
+              'There it can search for fewer loads (--time), hold two levels of memory (--fast-room), write back what changes (--write-back) and prefetch (--prefetch).',
+            ),
+          ),
         ),
       ),
     );
@@ -97,13 +164,29 @@ async function render(view: View): Promise<void> {
         void run();
       },
     },
-    h('div', { class: 'row top' }, field('Items', items, 'partitions, images, …'), field('Room', room, 'items in memory at once'), field('Bytes an item', size, 'if you like'), field('Workers', workers, 'with room of their own'), h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), go)),
+    h(
+      'div',
+      { class: 'row top' },
+      field('Items', items, 'partitions, images, …'),
+      field('Room', room, 'items in memory at once'),
+      field('Bytes an item', size, 'if you like'),
+      field('Workers', workers, 'with room of their own'),
+      h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), go),
+    ),
     some,
   );
   fill(
     view.root,
     h('h1', {}, 'Load order'),
-    h('p', {}, 'Items lie on a disk, and some of them fit into memory. Every pair must be in memory together at some time: distances, Gram matrices, training on the edges between partitions. What is loaded and evicted, step by step, so that as little as possible is loaded? Try ', h('a', { href: link('loadorder', { items: 64, room: 16, bytes: '2 GB' }) }, '64 items, room for 16'), ' or ', h('a', { href: link('loadorder', { items: 1000, room: 100, workers: 8 }) }, '1000 items for 8 workers'), '.'),
+    h(
+      'p',
+      {},
+      'Items lie on a disk, and some of them fit into memory. Every pair must be in memory together at some time: distances, Gram matrices, training on the edges between partitions. What is loaded and evicted, step by step, so that as little as possible is loaded? Try ',
+      h('a', { href: link('loadorder', { items: 64, room: 16, bytes: '2 GB' }) }, '64 items, room for 16'),
+      ' or ',
+      h('a', { href: link('loadorder', { items: 1000, room: 100, workers: 8 }) }, '1000 items for 8 workers'),
+      '.',
+    ),
     form,
     result,
   );

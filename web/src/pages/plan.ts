@@ -3,10 +3,24 @@ import { save } from '../lib/save';
 import { count } from '../lib/words';
 import { link, problem, type Page, type View } from '../shell/router';
 import { ask } from './plan/ask';
-import { csv, decimal, emptyJob, exampleJob, exact, moneyOf, partsOf, type Job, type Outcome, type PairMode, type State, type Test } from './plan/job';
+import { headline } from './plan/headline';
+import {
+  csv,
+  decimal,
+  emptyJob,
+  exampleJob,
+  exact,
+  partsOf,
+  type Job,
+  type Outcome,
+  type PairMode,
+  type State,
+  type Test,
+} from './plan/job';
+import { keptList } from './plan/kept';
 import { partsGrid } from './plan/parts';
 import { runSheet } from './plan/sheet';
-import { forget, keep as keepState, keptJobs, load, newId } from './plan/store';
+import { keep as keepState, load, newId } from './plan/store';
 import { whatIf } from './plan/what_if';
 
 const pairModes: readonly (readonly [PairMode, string])[] = [
@@ -22,38 +36,6 @@ const times: readonly (readonly [string, string])[] = [
   ['60', '1 minute'],
 ];
 
-function gapInWords(outcome: Outcome): string {
-  const { cost, bound } = outcome;
-  if (bound !== null && exact(cost) <= exact(bound)) {
-    return 'No plan is cheaper: this is the lower bound.';
-  }
-  if (bound === null || bound <= 0) {
-    return 'How little it could cost is not known.';
-  }
-  const money = moneyOf([cost, bound]);
-  return `No plan costs less than ${money(bound)}, so this one is at most ${((100 * (cost - bound)) / bound).toFixed(1)} % above the least possible.`;
-}
-
-function keptList(): HTMLElement | null {
-  const jobs = keptJobs();
-  if (jobs.length === 0) {
-    return null;
-  }
-  const box = h('details', { class: 'kept no-print' });
-  const item = (job: (typeof jobs)[number]): HTMLElement => {
-    const row: HTMLElement = h(
-      'li',
-      {},
-      h('a', { href: link('plan', { id: job.id }) }, job.title),
-      ` ${job.tests > 0 ? `${job.done} of ${count(job.tests, 'test')} done, ` : ''}${new Date(job.when).toLocaleString()} `,
-      h('button', { type: 'button', class: 'plain small', 'aria-label': `Forget ${job.title}`, onclick: () => (forget(job.id), row.remove()) }, '×'),
-    );
-    return row;
-  };
-  fill(box, h('summary', {}, `Jobs in this browser (${jobs.length})`), h('ul', {}, jobs.map(item)));
-  return box;
-}
-
 async function render(view: View): Promise<void> {
   const given = await load(view.params);
   const state: State = given?.state ?? { id: newId(), job: emptyJob(), outcome: null };
@@ -64,7 +46,11 @@ async function render(view: View): Promise<void> {
   const result = h('div', { class: 'result' });
   const fault = h('div', { class: 'no-print' });
   const kept = h('p', { class: 'hint no-print', role: 'status' });
-  const stale = h('p', { class: 'note no-print', hidden: true }, 'The job has changed since this sheet was planned. Plan again, or plan the rest if some tests are done.');
+  const stale = h(
+    'p',
+    { class: 'note no-print', hidden: true },
+    'The job has changed since this sheet was planned. Plan again, or plan the rest if some tests are done.',
+  );
 
   const grid = partsGrid(changed);
   const title = h('input', { type: 'text', value: state.job.title, oninput: changed });
@@ -72,14 +58,32 @@ async function render(view: View): Promise<void> {
   const testCost = h('input', { type: 'text', inputmode: 'decimal', class: 'cost', value: state.job.testCost, oninput: changed });
   const changeCost = h('input', { type: 'text', inputmode: 'decimal', class: 'cost', value: state.job.changeCost, oninput: changed });
   const pairMode = select(state.job.pairMode, pairModes, () => ((pairsField.hidden = pairMode.value === 'all'), changed()));
-  const pairs = h('textarea', { class: 'pairs-text', spellcheck: 'false', placeholder: 'Motor A, Cooler\nMotor B, Cooler', oninput: changed });
+  const pairs = h('textarea', {
+    class: 'pairs-text',
+    spellcheck: 'false',
+    placeholder: 'Motor A, Cooler\nMotor B, Cooler',
+    oninput: changed,
+  });
   pairs.value = state.job.pairs;
   const pairsField = field('Pairs, two parts a line with a comma between', pairs);
   pairsField.hidden = state.job.pairMode === 'all';
   const seconds = select(String(state.job.seconds), times, changed);
   const go = h('button', { type: 'submit' }, 'Plan');
-  const many = h('input', { type: 'number', min: 2, max: 1000, placeholder: '12', 'aria-label': 'How many parts, to be called 1, 2, 3, …' });
-  const pick = h('input', { type: 'file', accept: '.csv,.tsv,.txt,text/csv,text/plain', class: 'unseen', tabindex: -1, 'aria-label': 'A file with a list of parts', onchange: () => pick.files?.[0] && void takeFile(pick.files[0]) });
+  const many = h('input', {
+    type: 'number',
+    min: 2,
+    max: 1000,
+    placeholder: '12',
+    'aria-label': 'How many parts, to be called 1, 2, 3, …',
+  });
+  const pick = h('input', {
+    type: 'file',
+    accept: '.csv,.tsv,.txt,text/csv,text/plain',
+    class: 'unseen',
+    tabindex: -1,
+    'aria-label': 'A file with a list of parts',
+    onchange: () => pick.files?.[0] && void takeFile(pick.files[0]),
+  });
 
   function changed(): void {
     stale.hidden = state.outcome === null;
@@ -115,7 +119,9 @@ async function render(view: View): Promise<void> {
         return;
       }
       view.go({ s, id }, { quiet: true });
-      kept.textContent = whole ? 'The link of this page holds the whole job with its sheet and what is done; this browser keeps it, too.' : 'This job is too long for a link: it is kept in this browser, and the link opens it only here. Download it as CSV to pass it on.';
+      kept.textContent = whole
+        ? 'The link of this page holds the whole job with its sheet and what is done; this browser keeps it, too.'
+        : 'This job is too long for a link: it is kept in this browser, and the link opens it only here. Download it as CSV to pass it on.';
     } catch {
       kept.textContent = 'This browser has no room to keep the job: download it as CSV before you leave.';
     }
@@ -130,7 +136,15 @@ async function render(view: View): Promise<void> {
     go.disabled = true;
     try {
       const job = readJob();
-      fill(fault, h('p', { class: 'note', role: 'status' }, `Planning, for ${count(job.seconds || 10, 'second')} at most … `, h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop')));
+      fill(
+        fault,
+        h(
+          'p',
+          { class: 'note', role: 'status' },
+          `Planning, for ${count(job.seconds || 10, 'second')} at most … `,
+          h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop'),
+        ),
+      );
       const outcome = await ask(job, done, mine.signal);
       state.job = job;
       state.outcome = outcome;
@@ -155,10 +169,11 @@ async function render(view: View): Promise<void> {
 
   function show(outcome: Outcome): void {
     const { job } = state;
-    const money = moneyOf([outcome.testCost, outcome.changeCost, ...outcome.tests.map(({ cost }) => cost)]);
-    const rest = outcome.tests.length - outcome.doneBefore;
-    const changes = outcome.alternatives[0]!.changes;
-    const replan = h('button', { type: 'button', class: 'plain', onclick: () => run(outcome.tests.filter((test) => test.done)) }, 'Plan the rest anew');
+    const replan = h(
+      'button',
+      { type: 'button', class: 'plain', onclick: () => run(outcome.tests.filter((test) => test.done)) },
+      'Plan the rest anew',
+    );
     const ticked = () => {
       replan.disabled = !outcome.tests.some((test) => test.done);
       void keep();
@@ -167,20 +182,7 @@ async function render(view: View): Promise<void> {
     replan.disabled = !outcome.tests.some((test) => test.done);
     fill(
       result,
-      h(
-        'div',
-        { class: 'verdict valid' },
-        h('h2', {}, job.title),
-        h(
-          'p',
-          {},
-          outcome.doneBefore > 0 ? `${count(outcome.doneBefore, 'test')} done; for the rest: ` : `${count(job.parts.filter((part) => !part.gone).length, 'part')}, ${job.atOnce} at a time: `,
-          h('strong', {}, `${count(rest, 'test')}, ${count(changes, 'change')}, cost ${money(outcome.cost)}`),
-          `. ${gapInWords(outcome)}`,
-        ),
-        outcome.reason && h('details', { class: 'no-print' }, h('summary', {}, 'Why not less'), h('p', {}, outcome.reason)),
-        h('p', { class: 'hint' }, `A test costs ${money(outcome.testCost)}; putting a part in costs ${job.parts.some((part) => part.cost !== null) ? `what the list says, else ${money(outcome.changeCost)}` : money(outcome.changeCost)}; taking out is free. Every pair that must meet does: counted by a program of its own.`),
-      ),
+      headline(job, outcome),
       stale,
       h(
         'div',
@@ -191,14 +193,31 @@ async function render(view: View): Promise<void> {
         h('span', { class: 'hint' }, 'Tick what is done. A part broke? Tick “gone” in the list, then plan the rest.'),
       ),
       kept,
-      h('div', { class: 'plan-parts' }, sheet.element, whatIf(outcome, job.parts.some((part) => part.cost !== null), (test, change) => ((testCost.value = String(test)), (changeCost.value = String(change)), scalePrices(outcome, change), run(outcome.tests.filter((each) => each.done))), view.signal)),
+      h(
+        'div',
+        { class: 'plan-parts' },
+        sheet.element,
+        whatIf(
+          outcome,
+          job.parts.some((part) => part.cost !== null),
+          (test, change) => (
+            (testCost.value = String(test)),
+            (changeCost.value = String(change)),
+            scalePrices(outcome, change),
+            run(outcome.tests.filter((each) => each.done))
+          ),
+          view.signal,
+        ),
+      ),
     );
   }
 
   /** The parts' own costs keep their proportion to the cost for all. */
   function scalePrices(outcome: Outcome, change: number): void {
     if (outcome.changeCost > 0 && change !== outcome.changeCost) {
-      grid.set(grid.read().map((part) => ({ ...part, cost: part.cost === null ? null : exact((part.cost * change) / outcome.changeCost) })));
+      grid.set(
+        grid.read().map((part) => ({ ...part, cost: part.cost === null ? null : exact((part.cost * change) / outcome.changeCost) })),
+      );
     }
   }
 
@@ -229,7 +248,25 @@ async function render(view: View): Promise<void> {
           { class: 'row' },
           h('button', { type: 'button', class: 'plain', onclick: () => pick.click() }, 'CSV file …'),
           pick,
-          h('span', { class: 'together' }, many, h('button', { type: 'button', class: 'plain', onclick: () => (grid.set(Array.from({ length: Math.min(1000, Number(many.value || 12)) }, (_, i) => ({ name: String(i + 1), cost: null }))), changed()) }, 'numbered parts')),
+          h(
+            'span',
+            { class: 'together' },
+            many,
+            h(
+              'button',
+              {
+                type: 'button',
+                class: 'plain',
+                onclick: () => (
+                  grid.set(
+                    Array.from({ length: Math.min(1000, Number(many.value || 12)) }, (_, i) => ({ name: String(i + 1), cost: null })),
+                  ),
+                  changed()
+                ),
+              },
+              'numbered parts',
+            ),
+          ),
           h('button', { type: 'button', class: 'plain', onclick: () => (grid.set([]), changed()) }, 'Clear'),
         ),
       ),
@@ -251,7 +288,13 @@ async function render(view: View): Promise<void> {
   fill(
     view.root,
     h('h1', { class: 'no-print' }, 'Plan tests'),
-    h('p', { class: 'no-print' }, 'You have parts, and room for some of them at once. Every two of them have to be tested together. A test costs something, and so does every part that is put in: which set-ups, and in which order? ', h('a', { href: link('plan'), onclick: (event) => (event.preventDefault(), useExample()) }, 'Try an example'), '.'),
+    h(
+      'p',
+      { class: 'no-print' },
+      'You have parts, and room for some of them at once. Every two of them have to be tested together. A test costs something, and so does every part that is put in: which set-ups, and in which order? ',
+      h('a', { href: link('plan'), onclick: (event) => (event.preventDefault(), useExample()) }, 'Try an example'),
+      '.',
+    ),
     keptList(),
     form,
     fault,
@@ -273,11 +316,27 @@ async function render(view: View): Promise<void> {
       await keep();
     }
   } else if ((view.params.has('s') || view.params.has('id')) && !given) {
-    fill(fault, problem(new Error('This link does not hold a whole job (it may have been cut), and this browser does not have it either. Open it where it was made, or make it anew.')));
+    fill(
+      fault,
+      problem(
+        new Error(
+          'This link does not hold a whole job (it may have been cut), and this browser does not have it either. Open it where it was made, or make it anew.',
+        ),
+      ),
+    );
   }
   if (given?.other) {
     const { id, title: name, done, tests, when } = given.other;
-    fill(fault, h('p', { class: 'note' }, `This is the job as the link has it. This browser has it, too, as of ${new Date(when).toLocaleString()}, ${done} of ${count(tests, 'test')} done: `, h('a', { href: link('plan', { id }) }, `open that ${name}`), '. What you change here is kept beside it.'));
+    fill(
+      fault,
+      h(
+        'p',
+        { class: 'note' },
+        `This is the job as the link has it. This browser has it, too, as of ${new Date(when).toLocaleString()}, ${done} of ${count(tests, 'test')} done: `,
+        h('a', { href: link('plan', { id }) }, `open that ${name}`),
+        '. What you change here is kept beside it.',
+      ),
+    );
     state.id = newId();
   }
 }

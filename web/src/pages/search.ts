@@ -20,10 +20,28 @@ const times: readonly (readonly [string, string])[] = [
 /** Why nothing can be started here, and what helps; null if it can. */
 function hindrance({ write }: About): HTMLElement | null {
   if (!write) {
-    return h('p', { class: 'note' }, 'This server was started with ', h('code', {}, '--no-write'), ': it searches nothing and keeps nothing. Start ', h('code', {}, 'changeover serve'), ' without it, or search on the command line: ', h('code', {}, 'changeover search 20 5'), '.');
+    return h(
+      'p',
+      { class: 'note' },
+      'This server was started with ',
+      h('code', {}, '--no-write'),
+      ': it searches nothing and keeps nothing. Start ',
+      h('code', {}, 'changeover serve'),
+      ' without it, or search on the command line: ',
+      h('code', {}, 'changeover search 20 5'),
+      '.',
+    );
   }
   if (!hasToken()) {
-    return h('p', { class: 'note' }, 'This window may look and not start anything: it was opened without the token. Open the address that ', h('code', {}, 'changeover serve'), ' printed in its terminal; it ends in ', h('code', {}, '?token=…'), '.');
+    return h(
+      'p',
+      { class: 'note' },
+      'This window may look and not start anything: it was opened without the token. Open the address that ',
+      h('code', {}, 'changeover serve'),
+      ' printed in its terminal; it ends in ',
+      h('code', {}, '?token=…'),
+      '.',
+    );
   }
   return null;
 }
@@ -40,8 +58,18 @@ async function render(view: View): Promise<void> {
   const change = select(params.get('change') ?? '2', changes, () => look());
   const kind = select(params.get('kind') ?? 'circular', kinds, () => look());
   const time = select(params.get('seconds') ?? '60', times, (seconds) => view.go({ seconds }, { quiet: true }));
-  const threads = h('input', { type: 'number', min: 1, value: params.get('threads') ?? 1, onchange: () => view.go({ threads: threads.value }, { quiet: true }) });
-  const seed = h('input', { type: 'number', min: 0, value: params.get('seed') ?? 1, onchange: () => view.go({ seed: seed.value }, { quiet: true }) });
+  const threads = h('input', {
+    type: 'number',
+    min: 1,
+    value: params.get('threads') ?? 1,
+    onchange: () => view.go({ threads: threads.value }, { quiet: true }),
+  });
+  const seed = h('input', {
+    type: 'number',
+    min: 0,
+    value: params.get('seed') ?? 1,
+    onchange: () => view.go({ seed: seed.value }, { quiet: true }),
+  });
   const start = h('button', { type: 'submit', disabled: hindered !== null }, 'Start');
   const known = h('p', { class: 'hint search-known', role: 'status' });
   const fault = h('div', {});
@@ -127,7 +155,20 @@ async function render(view: View): Promise<void> {
     }
     start.disabled = true;
     try {
-      const { id } = await post<{ id: string | number }>('search', {}, { v: Number(v.value), k: Number(k.value), change: Number(change.value), kind: kind.value, seconds: Number(time.value), threads: Number(threads.value || 1), seed: Number(seed.value || 1) }, signal);
+      const { id } = await post<{ id: string | number }>(
+        'search',
+        {},
+        {
+          v: Number(v.value),
+          k: Number(k.value),
+          change: Number(change.value),
+          kind: kind.value,
+          seconds: Number(time.value),
+          threads: Number(threads.value || 1),
+          seed: Number(seed.value || 1),
+        },
+        signal,
+      );
       choose(String(id), true);
       await refresh();
     } catch (why) {
@@ -141,7 +182,11 @@ async function render(view: View): Promise<void> {
   fill(
     view.root,
     h('h1', {}, 'Search for designs'),
-    h('p', {}, 'A local search tries to find a design with fewer blocks than are known. It runs on this machine, goes on when this page is closed, and what it finds is verified. It ends at once if the best design known is a minimum.'),
+    h(
+      'p',
+      {},
+      'A local search tries to find a design with fewer blocks than are known. It runs on this machine, goes on when this page is closed, and what it finds is verified. It ends at once if the best design known is a minimum.',
+    ),
     h(
       'form',
       {
@@ -178,7 +223,14 @@ async function render(view: View): Promise<void> {
       },
       state(now, retryIn) {
         if (now === 'waiting') {
-          fill(stream, h('strong', {}, 'The server does not answer. '), `Trying again in ${count(retryIn, 'second')}. If it was stopped, start `, h('code', {}, 'changeover serve'), ' again. ', h('button', { type: 'button', class: 'plain small', onclick: retryNow }, 'Try now'));
+          fill(
+            stream,
+            h('strong', {}, 'The server does not answer. '),
+            `Trying again in ${count(retryIn, 'second')}. If it was stopped, start `,
+            h('code', {}, 'changeover serve'),
+            ' again. ',
+            h('button', { type: 'button', class: 'plain small', onclick: retryNow }, 'Try now'),
+          );
         } else {
           fill(stream, now === 'open' ? 'Live: this page follows the searches as they go.' : '\u00a0');
         }

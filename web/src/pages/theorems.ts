@@ -1,6 +1,6 @@
 // The theorems that the program uses beyond the published ones, and all constructions, each with an example to look at.
 import type { Cell, Construction, Theorem } from '../lib/api';
-import { fill, h, picture } from '../lib/dom';
+import { fill, h, picture, type Child } from '../lib/dom';
 import { line, markup } from '../lib/markup';
 import { constructions, draw, theorems as ask } from '../lib/source';
 import { waiting } from '../lib/wait';
@@ -48,6 +48,7 @@ class Gallery {
         const image = picture(svg);
         image.setAttribute('aria-hidden', 'true');
         image.setAttribute('focusable', 'false');
+        cropToPoints(image);
         fill(place, image);
       }
     } catch {
@@ -56,12 +57,30 @@ class Gallery {
   }
 }
 
+/** A small picture has no room for headlines and legends: only the circle of points is left. */
+function cropToPoints(image: SVGSVGElement): void {
+  const points = [...image.querySelectorAll('circle')].map((point) => ['cx', 'cy', 'r'].map((name) => Number(point.getAttribute(name))));
+  if (points.length > 2) {
+    const low = (of: number): number => Math.min(...points.map((point) => point[of]! - point[2]!)) - 4;
+    const high = (of: number): number => Math.max(...points.map((point) => point[of]! + point[2]!)) + 4;
+    image.setAttribute('viewBox', `${low(0)} ${low(1)} ${high(0) - low(0)} ${high(1) - low(1)}`);
+  }
+}
+
+/** So many paragraphs of a statement are shown at once; some go on into the construction. */
+const mostShown = 7;
+
+function statement(text: string): Child[] {
+  const parts = markup(text, inPages);
+  return parts.length <= mostShown + 1 ? parts : [...parts.slice(0, mostShown), h('details', {}, h('summary', {}, 'More'), parts.slice(mostShown))];
+}
+
 function theorem(it: Theorem, gallery: Gallery, chosen: boolean): HTMLElement {
   return h(
     'article',
     { id: `theorem-${it.number}`, class: chosen ? 'statement chosen' : 'statement', tabindex: -1 },
     h('h3', {}, h('a', { href: link('theorems', { theorem: it.number }) }, `Theorem ${it.number}`), it.title && it.title !== `Theorem ${it.number}` ? [': ', ...line(it.title)] : ''),
-    h('div', { class: 'with-example' }, h('div', { class: 'prose' }, markup(it.statement, inPages)), it.example && gallery.add(it.example)),
+    h('div', { class: 'with-example' }, h('div', { class: 'prose' }, statement(it.statement)), it.example && gallery.add(it.example)),
   );
 }
 

@@ -20,7 +20,17 @@ let file: File | null = null;
 
 function designOf({ blocks: { v, k, b, change, kind, strength, labels, blocks }, answer }: Report): Design {
   const list = Array.from({ length: b }, (_, i) => [...blocks.subarray(i * k, (i + 1) * k)]);
-  return { format: 'changeover-design/1', v, k, change, kind, ...(strength === 2 ? {} : { strength }), blocks: list, ...(labels ? { labels } : {}), verdict: answer.verdict };
+  return {
+    format: 'changeover-design/1',
+    v,
+    k,
+    change,
+    kind,
+    ...(strength === 2 ? {} : { strength }),
+    blocks: list,
+    ...(labels ? { labels } : {}),
+    verdict: answer.verdict,
+  };
 }
 
 async function firstText(view: View): Promise<string> {
@@ -35,13 +45,35 @@ async function firstText(view: View): Promise<string> {
 
 async function render(view: View): Promise<void> {
   let running: AbortController | null = null;
-  const text = h('textarea', { spellcheck: 'false', autocomplete: 'off', autocapitalize: 'off', placeholder: '0 1 2 3\n2 3 4 5\n…', 'aria-label': 'The design: a block a line, or any format that Changeover reads' });
+  const text = h('textarea', {
+    spellcheck: 'false',
+    autocomplete: 'off',
+    autocapitalize: 'off',
+    placeholder: '0 1 2 3\n2 3 4 5\n…',
+    'aria-label': 'The design: a block a line, or any format that Changeover reads',
+  });
   const chosen = h('div', { class: 'note chosen', hidden: true });
   const result = h('div', { class: 'result' });
-  const pick = h('input', { type: 'file', class: 'unseen', tabindex: -1, 'aria-label': 'A file with a design', onchange: () => pick.files?.[0] && take(pick.files[0]) });
-  const v = h('input', { type: 'number', min: 2, value: view.params.get('v') ?? '', placeholder: 'as in the file', onchange: () => view.go({ v: v.value }, { quiet: true }) });
-  const change = select(view.params.get('change') ?? '', [['', 'as in the file'], ...changes], (value) => view.go({ change: value }, { quiet: true }));
-  const kind = select(view.params.get('kind') ?? '', [['', 'as in the file'], ...kinds], (value) => view.go({ kind: value as Kind }, { quiet: true }));
+  const pick = h('input', {
+    type: 'file',
+    class: 'unseen',
+    tabindex: -1,
+    'aria-label': 'A file with a design',
+    onchange: () => pick.files?.[0] && take(pick.files[0]),
+  });
+  const v = h('input', {
+    type: 'number',
+    min: 2,
+    value: view.params.get('v') ?? '',
+    placeholder: 'as in the file',
+    onchange: () => view.go({ v: v.value }, { quiet: true }),
+  });
+  const change = select(view.params.get('change') ?? '', [['', 'as in the file'], ...changes], (value) =>
+    view.go({ change: value }, { quiet: true }),
+  );
+  const kind = select(view.params.get('kind') ?? '', [['', 'as in the file'], ...kinds], (value) =>
+    view.go({ kind: value as Kind }, { quiet: true }),
+  );
   const go = h('button', { type: 'submit' }, 'Check');
 
   function show(content: string): void {
@@ -55,7 +87,11 @@ async function render(view: View): Promise<void> {
     file = content;
     text.hidden = true;
     chosen.hidden = false;
-    fill(chosen, h('p', {}, h('strong', {}, content.name), `, ${bytes(content.size)}: too long to be shown here, and checked all the same.`), h('button', { type: 'button', class: 'plain', onclick: () => show('') }, 'Take it away'));
+    fill(
+      chosen,
+      h('p', {}, h('strong', {}, content.name), `, ${bytes(content.size)}: too long to be shown here, and checked all the same.`),
+      h('button', { type: 'button', class: 'plain', onclick: () => show('') }, 'Take it away'),
+    );
   }
   async function take(content: File): Promise<void> {
     view.go({ example: null, text: null, pasted: null, pair: null }, { quiet: true });
@@ -71,7 +107,10 @@ async function render(view: View): Promise<void> {
     if (!example && !short) {
       keepText(content);
     }
-    view.go({ example: example?.name ?? null, text: short ? word : null, kept: example || short ? null : 1, pasted: null }, { quiet: true });
+    view.go(
+      { example: example?.name ?? null, text: short ? word : null, kept: example || short ? null : 1, pasted: null },
+      { quiet: true },
+    );
   }
 
   async function run(): Promise<void> {
@@ -86,13 +125,31 @@ async function render(view: View): Promise<void> {
     const stop = () => mine.abort();
     view.signal.addEventListener('abort', stop, { once: true });
     go.disabled = true;
-    fill(result, h('p', { class: 'note', role: 'status' }, typeof body === 'string' ? 'Checking …' : `Checking ${bytes(body.size)} … `, h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop')));
+    fill(
+      result,
+      h(
+        'p',
+        { class: 'note', role: 'status' },
+        typeof body === 'string' ? 'Checking …' : `Checking ${bytes(body.size)} … `,
+        h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop'),
+      ),
+    );
     try {
       if (typeof body === 'string') {
         await remember(body);
       }
       const report = await check({ url: address('verify', { v: v.value, change: change.value, kind: kind.value }), body }, mine.signal);
-      fill(result, headline(report), actions(report, body), h('div', { class: 'verify-parts' }, report.blocks.shown ? blockList(report, view) : defects(report), h('div', {}, facts(report), elementTable(report))));
+      fill(
+        result,
+        headline(report),
+        actions(report, body),
+        h(
+          'div',
+          { class: 'verify-parts' },
+          report.blocks.shown ? blockList(report, view) : defects(report),
+          h('div', {}, facts(report), elementTable(report)),
+        ),
+      );
     } catch (fault) {
       if (!mine.signal.aborted) {
         await showFault(fault, body);
@@ -114,40 +171,84 @@ async function render(view: View): Promise<void> {
       h('h2', {}, 'This could not be read'),
       problem(fault),
       line && (await excerpt(body, line, (fault as ApiError).column)),
-      line && typeof body === 'string' && h('button', { type: 'button', class: 'plain', onclick: () => (text.focus(), text.setSelectionRange(...lineRange(text.value, line))) }, `Go to line ${line} in the text`),
+      line &&
+        typeof body === 'string' &&
+        h(
+          'button',
+          { type: 'button', class: 'plain', onclick: () => (text.focus(), text.setSelectionRange(...lineRange(text.value, line))) },
+          `Go to line ${line} in the text`,
+        ),
     );
   }
 
   function actions(report: Report, body: string | Blob): HTMLElement {
     const said = h('span', { role: 'status' });
-    const add = h('button', {
-      type: 'button',
-      class: 'plain',
-      onclick: async () => {
-        add.disabled = true;
-        try {
-          const { label, already } = await post<{ label: string; already: boolean }>('catalog/add', { v: v.value, change: change.value, kind: kind.value }, body, view.signal);
-          fill(said, already ? 'Your catalog has it already: ' : 'Added to your catalog: ', h('a', { href: link('design', { label }) }, label), '.');
-        } catch (fault) {
-          add.disabled = false;
-          fill(said, problem(fault));
-        }
+    const add = h(
+      'button',
+      {
+        type: 'button',
+        class: 'plain',
+        onclick: async () => {
+          add.disabled = true;
+          try {
+            const { label, already } = await post<{ label: string; already: boolean }>(
+              'catalog/add',
+              { v: v.value, change: change.value, kind: kind.value },
+              body,
+              view.signal,
+            );
+            fill(
+              said,
+              already ? 'Your catalog has it already: ' : 'Added to your catalog: ',
+              h('a', { href: link('design', { label }) }, label),
+              '.',
+            );
+          } catch (fault) {
+            add.disabled = false;
+            fill(said, problem(fault));
+          }
+        },
       },
-    }, 'Add to my catalog');
+      'Add to my catalog',
+    );
     const row = h(
       'div',
       { class: 'row actions' },
-      report.blocks.shown && report.blocks.blocks.length <= longestViewed && h('a', { class: 'button plain', href: link('design', { local: 1 }), onclick: () => keepLocal(designOf(report)) }, 'Open in the viewer'),
-      h('a', { class: 'button plain', href: link('cell', { v: report.blocks.v, k: report.blocks.k, change: report.blocks.change, kind: report.blocks.kind }) }, 'What is known for these parameters'),
+      report.blocks.shown &&
+        report.blocks.blocks.length <= longestViewed &&
+        h(
+          'a',
+          { class: 'button plain', href: link('design', { local: 1 }), onclick: () => keepLocal(designOf(report)) },
+          'Open in the viewer',
+        ),
+      h(
+        'a',
+        {
+          class: 'button plain',
+          href: link('cell', { v: report.blocks.v, k: report.blocks.k, change: report.blocks.change, kind: report.blocks.kind }),
+        },
+        'What is known for these parameters',
+      ),
     );
     if (report.answer.valid) {
-      about().then(({ write }) => {
-        if (write && hasToken()) {
-          row.append(add, said);
-        } else {
-          row.append(h('span', { class: 'hint' }, write ? 'To add it to your catalog, open the address that changeover serve printed, with its token.' : 'This server was started with --no-write: it adds nothing to a catalog.'));
-        }
-      }, () => undefined);
+      about().then(
+        ({ write }) => {
+          if (write && hasToken()) {
+            row.append(add, said);
+          } else {
+            row.append(
+              h(
+                'span',
+                { class: 'hint' },
+                write
+                  ? 'To add it to your catalog, open the address that changeover serve printed, with its token.'
+                  : 'This server was started with --no-write: it adds nothing to a catalog.',
+              ),
+            );
+          }
+        },
+        () => undefined,
+      );
     }
     return row;
   }
@@ -175,7 +276,17 @@ async function render(view: View): Promise<void> {
         }
       },
     },
-    h('div', { class: 'verify-input' }, text, chosen, h('p', { class: 'hint' }, 'A block a line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here.')),
+    h(
+      'div',
+      { class: 'verify-input' },
+      text,
+      chosen,
+      h(
+        'p',
+        { class: 'hint' },
+        'A block a line, JSON, CSV, GAP, Sage, designtheory.org or the La Jolla repository: the format is recognised. You can drop a file here. What it does not say is taken from the blocks: as many changes as the first step has, and linear.',
+      ),
+    ),
     h(
       'div',
       { class: 'row' },
@@ -195,8 +306,18 @@ async function render(view: View): Promise<void> {
   fill(
     view.root,
     h('h1', {}, 'Verify a design'),
-    h('p', {}, 'Is a list of blocks a change covering design, and how good? Every pair of elements must be in some block, and every step from a block to the next must change exactly m elements.'),
-    h('p', { class: 'examples' }, 'Try ', examples.map(({ name, title }, i) => [i === 0 ? '' : ', ', h('a', { href: link('verify', { example: name }) }, title)]).flat(), '.'),
+    h(
+      'p',
+      {},
+      'Is a list of blocks a change covering design, and how good? Every pair of elements must be in some block, and every step from a block to the next must change exactly m elements.',
+    ),
+    h(
+      'p',
+      { class: 'examples' },
+      'Try ',
+      examples.map(({ name, title }, i) => [i === 0 ? '' : ', ', h('a', { href: link('verify', { example: name }) }, title)]).flat(),
+      '.',
+    ),
     drop,
     result,
   );

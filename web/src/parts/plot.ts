@@ -62,7 +62,14 @@ export function plot(options: PlotOptions): Plot {
     }
     const text = colour('--faint');
     const grid = { stroke: colour('--line'), width: 1 };
-    const axis = { stroke: text, grid, ticks: grid, font: `12px ${colour('--text-font')}`, labelFont: `12px ${colour('--text-font')}`, labelSize: 20 };
+    const axis = {
+      stroke: text,
+      grid,
+      ticks: grid,
+      font: `12px ${colour('--text-font')}`,
+      labelFont: `12px ${colour('--text-font')}`,
+      labelSize: 20,
+    };
     const right = lines.some((line) => line.right);
     const yText = options.yText ?? short;
     const rightText = options.rightText ?? short;
@@ -73,14 +80,28 @@ export function plot(options: PlotOptions): Plot {
         scales: {
           x: { time: false },
           y: options.fromZero ? { range: (_, __, most) => [0, most > 0 ? most * 1.05 : 1] } : {},
-          ...(right ? { right: { range: (_: uPlot, __: number, most: number) => [0, most > 0 ? most * 1.05 : 1] as [number, number] } } : {}),
+          ...(right
+            ? { right: { range: (_: uPlot, __: number, most: number) => [0, most > 0 ? most * 1.05 : 1] as [number, number] } }
+            : {}),
         },
         cursor: { drag: { x: false, y: false } },
         legend: { live: true },
         axes: [
           { ...axis, label: options.x, size: 34, values: (_, ticks) => ticks.map((tick) => (options.xText ?? short)(tick)) },
           { ...axis, label: options.y, size: 62, values: (_, ticks) => ticks.map(yText) },
-          ...(right ? [{ ...axis, scale: 'right', side: 1, label: options.right ?? '', size: 62, grid: { show: false }, values: (_: uPlot, ticks: number[]) => ticks.map(rightText) }] : []),
+          ...(right
+            ? [
+                {
+                  ...axis,
+                  scale: 'right',
+                  side: 1,
+                  label: options.right ?? '',
+                  size: 62,
+                  grid: { show: false },
+                  values: (_: uPlot, ticks: number[]) => ticks.map(rightText),
+                },
+              ]
+            : []),
         ],
         series: [
           { label: options.x, value: (_, x) => (x === null ? '–' : (options.xText ?? short)(x)) },

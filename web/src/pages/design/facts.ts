@@ -15,6 +15,7 @@ export function facts(design: Design): HTMLElement {
     ['block size k', number(design.k), terms.k],
     ['change number m', [number(design.change), ` (${changeWord(design.change)})`], terms.change],
     ['kind', design.kind, terms.kind],
+    ...((design.strength ?? 2) > 2 ? ([['strength t', String(design.strength), 'every t elements are together in some block, and not only every two']] as [string, string, string][]) : []),
     ['blocks b', h('strong', {}, number(b)), terms.blocks],
   ];
   if (verdict) {

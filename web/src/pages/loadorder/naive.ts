@@ -27,7 +27,24 @@ export function naive(items: number, room: number): Naive[] {
   ];
 }
 
-const units: Record<string, number> = { '': 1, b: 1, byte: 1, bytes: 1, k: 1e3, kb: 1e3, m: 1e6, mb: 1e6, g: 1e9, gb: 1e9, t: 1e12, tb: 1e12, kib: 2 ** 10, mib: 2 ** 20, gib: 2 ** 30, tib: 2 ** 40 };
+const units: Record<string, number> = {
+  '': 1,
+  b: 1,
+  byte: 1,
+  bytes: 1,
+  k: 1e3,
+  kb: 1e3,
+  m: 1e6,
+  mb: 1e6,
+  g: 1e9,
+  gb: 1e9,
+  t: 1e12,
+  tb: 1e12,
+  kib: 2 ** 10,
+  mib: 2 ** 20,
+  gib: 2 ** 30,
+  tib: 2 ** 40,
+};
 
 /** "512 MB", "1.5 GiB", "4096". @throws Error with a line that can be shown. */
 export function bytesOf(text: string): number {
@@ -43,7 +60,11 @@ export function bytesOf(text: string): number {
 export function pairsOf(text: string, items: number): [number, number][] | null {
   const pairs: [number, number][] = [];
   for (const [i, line] of text.split('\n').entries()) {
-    const words = line.replace(/[#%].*/, '').trim().split(/[\s,;]+/).filter(Boolean);
+    const words = line
+      .replace(/[#%].*/, '')
+      .trim()
+      .split(/[\s,;]+/)
+      .filter(Boolean);
     if (words.length === 0) {
       continue;
     }

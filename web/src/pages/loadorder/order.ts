@@ -33,7 +33,9 @@ export interface Asked {
 }
 
 function over(loads: number, bound: number): string {
-  return loads <= bound ? 'no order has fewer' : `no order has fewer than ${number(bound)}, so this one has at most ${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least possible`;
+  return loads <= bound
+    ? 'no order has fewer'
+    : `no order has fewer than ${number(bound)}, so this one has at most ${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least possible`;
 }
 
 export function headline(answer: Answer, asked: Asked): HTMLElement {
@@ -49,10 +51,17 @@ export function headline(answer: Answer, asked: Asked): HTMLElement {
       shared
         ? `For ${count(asked.workers, 'worker')}; the busiest has ${count(answer.makespan!, 'load')}: ${over(answer.makespan!, answer.makespan_bound!)}.`
         : `${asked.pairs ? count(asked.pairs.length, 'pair') : `All ${number((asked.items * (asked.items - 1)) / 2)} pairs`} of ${count(asked.items, 'item')}, with room for ${number(asked.room)}: ${over(answer.loads, answer.lower_bound)}.`,
-      asked.bytesPerItem !== null && ` ${bytes(answer.bytes)} are read${shared || answer.bytes <= answer.bytes_bound ? '' : `; less than ${bytes(answer.bytes_bound)} is not possible`}.`,
+      asked.bytesPerItem !== null &&
+        ` ${bytes(answer.bytes)} are read${shared || answer.bytes <= answer.bytes_bound ? '' : `; less than ${bytes(answer.bytes_bound)} is not possible`}.`,
     ),
     h('p', { class: 'hint' }, 'Every step was read and every pair counted by a program of its own.'),
-    answer.reason && h('details', {}, h('summary', {}, 'Why not fewer'), h('p', {}, shared ? `All workers together have at least ${count(answer.lower_bound, 'load')}: ` : '', answer.reason)),
+    answer.reason &&
+      h(
+        'details',
+        {},
+        h('summary', {}, 'Why not fewer'),
+        h('p', {}, shared ? `All workers together have at least ${count(answer.lower_bound, 'load')}: ` : '', answer.reason),
+      ),
     answer.explanation && h('details', {}, h('summary', {}, 'Where the order comes from'), h('p', {}, answer.explanation)),
   );
 }
@@ -68,7 +77,9 @@ export function comparison(answer: Answer, asked: Asked): HTMLElement | null {
   const rows: [name: string, how: string, loads: number, own: boolean][] = [
     ['lower bound', 'no order has fewer', answer.lower_bound, false],
     ['this order', 'below, step by step', answer.loads, true],
-    ...simple.sort((one, other) => one.loads - other.loads).map(({ name, how, loads }): [string, string, number, boolean] => [name, how, loads, false]),
+    ...simple
+      .sort((one, other) => one.loads - other.loads)
+      .map(({ name, how, loads }): [string, string, number, boolean] => [name, how, loads, false]),
   ];
   return h(
     'section',
@@ -79,7 +90,19 @@ export function comparison(answer: Answer, asked: Asked): HTMLElement | null {
       h(
         'table',
         {},
-        h('thead', {}, h('tr', {}, h('th', {}, 'order'), h('th', { class: 'number' }, 'loads'), h('th', { class: 'number' }, 'of the bound'), asked.bytesPerItem !== null && h('th', { class: 'number' }, 'read'), h('th', {}, 'how'))),
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('th', {}, 'order'),
+            h('th', { class: 'number' }, 'loads'),
+            h('th', { class: 'number' }, 'of the bound'),
+            asked.bytesPerItem !== null && h('th', { class: 'number' }, 'read'),
+            h('th', {}, 'how'),
+          ),
+        ),
         h(
           'tbody',
           {},
@@ -138,11 +161,32 @@ export function stepList(answer: Answer): HTMLElement {
       return h('div', { class: 'block' }, parts);
     },
   });
-  return h('section', {}, h('h2', {}, 'Steps'), shared && h('p', { class: 'hint' }, 'Worker · step'), list.element, answer.truncated && h('p', { class: 'hint' }, `These are the first ${number(answer.steps.length)} of ${number(answer.step_count ?? 0)} steps; the command below writes all of them.`));
+  return h(
+    'section',
+    {},
+    h('h2', {}, 'Steps'),
+    shared && h('p', { class: 'hint' }, 'Worker · step'),
+    list.element,
+    answer.truncated &&
+      h(
+        'p',
+        { class: 'hint' },
+        `These are the first ${number(answer.steps.length)} of ${number(answer.step_count ?? 0)} steps; the command below writes all of them.`,
+      ),
+  );
 }
 
 export function jsonLines(answer: Answer, asked: Asked): string {
   const { loads, lower_bound, method, explanation, reason } = answer;
-  const first = { items: asked.items, room: asked.room, loads, steps: answer.step_count ?? answer.steps.length, lower_bound, lower_bound_reason: reason, method, explanation };
+  const first = {
+    items: asked.items,
+    room: asked.room,
+    loads,
+    steps: answer.step_count ?? answer.steps.length,
+    lower_bound,
+    lower_bound_reason: reason,
+    method,
+    explanation,
+  };
   return [first, ...answer.steps].map((line) => JSON.stringify(line)).join('\n') + '\n';
 }

@@ -45,7 +45,12 @@ export async function ask(job: Job, done: readonly Test[], signal: AbortSignal):
     changes += put.length;
   }
   const others = answer.alternatives
-    .map(({ change, name, ...numbers }): Alternative => ({ name: name ?? (change === null ? 'local search' : `${changeWord(change)} design`), tests: numbers.tests, changes: numbers.changes, cost: numbers.cost }))
+    .map(({ change, name, ...numbers }): Alternative => ({
+      name: name ?? (change === null ? 'local search' : `${changeWord(change)} design`),
+      tests: numbers.tests,
+      changes: numbers.changes,
+      cost: numbers.cost,
+    }))
     .filter((each) => each.tests !== rest.length || each.changes !== changes || exact(each.cost) !== cost);
   return {
     tests,

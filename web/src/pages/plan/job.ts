@@ -107,7 +107,11 @@ export function moneyOf(costs: readonly number[]): (cost: number) => string {
 /** A cost of a plan that was never made, as prices would make it: to the hundredth, as far as it has any. */
 export function about(cost: number): string {
   const rounded = Number(cost.toFixed(2));
-  return rounded === 0 && cost !== 0 ? String(Number(cost.toPrecision(3))) : Number.isInteger(rounded) ? String(rounded) : rounded.toFixed(2);
+  return rounded === 0 && cost !== 0
+    ? String(Number(cost.toPrecision(3)))
+    : Number.isInteger(rounded)
+      ? String(rounded)
+      : rounded.toFixed(2);
 }
 
 /** Cells of a table as spreadsheets copy it (tabs) or write it (CSV with commas or semicolons, fields quoted or not). */
@@ -158,7 +162,10 @@ export function partsOf(text: string): Part[] {
   const rows = cells(text);
   const numeric = (cell: string | undefined) => /^[\d.,]+$/.test(cell ?? '');
   const first = rows[0];
-  const heads = first && ((rows.length > 1 && first.length > 1 && !numeric(first[1]) && first[1] !== '' && numeric(rows[1]![1])) || /^(part|name|component)s?$/i.test(first[0]!));
+  const heads =
+    first &&
+    ((rows.length > 1 && first.length > 1 && !numeric(first[1]) && first[1] !== '' && numeric(rows[1]![1])) ||
+      /^(part|name|component)s?$/i.test(first[0]!));
   return (heads ? rows.slice(1) : rows).map(([name = '', cost = '']) => ({ name, cost: cost === '' ? null : decimal(cost, name) }));
 }
 
@@ -234,7 +241,18 @@ export function csv(outcome: Outcome): string {
   const rows = outcome.tests.map((test, i) => {
     const { out, in: put } = step(outcome.tests, i);
     sum = exact(sum + test.cost);
-    return [String(i + 1), safe(out.join(', ')), safe(put.join(', ')), ...slots.map((_, j) => safe(test.parts[j] ?? '')), String(test.cost), String(sum), test.done ? 'done' : ''];
+    return [
+      String(i + 1),
+      safe(out.join(', ')),
+      safe(put.join(', ')),
+      ...slots.map((_, j) => safe(test.parts[j] ?? '')),
+      String(test.cost),
+      String(sum),
+      test.done ? 'done' : '',
+    ];
   });
-  return [['step', 'take_out', 'put_in', ...slots, 'cost', 'cost_so_far', 'result'], ...rows].map((row) => row.map(quote).join(',')).join('\n') + '\n';
+  return (
+    [['step', 'take_out', 'put_in', ...slots, 'cost', 'cost_so_far', 'result'], ...rows].map((row) => row.map(quote).join(',')).join('\n') +
+    '\n'
+  );
 }

@@ -34,18 +34,44 @@ export function partsGrid(changed: () => void): Grid {
   }
 
   function makeRow(part: Part): HTMLTableRowElement {
-    const gone = h('input', { type: 'checkbox', checked: part.gone ?? false, onchange: () => (row.classList.toggle('gone', gone.checked), changed()) });
+    const gone = h('input', {
+      type: 'checkbox',
+      checked: part.gone ?? false,
+      onchange: () => (row.classList.toggle('gone', gone.checked), changed()),
+    });
     const row: HTMLTableRowElement = h(
       'tr',
       { class: part.gone ? 'gone' : null },
       h('td', { class: 'number' }),
       h('td', {}, h('input', { type: 'text', class: 'name', value: part.name, spellcheck: 'false', autocomplete: 'off' })),
-      h('td', {}, h('input', { type: 'text', class: 'cost', inputmode: 'decimal', value: part.cost ?? '', placeholder: 'as below', autocomplete: 'off' })),
+      h(
+        'td',
+        {},
+        h('input', {
+          type: 'text',
+          class: 'cost',
+          inputmode: 'decimal',
+          value: part.cost ?? '',
+          placeholder: 'as below',
+          autocomplete: 'off',
+        }),
+      ),
       h('td', { class: 'centre' }, gone),
       h(
         'td',
         {},
-        h('button', { type: 'button', class: 'plain small', tabindex: -1, title: 'Take this part off the list', 'aria-label': 'Take this part off the list', onclick: () => (move(row, 1) || move(row, -1), row.remove(), keepOneEmpty(), renumber(), changed()) }, '×'),
+        h(
+          'button',
+          {
+            type: 'button',
+            class: 'plain small',
+            tabindex: -1,
+            title: 'Take this part off the list',
+            'aria-label': 'Take this part off the list',
+            onclick: () => (move(row, 1) || move(row, -1), row.remove(), keepOneEmpty(), renumber(), changed()),
+          },
+          '×',
+        ),
       ),
     );
     return row;
@@ -133,7 +159,19 @@ export function partsGrid(changed: () => void): Grid {
         }
       },
     },
-    h('thead', {}, h('tr', {}, h('th', { class: 'number' }, '#'), h('th', {}, 'part'), h('th', {}, 'cost of putting it in'), h('th', {}, 'gone'), h('th', {}, h('span', { class: 'unseen' }, 'take off')))),
+    h(
+      'thead',
+      {},
+      h(
+        'tr',
+        {},
+        h('th', { class: 'number' }, '#'),
+        h('th', {}, 'part'),
+        h('th', {}, 'cost of putting it in'),
+        h('th', {}, 'gone'),
+        h('th', {}, h('span', { class: 'unseen' }, 'take off')),
+      ),
+    ),
     body,
   );
   const element = h('div', {}, h('div', { class: 'scroll parts-frame', tabindex: -1 }, table), size);
@@ -147,7 +185,13 @@ export function partsGrid(changed: () => void): Grid {
         if (text === '' && cost.value.trim() === '') {
           return [];
         }
-        return [{ name: text, cost: cost.value.trim() === '' ? null : decimal(cost.value, text || `part ${row.cells[0]!.textContent}`), ...(gone.checked ? { gone: true } : {}) }];
+        return [
+          {
+            name: text,
+            cost: cost.value.trim() === '' ? null : decimal(cost.value, text || `part ${row.cells[0]!.textContent}`),
+            ...(gone.checked ? { gone: true } : {}),
+          },
+        ];
       });
     },
     set(parts) {

@@ -55,7 +55,11 @@ export function runSheet(outcome: Outcome, ticked: () => void, signal: AbortSign
       h('td', { class: 'number' }, number(i + 1)),
       h('td', { class: 'leave' }, out.length > 0 ? out.join(', ') : '–'),
       h('td', { class: 'enter' }, put.length > 0 ? put.join(', ') : '–'),
-      h('td', {}, test.parts.flatMap((name, j) => [j > 0 ? ', ' : null, fresh.has(name) ? h('strong', {}, name) : name])),
+      h(
+        'td',
+        {},
+        test.parts.flatMap((name, j) => [j > 0 ? ', ' : null, fresh.has(name) ? h('strong', {}, name) : name]),
+      ),
       h('td', { class: 'number' }, money(test.cost)),
       h('td', { class: 'number' }, money(sums[i]!)),
     );
@@ -91,7 +95,21 @@ export function runSheet(outcome: Outcome, ticked: () => void, signal: AbortSign
       },
     },
     h('caption', { class: 'unseen' }, 'Run sheet'),
-    h('thead', {}, h('tr', {}, h('th', {}, 'done'), h('th', { class: 'number' }, 'test'), h('th', {}, 'take out'), h('th', {}, 'put in'), h('th', {}, 'what is in'), h('th', { class: 'number' }, 'cost'), h('th', { class: 'number' }, 'so far'))),
+    h(
+      'thead',
+      {},
+      h(
+        'tr',
+        {},
+        h('th', {}, 'done'),
+        h('th', { class: 'number' }, 'test'),
+        h('th', {}, 'take out'),
+        h('th', {}, 'put in'),
+        h('th', {}, 'what is in'),
+        h('th', { class: 'number' }, 'cost'),
+        h('th', { class: 'number' }, 'so far'),
+      ),
+    ),
     body,
   );
   return { element: h('div', {}, h('div', { class: 'row no-print' }, progress, said), scroll('Run sheet', table)), refresh };

@@ -7,14 +7,43 @@ const mostKept = 30;
 
 type Packed = [
   id: string,
-  job: [title: string, parts: [name: string, cost: number | null, gone: 0 | 1][], atOnce: number, testCost: number, changeCost: number, pairMode: PairMode, pairs: string, seconds: number],
-  outcome: null | [tests: [parts: string[], cost: number, done: 0 | 1][], cost: number, bound: number | null, reason: string, alternatives: [string, number, number, number][], testCost: number, changeCost: number, doneBefore: number],
+  job: [
+    title: string,
+    parts: [name: string, cost: number | null, gone: 0 | 1][],
+    atOnce: number,
+    testCost: number,
+    changeCost: number,
+    pairMode: PairMode,
+    pairs: string,
+    seconds: number,
+  ],
+  outcome:
+    | null
+    | [
+        tests: [parts: string[], cost: number, done: 0 | 1][],
+        cost: number,
+        bound: number | null,
+        reason: string,
+        alternatives: [string, number, number, number][],
+        testCost: number,
+        changeCost: number,
+        doneBefore: number,
+      ],
 ];
 
 function packed({ id, job, outcome }: State): Packed {
   return [
     id,
-    [job.title, job.parts.map(({ name, cost, gone }) => [name, cost, gone ? 1 : 0]), job.atOnce, job.testCost, job.changeCost, job.pairMode, job.pairs, job.seconds],
+    [
+      job.title,
+      job.parts.map(({ name, cost, gone }) => [name, cost, gone ? 1 : 0]),
+      job.atOnce,
+      job.testCost,
+      job.changeCost,
+      job.pairMode,
+      job.pairs,
+      job.seconds,
+    ],
     outcome && [
       outcome.tests.map(({ parts, cost, done }) => [parts, cost, done ? 1 : 0]),
       outcome.cost,
@@ -43,7 +72,13 @@ export function unpacked(value: unknown): State | null {
     return null;
   }
   const [title, parts, atOnce, testCost, changeCost, pairMode, pairs, seconds] = job;
-  if (!isText(title) || !isList(parts) || ![atOnce, testCost, changeCost, seconds].every(isNumber) || !['all', 'only', 'skip'].includes(pairMode as string) || !isText(pairs)) {
+  if (
+    !isText(title) ||
+    !isList(parts) ||
+    ![atOnce, testCost, changeCost, seconds].every(isNumber) ||
+    !['all', 'only', 'skip'].includes(pairMode as string) ||
+    !isText(pairs)
+  ) {
     return null;
   }
   if (!parts.every((part) => isList(part) && isText(part[0]) && isNumberOrNull(part[1]))) {
@@ -83,7 +118,12 @@ export function unpacked(value: unknown): State | null {
     cost: cost as number,
     bound,
     reason,
-    alternatives: (alternatives as [string, number, number, number][]).map(([name, count, changes, each]): Alternative => ({ name, tests: count, changes, cost: each })),
+    alternatives: (alternatives as [string, number, number, number][]).map(([name, count, changes, each]): Alternative => ({
+      name,
+      tests: count,
+      changes,
+      cost: each,
+    })),
     testCost: plannedTest as number,
     changeCost: plannedChange as number,
     doneBefore: doneBefore as number,

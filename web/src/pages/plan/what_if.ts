@@ -52,7 +52,15 @@ function price(label: string, base: number, changed: () => void): { element: HTM
   const middle = base > 0 ? base : 1;
   const id = `price-${label.replaceAll(' ', '-')}`;
   const round = (value: number) => Number(value.toPrecision(3));
-  const slider = h('input', { type: 'range', min: -40, max: 40, step: 1, value: 0, 'aria-label': `${label}, as a slider`, oninput: () => ((box.value = String(round(middle * 2 ** (Number(slider.value) / 10)))), changed()) });
+  const slider = h('input', {
+    type: 'range',
+    min: -40,
+    max: 40,
+    step: 1,
+    value: 0,
+    'aria-label': `${label}, as a slider`,
+    oninput: () => ((box.value = String(round(middle * 2 ** (Number(slider.value) / 10)))), changed()),
+  });
   const box = h('input', {
     type: 'number',
     id,
@@ -75,7 +83,12 @@ function price(label: string, base: number, changed: () => void): { element: HTM
   };
 }
 
-export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: number, changeCost: number) => void, signal: AbortSignal): HTMLElement {
+export function whatIf(
+  outcome: Outcome,
+  byPart: boolean,
+  planAnew: (testCost: number, changeCost: number) => void,
+  signal: AbortSignal,
+): HTMLElement {
   // This plan, those that are the cheapest at some price, and others as far as there are colours.
   const most = 6;
   const best = ranges(outcome, 'change', outcome.testCost || 1).map((range) => range.best);
@@ -85,13 +98,24 @@ export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: n
   const body = h('tbody');
   const where = h('tbody');
   const said = h('p', { role: 'status' });
-  const anew = h('button', { type: 'button', class: 'plain', onclick: () => planAnew(test.value(), change.value()) }, 'Plan anew at these costs');
+  const anew = h(
+    'button',
+    { type: 'button', class: 'plain', onclick: () => planAnew(test.value(), change.value()) },
+    'Plan anew at these costs',
+  );
   let along: Price = 'change';
-  const axis = select(along, [['change', 'by what a change costs'], ['test', 'by what a test costs']], (value) => {
-    along = value as Price;
-    fill(chartPlace, (chart = chartAlong()).element);
-    draw();
-  });
+  const axis = select(
+    along,
+    [
+      ['change', 'by what a change costs'],
+      ['test', 'by what a test costs'],
+    ],
+    (value) => {
+      along = value as Price;
+      fill(chartPlace, (chart = chartAlong()).element);
+      draw();
+    },
+  );
   const chartPlace = h('div', {});
   const chartAlong = (): Plot =>
     plot({
@@ -109,7 +133,9 @@ export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: n
 
   function draw(): void {
     const [t, c] = [test.value(), change.value()];
-    const ranked = outcome.alternatives.map((each, i) => ({ each, i, cost: costAt(each, outcome, t, c) })).sort((one, other) => one.cost - other.cost || one.i - other.i);
+    const ranked = outcome.alternatives
+      .map((each, i) => ({ each, i, cost: costAt(each, outcome, t, c) }))
+      .sort((one, other) => one.cost - other.cost || one.i - other.i);
     const least = ranked[0]!.cost;
     fill(
       body,
@@ -153,15 +179,13 @@ export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: n
     const xs = Array.from({ length: 61 }, (_, i) => (far * i) / 60);
     chart.set(
       xs,
-      plotted.map(
-        (each, i): Line => ({
-          label: each.name,
-          colour: i + 1,
-          width: i === 0 ? 3 : 1.5,
-          ...(i === 0 ? {} : { dash: [8, 2 + 2 * i] }),
-          values: xs.map((x) => (along === 'change' ? costAt(each, outcome, t, x) : costAt(each, outcome, x, c))),
-        }),
-      ),
+      plotted.map((each, i): Line => ({
+        label: each.name,
+        colour: i + 1,
+        width: i === 0 ? 3 : 1.5,
+        ...(i === 0 ? {} : { dash: [8, 2 + 2 * i] }),
+        values: xs.map((x) => (along === 'change' ? costAt(each, outcome, t, x) : costAt(each, outcome, x, c))),
+      })),
     );
   }
   draw();
@@ -169,13 +193,64 @@ export function whatIf(outcome: Outcome, byPart: boolean, planAnew: (testCost: n
     'section',
     { class: 'what-if no-print' },
     h('h2', {}, 'What if'),
-    h('p', {}, 'Fewer tests need more changes, and the other way round. Which plan is cheapest depends on what a test costs beside a change.'),
-    h('div', { class: 'row' }, test.element, change.element, h('button', { type: 'button', class: 'plain', onclick: () => (test.reset(), change.reset(), draw()) }, 'My costs'), anew),
+    h(
+      'p',
+      {},
+      'Fewer tests need more changes, and the other way round. Which plan is cheapest depends on what a test costs beside a change.',
+    ),
+    h(
+      'div',
+      { class: 'row' },
+      test.element,
+      change.element,
+      h('button', { type: 'button', class: 'plain', onclick: () => (test.reset(), change.reset(), draw()) }, 'My costs'),
+      anew,
+    ),
     said,
-    scroll('Alternatives', h('table', {}, h('thead', {}, h('tr', {}, h('th', {}, 'plan'), h('th', { class: 'number' }, 'tests'), h('th', { class: 'number' }, 'changes'), h('th', { class: 'number' }, 'cost'), h('th', { class: 'number' }, 'beside the least'))), body)),
+    scroll(
+      'Alternatives',
+      h(
+        'table',
+        {},
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('th', {}, 'plan'),
+            h('th', { class: 'number' }, 'tests'),
+            h('th', { class: 'number' }, 'changes'),
+            h('th', { class: 'number' }, 'cost'),
+            h('th', { class: 'number' }, 'beside the least'),
+          ),
+        ),
+        body,
+      ),
+    ),
     h('h3', {}, 'Where they break even'),
     h('div', { class: 'row' }, field('Plot', axis)),
     chartPlace,
-    scroll('Where they break even', h('table', {}, h('thead', {}, h('tr', {}, h('th', { class: 'number' }, 'from'), h('th', { class: 'number' }, 'to'), h('th', {}, 'cheapest'), h('th', { class: 'number' }, 'tests'), h('th', { class: 'number' }, 'changes'))), where)),
+    scroll(
+      'Where they break even',
+      h(
+        'table',
+        {},
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('th', { class: 'number' }, 'from'),
+            h('th', { class: 'number' }, 'to'),
+            h('th', {}, 'cheapest'),
+            h('th', { class: 'number' }, 'tests'),
+            h('th', { class: 'number' }, 'changes'),
+          ),
+        ),
+        where,
+      ),
+    ),
   );
 }

@@ -21,11 +21,31 @@ export function jobList(chosen: (id: string) => void): JobList {
   const rows = new Map<string, Row>();
   const body = h('tbody');
   const none = h('p', { class: 'hint' }, 'No search has been started yet.');
-  const table = scroll('Searches', h('table', { class: 'searches' }, h('thead', {}, h('tr', {}, ['design', 'state', 'best', 'bound', 'time'].map((name, i) => h('th', { class: i > 2 ? 'number' : null }, name)))), body));
+  const table = scroll(
+    'Searches',
+    h(
+      'table',
+      { class: 'searches' },
+      h(
+        'thead',
+        {},
+        h(
+          'tr',
+          {},
+          ['design', 'state', 'best', 'bound', 'time'].map((name, i) => h('th', { class: i > 2 ? 'number' : null }, name)),
+        ),
+      ),
+      body,
+    ),
+  );
   let selected: string | null = null;
 
   function makeRow(job: SearchJob): Row {
-    const open = h('button', { type: 'button', class: 'as-link', onclick: () => chosen(String(job.id)) }, `(${number(job.v)}, ${job.k}), m = ${job.change}, ${job.kind}`);
+    const open = h(
+      'button',
+      { type: 'button', class: 'as-link', onclick: () => chosen(String(job.id)) },
+      `(${number(job.v)}, ${job.k}), m = ${job.change}, ${job.kind}`,
+    );
     const [state, best, bound, time] = [h('td'), h('td'), h('td', { class: 'number' }), h('td', { class: 'number' })];
     const element = h('tr', {}, h('td', {}, open), state, best, bound, time);
     return {

@@ -22,17 +22,29 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
   const progress = h('progress', { max: 1, value: 0, 'aria-label': 'Time used' });
   const said = h('p', { role: 'status' });
   let stopping = false;
-  const stop = h('button', { type: 'button', class: 'plain', onclick: () => ((stopping = true), act('search/stop', stop, () => (stopping ? 'Stopping …' : ''))) }, 'Stop');
+  const stop = h(
+    'button',
+    { type: 'button', class: 'plain', onclick: () => ((stopping = true), act('search/stop', stop, () => (stopping ? 'Stopping …' : ''))) },
+    'Stop',
+  );
   const open = h('a', { class: 'button plain', href: link('design', { job: id }) }, 'Open in the viewer');
-  const keep = h('button', {
-    type: 'button',
-    class: 'plain',
-    onclick: () =>
-      act('search/keep', keep, (answer) => {
-        const { label, already } = answer as { label: string; already: boolean };
-        return [already ? 'Your catalog has it already: ' : 'Kept in your catalog: ', h('a', { href: link('design', { label }) }, label), '.'];
-      }),
-  }, 'Keep in my catalog');
+  const keep = h(
+    'button',
+    {
+      type: 'button',
+      class: 'plain',
+      onclick: () =>
+        act('search/keep', keep, (answer) => {
+          const { label, already } = answer as { label: string; already: boolean };
+          return [
+            already ? 'Your catalog has it already: ' : 'Kept in your catalog: ',
+            h('a', { href: link('design', { label }) }, label),
+            '.',
+          ];
+        }),
+    },
+    'Keep in my catalog',
+  );
   const chart = plot({
     label: 'The best number of blocks over time, with the lower bound, and the moves a second; the last numbers are in the text',
     x: 'seconds',
@@ -42,7 +54,16 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     yText: (y) => (Number.isInteger(y) ? number(y) : ''),
     rightText: rate,
   });
-  const element = h('section', { class: 'watch' }, title, h('div', { class: 'row' }, progress, words), message, h('div', { class: 'row' }, stop, open, keep), said, chart.element);
+  const element = h(
+    'section',
+    { class: 'watch' },
+    title,
+    h('div', { class: 'row' }, progress, words),
+    message,
+    h('div', { class: 'row' }, stop, open, keep),
+    said,
+    chart.element,
+  );
 
   async function act(path: string, button: HTMLButtonElement, done: (answer: unknown) => string | (string | Node)[]): Promise<void> {
     button.disabled = true;

@@ -4,7 +4,11 @@ import { count, number } from '../../lib/words';
 
 export function seconds(s: number): string {
   const whole = Math.round(s);
-  return whole < 100 ? `${whole} s` : whole < 6000 ? `${Math.floor(whole / 60)} min ${whole % 60} s` : `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
+  return whole < 100
+    ? `${whole} s`
+    : whole < 6000
+      ? `${Math.floor(whole / 60)} min ${whole % 60} s`
+      : `${Math.floor(whole / 3600)} h ${Math.floor((whole % 3600) / 60)} min`;
 }
 
 export const stateWords: Record<SearchJob['state'], string> = { running: 'running', done: 'done', stopped: 'stopped', failed: 'failed' };
@@ -20,5 +24,9 @@ export function found(job: SearchJob): string {
 }
 
 export function rate(perSecond: number): string {
-  return perSecond >= 1e6 ? `${(perSecond / 1e6).toFixed(1)} M/s` : perSecond >= 1e3 ? `${(perSecond / 1e3).toFixed(0)} k/s` : `${Math.round(perSecond)}/s`;
+  return perSecond >= 1e6
+    ? `${(perSecond / 1e6).toFixed(1)} M/s`
+    : perSecond >= 1e3
+      ? `${(perSecond / 1e3).toFixed(0)} k/s`
+      : `${Math.round(perSecond)}/s`;
 }

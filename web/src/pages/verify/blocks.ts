@@ -4,6 +4,7 @@ import { count, number } from '../../lib/words';
 import { virtualList } from '../../parts/virtual';
 import type { View } from '../../shell/router';
 import type { Report } from './check';
+import { setsOf } from './verdict';
 
 /** Blocks (from 0) at whose step the number of changes is wrong. */
 export function wrongSteps({ blocks: { b, change, kind, introduced } }: Report): number[] {
@@ -25,8 +26,24 @@ export function defects({ answer, blocks }: Report): HTMLElement {
     {},
     h('h2', {}, 'Blocks'),
     h('p', { class: 'note' }, `The list is checked, but its ${number(blocks.b)} blocks are too many to be shown here.`),
-    ...(answer.bad_steps.length > 0 ? [h('h3', {}, 'Wrong steps'), h('ul', {}, answer.bad_steps.map(({ why }) => h('li', {}, why)), more(answer.bad_steps.length, answer.details.bad_steps))] : []),
-    ...(answer.uncovered_pairs.length > 0 ? [h('h3', {}, 'In no block'), h('p', {}, answer.uncovered_pairs.map(words).join(' ')), h('ul', {}, more(answer.uncovered_pairs.length, answer.details.uncovered))] : []),
+    ...(answer.bad_steps.length > 0
+      ? [
+          h('h3', {}, 'Wrong steps'),
+          h(
+            'ul',
+            {},
+            answer.bad_steps.map(({ why }) => h('li', {}, why)),
+            more(answer.bad_steps.length, answer.details.bad_steps),
+          ),
+        ]
+      : []),
+    ...(answer.uncovered_pairs.length > 0
+      ? [
+          h('h3', {}, 'In no block'),
+          h('p', {}, answer.uncovered_pairs.map(words).join(' ')),
+          h('ul', {}, more(answer.uncovered_pairs.length, answer.details.uncovered)),
+        ]
+      : []),
   );
 }
 
@@ -56,8 +73,21 @@ export function blockList(report: Report, view: View): HTMLElement {
       { class: bad ? 'block bad' : 'block' },
       h('span', { class: 'block-number' }, bad ? '✗ ' : '', number(i + 1)),
       h('span', { class: 'block-elements' }, elements),
-      before && h('span', { class: 'block-out' }, out.length > 0 ? 'out ' : '', out.map((x) => h('s', {}, nameOf(x), ' '))),
-      bad && h('strong', { class: 'block-why' }, blocks.introduced[i] === 0 ? `nothing changes, ${change} should` : `${count(blocks.introduced[i]!, 'element')} ${blocks.introduced[i] === 1 ? 'changes' : 'change'}, ${change} should`),
+      before &&
+        h(
+          'span',
+          { class: 'block-out' },
+          out.length > 0 ? 'out ' : '',
+          out.map((x) => h('s', {}, nameOf(x), ' ')),
+        ),
+      bad &&
+        h(
+          'strong',
+          { class: 'block-why' },
+          blocks.introduced[i] === 0
+            ? `nothing changes, ${change} should`
+            : `${count(blocks.introduced[i]!, 'element')} ${blocks.introduced[i] === 1 ? 'changes' : 'change'}, ${change} should`,
+        ),
     );
   }
 
@@ -78,7 +108,11 @@ export function blockList(report: Report, view: View): HTMLElement {
     h(
       'div',
       { class: 'row' },
-      h('button', { type: 'button', class: 'plain', onclick: () => goToStep(current - 1), disabled: wrong.length < 2 }, '‹ Wrong step before'),
+      h(
+        'button',
+        { type: 'button', class: 'plain', onclick: () => goToStep(current - 1), disabled: wrong.length < 2 },
+        '‹ Wrong step before',
+      ),
       h('button', { type: 'button', class: 'plain', onclick: () => goToStep(current + 1) }, 'Next wrong step ›'),
       where,
     );
@@ -132,10 +166,14 @@ export function blockList(report: Report, view: View): HTMLElement {
   let first: (() => void) | null = null;
   const pairs = h(
     'div',
-    { class: 'pairs', role: 'group', 'aria-label': 'Pairs that are in no block' },
+    { class: 'pairs', role: 'group', 'aria-label': `The ${setsOf(blocks.strength)} that are in no block` },
     answer.uncovered_pairs.map((each) => {
       const set = each.map(index);
-      const button = h('button', { type: 'button', class: 'plain pair', 'aria-pressed': 'false', onclick: () => show(set, button) }, `{${set.map(nameOf).join(', ')}}`);
+      const button = h(
+        'button',
+        { type: 'button', class: 'plain pair', 'aria-pressed': 'false', onclick: () => show(set, button) },
+        `{${set.map(nameOf).join(', ')}}`,
+      );
       if (wantedPair === set.map(nameOf).join(' ')) {
         first = () => show(set, button);
       }
@@ -149,7 +187,7 @@ export function blockList(report: Report, view: View): HTMLElement {
       'section',
       { class: 'verify-missing' },
       h('h2', {}, 'In no block'),
-      h('p', { class: 'hint' }, 'Choose a pair to see where its elements are.'),
+      h('p', { class: 'hint' }, `Choose one of the ${setsOf(blocks.strength)} to see where its elements are.`),
       pairs,
       more > 0 && h('p', { class: 'hint' }, `and ${number(more)} more`),
       said,
@@ -180,7 +218,14 @@ export function blockList(report: Report, view: View): HTMLElement {
       'section',
       { class: 'verify-blocks' },
       h('h2', {}, 'Blocks'),
-      h('p', { class: 'hint' }, h('dfn', { class: 'element in' }, 'Introduced'), ': was not in the block before. ', h('s', {}, 'Out'), ': was in the block before, and is no more.'),
+      h(
+        'p',
+        { class: 'hint' },
+        h('dfn', { class: 'element in' }, 'Introduced'),
+        ': was not in the block before. ',
+        h('s', {}, 'Out'),
+        ': was in the block before, and is no more.',
+      ),
       steps,
       h('div', { class: 'check' }, order, h('label', { for: 'in-place' }, 'Elements keep their place while they stay')),
       list.element,

@@ -82,7 +82,9 @@ export function check(question: Question, signal: AbortSignal): Promise<Report> 
     };
     worker.onerror = () => {
       done();
-      reject(new Error('The answer could not be read: it may be larger than this browser can hold. `changeover verify FILE` has no such limit.'));
+      reject(
+        new Error('The answer could not be read: it may be larger than this browser can hold. `changeover verify FILE` has no such limit.'),
+      );
     };
     worker.postMessage({ ...question, url: new URL(question.url, document.baseURI).href });
   });

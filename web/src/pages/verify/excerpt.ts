@@ -41,8 +41,17 @@ export async function excerpt(source: string | Blob, line: number, column: numbe
       const from = here && column && column > widest ? column - widest / 2 : 1;
       const shown = text.slice(from - 1, from - 1 + widest).replaceAll('\t', ' ');
       const at = column ? column - from : -1;
-      const marked = here && at >= 0 ? [shown.slice(0, at), h('mark', {}, shown.slice(at, at + 1) || '\u00a0'), shown.slice(at + 1)] : [shown];
-      return h('span', { class: here ? 'excerpt-line here' : 'excerpt-line' }, h('span', { class: 'excerpt-number' }, number(first + i)), from > 1 ? '…' : '', marked, text.length > from - 1 + widest ? '…' : '', '\n');
+      const marked =
+        here && at >= 0 ? [shown.slice(0, at), h('mark', {}, shown.slice(at, at + 1) || '\u00a0'), shown.slice(at + 1)] : [shown];
+      return h(
+        'span',
+        { class: here ? 'excerpt-line here' : 'excerpt-line' },
+        h('span', { class: 'excerpt-number' }, number(first + i)),
+        from > 1 ? '…' : '',
+        marked,
+        text.length > from - 1 + widest ? '…' : '',
+        '\n',
+      );
     }),
   );
 }

@@ -5,18 +5,45 @@ import { count, nameOf, number, ratio } from '../../lib/words';
 import { virtualList } from '../../parts/virtual';
 import type { Report } from './check';
 
+/** Longer lists of elements are cut. */
+const mostNamed = 20;
+
+/** What must be together in a block: pairs, or more for a larger strength. */
+export function setsOf(strength: number): string {
+  return strength === 2 ? 'pairs' : strength === 3 ? 'triples' : 'quadruples';
+}
+
 function reasons({ answer, blocks }: Report): Child[] {
   const { details, verdict, bound } = answer;
   if (answer.valid) {
-    const what = verdict.minimum === 'proved' ? 'It is minimum: no design with these parameters has fewer blocks.' : `No design has fewer than ${count(verdict.lower_bound, 'block')}; whether one has fewer than this is not known.`;
-    return [h('p', {}, `Every one of the ${number(details.subsets)} ${blocks.strength === 2 ? 'pairs' : 'sets'} is in a block, and every step changes ${count(blocks.change, 'element')}. ${what}`), bound && h('p', { class: 'reason' }, `Lower bound (${bound.name}): ${bound.reason}`)];
+    const what =
+      verdict.minimum === 'proved'
+        ? 'It is minimum: no design with these parameters has fewer blocks.'
+        : `No design has fewer than ${count(verdict.lower_bound, 'block')}; whether one has fewer than this is not known.`;
+    const steps = blocks.b === 1 ? 'with one block there is no step' : `every step changes ${count(blocks.change, 'element')}`;
+    return [
+      h('p', {}, `Every one of the ${number(details.subsets)} ${setsOf(blocks.strength)} is in a block, and ${steps}. ${what}`),
+      bound && h('p', { class: 'reason' }, `Lower bound (${bound.name}): ${bound.reason}`),
+    ];
   }
   const list: Child[] = [];
   if (details.bad_steps > 0) {
-    list.push(h('li', {}, `${count(details.bad_steps, 'step')} ${details.bad_steps === 1 ? 'does' : 'do'} not change exactly ${count(blocks.change, 'element')}.`));
+    list.push(
+      h(
+        'li',
+        {},
+        `${count(details.bad_steps, 'step')} ${details.bad_steps === 1 ? 'does' : 'do'} not change exactly ${count(blocks.change, 'element')}.`,
+      ),
+    );
   }
   if (details.uncovered > 0) {
-    list.push(h('li', {}, `${number(details.uncovered)} of ${number(details.subsets)} ${blocks.strength === 2 ? 'pairs' : 'sets'} ${details.uncovered === 1 ? 'is' : 'are'} in no block.`));
+    list.push(
+      h(
+        'li',
+        {},
+        `${number(details.uncovered)} of ${number(details.subsets)} ${setsOf(blocks.strength)} ${details.uncovered === 1 ? 'is' : 'are'} in no block.`,
+      ),
+    );
   }
   return [h('ul', {}, list)];
 }
@@ -46,7 +73,13 @@ export function facts({ answer, blocks }: Report): HTMLElement {
     ['changes m', number(blocks.change), terms.change],
     ['kind', blocks.kind, terms.kind],
     ['blocks b', number(blocks.b), terms.blocks],
-    ['lower bound', verdict.lower_bound > 0 ? `${number(verdict.lower_bound)}${answer.valid && blocks.b > verdict.lower_bound ? ` (b is ${ratio(blocks.b, verdict.lower_bound)} times as much)` : ''}` : 'not known', terms.bound],
+    [
+      'lower bound',
+      verdict.lower_bound > 0
+        ? `${number(verdict.lower_bound)}${answer.valid && blocks.b > verdict.lower_bound ? ` (b is ${ratio(blocks.b, verdict.lower_bound)} times as much)` : ''}`
+        : 'not known',
+      terms.bound,
+    ],
     ['valid', yes(answer.valid), terms.valid],
     ['tight', yes(verdict.tight), terms.tight],
     ['economical', yes(verdict.economical), terms.economical],
@@ -57,8 +90,23 @@ export function facts({ answer, blocks }: Report): HTMLElement {
     'section',
     { class: 'verify-facts' },
     h('h2', {}, 'Facts'),
-    h('table', { class: 'facts' }, h('tbody', {}, rows.map(([term, value, meaning]) => h('tr', {}, h('th', { scope: 'row' }, h('dfn', {}, term)), h('td', {}, value), h('td', { class: 'meaning' }, meaning))))),
-    details.fixed.length > 0 && h('p', {}, `In every block: ${details.fixed.join(', ')}.`),
+    h(
+      'table',
+      { class: 'facts' },
+      h(
+        'tbody',
+        {},
+        rows.map(([term, value, meaning]) =>
+          h('tr', {}, h('th', { scope: 'row' }, h('dfn', {}, term)), h('td', {}, value), h('td', { class: 'meaning' }, meaning)),
+        ),
+      ),
+    ),
+    details.fixed.length > 0 &&
+      h(
+        'p',
+        {},
+        `In every block: ${details.fixed.slice(0, mostNamed).join(', ')}${details.fixed.length > mostNamed ? ` and ${number(details.fixed.length - mostNamed)} more` : ''}.`,
+      ),
   );
 }
 
@@ -67,13 +115,21 @@ export function elementTable({ answer }: Report): HTMLElement | null {
   if (!elements || elements.length === 0) {
     return null;
   }
-  const head = h('div', { class: 'element-row head', 'aria-hidden': 'true' }, ['x', 'i_x', 'r_x', 'e_x'].map((name) => h('span', {}, name)));
+  const head = h(
+    'div',
+    { class: 'element-row head', 'aria-hidden': 'true' },
+    ['x', 'i_x', 'r_x', 'e_x'].map((name) => h('span', {}, name)),
+  );
   const list = virtualList({
     label: 'Elements: how often each is introduced, in how many blocks it is, and its excess',
     rows: elements.length,
     row: (i) => {
       const { element, introductions, blocks, excess } = elements[i]!;
-      return h('div', { class: 'element-row' }, [element, introductions, blocks, excess].map((value) => h('span', {}, typeof value === 'number' ? number(value) : value)));
+      return h(
+        'div',
+        { class: 'element-row' },
+        [element, introductions, blocks, excess].map((value) => h('span', {}, typeof value === 'number' ? number(value) : value)),
+      );
     },
   });
   return h(

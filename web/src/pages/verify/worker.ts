@@ -62,19 +62,29 @@ function rows(design: Design): Blocks {
 }
 
 function noRows({ v, k, b, change, kind, strength }: Answer['details']): Blocks {
-  return { shown: false, v, k, b, change, kind, strength, labels: null, blocks: new Int32Array(), placed: new Int32Array(), introduced: new Int32Array() };
+  return {
+    shown: false,
+    v,
+    k,
+    b,
+    change,
+    kind,
+    strength,
+    labels: null,
+    blocks: new Int32Array(),
+    placed: new Int32Array(),
+    introduced: new Int32Array(),
+  };
 }
 
 port.onmessage = ({ data }) => {
   const headers = { 'Content-Type': 'text/plain; charset=utf-8' };
   askWith(data.url, { method: 'POST', headers, body: data.body })
     .then((response) => response.json() as Promise<Answer & { design: Design | null }>)
-    .then(
-      ({ design, ...answer }) => {
-        const blocks = design ? rows(design) : noRows(answer.details);
-        port.postMessage({ report: { answer, blocks } }, [blocks.blocks.buffer, blocks.placed.buffer, blocks.introduced.buffer]);
-      },
-    )
+    .then(({ design, ...answer }) => {
+      const blocks = design ? rows(design) : noRows(answer.details);
+      port.postMessage({ report: { answer, blocks } }, [blocks.blocks.buffer, blocks.placed.buffer, blocks.introduced.buffer]);
+    })
     .catch((fault: unknown) => {
       const { message } = fault as Error;
       const { status, line, column } = fault instanceof ApiError ? fault : { status: 0, line: undefined, column: undefined };
