@@ -110,8 +110,13 @@ std::vector<Offer> Registry::offers(const Parameters& p) const {
       offers.push_back(*std::move(offer));
     }
   }
-  std::stable_sort(offers.begin(), offers.end(),
-                   [](const Offer& a, const Offer& b) { return a.b < b.b; });
+  // Of equal ones what is written down comes last: the others say how they are made.
+  std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
+    const auto rank = [](const Offer& offer) {
+      return std::pair(offer.b, offer.recipe.construction == "found");
+    };
+    return rank(a) < rank(b);
+  });
   if (catalog_ != nullptr) {
     // Designs that carry their blocks are offered by "found" already.
     for (auto known = catalog_->fewest(p); known && (offers.empty() || known->b < offers.front().b);

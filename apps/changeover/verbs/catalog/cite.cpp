@@ -19,10 +19,11 @@ struct CiteRequest {
 
 std::string misc(const std::string& key, const std::string& author, const std::string& title,
                  const std::string& date, const std::string& note) {
+  const std::string year =
+      date.empty() ? "" : fmt::format("  year   = {{{}}},\n", date.substr(0, 4));
   return fmt::format(
-      "@misc{{{},\n  author = {{{}}},\n  title  = {{{}}},\n  year   = {{{}}},\n  note   = "
-      "{{{}}}\n}}\n",
-      key, author, title, date.substr(0, 4), note);
+      "@misc{{{},\n  author = {{{}}},\n  title  = {{{}}},\n{}  note   = {{{}}}\n}}\n", key, author,
+      title, year, note);
 }
 
 Answer run(const CiteRequest& request) {
@@ -50,11 +51,11 @@ Answer run(const CiteRequest& request) {
   if (!entry) {
     throw MissingResource(fmt::format("the catalog has no design {}", request.label));
   }
-  std::string text =
-      misc("changeover-" + entry->label(), "{" + entry->credit.who + "}",
-           fmt::format("{} with {} blocks", name(entry->parameters), entry->b), entry->credit.date,
-           fmt::format("{}, catalog label {}, SHA-256 of the blocks {}", program, entry->label(),
-                       to_hex(entry->checksum)));
+  std::string text = misc(
+      "changeover-" + entry->label(), "{" + entry->credit.who + "}",
+      fmt::format("{} with {} blocks", name(entry->parameters), entry->b), entry->credit.date,
+      fmt::format("{}, catalog label {}, SHA-256 of the blocks {}{}{}", program, entry->label(),
+                  to_hex(entry->checksum), entry->note.empty() ? "" : "; ", entry->note));
   for (const std::string& key : references_of(*entry)) {
     const std::string reference = bibtex_of(key);
     text += reference.empty() ? "" : "\n" + reference;
