@@ -12,6 +12,7 @@
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "construct/tools/read_within_memory.hpp"
 #include "construct/trusted_entry.hpp"
 
 namespace changeover {
@@ -143,7 +144,7 @@ std::unique_ptr<BlockSource> Registry::build(const Recipe& recipe) const {
 Design Registry::build_design(const Recipe& recipe) const {
   const Construction& construction = construction_of(recipe);
   const std::unique_ptr<BlockSource> source = construction.build(recipe, *this);
-  Design design = read_all(*source);
+  Design design = read_within_memory(*source);
   design.set_labels(construction.labels(recipe, *this));
   design.recipe = recipe;
   return design;

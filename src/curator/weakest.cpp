@@ -35,10 +35,17 @@ void each_neighbour(const Parameters& p, Take&& take) {
 }  // namespace
 
 WeakestFirst::WeakestFirst(const Catalog& catalog, CatalogFilter filter) {
-  catalog.each({}, [&](const CatalogEntry& entry) {
-    stands_[entry.parameters] = {entry.b, entry.lower_bound};
-    return true;
-  });
+  // Only what the cells can lead to: reading all takes a second.
+  CatalogFilter around{.change = filter.change, .strength = filter.strength};
+  for (std::uint64_t s = 1; s <= (filter.change ? most_copies : 1); ++s) {
+    if (filter.change) {
+      around.change = s * *filter.change;
+    }
+    catalog.each(around, [&](const CatalogEntry& entry) {
+      stands_[entry.parameters] = {entry.b, entry.lower_bound};
+      return true;
+    });
+  }
   filter.best_only = true;
   filter.gap = std::max<std::uint64_t>(filter.gap.value_or(1), 1);
   catalog.each(filter, [&](const CatalogEntry& entry) {

@@ -26,7 +26,7 @@ namespace changeover {
 
 class WeakestFirst {
  public:
-  /// The cells that the filter lets through and whose best design has more blocks than its bound. Reads the whole catalog once.
+  /// The cells that the filter lets through and whose best design has more blocks than its bound. Reads them and what they lead to.
   WeakestFirst(const Catalog& catalog, CatalogFilter filter);
 
   /// All cells that still have something to gain are to be searched again.

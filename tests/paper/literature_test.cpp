@@ -50,7 +50,7 @@ TEST(Literature, TheBaseBlocksOfTable12AreInTheCatalog) {
   const auto history = standard_catalog().history({.v = 61, .k = 4, .kind = Kind::circular});
   ASSERT_FALSE(history.empty());
   EXPECT_EQ(history.front().b, 366U);
-  EXPECT_NE(history.front().how.find("[ChafeeStevens2025], Proposition 16"), std::string::npos);
+  EXPECT_NE(history.front().how.find("[ChafeeStevens2025]; Proposition 16"), std::string::npos);
 }
 
 struct Published {

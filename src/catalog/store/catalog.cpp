@@ -430,10 +430,10 @@ std::vector<Improvement> Catalog::history(const Parameters& p) const {
       const Credit& credit = entry.credit;
       std::string how = credit.command.empty() ? entry.recipe.construction : credit.command;
       if (!entry.cites.empty()) {
-        how = fmt::format("[{}]{}{}", fmt::join(entry.cites, ", "), entry.note.empty() ? "" : ", ",
-                          entry.note);
+        const std::string from = fmt::format("[{}]", fmt::join(entry.cites, ", "));
+        how = credit.command.empty() ? from : from + "; " + how;
       }
-      for (const std::string& more : {credit.who, credit.program}) {
+      for (const std::string& more : {entry.note, credit.who, credit.program}) {
         how += more.empty() ? "" : "; " + more;
       }
       steps.push_back({entry.label(), entry.b, credit.date, std::move(how)});

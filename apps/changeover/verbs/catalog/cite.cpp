@@ -19,11 +19,15 @@ struct CiteRequest {
 
 std::string misc(const std::string& key, const std::string& author, const std::string& title,
                  const std::string& date, const std::string& note) {
-  const std::string year =
-      date.empty() ? "" : fmt::format("  year   = {{{}}},\n", date.substr(0, 4));
-  return fmt::format(
-      "@misc{{{},\n  author = {{{}}},\n  title  = {{{}}},\n{}  note   = {{{}}}\n}}\n", key, author,
-      title, year, note);
+  std::string text = fmt::format("@misc{{{},\n", key);
+  if (!author.empty()) {
+    text += fmt::format("  author = {{{{{}}}}},\n", author);  // one name, whatever is in it
+  }
+  text += fmt::format("  title  = {{{}}},\n", title);
+  if (!date.empty()) {
+    text += fmt::format("  year   = {{{}}},\n", date.substr(0, 4));
+  }
+  return text + fmt::format("  note   = {{{}}}\n}}\n", note);
 }
 
 Answer run(const CiteRequest& request) {
@@ -41,7 +45,7 @@ Answer run(const CiteRequest& request) {
       }
       return true;
     });
-    return text_answer(misc("changeover-catalog-" + latest, "{The Changeover developers}",
+    return text_answer(misc("changeover-catalog-" + latest, "The Changeover developers",
                             "A catalog of change covering designs", latest,
                             fmt::format("{}; {} designs as of {}; SHA-256 of their checksums {}",
                                         program, count, latest, to_hex(hash.finish()))),
@@ -52,13 +56,14 @@ Answer run(const CiteRequest& request) {
     throw MissingResource(fmt::format("the catalog has no design {}", request.label));
   }
   std::string text = misc(
-      "changeover-" + entry->label(), "{" + entry->credit.who + "}",
+      "changeover-" + entry->label(), entry->credit.who,
       fmt::format("{} with {} blocks", name(entry->parameters), entry->b), entry->credit.date,
       fmt::format("{}, catalog label {}, SHA-256 of the blocks {}{}{}", program, entry->label(),
                   to_hex(entry->checksum), entry->note.empty() ? "" : "; ", entry->note));
   for (const std::string& key : references_of(*entry)) {
     const std::string reference = bibtex_of(key);
-    text += reference.empty() ? "" : "\n" + reference;
+    text +=
+        "\n" + (reference.empty() ? "% " + key + " is not in docs/references.bib\n" : reference);
   }
   return text_answer(text, request.output);
 }
