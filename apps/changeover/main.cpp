@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   add_paper(program);
   add_loadorder(program);
   add_serve(program);
+  program.add_group("catalog", "designs that are known: shown, added, exchanged, improved");
   add_catalog_show(program);
   add_catalog_list(program);
   add_catalog_history(program);

@@ -12,6 +12,7 @@
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "construct/tools/read_within_memory.hpp"
 #include "construct/trusted_entry.hpp"
 
 namespace changeover {
@@ -110,8 +111,13 @@ std::vector<Offer> Registry::offers(const Parameters& p) const {
       offers.push_back(*std::move(offer));
     }
   }
-  std::stable_sort(offers.begin(), offers.end(),
-                   [](const Offer& a, const Offer& b) { return a.b < b.b; });
+  // Of equal ones what is written down comes last: the others say how they are made.
+  std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) {
+    const auto rank = [](const Offer& offer) {
+      return std::pair(offer.b, offer.recipe.construction == "found");
+    };
+    return rank(a) < rank(b);
+  });
   if (catalog_ != nullptr) {
     // Designs that carry their blocks are offered by "found" already.
     for (auto known = catalog_->fewest(p); known && (offers.empty() || known->b < offers.front().b);
@@ -138,7 +144,7 @@ std::unique_ptr<BlockSource> Registry::build(const Recipe& recipe) const {
 Design Registry::build_design(const Recipe& recipe) const {
   const Construction& construction = construction_of(recipe);
   const std::unique_ptr<BlockSource> source = construction.build(recipe, *this);
-  Design design = read_all(*source);
+  Design design = read_within_memory(*source);
   design.set_labels(construction.labels(recipe, *this));
   design.recipe = recipe;
   return design;

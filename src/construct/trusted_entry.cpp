@@ -10,6 +10,7 @@
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {
@@ -26,6 +27,7 @@ class Judged final : public BlockSource {
   [[nodiscard]] Verdict verdict() { return verdict_.finish(); }
 
   std::span<const Element> read(std::span<Element> room) override {
+    stop_if_asked();
     if (count_ > entry_->b) {
       return {};
     }

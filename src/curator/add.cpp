@@ -7,6 +7,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/closure.hpp"
+#include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
@@ -157,7 +158,7 @@ std::vector<Gain> gains_of(const CatalogEntry& entry) {
   const Registry& registry = Registry::standard();
   const Design design = registry.build_design(entry.recipe);
   const auto weigh = [&](const char* rule, const Recipe& recipe) {
-    const auto offer = registry.best(recipe.parameters);
+    const auto offer = best_known(registry, recipe.parameters);
     const auto blocks = registry.build(recipe);
     const Verdict verdict = verify(*blocks);
     if (!verdict.valid()) {

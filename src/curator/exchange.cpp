@@ -67,9 +67,16 @@ std::string refusal(CatalogEntry& entry, const ForeignLimits& limits) {
         "it says that there are no fewer than {} blocks, and no more than {} is known",
         entry.lower_bound, bound.blocks);
   }
-  RunControl alone(RunControl::Settings{});
   RunControl* const above = RunScope::current();
-  RunControl control(above != nullptr ? *above : alone, limits.time_each);
+  RunControl::Settings settings;
+  settings.memory_bytes = limits.memory_each;
+  if (above != nullptr) {
+    settings.memory_bytes =
+        std::min(limits.memory_each, above->settings().memory_bytes.value_or(limits.memory_each));
+    settings.found_elsewhere = [above] { return above->stop_wanted(); };
+  }
+  RunControl here(std::move(settings));
+  RunControl control(here, limits.time_each);
   const RunScope scope(control);
   try {
     if (const std::string defect = entry_defect(entry); !defect.empty()) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
@@ -11,37 +12,14 @@
 #include "changeover/curator/audit.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/search/local_search.hpp"
+#include "curator/by_base_blocks.hpp"
+#include "curator/weakest.hpp"
 #include "run/grace.hpp"
 
 namespace changeover {
 namespace {
 
 using Seconds = std::chrono::duration<double>;
-
-// A cell with something to gain.
-struct Weak {
-  Parameters parameters;
-  std::uint64_t b = 0;
-  std::uint64_t gap = 0;
-
-  [[nodiscard]] bool before(const Weak& other) const {
-    const double mine = static_cast<double>(gap) / static_cast<double>(b);
-    const double theirs = static_cast<double>(other.gap) / static_cast<double>(other.b);
-    return mine != theirs ? mine > theirs : parameters < other.parameters;
-  }
-};
-
-std::vector<Weak> weakest(const Catalog& catalog, CatalogFilter filter) {
-  filter.best_only = true;
-  filter.gap = std::max<std::uint64_t>(filter.gap.value_or(1), 1);
-  std::vector<Weak> cells;
-  catalog.each(filter, [&](const CatalogEntry& entry) {
-    cells.push_back({entry.parameters, entry.b, entry.b - entry.lower_bound});
-    return true;
-  });
-  std::ranges::sort(cells, [](const Weak& a, const Weak& b) { return a.before(b); });
-  return cells;
-}
 
 std::string command_of(const Parameters& p, const RunControl& control) {
   return fmt::format("changeover search {} {} --change {} --{}{} --seed {} --threads {}", p.v, p.k,
@@ -56,31 +34,46 @@ std::vector<CatalogFind> improve_catalog(Catalog& catalog, const CatalogFilter& 
                                          RunControl& control, const CatalogSearch& search,
                                          const std::function<void(const CatalogFind&)>& found) {
   std::vector<CatalogFind> finds;
-  std::vector<Weak> cells = weakest(catalog, filter);
+  WeakestFirst cells(catalog, filter);
   const double fiftieth = control.time_left().value_or(Seconds(3000)).count() / 50;
   Seconds each = search.each.value_or(Seconds(std::clamp(fiftieth, 1.0, 60.0)));
-  for (; !cells.empty() && !control.stop_wanted(); each *= 2) {
-    for (Weak& cell : cells) {
-      if (control.stop_wanted()) {
-        break;
-      }
+  for (std::uint64_t pass = 0; !control.stop_wanted(); ++pass, each *= 2) {
+    // Other random numbers in each pass: those of the last led nowhere.
+    RunControl::Settings settings = control.settings();
+    settings.seed += pass;
+    settings.time = control.time_left();
+    settings.found_elsewhere = [&control] { return control.stop_wanted(); };
+    RunControl control_of_pass(std::move(settings));
+    cells.begin_pass();
+    auto next = cells.next();
+    if (!next) {
+      break;
+    }
+    for (; next && !control.stop_wanted(); next = cells.next()) {
+      const Parameters p = *next;
       ImproveResult result;
       try {
-        RunControl here(control, each);
-        result = improve(cell.parameters, {}, here);
+        RunControl here(control_of_pass, each);
+        result = improve(p, {}, here);
       } catch (const Stopped&) {
         continue;  // Before it had a design to start from.
       }
-      if (!result.design || result.design->block_count() >= cell.b) {
+      const auto before = catalog.fewest(p);
+      if (!result.design || !before || result.design->block_count() >= before->b) {
         continue;
       }
       // What was found is verified and kept, however little time is left.
       const RunGrace to_the_end(control);
       Design design = result.design->design();
+      cells.improved(p, design.block_count());
       Introduction introduction = search.introduction;
-      if (result.how != "best recipe") {
-        design.recipe = literal_recipe(design);
-        introduction.credit.command = command_of(cell.parameters, control);
+      const bool is_found = result.how != "best recipe";
+      if (is_found) {
+        design = by_base_blocks(design).value_or(design);
+        if (!design.recipe || design.recipe->construction != "developed") {
+          design.recipe = literal_recipe(design);
+        }
+        introduction.credit.command = command_of(p, control_of_pass);
       }
       introduction.credit.program = fmt::format("changeover {}", version);
       const Newcomer newcomer = newcomer_of(design, introduction);
@@ -88,16 +81,16 @@ std::vector<CatalogFind> improve_catalog(Catalog& catalog, const CatalogFilter& 
         throw InternalError("a search handed out a list of blocks that is no design: " +
                             newcomer.refused);
       }
-      catalog.add(*newcomer.entry);
       const CatalogEntry& entry = *newcomer.entry;
-      finds.push_back({entry.label(), cell.parameters, cell.b, entry.b, result.how});
-      cell.b = entry.b;
-      cell.gap = entry.b - entry.lower_bound;
+      if (!is_found && entry.recipe != design.recipe) {
+        continue;  // The closure rules make it of what the user has.
+      }
+      catalog.add(entry);
+      finds.push_back({entry.label(), p, before->b, entry.b, result.how});
       if (found) {
         found(finds.back());
       }
     }
-    std::erase_if(cells, [](const Weak& cell) { return cell.gap == 0; });
   }
   return finds;
 }

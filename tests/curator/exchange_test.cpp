@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+#include <random>
+
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
@@ -78,6 +82,36 @@ TEST(Exchange, ThereAndBack) {
   theirs.add(foreign.entries);
   EXPECT_EQ(exported(theirs), text);
   EXPECT_EQ(read(text, theirs).known, some_entries().size());
+}
+
+// What a recipe makes can be larger than all that the entry says.
+TEST(Exchange, ARecipeTakesNoMoreThanIsAllowed) {
+  const Parameters p{.v = 200, .k = 50, .change = 2, .kind = Kind::circular};
+  std::mt19937 random(1);
+  std::vector<Block> base;
+  for (int i = 0; i < 50; ++i) {
+    Block all(p.v);
+    std::iota(all.begin(), all.end(), Element{0});
+    std::ranges::shuffle(all, random);
+    all.resize(p.k);
+    base.push_back(all);
+  }
+  CatalogEntry entry;
+  entry.parameters = p;
+  entry.b = 20;
+  entry.lower_bound = 1;
+  entry.reason = "trivial";
+  const Recipe developed{"developed", p, {{"n", 200}, {"f", 0}, {"shift", 1}}, {}, base, ""};
+  entry.recipe = Recipe{"drop", p, {}, {developed}, {}, ""};
+  EXPECT_THAT(refusal(file_of({entry}), {.memory_each = 1U << 20}), HasSubstr("of memory"));
+  EXPECT_THAT(refusal(file_of({entry}), {.time_each = std::chrono::microseconds(1)}),
+              HasSubstr("takes longer than"));
+  // Blocks that are read one by one take no memory, but time.
+  entry.recipe = developed;
+  entry.b = 10'000;
+  EXPECT_THAT(refusal(file_of({entry}), {.memory_each = 1U << 20}), HasSubstr("checksum"));
+  EXPECT_THAT(refusal(file_of({entry}), {.time_each = std::chrono::microseconds(1)}),
+              HasSubstr("takes longer than"));
 }
 
 TEST(Exchange, NothingIsBelieved) {

@@ -98,6 +98,83 @@ for ((i = 1; i <= kills; ++i)); do
 done
 ((rounds == 1)) || [[ -s $scratch/tools/said_added ]] || fault 'nothing was ever added: the moments are too early'
 
+# All k-subsets in an order in which one element changes: of strength 3, and so many blocks that a search finds fewer at once.
+subsets() { # V K
+  awk -v v="$1" -v k="$2" '
+    function door(n, k,   kept, others, lines, i, text) {
+      if (k == n) {
+        for (i = 0; i < n; ++i) text = text (i > 0 ? " " : "") i
+        return text "\n"
+      }
+      kept = door(n - 1, k)
+      others = k == 1 ? "\n" : door(n - 1, k - 1)
+      for (i = split(others, lines, "\n") - 1; i >= 1; --i) text = text lines[i] (lines[i] == "" ? "" : " ") (n - 1) "\n"
+      return kept text
+    }
+    BEGIN { printf "%s", door(v, k) }'
+}
+for cell in '10 5' '10 6' '11 5' '11 6' '12 6'; do
+  # shellcheck disable=SC2086 # two numbers
+  subsets $cell >"$scratch/tools/weak-${cell/ /-}"
+done
+"$CHANGEOVER" catalog add "$scratch"/tools/weak-* --strength 3 --catalog weak.db >"$out" 2>"$err" ||
+  fault "weak designs cannot be added: $(head -c 300 "$err")"
+weak=$(labels_in weak.db | wc -l)
+((weak == 5)) || fault "$weak of 5 weak designs are in the catalog"
+improve() { # CATALOG TIME
+  exec env --default-signal=INT "$CHANGEOVER" catalog improve --users --strength 3 --each 500ms --time "$2" --threads 1 --quiet --catalog "$1"
+}
+# What is there is what it says, and what was there is there. improved TRIED CATALOG
+improved() {
+  run 60 "$CHANGEOVER" catalog verify --users --quiet --catalog "$2"
+  [[ $code == 0 ]] || fault "$1: the catalog is not as it says: ${said:0:300}"
+  labels_in "$2" >"$scratch/tools/there"
+  missing=$(comm -23 "$scratch/tools/weak" "$scratch/tools/there")
+  [[ -z $missing ]] || fault "$1: is lost: ${missing//$'\n'/ }"
+}
+labels_in weak.db >"$scratch/tools/weak"
+
+# Killed, and stopped by Ctrl-C, while it searches and writes.
+for ((i = 1; i <= (rounds > 1 ? rounds * 4 : 4); ++i)); do
+  attacks=$((attacks + 1))
+  rm -f search.db search.db-wal search.db-shm
+  cp weak.db search.db
+  printf -v pause '%d.%03d' $((RANDOM % 3)) $((RANDOM % 1000))
+  signal=$((i % 2 == 0 ? 9 : 2))
+  tried="catalog improve, signal $signal after $pause s"
+  (improve search.db 20s) >"$out" 2>"$err" </dev/null &
+  process=$!
+  sleep "$pause"
+  kill -$signal $process 2>/dev/null
+  { wait $process; } 2>/dev/null
+  ended=$?
+  improved "$tried" search.db
+  if ((signal == 2)); then
+    # An answer, or one line if it came before there was anything to answer; a signal before the program minds it ends it.
+    [[ $ended == 10 || $ended == 30 || $ended == 130 ]] || fault "$tried: exit code $ended: $(head -c 300 "$err")"
+    if ((ended == 10)); then
+      sed -nE 's/^better: .* ([0-9.a-z]+); .*/\1/p' "$out" | sort >"$scratch/tools/found"
+      missing=$(comm -23 "$scratch/tools/found" "$scratch/tools/there")
+      [[ -s $scratch/tools/found && -z $missing ]] || fault "$tried: was said to be found and is not there: $missing"
+    fi
+  fi
+done
+
+# Two that search for the same catalog.
+attacks=$((attacks + 1))
+cp weak.db search.db
+rm -f search.db-wal search.db-shm
+for searcher in 1 2; do
+  (improve search.db 4s) >"$scratch/said/searcher$searcher" 2>&1 </dev/null &
+  searchers[searcher]=$!
+done
+for searcher in 1 2; do
+  wait "${searchers[searcher]}"
+  ended=$?
+  [[ $ended == 10 || $ended == 30 ]] || fault "two improve at once: exit code $ended: $(head -c 300 "$scratch/said/searcher$searcher")"
+done
+improved 'two improve at once' search.db
+
 # Two that write at once.
 attacks=$((attacks + 1))
 each=$((rounds > 1 ? 30 : 6))
@@ -153,5 +230,19 @@ for ((round = 0; round < rounds; ++round)); do
     whole "$tried" disk/own.db "$scratch/tools/before"
     ((ended == 0)) || (($(wc -l <"$scratch/tools/there") <= 3)) || fault "$tried: half of them are there"
   done
+done
+
+# Searching with hardly any room: one clean line, or an answer, and what was there is there.
+for left in 0 8192 40000; do
+  attacks=$((attacks + 1))
+  find "$disk" -mindepth 1 -delete
+  cp weak.db disk/own.db
+  head -c 1000000 /dev/zero >"$disk/filler" 2>/dev/null
+  truncate -s $(($(stat -c %s "$disk/filler") - left)) "$disk/filler"
+  tried="catalog improve with $left bytes left"
+  run 60 "$CHANGEOVER" catalog improve --users --strength 3 --each 500ms --time 3s --threads 1 --quiet --catalog disk/own.db
+  [[ $code == 4 || $code == 10 || $code == 30 ]] || fault "$tried: exit code $code ${said:0:300}"
+  rm "$disk/filler"
+  improved "$tried" disk/own.db
 done
 finish

@@ -26,6 +26,45 @@ TEST(OtherFormats, ADesignComesBack) {
          folder);
 }
 
+// Through GAP itself, where it is installed; with its package DESIGN or, without it, a function of that name.
+TEST(OtherFormats, GapReadsAndWrites) {
+  const TemporaryFolder folder;
+  if (run("gap --version", folder.path()).code != 0) {
+    GTEST_SKIP() << "GAP is not installed here (gap-core, gap-design): its reading was left out";
+  }
+  spit(folder.file("again.g"), R"(if LoadPackage("design") = fail then
+  BlockDesign := function(v, blocks) return rec(v := v, blocks := Set(blocks)); end;
+fi;
+Read("ours.g");
+PrintTo("theirs.g", "D := BlockDesign(", D.v, ", ", D.blocks, ");\n");
+QUIT;
+)");
+  const struct {
+    const char *design, *order;
+  } cases[] = {{"7 3 --change 2 --circular", "-m 2 --circular"},
+               {"5 3 --change 1 --linear", "-m 1 --linear"},
+               {"11 4 --change 2 --circular", "-m 2 --circular"}};
+  for (const auto& [design, order] : cases) {
+    const std::string words = design;
+    const Outcome ours =
+        run("$changeover design " + words + " --format gap -o ours.g && gap -q < again.g",
+            folder.path());
+    ASSERT_EQ(ours.code, 0) << ours.err;
+    // The same blocks; their order is GAP's, so that they are put into order again.
+    const auto blocks = [&](const std::string& file) {
+      const Outcome found = run("tr -d ' \\n' < " + file +
+                                    " | sed 's/.*BlockDesign(//' | grep -oE '\\[[0-9,]+\\]' | sort",
+                                folder.path());
+      EXPECT_NE(found.out, "");
+      return found.out;
+    };
+    EXPECT_EQ(blocks("ours.g"), blocks("theirs.g")) << words;
+    expect({{std::string("$changeover search --order theirs.g ") + order + " --quiet --format gap",
+             10, "BlockDesign("}},
+           folder);
+  }
+}
+
 TEST(OtherFormats, ACoveringIsOrderedAndExtended) {
   const TemporaryFolder folder;
   spit(folder.file("fano.txt"), covering);

@@ -29,10 +29,15 @@ void collect(const Recipe& recipe, std::vector<std::string>& keys) {
 
 std::string misc(const std::string& key, const std::string& author, const std::string& title,
                  const std::string& date, const std::string& note) {
-  return fmt::format(
-      "@misc{{{},\n  author = {{{}}},\n  title  = {{{}}},\n  year   = {{{}}},\n  note   = "
-      "{{{}}}\n}}\n",
-      key, author, title, date.substr(0, 4), note);
+  std::string text = fmt::format("@misc{{{},\n", key);
+  if (!author.empty()) {
+    text += fmt::format("  author = {{{{{}}}}},\n", author);  // one name, whatever is in it
+  }
+  text += fmt::format("  title  = {{{}}},\n", title);
+  if (!date.empty()) {
+    text += fmt::format("  year   = {{{}}},\n", date.substr(0, 4));
+  }
+  return text + fmt::format("  note   = {{{}}}\n}}\n", note);
 }
 
 }  // namespace
@@ -95,13 +100,15 @@ std::string bibtex_of(const std::string& key) {
 
 std::string bibtex_of(const CatalogEntry& entry) {
   std::string text =
-      misc("changeover-" + entry.label(), "{" + entry.credit.who + "}",
+      misc("changeover-" + entry.label(), entry.credit.who,
            fmt::format("{} with {} blocks", name(entry.parameters), entry.b), entry.credit.date,
-           fmt::format("Changeover {}, catalog label {}, SHA-256 of the blocks {}", version,
-                       entry.label(), to_hex(entry.checksum)));
+           fmt::format("Changeover {}, catalog label {}, SHA-256 of the blocks {}{}{}", version,
+                       entry.label(), to_hex(entry.checksum), entry.note.empty() ? "" : "; ",
+                       entry.note));
   for (const std::string& key : references_of(entry)) {
     const std::string reference = bibtex_of(key);
-    text += reference.empty() ? "" : "\n" + reference;
+    text +=
+        "\n" + (reference.empty() ? "% " + key + " is not in docs/references.bib\n" : reference);
   }
   return text;
 }
@@ -118,7 +125,7 @@ std::string bibtex_of(const Catalog& catalog) {
     }
     return true;
   });
-  return misc("changeover-catalog-" + latest, "{The Changeover developers}",
+  return misc("changeover-catalog-" + latest, "The Changeover developers",
               "A catalog of change covering designs", latest,
               fmt::format("Changeover {}; {} designs as of {}; SHA-256 of their checksums {}",
                           version, count, latest, to_hex(hash.finish())));

@@ -27,14 +27,6 @@
 namespace changeover::cli {
 namespace {
 
-// A verb of a group, "catalog-show", is typed as two words.
-std::string as_typed(std::string name) {
-  if (const std::size_t hyphen = name.find('-'); hyphen != std::string::npos) {
-    name[hyphen] = ' ';
-  }
-  return name;
-}
-
 // One line on stderr, whatever the message holds.
 int complain(int code, const std::string& message) {
   constexpr std::size_t longest = 1000;
@@ -253,6 +245,7 @@ struct Program::State {
       "items in which every pair meets and consecutive blocks differ in exactly m items.",
       "changeover"};
   std::vector<std::unique_ptr<Verb>> verbs;
+  std::vector<std::pair<std::string, std::string>> groups;
 };
 
 Verb::Verb(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -378,6 +371,12 @@ Verb& Program::add_verb(const std::string& name, const std::string& summary,
   return *state_->verbs.back();
 }
 
+void Program::add_group(const std::string& name, const std::string& summary) {
+  state_->app.add_subcommand(name,
+                             summary);  // Only to be listed: run() takes groups before it parses.
+  state_->groups.emplace_back(name, summary);
+}
+
 int Program::run(int argc, char** argv) {
   CLI::App& app = state_->app;
   if (argc == 1) {
@@ -403,10 +402,18 @@ int Program::run(int argc, char** argv) {
     const bool asks_help =
         argc > 2 && (std::string(words[2]) == "--help" || std::string(words[2]) == "-h");
     if (asks_help) {
-      std::string text = "changeover " + group + " VERB …\n\n";
+      std::string text;
+      for (const auto& [name, summary] : groups()) {
+        text += name == group ? summary + "\n" : "";
+      }
+      text += "Usage: changeover " + group + " VERB …\n\nVerbs:\n";
+      std::size_t width = 0;
+      for (const std::string& member : members) {
+        width = std::max(width, member.size());
+      }
       for (const auto& [name, summary] : verbs()) {
         if (name.starts_with(group + "-")) {
-          text += fmt::format("  {:<10} {}\n", name.substr(group.size() + 1), summary);
+          text += fmt::format("  {:<{}}  {}\n", name.substr(group.size() + 1), width, summary);
         }
       }
       text += "\nchangeover " + group + " VERB --help shows options and examples.\n";
@@ -436,7 +443,11 @@ int Program::run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help, --version
     const bool help = dynamic_cast<const CLI::CallForHelp*>(&request) != nullptr;
-    const std::string text = (help ? app.help() : std::string(request.what())) + "\n";
+    std::string text = (help ? app.help() : std::string(request.what())) + "\n";
+    if (const std::size_t at = joined_name.empty() ? std::string::npos : text.find(joined_name);
+        at != std::string::npos) {
+      text.replace(at, joined_name.size(), as_typed(joined_name));
+    }
     return answer([&text] { return text_answer(text, {}); }, "");
   } catch (const CLI::ParseError& fault) {
     return complain(exit_code::usage, usage_message(fault, chosen()));
@@ -495,6 +506,8 @@ std::vector<std::pair<std::string, std::string>> Program::verbs() const {
   }
   return all;
 }
+
+std::vector<std::pair<std::string, std::string>> Program::groups() const { return state_->groups; }
 
 std::string Program::bash_completion() const {
   std::vector<std::string> names;

@@ -117,6 +117,9 @@ class Program {
     return {add_verb(name, summary, [request, act] { return act(*request); }), *request};
   }
 
+  /// What a group of verbs is for: `--help` lists the group, not its verbs. Before its first verb is added.
+  void add_group(const std::string& name, const std::string& summary);
+
   /// Parses, runs the verb, delivers its answer and maps faults to exit codes, one line on stderr each.
   int run(int argc, char** argv);
 
@@ -125,6 +128,9 @@ class Program {
 
   /// The name and the summary of every verb.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> verbs() const;
+
+  /// The name and the summary of every group.
+  [[nodiscard]] std::vector<std::pair<std::string, std::string>> groups() const;
 
   /// A script that completes verbs, options and their words in bash.
   [[nodiscard]] std::string bash_completion() const;

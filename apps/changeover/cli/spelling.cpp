@@ -47,4 +47,11 @@ std::string did_you_mean(const std::string& word, const std::vector<std::string>
   return nearest == nullptr ? std::string() : ", did you mean " + *nearest + "?";
 }
 
+std::string as_typed(std::string name) {
+  if (const std::size_t hyphen = name.find('-'); hyphen != std::string::npos) {
+    name[hyphen] = ' ';
+  }
+  return name;
+}
+
 }  // namespace changeover::cli

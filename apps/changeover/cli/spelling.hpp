@@ -10,4 +10,7 @@ namespace changeover::cli {
 [[nodiscard]] std::string did_you_mean(const std::string& word,
                                        const std::vector<std::string>& known);
 
+/// A verb as it is typed: one of a group, "catalog-show", is two words.
+[[nodiscard]] std::string as_typed(std::string name);
+
 }  // namespace changeover::cli

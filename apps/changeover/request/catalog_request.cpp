@@ -1,5 +1,6 @@
 #include "request/catalog_request.hpp"
 
+#include "catalog/entry/day.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "request/parameters.hpp"
 #include "request/range.hpp"
@@ -51,8 +52,8 @@ CatalogFilter FilterRequest::filter() const {
     filter.v_from = range.from;
     filter.v_to = range.to;
   }
-  if (!since.empty() && since.find_first_not_of("0123456789-") != std::string::npos) {
-    throw UsageError{"--since " + since + ": write a day as 2026-11-22"};
+  if (!since.empty() && !is_day(since)) {
+    throw UsageError{"--since: '" + since + "' is no day; write one as 2026-11-22"};
   }
   filter.change = change;
   if (strength) {

@@ -4,6 +4,7 @@
 
 #include "answer/answer.hpp"
 #include "changeover/core/version.hpp"
+#include "cli/spelling.hpp"
 #include "io/write/json_writer.hpp"
 #include "verbs.hpp"
 
@@ -51,10 +52,15 @@ std::string as_json(const Program& program) {
   JsonWriter json;
   json.begin_object().key("version").value(version).key("verbs").begin_array();
   for (const auto& [name, summary] : program.verbs()) {
-    json.begin_object().key("name").value(name).key("summary").value(summary);
+    json.begin_object().key("name").value(name).key("typed").value(as_typed(name));
+    json.key("summary").value(summary);
     write_options(json.key("arguments"), all, name, true);
     write_options(json.key("options"), all, name, false);
     json.end_object();
+  }
+  json.end_array().key("groups").begin_array();
+  for (const auto& [name, summary] : program.groups()) {
+    json.begin_object().key("name").value(name).key("summary").value(summary).end_object();
   }
   return json.end_array().end_object().take() + "\n";
 }

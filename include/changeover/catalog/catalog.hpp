@@ -39,7 +39,7 @@ struct Improvement {
   std::string label;  ///< of the design
   std::uint64_t b = 0;
   std::string date;  ///< when it came in
-  std::string how;   ///< its credit, in one line
+  std::string how;   ///< what it cites, or the command that found it, and its credit, in one line
 };
 
 /// Which entries are asked for; everything if nothing is said.
@@ -73,7 +73,7 @@ class Catalog {
   Catalog& operator=(const Catalog&) = delete;
 
   /// The design with the fewest blocks that is known for p and not retracted; ties go to the one that comes with the program, then to
-  /// the smaller label. @throws BadInput if the entry is damaged.
+  /// one that does not carry its blocks, then to the smaller label. @throws BadInput if the entry is damaged.
   [[nodiscard]] std::optional<CatalogEntry> best(const Parameters& p) const;
 
   /// What best() would give, without reading it; `carries_blocks`: among the entries that do.
@@ -90,7 +90,8 @@ class Catalog {
   /// All entries of a cell, retracted ones too, fewest blocks first.
   [[nodiscard]] std::vector<CatalogEntry> cell(const Parameters& p) const;
 
-  /// Calls take(entry) with what the filter lets through, by change number, strength, kind, k, v, b; until take() says false.
+  /// Calls take(entry) with what the filter lets through, by change number, strength, kind, k, v, and as best() has it; until take()
+  /// says false.
   void each(const CatalogFilter& filter,
             const std::function<bool(const CatalogEntry&)>& take) const;
 

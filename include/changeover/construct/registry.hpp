@@ -143,8 +143,8 @@ class Registry {
   /// the recipe's inputs are nested deeper than max_recipe_depth.
   [[nodiscard]] const Construction& construction_of(const Recipe& recipe) const;
 
-  /// Every offer for exactly these parameters, fewest blocks first, ties in the order of names; that of the catalog
-  /// is among them if it has fewer blocks than any other;
+  /// Every offer for exactly these parameters, fewest blocks first, ties in the order of names, designs that are written
+  /// down ("found") last; that of the catalog is among them if it has fewer blocks than any other;
   /// none if impossibility() rules them out. @throws as check().
   [[nodiscard]] std::vector<Offer> offers(const Parameters& p) const;
 

@@ -37,6 +37,8 @@ struct ForeignLimits {
   std::uint64_t v = 2000;
   std::uint64_t b = 1'000'000;
   std::chrono::duration<double> time_each{30};  ///< for building and verifying one design
+  std::uint64_t memory_each = std::uint64_t{128}
+                              << 20;  ///< for the blocks of a design that is looked at as a whole
   bool skip_bad = false;  ///< leave out entries that are not what they say, and name them
 };
 

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <utility>
 
+#include "catalog/entry/day.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/core/error.hpp"
@@ -40,28 +40,6 @@ void write_credit(JsonWriter& json, const Credit& credit) {
     }
   }
   json.end_object();
-}
-
-bool is_date(std::string_view text) {
-  if (text.size() != 10 || text[4] != '-' || text[7] != '-') {
-    return false;
-  }
-  for (const std::size_t at : {0U, 1U, 2U, 3U, 5U, 6U, 8U, 9U}) {
-    if (text[at] < '0' || text[at] > '9') {
-      return false;
-    }
-  }
-  const auto number = [&](std::size_t from, std::size_t digits) {
-    int value = 0;
-    for (const char digit : text.substr(from, digits)) {
-      value = value * 10 + digit - '0';
-    }
-    return value;
-  };
-  return std::chrono::year_month_day(std::chrono::year(number(0, 4)),
-                                     std::chrono::month(static_cast<unsigned>(number(5, 2))),
-                                     std::chrono::day(static_cast<unsigned>(number(8, 2))))
-      .ok();
 }
 
 // Whether all words of a recipe may be shown.
@@ -233,8 +211,8 @@ class LineHandler final : public JsonHandler {
                                           shown(key_)));
     }
     entry.credit.*field->second = text(event);
-    if (key_ == "date" && !is_date(event.text)) {
-      json_.fail(event.offset, "the date is not like 2026-11-22; correct it");
+    if (key_ == "date" && !is_day(event.text)) {
+      json_.fail(event.offset, "the date is no day like 2026-11-22; correct it");
     }
   }
 

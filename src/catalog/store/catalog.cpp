@@ -1,6 +1,7 @@
 #include "changeover/catalog/catalog.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -30,10 +31,13 @@ struct Row {
   std::uint64_t b = 0;
   std::string label;
   bool users = false;
+  bool carries_blocks = false;
 
   [[nodiscard]] auto name() const { return std::tie(cell, b, label); }
   [[nodiscard]] auto key() const { return std::tie(cell, b, label, users); }
-  [[nodiscard]] auto rank() const { return std::tie(cell, b, users, label); }  // as best() has it
+  [[nodiscard]] auto rank() const {
+    return std::tie(cell, b, users, carries_blocks, label);
+  }  // as best() has it
 };
 
 // What no entry has.
@@ -351,7 +355,8 @@ void Catalog::each(const CatalogFilter& filter,
   std::vector<Row> rows;
   {
     const std::lock_guard lock(store_->mutex);
-    std::string sql = "SELECT change, strength, kind, k, v, b, label FROM design WHERE 1";
+    std::string sql =
+        "SELECT change, strength, kind, k, v, b, label, carries_blocks FROM design WHERE 1";
     const auto bound = [&](const char* condition, const auto& value) {
       if (value) {
         sql += fmt::format(" AND {} {}", condition, static_cast<std::uint64_t>(*value));
@@ -372,7 +377,8 @@ void Catalog::each(const CatalogFilter& filter,
                          query.integer(4)},
                         query.integer(5),
                         query.text(6),
-                        users});
+                        users,
+                        query.integer(7) != 0});
       }
       return true;
     };
@@ -423,7 +429,11 @@ std::vector<Improvement> Catalog::history(const Parameters& p) const {
     if (steps.empty() || entry.b < steps.back().b) {
       const Credit& credit = entry.credit;
       std::string how = credit.command.empty() ? entry.recipe.construction : credit.command;
-      for (const std::string& more : {credit.who, credit.program}) {
+      if (!entry.cites.empty()) {
+        const std::string from = fmt::format("[{}]", fmt::join(entry.cites, ", "));
+        how = credit.command.empty() ? from : from + "; " + how;
+      }
+      for (const std::string& more : {entry.note, credit.who, credit.program}) {
         how += more.empty() ? "" : "; " + more;
       }
       steps.push_back({entry.label(), entry.b, credit.date, std::move(how)});

@@ -1,6 +1,8 @@
 #include "catalog/store/schema.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -70,6 +72,31 @@ std::string name_of_copy(const std::string& path, int version) {
   return copy;
 }
 
+// The copy has its name when it is whole and on the disk, not before.
+void keep_copy(const Database& database, int version) {
+  const std::string path = name_of_copy(database.name(), version);
+  const std::string unfinished = fmt::format("{}.unfinished-{}", path, ::getpid());
+  std::error_code error;
+  std::filesystem::remove(unfinished, error);  // of a process that had this number before
+  Statement copy = database.prepare("VACUUM INTO ?");
+  copy.bind(1, unfinished);
+  copy.step();
+  const int descriptor = ::open(unfinished.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool is_safe = descriptor >= 0 && ::fsync(descriptor) == 0;
+  if (descriptor >= 0) {
+    ::close(descriptor);
+  }
+  if (is_safe) {
+    std::filesystem::rename(unfinished, path, error);
+  }
+  if (!is_safe || error) {
+    throw MissingResource(
+        fmt::format("{}: a copy cannot be kept beside it before it is brought to this version; "
+                    "make room on the disk, nothing was changed",
+                    database.name()));
+  }
+}
+
 }  // namespace
 
 std::span<const Migration> catalog_migrations() {
@@ -120,10 +147,7 @@ void migrate(const Database& database, int version, std::span<const Migration> m
   if (found >= version) {
     return;
   }
-  Statement copy = database.prepare("VACUUM INTO ?");
-  const std::string path = name_of_copy(database.name(), found);
-  copy.bind(1, path);
-  copy.step();
+  keep_copy(database, found);
   Transaction transaction(database);
   // Another process may have done it while this one waited.
   for (int at = version_of(database); at < version; ++at) {

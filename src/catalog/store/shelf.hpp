@@ -25,16 +25,17 @@ inline constexpr std::string_view entry_columns =
     "design.label, design.line, credit.json FROM design JOIN credit ON credit.id = design.credit ";
 inline constexpr std::string_view of_cell =
     "WHERE k = ? AND v = ? AND change = ? AND kind = ? AND strength = ? ";
+// Fewest blocks first; of equal ones those that say how they are made.
+inline constexpr std::string_view as_ranked = "ORDER BY b, carries_blocks, label";
 
 // The statements that look entries up in one database, prepared once.
 class Shelf {
  public:
   explicit Shelf(Database database)
       : database_(std::move(database)),
-        cell_(
-            database_.prepare(fmt::format("SELECT {}{}ORDER BY b, label", entry_columns, of_cell))),
-        counts_(database_.prepare(fmt::format(
-            "SELECT label, b, carries_blocks FROM design {}ORDER BY b, label", of_cell))),
+        cell_(database_.prepare(fmt::format("SELECT {}{}{}", entry_columns, of_cell, as_ranked))),
+        counts_(database_.prepare(
+            fmt::format("SELECT label, b, carries_blocks FROM design {}{}", of_cell, as_ranked))),
         label_(database_.prepare(fmt::format("SELECT {}WHERE label = ?", entry_columns))),
         has_(database_.prepare("SELECT 1 FROM design WHERE label = ?")),
         begins_(database_.prepare(

@@ -31,6 +31,9 @@ struct Stock {
     std::map<std::string, CatalogEntry> all;
     for (int i = 0; i < count; ++i) {
       CatalogEntry entry = random_entry(random);
+      if (random() % 3 == 0) {
+        entry.recipe = Recipe{"cut", entry.parameters, {}, {entry.recipe}, {}, ""};
+      }
       if (random() % 6 == 0) {
         entry.retracted = "a mistake";
       }
@@ -54,7 +57,7 @@ struct Stock {
       const CatalogEntry& e = each.first;
       const Parameters& p = e.parameters;
       return std::tuple(p.change, p.strength, p.kind == Kind::circular, p.k, p.v, e.b, each.second,
-                        e.label());
+                        e.carries_blocks(), e.label());
     });
     return both;
   }

@@ -1,8 +1,11 @@
 // Files that are not what they should be: said, never written to, never the end of the process.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <random>
 #include <set>
 
@@ -219,6 +222,66 @@ TEST(Migration, KeepsACopy) {
   EXPECT_FALSE(std::filesystem::exists(path + ".version-1.3"));
   EXPECT_EQ(Catalog({.user = path + ".version-1.2"}).best(cell), some_entry());
   EXPECT_THAT(Catalog({.user = path}).problem(), HasSubstr("newer program"));
+}
+
+// Killed at random moments: the file is of one version or the other, with all that was in it, and each copy is whole.
+TEST(Migration, KilledOnItsWay) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("mine.db");
+  std::mt19937 random(1);
+  std::vector<CatalogEntry> entries;
+  for (std::uint64_t b = 1; b <= 300; ++b) {
+    entries.push_back(random_entry(cell, b, random));
+  }
+  Catalog({.user = path}).add(entries);
+  const std::string old = slurp(path);
+  int killed_before = 0;
+  int killed_after = 0;
+  useconds_t longest = 1;  // Twice what the first round takes, in which nothing is killed.
+  for (int round = 0; round < 60; ++round) {
+    std::filesystem::remove(path + "-wal");
+    std::filesystem::remove(path + "-shm");
+    spit(path, old);
+    const auto begin = std::chrono::steady_clock::now();
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      migrate(Database::open(path, Access::read_write), 2, to_two);
+      ::_exit(0);
+    }
+    if (round > 0) {
+      ::usleep(static_cast<useconds_t>(random()) % longest);
+      ::kill(child, SIGKILL);
+    }
+    ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+    if (round == 0) {
+      longest = 2 * static_cast<useconds_t>(std::chrono::duration_cast<std::chrono::microseconds>(
+                                                std::chrono::steady_clock::now() - begin)
+                                                .count());
+    }
+    const Database database = Database::open(path, Access::read_write);
+    EXPECT_EQ(database.integer("SELECT count(*) FROM design"), entries.size());
+    EXPECT_NO_THROW(check_catalog(database, 2, to_two));
+    ++(database.integer("PRAGMA user_version") == 1 ? killed_before : killed_after);
+    for (const auto& file : std::filesystem::directory_iterator(folder.path())) {
+      const std::string name = file.path().filename();
+      if (name.find(".version-1") != std::string::npos &&
+          name.find("unfinished") == std::string::npos) {
+        Catalog copy({.user = file.path()});
+        EXPECT_EQ(labels_of(copy, {.best_only = false}).size(), entries.size()) << name;
+        EXPECT_EQ(copy.problem(), "") << name;
+      }
+      if (name.find(".version-1") != std::string::npos) {
+        std::filesystem::remove(file.path());
+      }
+    }
+    if (database.integer("PRAGMA user_version") == 1) {
+      migrate(database, 2, to_two);  // Nothing of the first time is in its way.
+      EXPECT_EQ(database.integer("PRAGMA user_version"), 2U);
+    }
+  }
+  EXPECT_GT(killed_before, 0);
+  EXPECT_GT(killed_after, 0);
 }
 
 TEST(Migration, AllOrNothing) {

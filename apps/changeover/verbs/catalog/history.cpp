@@ -17,16 +17,18 @@ struct HistoryRequest {
 };
 
 Answer run(const HistoryRequest& request) {
+  const Catalog& catalog = request.catalog.open();
   auto p = parse_cell_label(request.cell);
   if (!p) {
-    if (const auto label = parse_design_label(request.cell)) {
-      p = label->parameters;
-    } else {
+    // Of the cell of a design, too.
+    const auto entry = catalog.find(request.cell);
+    if (!entry) {
       throw UsageError{fmt::format(
           "'{}' is no label of a cell, as 20.5.2.linear or 6.4.1.linear.t3", request.cell)};
     }
+    p = entry->parameters;
   }
-  const std::vector<Improvement> steps = request.catalog.open().history(*p);
+  const std::vector<Improvement> steps = catalog.history(*p);
   std::string text = name(*p) + "\n";
   JsonWriter json;
   json.begin_array();
@@ -48,7 +50,7 @@ Answer run(const HistoryRequest& request) {
 void add_catalog_history(Program& program) {
   auto [verb, request] =
       program.add("catalog-history", "how the best design of a cell became better", run);
-  verb.positional("CELL", request.cell, "v.k.m.kind, as 20.5.2.linear");
+  verb.positional("CELL", request.cell, "v.k.m.kind, as 20.5.2.linear; or a design of it");
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover catalog history 20.5.2.linear"});

@@ -123,8 +123,9 @@ Answer run(const ShowRequest& request) {
   for (const CatalogEntry& entry : entries) {
     text += text_of(entry, catalog.is_shipped(entry.label()));
   }
-  if (entries.size() == 1) {
-    text += "how it is made\n" + tree_text(entries.front().recipe);
+  if (cells.size() <= 1) {
+    text += (entries.size() == 1 ? "how it is made\n" : "how the first of them is made\n") +
+            tree_text(entries.front().recipe);
   }
   return text_answer(text, request.output);
 }

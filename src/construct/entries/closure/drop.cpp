@@ -16,6 +16,7 @@
 #include "changeover/core/transitions.hpp"
 #include "changeover/run/scope.hpp"
 #include "construct/entry.hpp"
+#include "construct/tools/read_within_memory.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
@@ -190,7 +191,8 @@ class Drop final : public Construction {
       throw BadInput(fmt::format("drop takes one input, a {}, and no arguments",
                                  changeover::name(recipe.parameters)));
     }
-    const Design design = read_all(*registry.build(recipe.inputs.front()));
+    const std::unique_ptr<BlockSource> source = registry.build(recipe.inputs.front());
+    const Design design = read_within_memory(*source);
     Dropping dropping(design);
     (void)dropping.run(design.parameters().kind);
     return std::make_unique<BlockListSource>(recipe.parameters, dropping.blocks());

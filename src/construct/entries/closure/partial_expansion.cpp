@@ -25,6 +25,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
+#include "construct/tools/read_within_memory.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
@@ -195,7 +196,8 @@ class PartialExpander final : public Rule {
     const Recipe& input = recipe.inputs.front();
     const std::uint64_t w = recipe.parameters.v - input.parameters.v;
     if (!recipe.blocks.empty()) {
-      const Design design = read_all(*registry.build(input));
+      const std::unique_ptr<BlockSource> source = registry.build(input);
+      const Design design = read_within_memory(*source);
       UnchangedCover cover = written_cover(recipe, design);
       return expand_by(std::make_unique<BlockListSource>(input.parameters, design.blocks()),
                        std::move(cover), w);

@@ -13,6 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "construct/entry.hpp"
+#include "construct/tools/read_within_memory.hpp"
 
 namespace changeover {
 namespace {
@@ -166,7 +167,8 @@ class Truncate final : public Construction {
   std::unique_ptr<BlockSource> build(const Recipe& recipe,
                                      const Registry& registry) const override {
     const Element x = deleted(recipe);
-    const Design design = read_all(*registry.build(recipe.inputs.front()));
+    const std::unique_ptr<BlockSource> source = registry.build(recipe.inputs.front());
+    const Design design = read_within_memory(*source);
     std::optional<std::vector<Block>> blocks = Truncation(design).without(x);
     if (!blocks) {
       throw BadInput(fmt::format("truncate: no element can take the place of {} everywhere", x));

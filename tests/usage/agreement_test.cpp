@@ -1,0 +1,147 @@
+// All verbs say the same of a cell, whether it comes planned or lies just outside, and whether the user has a better design there.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "cases.hpp"
+#include "changeover/catalog/label.hpp"
+#include "changeover/construct/planner.hpp"
+#include "changeover/construct/standard_catalog.hpp"
+
+namespace changeover::test {
+namespace {
+
+std::string after(const std::string& text, const std::string& words) {
+  const std::size_t at = text.find(words);
+  if (at == std::string::npos) {
+    return "nothing";
+  }
+  const std::size_t begin = at + words.size();
+  return text.substr(begin, text.find_first_not_of("0123456789", begin) - begin);
+}
+
+// The number in front of the first "blocks".
+std::string of_blocks(const std::string& text) {
+  const std::size_t end = text.find(" blocks");
+  if (end == std::string::npos) {
+    return "nothing";
+  }
+  const std::size_t begin = text.find_last_not_of("0123456789", end - 1) + 1;
+  return text.substr(begin, end - begin);
+}
+
+// The number of blocks of the best design, as each verb says it.
+std::vector<std::string> numbers(const Parameters& p, const TemporaryFolder& folder,
+                                 const std::string& catalog) {
+  const std::string environment = "CHANGEOVER_CATALOG=" + catalog + " $changeover ";
+  const std::string kind = p.kind == Kind::linear ? " --linear" : " --circular";
+  const std::string change = " --change " + std::to_string(p.change);
+  const std::string strength = p.strength == 2 ? "" : " --strength " + std::to_string(p.strength);
+  const std::string v = std::to_string(p.v);
+  const std::string k = std::to_string(p.k);
+  const std::string cell = v + " " + k + change + kind + strength;
+  std::vector<std::string> said;
+  const auto ask = [&](const std::string& command) {
+    return run(environment + command, folder.path()).out;
+  };
+  if (p.strength == 2) {
+    said.push_back(after(ask("table --v " + v + " --k " + k + change + kind + " --format csv"),
+                         "\n" + v + "," + k + "," + std::to_string(p.change) + "," +
+                             std::string(to_string(p.kind)) + ","));
+  }
+  said.push_back(after(ask("bounds " + cell + " --json"), "\"best_known\":"));
+  said.push_back(
+      std::to_string(count(ask("design " + cell + " --format text | grep -v '^#'"), "\n")));
+  said.push_back(of_blocks(ask("explain " + cell)));
+  // The catalog has those that come planned, and what was added.
+  const std::string shown = ask("catalog show " + cell_label(p));
+  if (shown.starts_with(cell_label(p) + ".")) {
+    said.push_back(of_blocks(shown));
+  } else {
+    EXPECT_FALSE(comes_planned(p)) << shown;
+  }
+  return said;
+}
+
+void expect_agreement(const Parameters& p, const TemporaryFolder& folder,
+                      const std::string& catalog = "") {
+  const std::vector<std::string> said = numbers(p, folder, catalog);
+  for (const std::string& number : said) {
+    EXPECT_EQ(number, said.front()) << cell_label(p);
+  }
+  EXPECT_NE(said.front(), "nothing") << cell_label(p);
+  EXPECT_NE(said.front(), "0") << cell_label(p);
+}
+
+TEST(Agreement, OfCellsThatComePlanned) {
+  const TemporaryFolder folder;
+  std::mt19937 random(1);
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    for (std::uint64_t change = 1; change <= 3; ++change) {
+      for (int i = 0; i < 2; ++i) {
+        Parameters p{.v = 0, .k = 4 + random() % 9, .change = change, .kind = kind};
+        p.v = p.k + 4 + random() % (100 - p.k - 3);
+        ASSERT_TRUE(comes_planned(p));
+        expect_agreement(p, folder);
+      }
+    }
+  }
+}
+
+TEST(Agreement, OfCellsJustOutside) {
+  const TemporaryFolder folder;
+  for (const Parameters& p :
+       {Parameters{101, 12, 1, Kind::linear}, Parameters{102, 7, 2, Kind::circular},
+        Parameters{101, 9, 3, Kind::linear}, Parameters{60, 41, 2, Kind::linear},
+        Parameters{30, 5, 4, Kind::circular}}) {
+    ASSERT_FALSE(comes_planned(p));
+    expect_agreement(p, folder);
+  }
+}
+
+TEST(Agreement, OfStrengthThree) {
+  const TemporaryFolder folder;
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    expect_agreement({7, 4, 1, kind, 3}, folder);
+    expect_agreement({8, 5, 2, kind, 3}, folder);
+    // Nobody knows a design: so say all.
+    expect({{"$changeover design 20 5 --change 1 --strength 3 --" + std::string(to_string(kind)), 4,
+             "No construction serves"},
+            {"$changeover bounds 20 5 --change 1 --strength 3 --json --" +
+                 std::string(to_string(kind)),
+             0, "\"best_known\":null"},
+            {"$changeover catalog show 20 5 --change 1 --strength 3", 4, "the catalog has no"}},
+           folder);
+  }
+}
+
+// Found by search, one block fewer than all that is known without it.
+TEST(Agreement, OfNeighboursOfADesignOfTheUsers) {
+  const TemporaryFolder folder;
+  spit(folder.file("better.txt"),
+       "12 24 4 2 18 1\n4 10 3 2 22 23\n11 8 16 6 2 4\n11 22 13 6 12 17\n10 13 17 7 15 16\n"
+       "9 19 21 16 12 7\n24 22 19 1 7 15\n23 24 1 11 9 10\n11 15 5 23 16 21\n19 18 13 8 23 5\n"
+       "13 6 22 9 5 0\n0 3 24 1 16 5\n14 6 24 1 13 20\n23 20 7 17 8 14\n5 2 7 17 4 0\n"
+       "19 13 3 21 4 2\n19 21 0 6 10 18\n0 12 8 15 6 23\n11 3 7 6 15 18\n3 8 18 9 17 10\n"
+       "12 3 5 14 10 20\n14 0 19 17 20 11\n2 14 20 9 4 15\n16 14 20 21 22 18\n22 1 8 17 21 24\n");
+  const Parameters cell{25, 6, 4, Kind::circular};
+  const std::vector<Parameters> better = {
+      cell, {25, 6, 4, Kind::linear}, {26, 7, 4, Kind::circular}, {26, 7, 4, Kind::linear}};
+  for (const Parameters& p : better) {
+    EXPECT_EQ(numbers(p, folder, "").front(), "26") << cell_label(p);
+  }
+  expect({{"$changeover catalog add better.txt --change 4 --circular --catalog mine.db", 0,
+           "with 25 blocks"}},
+         folder);
+  for (const Parameters& p : better) {
+    expect_agreement(p, folder, "mine.db");
+    EXPECT_EQ(numbers(p, folder, "mine.db").front(), "25") << cell_label(p);
+  }
+  // Where others are better already nothing changes.
+  expect_agreement({24, 6, 4, Kind::circular}, folder, "mine.db");
+  EXPECT_EQ(numbers({24, 6, 4, Kind::circular}, folder, "mine.db"),
+            numbers({24, 6, 4, Kind::circular}, folder, ""));
+}
+
+}  // namespace
+}  // namespace changeover::test
