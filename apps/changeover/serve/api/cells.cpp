@@ -21,11 +21,11 @@ namespace {
 
 constexpr std::uint64_t usual_change = 2;
 
-Response table(const Request& request) {
-  const cli::PlannedTable planned = cli::plan_table(table_range_of(request));
+Response table(Explorer& explorer, const Request& request) {
+  const auto planned = explorer.tables.of(table_range_of(request), explorer.generation());
   cli::Cells cells;
   for (const Kind kind : cli::kinds_of(kind_of(request))) {
-    const cli::Cells more = planned.cells(kind);
+    const cli::Cells more = planned->cells(kind);
     cells.insert(cells.end(), more.begin(), more.end());
   }
   return json_response(cli::table_json(cells, true) + "\n");
@@ -119,7 +119,8 @@ void add_cells(Router& router, Explorer& explorer) {
         [is_quick](const Request& request) { return is_quick(request) ? Lane::quick : Lane::slow; };
   };
   Route tables =
-      question(explorer, "api/table", {"v", "k", "change", "kind"}, Again::while_unchanged, table);
+      question(explorer, "api/table", {"v", "k", "change", "kind"}, Again::while_unchanged,
+               [&explorer](const Request& request) { return table(explorer, request); });
   tables.lane = quick_or_slow(is_quick_table);
   router.add(std::move(tables));
 

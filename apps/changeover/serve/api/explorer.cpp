@@ -54,7 +54,7 @@ Refusal of_stop(const Explorer& explorer, WhyStopped why) {
               ? fmt::format("this takes more than {:.0f} s; ask for less, or ask changeover on "
                             "the command line",
                             explorer.limits.seconds.count())
-              : std::string("this was given up")};
+              : std::string("this was given up before it was done; ask again, or for less at once")};
 }
 
 }  // namespace

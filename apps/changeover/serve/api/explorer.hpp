@@ -16,6 +16,7 @@
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/run/control.hpp"
+#include "serve/api/planned_tables.hpp"
 #include "serve/http/events.hpp"
 #include "serve/http/message.hpp"
 
@@ -67,6 +68,7 @@ struct Explorer {
   std::atomic<bool> stopping = false;
   std::shared_ptr<SearchJobs> jobs = {};
   AnswerCache cache{std::size_t{64} << 20};
+  PlannedTables tables = {};
 
   explicit Explorer(Catalog& known);
   ~Explorer();

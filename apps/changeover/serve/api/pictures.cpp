@@ -75,16 +75,16 @@ Response drawn_selection(Explorer& explorer, const Request& request) {
   return drawn(request, design, options);
 }
 
-Response heatmap(const Request& request) {
+Response heatmap(Explorer& explorer, const Request& request) {
   const auto kind = kind_of(request);
   if (!kind) {
     throw Refusal{400, "kind is missing; write kind=circular or kind=linear"};
   }
   const HeatMeasure measure =
       heat_measure_from_string(word_of(request, "measure", {"ratio", "status", "gap"})).value();
-  const cli::PlannedTable planned = cli::plan_table(table_range_of(request));
+  const auto planned = explorer.tables.of(table_range_of(request), explorer.generation());
   std::vector<PlannedCell> cells;
-  for (const PlannedCell* const cell : planned.cells(*kind)) {
+  for (const PlannedCell* const cell : planned->cells(*kind)) {
     cells.push_back(*cell);
   }
   return picture_response(draw_heatmap(cells, measure), theme_of(request));
@@ -94,7 +94,8 @@ Response heatmap(const Request& request) {
 
 void add_pictures(Router& router, Explorer& explorer) {
   Route heat = question(explorer, "api/heatmap", {"v", "k", "change", "kind", "theme", "measure"},
-                        Again::while_unchanged, heatmap);
+                        Again::while_unchanged,
+                        [&explorer](const Request& asked) { return heatmap(explorer, asked); });
   heat.lane = [](const Request& request) {
     return is_quick_table(request) ? Lane::quick : Lane::slow;
   };

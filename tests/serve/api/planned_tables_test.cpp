@@ -1,0 +1,62 @@
+// Tables are planned once for all who ask at the same time, and anew when the catalog changes.
+#include <gtest/gtest.h>
+
+#include <thread>
+#include <vector>
+
+#include "answer/planned_table.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
+#include "cli/cli.hpp"
+#include "serve/api/planned_tables.hpp"
+
+namespace changeover::test {
+namespace {
+
+const cli::TableRange range{.k = {3, 4}, .v = {5, 12}, .change = 2};
+
+TEST(PlannedTables, OnePlanForAllWhoAsk) {
+  serve::PlannedTables tables;
+  std::vector<std::shared_ptr<const cli::PlannedTable>> got(8);
+  std::vector<std::thread> threads;
+  for (auto& table : got) {
+    threads.emplace_back([&] { table = tables.of(range, "1"); });
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  for (const auto& table : got) {
+    EXPECT_EQ(table, got.front());
+  }
+  EXPECT_EQ(got.front()->cells(Kind::linear).size(), 16U);
+  EXPECT_NE(tables.of(range, "2"), got.front());
+  EXPECT_EQ(tables.of(range, "1"), got.front());
+}
+
+TEST(PlannedTables, TheOldestGoes) {
+  serve::PlannedTables tables;
+  const auto first = tables.of(range, "0");
+  for (int i = 1; i <= 4; ++i) {
+    static_cast<void>(tables.of(range, std::to_string(i)));
+  }
+  EXPECT_EQ(tables.of(range, "4"), tables.of(range, "4"));
+  EXPECT_NE(tables.of(range, "0"), first);
+}
+
+TEST(PlannedTables, OneThatStopsLeavesNothingBehind) {
+  serve::PlannedTables tables;
+  const cli::TableRange large{.k = {3, 12}, .v = {5, 300}, .change = 2};
+  RunControl control({});
+  control.stop(WhyStopped::interrupted);
+  {
+    const RunScope scope(control);
+    EXPECT_THROW(static_cast<void>(tables.of(large, "1")), Stopped);
+    EXPECT_THROW(static_cast<void>(tables.of(large, "1")), Stopped);
+  }
+  EXPECT_THROW(static_cast<void>(tables.of({.k = {3, 4}, .v = {5, 5000}, .change = 2}, "1")),
+               cli::UsageError);
+  EXPECT_TRUE(tables.of(range, "1"));
+}
+
+}  // namespace
+}  // namespace changeover::test

@@ -1,0 +1,40 @@
+// Takes the pictures of the explorer that the documents show: node screenshots.mjs FOLDER
+// One viewport each, in light or dark; the pages are those of the program (CHANGEOVER_PROGRAM).
+import { join } from 'node:path';
+import { settled, start } from './tests/support/browser.mjs';
+
+const folder = process.argv[2];
+if (!folder) {
+  console.error('usage: node screenshots.mjs FOLDER');
+  process.exit(2);
+}
+const pictures = [
+  ['catalog', 'light', '#/catalog?change=1&kind=linear&k=3..12&v=5..60'],
+  ['catalog', 'dark', '#/catalog?change=2&kind=circular&k=3..12&v=5..60'],
+  ['cell', 'light', '#/cell?v=40&k=6&change=2&kind=circular'],
+  ['design', 'dark', '#/design?v=20&k=5&change=2&kind=circular&at=12'],
+  ['stays', 'light', '#/design?v=61&k=4&change=2&kind=circular&view=stays'],
+  ['verify', 'light', '#/verify', (page) => page.getByText('one with bad steps').click()],
+  ['plan', 'light', '#/plan', async (page) => {
+    await page.getByText('Try an example').click();
+    await page.getByRole('button', { name: 'Plan', exact: true }).click();
+    await page.getByText('What if').waitFor({ timeout: 60_000 });
+  }],
+  ['loadorder', 'dark', '#/loadorder?items=64&room=16'],
+  ['search', 'light', '#/search?v=40&k=6&change=2&kind=circular', async (page) => {
+    await page.getByRole('button', { name: 'Start' }).click();
+    await page.waitForTimeout(8000);
+  }],
+  ['theorems', 'light', '#/theorems'],
+];
+const explorer = await start({ viewport: { width: 1280, height: 860 } });
+for (const [name, colorScheme, fragment, act] of pictures) {
+  const page = await explorer.open(fragment);
+  await page.emulateMedia({ colorScheme });
+  await act?.(page);
+  await settled(page);
+  await page.waitForTimeout(1500);
+  await page.screenshot({ path: join(folder, `explorer-${name}-${colorScheme}.png`) });
+  await page.close();
+}
+await explorer.stop();
