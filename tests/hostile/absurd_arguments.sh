@@ -34,7 +34,7 @@ declare -A settings=(
   [paper]=''
   [loadorder]='--items 20 --room 5|--items 12 --room 4 --workers 3|--items 9 --room 4 --prefetch'
   [completion]='bash'
-  [serve]='|good.txt|--export site --assets pages --k 3 --v 5..6 -m 2'
+  [serve]='good.txt --assets pages|--export site --assets pages --k 3 --v 5..6 -m 2'
   [describe]=''
 )
 
@@ -174,6 +174,7 @@ while IFS=$'\t' read -r verb what names kind _; do
   }
   if [[ $what == option ]]; then
     for name in ${names//,/ }; do
+      [[ $name != --open ]] || continue # No browser is attacked.
       options[$verb]+="$name "
       kinds[$verb $name]=$kind
     done
