@@ -88,6 +88,19 @@ test('another change number, kind and range are another table', async () => {
   await page.close();
 });
 
+test('another measure is another picture of the same table', async () => {
+  const page = await explorer.open(small);
+  const asked = [];
+  page.on('request', (request) => asked.push(new URL(request.url()).pathname));
+  await page.getByLabel('Colour says').selectOption('gap');
+  await page.getByLabel('Colour says').selectOption('status');
+  await page.locator('.heat-map text', { hasText: 'best known' }).first().waitFor();
+  assert.deepEqual([...new Set(asked)], ['/api/heatmap']);
+  assert.equal(params(page).get('measure'), 'status');
+  assert.equal(await page.locator('.problem').count(), 0);
+  await page.close();
+});
+
 test('the look-up box leads to cells, labels and the page Verify', async () => {
   const page = await explorer.open(small);
   const box = page.getByLabel('Look up a design');

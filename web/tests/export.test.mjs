@@ -64,6 +64,14 @@ test('catalog, cell, design, theorems', async () => {
   await page.close();
 });
 
+test('the picture has the whole range, the table what was asked for', async () => {
+  const page = await explorer.open('#/catalog?k=4&v=6..10');
+  assert.equal(await page.locator('table.cells tbody tr').count(), 5);
+  await page.locator('.heat-map .cell[data-v="20"][data-k="5"]').hover();
+  await page.locator('.readout', { hasText: 'v = 20, k = 5 minimum' }).waitFor();
+  await page.close();
+});
+
 test('what the copy does not have is said', async () => {
   const page = await explorer.open('#/cell?v=50&k=5');
   await page.getByRole('alert').filter({ hasText: 'static copy does not have it' }).waitFor();

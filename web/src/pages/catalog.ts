@@ -35,7 +35,11 @@ export const catalog: Page = {
     };
     let cells = new Map<string, TableCell>();
     let asking = new AbortController();
-    view.signal.addEventListener('abort', () => asking.abort());
+    let painting = new AbortController();
+    view.signal.addEventListener('abort', () => {
+      asking.abort();
+      painting.abort();
+    });
 
     const readout = h('div', { class: 'readout', 'aria-live': 'off' });
     const said = h('div');
@@ -76,9 +80,17 @@ export const catalog: Page = {
       );
     }
 
-    async function drawMap(query: TableQuery, signal: AbortSignal): Promise<void> {
-      const svg = await heatmap(query, state.measure, theme(), signal);
-      map.show(svg);
+    const query = (): TableQuery => ({ change: state.change, kind: state.kind, k: state.k, v: state.v });
+
+    /** The latest picture that was asked for is the one that counts. */
+    function askMap(): Promise<string> {
+      painting.abort();
+      painting = new AbortController();
+      return heatmap(query(), state.measure, theme(), painting.signal);
+    }
+
+    async function drawMap(svg: Promise<string>): Promise<void> {
+      map.show(await svg);
       const at = /^(\d+)\.(\d+)$/.exec(view.params.get('at') ?? '');
       if (at) {
         map.mark(Number(at[1]), Number(at[2]));
@@ -89,7 +101,6 @@ export const catalog: Page = {
       asking.abort();
       asking = new AbortController();
       const signal = asking.signal;
-      const query = { change: state.change, kind: state.kind, k: state.k, v: state.v };
       fill(said);
       map.element.setAttribute('aria-busy', 'true');
       fill(complete.lastElementChild!);
@@ -98,18 +109,21 @@ export const catalog: Page = {
         void fillCompleteness();
       }
       try {
-        const picture = drawMap(query, signal);
-        picture.catch(() => undefined);
-        const answer = await table(query, signal);
-        cells = new Map(answer.map((cell) => [`${cell.v}.${cell.k}`, cell]));
+        const svg = askMap();
+        svg.catch(() => undefined);
+        // The table first: it says what the cells of the map are.
+        const answer = await table(query(), signal);
+        // The picture of a static copy has more cells than the table if that is of a part of the range.
+        const pictured = frozen ? await table({ ...query(), k: '', v: '' }, signal) : answer;
+        cells = new Map(pictured.map((cell) => [`${cell.v}.${cell.k}`, cell]));
         list.show(answer);
         fill(sums, totals(answer));
         const at = cells.get(view.params.get('at') ?? '');
         at ? read(at) : fill(readout, h('p', { class: 'hint' }, 'Point at a cell of the map, or walk through it by the arrow keys: what is known is said here.'));
-        await picture;
+        await drawMap(svg);
         announce(`${answer.length} cells`);
       } catch (fault) {
-        if (!signal.aborted) {
+        if (!signal.aborted && !(fault instanceof DOMException && fault.name === 'AbortError')) {
           fill(said, problem(fault));
         }
       }
@@ -136,10 +150,24 @@ export const catalog: Page = {
     }
     complete.addEventListener('toggle', () => complete.open && void fillCompleteness());
 
+    /** The same table in other colours. */
+    async function recolour(): Promise<void> {
+      const svg = askMap();
+      const { signal } = painting;
+      try {
+        await drawMap(svg);
+        fill(said);
+      } catch (fault) {
+        if (!signal.aborted) {
+          fill(said, problem(fault));
+        }
+      }
+    }
+
     function set(name: keyof typeof state, value: string): void {
       Object.assign(state, { [name]: name === 'change' ? Number(value) : value });
       view.go({ [name]: value }, { quiet: true });
-      void refresh();
+      void (name === 'measure' && cells.size > 0 ? recolour() : refresh());
     }
     const range = (name: 'k' | 'v'): HTMLInputElement => {
       const input = h('input', {
@@ -190,7 +218,7 @@ export const catalog: Page = {
     let first = true;
     withTheme(view.signal, () => {
       if (!first) {
-        void drawMap({ change: state.change, kind: state.kind, k: state.k, v: state.v }, asking.signal).catch(() => undefined);
+        void recolour();
       }
       first = false;
     });

@@ -1,6 +1,7 @@
 // What is known of a cell, in a word and in numbers.
 import type { TableCell } from '../lib/api';
 import { h } from '../lib/dom';
+import { terms } from '../lib/terms';
 
 const meanings: Record<string, string> = {
   minimum: 'No design with these parameters has fewer blocks: the number of blocks is a proved lower bound.',
@@ -28,21 +29,24 @@ export function gap(cell: Pick<TableCell, 'b' | 'lower_bound'>): number | null {
 
 /** The terms that a newcomer meets first, to be opened. */
 export function glossary(): HTMLElement {
-  const terms: [string, string][] = [
-    ['change covering design', 'A list of blocks, each k of v elements, in which every two elements are together in some block and consecutive blocks differ in exactly m elements.'],
-    ['circular, linear', 'In a circular design the first block follows the last one as any block follows the one before; in a linear one it need not.'],
-    ['introduced, leaving, unchanged', 'In a step from one block to the next, m elements leave, m are introduced, and k − m stay unchanged.'],
-    ['minimum', meanings['minimum']!],
-    ['best known', meanings['best-known']!],
-    ['lower bound', 'A number of blocks that no design can be below, with a proof.'],
-    ['tight', 'Every pair is newly covered exactly once.'],
-    ['economical', 'The number of blocks is the counting bound: pairs to cover, divided by the pairs that a step newly covers, rounded up.'],
-    ['excess', 'Newly covered pairs, counted with repetition, less the number of pairs.'],
+  const list: [string, string][] = [
+    ['change covering design', 'a list of blocks, each k of v elements, in which every two elements are together in some block and consecutive blocks differ in exactly m elements'],
+    ['kind', terms.kind],
+    ['introduced', terms.introduced],
+    ['leaving', terms.leaving],
+    ['unchanged', terms.unchanged],
+    ['covered', terms.covered],
+    ['lower bound', terms.bound],
+    ['minimum', terms.minimum],
+    ['best known', 'one with fewer blocks may exist, but nobody has found it'],
+    ['tight', terms.tight],
+    ['economical', terms.economical],
+    ['excess', terms.excess],
   ];
   return h(
     'details',
     { class: 'glossary' },
     h('summary', {}, 'What the words mean'),
-    h('dl', { class: 'facts' }, terms.map(([term, meaning]) => [h('dt', {}, h('dfn', {}, term)), h('dd', {}, meaning)]).flat()),
+    h('dl', { class: 'facts' }, list.map(([term, meaning]) => [h('dt', {}, h('dfn', {}, term)), h('dd', {}, meaning)]).flat()),
   );
 }

@@ -52,7 +52,9 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
   const pair = h('div', { class: 'pair' }, '\u00a0');
   map?.element.addEventListener('pointermove', (event) => (pair.textContent = map.pairAt(event) || '\u00a0'));
   map?.element.addEventListener('pointerleave', () => (pair.textContent = '\u00a0'));
-  const slots = h('ol', { class: 'slots', 'aria-label': 'Memory: the block, slot by slot' });
+  // Many slots are drawn small, below the words, so that the words keep their place.
+  const many = design.k > 24;
+  const slots = h('ol', { class: many ? 'slots many' : 'slots', 'aria-label': 'Memory: the block, slot by slot' });
   const words = h('div', { class: 'step-words' });
   const met = h('p', { class: 'met' });
   const bar = h('progress', { max: steps.allPairs || 1, value: 0, 'aria-label': 'Pairs that have met' });
@@ -197,9 +199,10 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
         speed = value;
         remember();
       })), h('span', { class: 'hint keys' }, h('kbd', {}, '←'), ' ', h('kbd', {}, '→'), ' step, ', h('kbd', {}, 'Home'), ' ', h('kbd', {}, 'End'), ', ', h('kbd', {}, 'space'), ' plays')),
-      slots,
+      many ? null : slots,
       words,
       steps.pairs ? [met, bar] : h('p', { class: 'hint' }, 'There are too many elements to count pairs in a page.'),
+      many && slots,
     ),
     map
       ? h('figure', { class: 'player-map' }, map.element, h('figcaption', { class: 'hint' }, 'A square for each pair of elements. ', h('span', { class: 'key key-anew' }), ' meets in this block, ', h('span', { class: 'key key-met' }), ' has met, ', h('span', { class: 'key key-not' }), ' not yet.', pair))
