@@ -213,6 +213,12 @@ test('the keyboard alone: rows by Enter and arrows, ticks by arrows and Space', 
     await page.keyboard.press('Enter');
   }
   assert.equal(await nameOf(page, 4).inputValue(), 'D');
+  await page.keyboard.type('E');
+  for (let i = 0; i < 3; ++i) {
+    await page.keyboard.press('Tab');
+  }
+  await page.keyboard.press('Enter');
+  await page.getByText('4 parts', { exact: true }).waitFor();
   await page.getByRole('button', { name: 'Plan', exact: true }).focus();
   await page.keyboard.press('Enter');
   await planned(page);

@@ -1,6 +1,6 @@
 // The page of searches: they run in the server, and one stream of events tells all pages of a window about them.
 import assert from 'node:assert/strict';
-import { after, before, test } from 'node:test';
+import { after, afterEach, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
 
 let explorer;
@@ -8,6 +8,8 @@ before(async () => {
   explorer = await start();
 });
 after(() => explorer.stop());
+// Each window has a stream of events, and a browser has six connections for one server; here no window is ever hidden.
+afterEach(() => Promise.all(explorer.context.pages().map((page) => page.url() !== 'about:blank' && page.close())));
 
 async function begin(page, v, k, { seconds = '10', change = '2', kind = 'linear' } = {}) {
   await page.getByRole('spinbutton', { name: 'elements v' }).fill(String(v));
@@ -74,6 +76,11 @@ test('a search of nonsense is refused in words', async () => {
   const page = await explorer.open('#/search', { mayFail: /status of 4/ });
   await begin(page, 5, 9);
   await page.getByRole('alert').waitFor();
+});
+
+test('a link to a search that the server has forgotten says so', async () => {
+  const page = await explorer.open('#/search?id=999', { mayFail: /status of 404/ });
+  await page.getByText('The server forgets its searches when it stops').waitFor();
 });
 
 test('the window has one stream of events, however often its pages change', async () => {

@@ -137,6 +137,10 @@ async function render(view: View): Promise<void> {
       const now = jobs.find((job) => String(job.id) === chosen);
       if (now) {
         watched?.update(now);
+      } else if (chosen !== null && states.has(chosen)) {
+        // The server was started anew and knows nothing of it.
+        states.delete(chosen);
+        choose(chosen);
       }
     } catch (why) {
       if (!signal.aborted) {

@@ -65,7 +65,6 @@ export function partsGrid(changed: () => void): Grid {
           {
             type: 'button',
             class: 'plain small',
-            tabindex: -1,
             title: 'Take this part off the list',
             'aria-label': 'Take this part off the list',
             onclick: () => (move(row, 1) || move(row, -1), row.remove(), keepOneEmpty(), renumber(), changed()),
@@ -125,7 +124,7 @@ export function partsGrid(changed: () => void): Grid {
       onkeydown: (event) => {
         const { key, target } = event as KeyboardEvent;
         const row = (target as Element).closest('tbody tr');
-        if (!row) {
+        if (!row || target instanceof HTMLButtonElement) {
           return;
         }
         const by = key === 'ArrowDown' || key === 'Enter' ? 1 : key === 'ArrowUp' ? -1 : 0;

@@ -222,7 +222,7 @@ export function whatIf(
             h('th', { class: 'number' }, 'tests'),
             h('th', { class: 'number' }, 'changes'),
             h('th', { class: 'number' }, 'cost'),
-            h('th', { class: 'number' }, 'beside the least'),
+            h('th', { class: 'number' }, 'more'),
           ),
         ),
         body,
