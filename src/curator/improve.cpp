@@ -34,7 +34,10 @@ std::vector<CatalogFind> improve_catalog(Catalog& catalog, const CatalogFilter& 
                                          RunControl& control, const CatalogSearch& search,
                                          const std::function<void(const CatalogFind&)>& found) {
   std::vector<CatalogFind> finds;
-  WeakestFirst cells(catalog, filter);
+  WeakestFirst cells = [&] {
+    const RunScope scope(control);
+    return WeakestFirst(catalog, filter);
+  }();
   const double fiftieth = control.time_left().value_or(Seconds(3000)).count() / 50;
   Seconds each = search.each.value_or(Seconds(std::clamp(fiftieth, 1.0, 60.0)));
   for (std::uint64_t pass = 0; !control.stop_wanted(); ++pass, each *= 2) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "changeover/run/scope.hpp"
+
 namespace changeover {
 namespace {
 
@@ -35,6 +37,8 @@ void each_neighbour(const Parameters& p, Take&& take) {
 }  // namespace
 
 WeakestFirst::WeakestFirst(const Catalog& catalog, CatalogFilter filter) {
+  RunControl* const control = RunScope::current();
+  const auto goes_on = [control] { return control == nullptr || !control->stop_wanted(); };
   // Only what the cells can lead to: reading all takes a second.
   CatalogFilter around{.change = filter.change, .strength = filter.strength};
   for (std::uint64_t s = 1; s <= (filter.change ? most_copies : 1); ++s) {
@@ -43,7 +47,7 @@ WeakestFirst::WeakestFirst(const Catalog& catalog, CatalogFilter filter) {
     }
     catalog.each(around, [&](const CatalogEntry& entry) {
       stands_[entry.parameters] = {entry.b, entry.lower_bound};
-      return true;
+      return goes_on();
     });
   }
   filter.best_only = true;
@@ -51,7 +55,7 @@ WeakestFirst::WeakestFirst(const Catalog& catalog, CatalogFilter filter) {
   catalog.each(filter, [&](const CatalogEntry& entry) {
     cells_.push_back(entry.parameters);
     stands_[entry.parameters] = {entry.b, entry.lower_bound};
-    return true;
+    return goes_on();
   });
 }
 

@@ -142,7 +142,7 @@ for ((i = 1; i <= (rounds > 1 ? rounds * 4 : 4); ++i)); do
   printf -v pause '%d.%03d' $((RANDOM % 3)) $((RANDOM % 1000))
   signal=$((i % 2 == 0 ? 9 : 2))
   tried="catalog improve, signal $signal after $pause s"
-  (improve search.db 20s) >"$out" 2>"$err" </dev/null &
+  (improve search.db 20s) >"$scratch/said/search" 2>"$scratch/said/search.err" </dev/null &
   process=$!
   sleep "$pause"
   kill -$signal $process 2>/dev/null
@@ -151,9 +151,9 @@ for ((i = 1; i <= (rounds > 1 ? rounds * 4 : 4); ++i)); do
   improved "$tried" search.db
   if ((signal == 2)); then
     # An answer, or one line if it came before there was anything to answer; a signal before the program minds it ends it.
-    [[ $ended == 10 || $ended == 30 || $ended == 130 ]] || fault "$tried: exit code $ended: $(head -c 300 "$err")"
+    [[ $ended == 10 || $ended == 30 || $ended == 130 ]] || fault "$tried: exit code $ended: $(head -c 300 "$scratch/said/search.err")"
     if ((ended == 10)); then
-      sed -nE 's/^better: .* ([0-9.a-z]+); .*/\1/p' "$out" | sort >"$scratch/tools/found"
+      sed -nE 's/^better: .* ([0-9a-z]+\.[0-9.a-z]+); .*/\1/p' "$scratch/said/search" | sort >"$scratch/tools/found"
       missing=$(comm -23 "$scratch/tools/found" "$scratch/tools/there")
       [[ -s $scratch/tools/found && -z $missing ]] || fault "$tried: was said to be found and is not there: $missing"
     fi

@@ -199,7 +199,7 @@ const std::vector<Case>& cases() {
       {"$changeover search 9 5 --linear --exact --blocks 5 --quiet", 20, "none; "},
       {"$changeover search --order fano.txt -m 1", 20, "No linear order"},
       {"$changeover search 30 5 --exact --time 1s --quiet", 30, "at least 64"},
-      {"$changeover search 70 8 --linear --blocks 188 --time 100ms --quiet", 30, "time limit"},
+      {"$changeover search 70 8 --linear --blocks 185 --time 100ms --quiet", 30, "time limit"},
       {"$changeover classify 12 5 19 -m 1 --time 100ms --quiet", 30, "NOT ALL"},
       {"$changeover classify 9 4 -m 1 --circular --quiet", 0, "16 standard forms"},
       {"$changeover same good.txt good.txt", 0, "the same: "},
