@@ -12,12 +12,12 @@ const pictures = [
   ['catalog', 'light', '#/catalog?change=1&kind=linear&k=3..12&v=5..60'],
   ['catalog', 'dark', '#/catalog?change=2&kind=circular&k=3..12&v=5..60'],
   ['cell', 'light', '#/cell?v=40&k=6&change=2&kind=circular'],
-  ['design', 'dark', '#/design?v=20&k=5&change=2&kind=circular&at=12'],
-  ['stays', 'light', '#/design?v=61&k=4&change=2&kind=circular&view=stays'],
+  ['design', 'dark', '#/design?v=20&k=5&change=2&kind=circular&show=steps&at=12'],
+  ['stays', 'light', '#/design?v=61&k=4&change=2&kind=circular&show=stays'],
   ['verify', 'light', '#/verify', (page) => page.getByText('one with bad steps').click()],
   ['plan', 'light', '#/plan', async (page) => {
+    await page.setViewportSize({ width: 1280, height: 1500 });
     await page.getByText('Try an example').click();
-    await page.getByRole('button', { name: 'Plan', exact: true }).click();
     await page.getByText('What if').waitFor({ timeout: 60_000 });
   }],
   ['loadorder', 'dark', '#/loadorder?items=64&room=16'],
