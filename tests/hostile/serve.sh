@@ -36,7 +36,7 @@ ask() {
     for header in "$@"; do printf '%s\r\n' "$header"; done
     [[ $method == GET ]] || printf 'Content-Length: %s\r\n' "${#body}"
     printf '\r\n%s' "$body"
-  } >&"$server" 2>/dev/null
+  } 1>&"$server"
   answer=$(timeout 120 cat <&"$server" | tr -d '\0')
   exec {server}>&-
   status=${answer#HTTP/1.1 }
