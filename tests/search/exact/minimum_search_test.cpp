@@ -78,7 +78,7 @@ TEST(FindMinimum, ProvesThatNoKnownMinimumCanBeBeatenSlow) {
     settled += result.settled() ? 1U : 0U;
     beyond_paper += result.start.blocks < b ? 1U : 0U;
   }
-  EXPECT_EQ(beyond_paper, 11U);
+  EXPECT_EQ(beyond_paper, 8U);  // the theorems give the others
   EXPECT_GT(10 * settled, 9 * minima.size());
 }
 
