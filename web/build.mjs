@@ -62,6 +62,11 @@ async function pages() {
   for (const file of built.outputFiles) {
     files.set(relative(dist, file.path), file.contents);
   }
+  // What is bundled comes with its licence.
+  const licence = await readFile(join(here, 'node_modules/uplot/LICENSE'), 'utf8');
+  for (const path of ['assets/app.js', 'assets/style.css']) {
+    files.set(path, Buffer.concat([Buffer.from(`/*! With uPlot:\n${licence.trim()}\n*/\n`), files.get(path)]));
+  }
   files.set('index.html', await readFile(join(here, 'src/index.html')));
   files.set('assets/icon.svg', await readFile(join(here, 'src/icon.svg')));
   files.set('sources.sha256', Buffer.from(await checksums()));
