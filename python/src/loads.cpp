@@ -35,17 +35,24 @@ LoadOrder order(std::uint64_t items, std::uint64_t room, std::optional<double> t
   if (time && !(*time >= 0 && *time <= 1e9)) {
     throw py::value_error("time is a number of seconds, 0 or more");
   }
-  LongWork work({.threads = threads, .seed = seed, .progress = std::move(progress)});
+  LongWork work({.threads = threads,
+                 .seed = seed,
+                 .progress = std::move(progress),
+                 .keeps_best = time.has_value()});
   std::optional<LoadOrder> found;
   work.run([&](RunControl& control) {
     LoadOrderOptions options;
     options.seed = seed;
-    std::optional<RunControl> limited;
-    if (time) {
-      limited.emplace(control, std::chrono::duration<double>(*time));
-      options.improve = improve_by_search(*limited);
-    }
     found = plan_load_order(items, room, options);
+    if (time) {
+      RunControl limited(control, std::chrono::duration<double>(*time));
+      options.improve = improve_by_search(limited);
+      try {
+        found = plan_load_order(items, room, options);
+      } catch (const Stopped&) {
+        // Ctrl-C: the order that needed no search is the best so far.
+      }
+    }
   });
   return std::move(*found);
 }

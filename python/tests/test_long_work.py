@@ -167,6 +167,11 @@ class Loads(unittest.TestCase):
             self.assertEqual(loads, order.loads)
             self.assertGreaterEqual(order.loads, order.lower_bound)
 
+    def test_ctrl_c_keeps_the_order(self):
+        with ctrl_c_after(0.5):
+            order = changeover.load_order(60, 8, time=600)
+        self.assertEqual(sum(len(load) for _, load in order), order.loads)
+
     def test_the_executor_computes_each_pair_once(self):
         data = bytes(range(256)) * 4
         with tempfile.TemporaryDirectory() as folder:

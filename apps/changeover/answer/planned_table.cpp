@@ -91,8 +91,17 @@ std::string label_of(const Offer& offer) {
   if (recipe.construction == "found" && recipe.inputs.empty()) {
     return recipe.provenance;
   }
+  // A label names blocks: other designs with as many blocks have others. The same recipe makes the same blocks.
   const auto known = standard_catalog().fewest(recipe.parameters);
-  return known && known->b == offer.b ? known->label : "";
+  if (!known || known->b != offer.b) {
+    return "";
+  }
+  for (const CatalogEntry& entry : standard_catalog().cell(recipe.parameters)) {
+    if (entry.b == offer.b && entry.retracted.empty() && entry.recipe == recipe) {
+      return entry.label();
+    }
+  }
+  return "";
 }
 
 }  // namespace changeover::cli

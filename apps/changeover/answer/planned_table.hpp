@@ -43,11 +43,10 @@ class PlannedTable {
 /// @throws UsageError if the range cannot be planned; as plan_range().
 [[nodiscard]] PlannedTable plan_table(const TableRange& asked);
 
-/// The document of `table --json`; `with_labels`: each cell has "label" too, of the design in the catalog that has as
-/// many blocks as the best one, or null.
+/// The document of `table --json`; `with_labels`: each cell has "label" too, of its design in the catalog, or null.
 [[nodiscard]] std::string table_json(const Cells& cells, bool with_labels = false);
 
-/// The label in the catalog of a design with as many blocks as an offer; empty if there is none.
+/// The label in the catalog of the design that is offered; empty if it is not there.
 [[nodiscard]] std::string label_of(const Offer& offer);
 
 }  // namespace changeover::cli

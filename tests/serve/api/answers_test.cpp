@@ -1,6 +1,8 @@
 // Every address answers, and says what the command line says.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "changeover/catalog/label.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "served.hpp"
@@ -96,6 +98,26 @@ TEST_F(Answers, DesignsAreDesigns) {
       EXPECT_EQ(read_design(input_from_text(by_label)).block_count(), design.block_count());
     }
   }
+}
+
+TEST_F(Answers, ALabelNamesTheseBlocks) {
+  // The catalog has a design with as many blocks, and others.
+  std::size_t labelled = 0;
+  for (std::uint64_t v = 6; v <= 24; ++v) {
+    for (const char* const kind : {"linear", "circular"}) {
+      const Reply reply = get(fmt::format("/api/design?v={}&k=4&change=2&kind={}", v, kind));
+      const auto said = nlohmann::json::parse(reply.body);
+      const Design design = read_design(input_from_text(reply.body));
+      if (said["label"].is_string()) {
+        DesignSource source(design);
+        const DesignDigest digest = design_digest(source);
+        EXPECT_EQ(said["label"],
+                  design_label(design.parameters(), design.block_count(), digest.checksum));
+        ++labelled;
+      }
+    }
+  }
+  EXPECT_GT(labelled, 20U);
 }
 
 TEST_F(Answers, DownloadsCanBeReadBack) {
