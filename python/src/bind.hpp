@@ -38,6 +38,23 @@ struct Blocks {
 
 [[nodiscard]] Blocks blocks_of(const std::shared_ptr<const Design>& design);
 
+/// For the time of one call: an iterator is not for two threads at once. @throws value_error as generators do.
+class OneAtATime {
+ public:
+  explicit OneAtATime(bool& busy) : busy_(busy) {
+    if (busy) {
+      throw py::value_error("iterator already executing in another thread");
+    }
+    busy = true;
+  }
+  ~OneAtATime() { busy_ = false; }
+  OneAtATime(const OneAtATime&) = delete;
+  OneAtATime& operator=(const OneAtATime&) = delete;
+
+ private:
+  bool& busy_;  // looked at with the GIL held
+};
+
 /// A design that Python holds: verified or not, always with a verdict.
 struct HeldDesign {
   std::shared_ptr<const Design> design;

@@ -127,6 +127,7 @@ class Stream {
       : source_(std::move(source)), running_(source_->parameters()), b_(b), batch_(batch) {}
 
   [[nodiscard]] Blocks next() {
+    const OneAtATime one(busy_);
     const auto k = static_cast<std::size_t>(source_->parameters().k);
     const auto room = std::make_shared<std::vector<Element>>(batch_ * k);
     std::size_t filled = 0;
@@ -173,6 +174,7 @@ class Stream {
   std::size_t batch_;
   std::uint64_t seen_ = 0;
   bool finished_ = false;
+  bool busy_ = false;
 };
 
 std::unique_ptr<Stream> stream(std::uint64_t v, std::uint64_t k, std::uint64_t change,
@@ -399,6 +401,20 @@ void bind_design_class(py::module_& module) {
             return py::int_(py::str(order));
           },
           "Order of the automorphism group, exact.")
+      .def(
+          "__eq__",
+          [](const HeldDesign& self, const HeldDesign& other) {
+            return self.design->parameters() == other.design->parameters() &&
+                   self.design->labels() == other.design->labels() &&
+                   std::ranges::equal(self.design->elements(), other.design->elements());
+          },
+          py::is_operator())
+      .def(py::pickle([](const HeldDesign& self) { return py::make_tuple(text_of(self, "json")); },
+                      [](const py::tuple& state) {
+                        const auto text = state[0].cast<std::string>();
+                        return stoppable(
+                            [&] { return verified_or_not(read_design(input_from_text(text))); });
+                      }))
       .def("__len__", [](const HeldDesign& self) { return self.design->block_count(); })
       .def("__iter__",
            [](const HeldDesign& self) { return py::iter(py::cast(blocks_of(self.design))); })

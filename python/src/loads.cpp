@@ -14,9 +14,11 @@ namespace {
 
 struct Steps {
   std::unique_ptr<StepSource> source;
+  bool busy = false;
 };
 
 py::tuple next_step(Steps& self) {
+  const OneAtATime one(self.busy);
   LoadStep step;
   bool more = false;
   {

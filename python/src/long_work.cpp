@@ -94,16 +94,30 @@ void LongWork::run(const std::function<void(RunControl&)>& work) {
     throw MissingResource(
         "a thread cannot be started; end other programs or raise the limit of processes");
   }
+  // If Python ends while this thread waits, it unwinds this thread from wherever it asks for the GIL.
+  struct EndWithUs {
+    RunControl& control;
+    std::thread& worker;
+    ~EndWithUs() {
+      if (worker.joinable()) {
+        control.stop(WhyStopped::interrupted);
+        worker.join();
+      }
+    }
+  };
+  const EndWithUs end{control, worker};
   std::exception_ptr raised;  // by a signal or the callback
   for (bool done = false; !done;) {
     std::optional<Progress> latest;
+    // Not gil_scoped_release: its destructor may not be unwound through.
+    PyThreadState* const state = PyEval_SaveThread();
     {
-      const py::gil_scoped_release released;
       std::unique_lock lock(shared.mutex);
       shared.changed.wait_for(lock, between_looks, [&] { return shared.done || shared.latest; });
       done = shared.done;
       latest = std::exchange(shared.latest, std::nullopt);
     }
+    PyEval_RestoreThread(state);
     try {
       if (latest && !raised && !interrupted_) {
         options_.progress(as_dict(*latest));

@@ -60,6 +60,9 @@ Job job_of(const py::object& parts, std::uint64_t at_once, const py::object& tes
       throw BadInput("two parts have the same name");
     }
   }
+  if (is_number && !(parts >= py::int_(2) && parts <= py::int_(max_parts))) {
+    throw BadInput("parts is a number from 2 to 1000, or names");
+  }
   const std::uint64_t count = is_number ? parts.cast<std::uint64_t>() : listed.size();
   if (count < 2) {
     throw BadInput("a pair needs two parts");

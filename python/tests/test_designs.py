@@ -1,7 +1,10 @@
 """Designs: made, verified, read, written, compared, streamed."""
 
+import copy
 import itertools
 import json
+import pickle
+import threading
 import unittest
 
 import changeover
@@ -138,6 +141,32 @@ class Designs(unittest.TestCase):
         self.assertEqual(design.canonical().blocks, other.canonical().blocks)
         self.assertEqual(design.group_order % 11, 0)
         self.assertFalse(design.is_same_as(changeover.design(13, 4, kind="circular")))
+
+    def test_designs_are_values(self):
+        design = changeover.design(20, 5)
+        self.assertEqual(design, changeover.design(20, 5))
+        self.assertNotEqual(design, changeover.design(21, 5))
+        self.assertEqual(pickle.loads(pickle.dumps(design)), design)
+        self.assertEqual(copy.deepcopy(design).verdict.b, design.b)
+
+    def test_an_iterator_is_for_one_thread(self):
+        stream = changeover.stream(1001, 4, batch=500)
+        seen, faults = [], []
+
+        def read():
+            try:
+                for batch in stream:
+                    seen.append(len(batch))
+            except ValueError as fault:
+                faults.append(str(fault))
+
+        threads = [threading.Thread(target=read) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertTrue(all("already executing" in fault for fault in faults), faults)
+        self.assertEqual(sum(seen), stream.b if len(faults) < 4 else sum(seen))
 
     def test_expansion(self):
         larger = changeover.design(7, 3, kind="circular").expand()

@@ -4,6 +4,8 @@ import contextlib
 import itertools
 import os
 import signal
+import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -106,6 +108,18 @@ class Searches(unittest.TestCase):
         self.assertEqual(sum(all_.group_orders.values()), all_.classes)
         for design in all_.designs:
             self.assertTrue(design.verdict.valid)
+
+
+class Ends(unittest.TestCase):
+    def test_python_ends_while_a_search_runs(self):
+        program = (
+            "import changeover, threading, time\n"
+            "work = lambda: changeover.search(40, 5, time=600, progress=lambda said: None)\n"
+            "threading.Thread(target=work, daemon=True).start()\n"
+            "time.sleep(0.7)\n"
+        )
+        ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
 
 
 class Catalog(unittest.TestCase):

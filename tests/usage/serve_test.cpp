@@ -76,6 +76,10 @@ TEST(Serve, ExportsWhatItWouldAnswer) {
   }
   EXPECT_GT(designs, 10U);
   EXPECT_EQ(run("ls -d site.new-*", folder.path()).out, "");
+  // What somebody put beside it is not deleted.
+  spit(folder.file("site/CNAME"), "designs.example");
+  expect({{site, 4, "CNAME there is not of an earlier export"}}, folder);
+  EXPECT_EQ(slurp(folder.file("site/CNAME")), "designs.example");
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ ExplorerServer::ExplorerServer(ExplorerSettings settings, Catalog& catalog)
   served.listening = state_->listening;
   served.router = routes(explorer, state_->pages);
   served.guard = state_->guard;
-  served.lanes = {.quick = threads, .slow = std::max(1U, threads / 2)};
+  served.lanes = {.quick = threads, .slow = std::max(2U, threads / 2)};
   served.deadlines = settings.deadlines;
   served.log = std::move(settings.log);
   served.complain = std::move(settings.complain);

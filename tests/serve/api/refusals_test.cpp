@@ -149,6 +149,13 @@ TEST_F(Refusals, MethodsThatThereAreNot) {
   EXPECT_EQ(ask(port(), "HEAD", "/api/events").status, 200);
 }
 
+TEST_F(Refusals, DesignsThatAreTooLongAreNotBuiltFirst) {
+  // 5.4 GB of text, and a minute to build.
+  const Reply reply = ask(port(), "GET", "/api/design?v=60000&k=30000");
+  EXPECT_EQ(reply.status, 413);
+  EXPECT_NE(reply.body.find("too many for a page"), std::string::npos);
+}
+
 TEST_F(Refusals, BodiesThatAreNotTaken) {
   const std::string json = "application/json";
   const auto status = [&](const std::string& target, const Headers& headers,

@@ -22,7 +22,9 @@ constexpr std::uint64_t most_blocks = 200'000;
 constexpr std::size_t most_bytes = 50'000'000;
 
 void refuse_if_long(const Parameters& p, std::uint64_t b) {
-  if (b > most_blocks) {
+  // A number is two bytes at least: what would be too long in the end is not built first.
+  constexpr std::size_t bytes_of_a_number = 2;
+  if (b > most_blocks || b > most_bytes / bytes_of_a_number / p.k) {
     throw Refusal{
         413, fmt::format("{} has {} blocks, too many for a page; changeover design {} {} --change "
                          "{} --{} --format text -o FILE writes it",

@@ -66,6 +66,9 @@ class Workshop {
           fmt::format("--export {}: the folder holds other things; name a new one, or an empty one",
                       printable(place)));
     }
+    if (there_) {
+      refuse_what_was_added(place);
+    }
     std::string pattern =
         (place_.parent_path() / (place_.filename().string() + ".new-XXXXXX")).string();
     if (::mkdtemp(pattern.data()) == nullptr) {
@@ -77,6 +80,19 @@ class Workshop {
                                     fs::perms::others_exec;
     fs::permissions(work_, as_folders_are);
   }
+  // An earlier export is replaced whole; what others put beside it would be gone.
+  void refuse_what_was_added(const std::string& place) const {
+    const std::set<std::string> ours{marker, "index.html", "assets", "data", "sources.sha256"};
+    for (const fs::directory_entry& entry : fs::directory_iterator(place_)) {
+      if (const std::string added = entry.path().filename().string(); ours.count(added) == 0) {
+        throw MissingResource(fmt::format(
+            "--export {}: {} there is not of an earlier export and would be lost; export to a new "
+            "folder and copy it",
+            printable(place), printable(added)));
+      }
+    }
+  }
+
   ~Workshop() {
     std::error_code ignored;
     fs::remove_all(work_, ignored);
