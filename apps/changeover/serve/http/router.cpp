@@ -70,7 +70,7 @@ const Route& Router::route_of(const Request& request) const {
       found == routes_.end() && method == elsewhere_.method && is_elsewhere(request.path);
   if (found == routes_.end() && !elsewhere) {
     if (const std::string methods = allowed(request.path); !methods.empty()) {
-      throw Refusal{405, fmt::format("{} takes {}", request.path, methods)};
+      throw Refusal{405, fmt::format("/{} takes {}", request.path, methods)};
     }
     throw Refusal{404, "there is nothing at this address"};
   }
