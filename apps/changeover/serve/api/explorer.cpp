@@ -49,12 +49,13 @@ std::string without_dashes(const std::string& message) {
 }
 
 Refusal of_stop(const Explorer& explorer, WhyStopped why) {
-  return {503,
-          why == WhyStopped::time_limit
-              ? fmt::format("this takes more than {:.0f} s; ask for less, or ask changeover on "
-                            "the command line",
-                            explorer.limits.seconds.count())
-              : std::string("this was given up before it was done; ask again, or for less at once")};
+  return {
+      503,
+      why == WhyStopped::time_limit
+          ? fmt::format("this takes more than {:.0f} s; ask for less, or ask changeover on "
+                        "the command line",
+                        explorer.limits.seconds.count())
+          : std::string("this was given up before it was done; ask again, or for less at once")};
 }
 
 }  // namespace
