@@ -124,7 +124,9 @@ test('the look-up box leads to cells, labels and the page Verify', async () => {
 
 test('completeness by block size', async () => {
   const page = await explorer.open(small);
+  await page.locator('rect.cell').first().waitFor(); // the map moves what is below it
   await page.getByText('How complete the whole catalog is').click();
+  await page.locator('details.completeness[open]').waitFor();
   await page.locator('.completeness meter').first().waitFor();
   await page.close();
 });
