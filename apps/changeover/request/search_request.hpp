@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "answer/answer.hpp"
-#include "answer/judgement.hpp"
+#include "answer/design/judgement.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/io/input.hpp"

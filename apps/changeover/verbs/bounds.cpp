@@ -1,7 +1,7 @@
 // changeover bounds V K: each lower bound with its reason, the best design known, the gap.
 #include <fmt/format.h>
 
-#include "answer/known_bounds.hpp"
+#include "answer/known/known_bounds.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 

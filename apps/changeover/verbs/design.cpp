@@ -1,7 +1,7 @@
 // changeover design V K: the best design that a construction gives, verified.
-#include "answer/chosen_design.hpp"
-#include "answer/offers.hpp"
-#include "answer/show_design.hpp"
+#include "answer/design/chosen_design.hpp"
+#include "answer/design/show_design.hpp"
+#include "answer/known/offers.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 

@@ -9,9 +9,9 @@
 
 #include "answer/answer.hpp"
 #include "answer/converter.hpp"
-#include "answer/judgement.hpp"
-#include "answer/offers.hpp"
-#include "answer/planned_table.hpp"
+#include "answer/design/judgement.hpp"
+#include "answer/known/offers.hpp"
+#include "answer/known/planned_table.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/one_factorization.hpp"

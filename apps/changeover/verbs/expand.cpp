@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "answer/show_design.hpp"
+#include "answer/design/show_design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "io/write/json_writer.hpp"

@@ -1,8 +1,8 @@
 // changeover explain V K: the tree of constructions with their theorems.
 #include <fmt/format.h>
 
-#include "answer/offers.hpp"
-#include "answer/recipe_tree.hpp"
+#include "answer/design/recipe_tree.hpp"
+#include "answer/known/offers.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"

@@ -1,10 +1,10 @@
 // changeover loadorder: loads and evictions after which every pair of items has been in memory together.
 #include <fmt/format.h>
 
-#include "answer/show_lockstep.hpp"
-#include "answer/show_two_levels.hpp"
-#include "answer/step_writer.hpp"
-#include "answer/stored_steps.hpp"
+#include "answer/loads/show_lockstep.hpp"
+#include "answer/loads/show_two_levels.hpp"
+#include "answer/loads/step_writer.hpp"
+#include "answer/loads/stored_steps.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/io/output.hpp"

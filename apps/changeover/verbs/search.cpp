@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "answer/show_design.hpp"
+#include "answer/design/show_design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "cli/team.hpp"

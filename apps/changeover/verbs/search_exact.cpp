@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "answer/offers.hpp"
+#include "answer/known/offers.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/search/minimum_search.hpp"

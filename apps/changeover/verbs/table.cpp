@@ -4,8 +4,8 @@
 #include <map>
 
 #include "answer/answer.hpp"
-#include "answer/planned_table.hpp"
-#include "answer/today.hpp"
+#include "answer/catalog/today.hpp"
+#include "answer/known/planned_table.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/version.hpp"

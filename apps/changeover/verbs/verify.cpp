@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "answer/answer.hpp"
-#include "answer/judgement.hpp"
+#include "answer/design/judgement.hpp"
 #include "changeover/io/input.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"

@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-#include "answer/planned_table.hpp"
+#include "answer/known/planned_table.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "cli/cli.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <string_view>
 
-#include "answer/completeness.hpp"
+#include "answer/catalog/completeness.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/run/scope.hpp"

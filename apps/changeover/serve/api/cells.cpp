@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "answer/entry_words.hpp"
-#include "answer/known_bounds.hpp"
-#include "answer/planned_table.hpp"
-#include "answer/recipe_tree.hpp"
+#include "answer/catalog/entry_words.hpp"
+#include "answer/design/recipe_tree.hpp"
+#include "answer/known/known_bounds.hpp"
+#include "answer/known/planned_table.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/io/formats.hpp"
 #include "io/write/json_writer.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "answer/entry_words.hpp"
+#include "answer/catalog/entry_words.hpp"
 #include "changeover/catalog/label.hpp"
 #include "core/printable.hpp"
 #include "serve/api/query.hpp"

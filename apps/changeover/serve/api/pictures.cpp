@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "answer/planned_table.hpp"
+#include "answer/known/planned_table.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/draw/draw.hpp"
 #include "changeover/draw/heatmap.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "answer/planned_table.hpp"
+#include "answer/known/planned_table.hpp"
 #include "changeover/run/scope.hpp"
 
 namespace changeover::serve {

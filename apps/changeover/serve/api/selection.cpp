@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "answer/offers.hpp"
-#include "answer/planned_table.hpp"
+#include "answer/known/offers.hpp"
+#include "answer/known/planned_table.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "answer/chosen_design.hpp"
+#include "answer/design/chosen_design.hpp"
 #include "serve/api/explorer.hpp"
 
 namespace changeover::serve {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "answer/answer.hpp"
-#include "answer/judgement.hpp"
+#include "answer/design/judgement.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "io/write/json_writer.hpp"

@@ -15,11 +15,11 @@
 #include <set>
 #include <utility>
 
-#include "answer/chosen_design.hpp"
-#include "answer/completeness.hpp"
-#include "answer/entry_words.hpp"
-#include "answer/planned_table.hpp"
-#include "answer/recipe_tree.hpp"
+#include "answer/catalog/completeness.hpp"
+#include "answer/catalog/entry_words.hpp"
+#include "answer/design/chosen_design.hpp"
+#include "answer/design/recipe_tree.hpp"
+#include "answer/known/planned_table.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "answer/answer.hpp"
-#include "answer/today.hpp"
+#include "answer/catalog/today.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/curator/add.hpp"

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "answer/today.hpp"
+#include "answer/catalog/today.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/curator/add.hpp"
 #include "changeover/io/input.hpp"

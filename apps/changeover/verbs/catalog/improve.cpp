@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "answer/today.hpp"
+#include "answer/catalog/today.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/curator/improve.hpp"
 #include "cli/status_line.hpp"

@@ -4,9 +4,9 @@
 #include <charconv>
 
 #include "answer/answer.hpp"
-#include "answer/chosen_design.hpp"
-#include "answer/entry_words.hpp"
-#include "answer/recipe_tree.hpp"
+#include "answer/catalog/entry_words.hpp"
+#include "answer/design/chosen_design.hpp"
+#include "answer/design/recipe_tree.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/registry.hpp"
 #include "request/catalog_request.hpp"

@@ -1,4 +1,4 @@
-#include "answer/offers.hpp"
+#include "answer/known/offers.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
-#include "answer/recipe_tree.hpp"
+#include "answer/design/recipe_tree.hpp"
 
 #include <fmt/format.h>
 
 #include <optional>
 
 #include "answer/answer.hpp"
-#include "answer/judgement.hpp"
+#include "answer/design/judgement.hpp"
 #include "changeover/construct/registry.hpp"
 
 namespace changeover::cli {

@@ -1,4 +1,4 @@
-#include "answer/chosen_design.hpp"
+#include "answer/design/chosen_design.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "answer/answer.hpp"
-#include "answer/judgement.hpp"
+#include "answer/design/judgement.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/io/formats.hpp"

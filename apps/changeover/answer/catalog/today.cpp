@@ -1,4 +1,4 @@
-#include "answer/today.hpp"
+#include "answer/catalog/today.hpp"
 
 #include <fmt/chrono.h>
 

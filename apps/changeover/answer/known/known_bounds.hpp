@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "answer/offers.hpp"
+#include "answer/known/offers.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 
 namespace changeover::cli {

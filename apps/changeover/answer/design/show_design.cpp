@@ -1,4 +1,4 @@
-#include "answer/show_design.hpp"
+#include "answer/design/show_design.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "answer/step_writer.hpp"
+#include "answer/loads/step_writer.hpp"
 
 #include <fmt/format.h>
 

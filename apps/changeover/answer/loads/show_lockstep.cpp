@@ -1,4 +1,4 @@
-#include "answer/show_lockstep.hpp"
+#include "answer/loads/show_lockstep.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "answer/answer.hpp"
-#include "answer/step_writer.hpp"
+#include "answer/loads/step_writer.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/write_back.hpp"
 #include "io/write/json_writer.hpp"

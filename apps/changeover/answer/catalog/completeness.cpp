@@ -1,4 +1,4 @@
-#include "answer/completeness.hpp"
+#include "answer/catalog/completeness.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "answer/stored_steps.hpp"
+#include "answer/loads/stored_steps.hpp"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "answer/show_design.hpp"
+#include "answer/design/show_design.hpp"
 #include "changeover/catalog/entry.hpp"
 
 namespace changeover::cli {

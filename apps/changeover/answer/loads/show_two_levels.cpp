@@ -1,9 +1,9 @@
-#include "answer/show_two_levels.hpp"
+#include "answer/loads/show_two_levels.hpp"
 
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "answer/step_writer.hpp"
+#include "answer/loads/step_writer.hpp"
 #include "core/checked.hpp"
 #include "io/write/json_writer.hpp"
 

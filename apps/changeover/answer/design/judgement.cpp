@@ -1,4 +1,4 @@
-#include "answer/judgement.hpp"
+#include "answer/design/judgement.hpp"
 
 #include <fmt/format.h>
 

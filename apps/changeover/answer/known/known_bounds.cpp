@@ -1,4 +1,4 @@
-#include "answer/known_bounds.hpp"
+#include "answer/known/known_bounds.hpp"
 
 #include "io/write/json_writer.hpp"
 

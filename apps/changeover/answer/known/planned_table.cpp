@@ -1,4 +1,4 @@
-#include "answer/planned_table.hpp"
+#include "answer/known/planned_table.hpp"
 
 #include <fmt/format.h>
 

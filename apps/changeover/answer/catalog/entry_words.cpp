@@ -1,4 +1,4 @@
-#include "answer/entry_words.hpp"
+#include "answer/catalog/entry_words.hpp"
 
 #include <fmt/format.h>
 
