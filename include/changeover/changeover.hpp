@@ -27,6 +27,7 @@
 #include "changeover/catalog/entry.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/closure.hpp"
+#include "changeover/construct/enlarge.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/construct/partial_expansion.hpp"

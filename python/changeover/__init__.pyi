@@ -8,6 +8,8 @@ _Kind = Literal["linear", "circular"]
 _Progress = Callable[[dict[str, Any]], object]
 _Blocks = Union[Design, Blocks, Iterable[Iterable[Union[SupportsIndex, str]]]]
 _Cost = Union[int, float, str, Decimal]
+_Part = Union[str, int]
+_Pair = tuple[_Part, _Part]
 _Range = Union[int, range, tuple[int, int]]
 
 __version__: str
@@ -104,7 +106,13 @@ class Design:
     def transitions(self) -> list[tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]]: ...
     @property
     def group_order(self) -> int: ...
-    def expand(self) -> Design: ...
+    def expand(
+        self,
+        *,
+        new_elements: int | None = None,
+        set: int | None = None,
+        factorization: Literal["circle", "doubled"] = "circle",
+    ) -> Design: ...
     def to_string(self, format: str = "text") -> str: ...
     def is_same_as(self, other: Design, reversal: bool = False) -> bool: ...
     def canonical(self, reversal: bool = False) -> Design: ...
@@ -244,6 +252,12 @@ class RunSheet:
     @property
     def changes(self) -> int: ...
     @property
+    def complete(self) -> bool: ...
+    @property
+    def pairs_tested(self) -> int: ...
+    @property
+    def pairs_needed(self) -> int: ...
+    @property
     def cost(self) -> Decimal: ...
     @property
     def lower_bound(self) -> Decimal: ...
@@ -350,17 +364,30 @@ def plan(
     *,
     test_cost: _Cost,
     change_cost: _Cost | None = None,
-    never: Iterable[tuple[str, str]] = (),
-    done: Iterable[Iterable[str]] = (),
+    change_costs: Mapping[_Pair, _Cost] | None = None,
+    strength: int = 2,
+    pairs: Iterable[_Pair] | None = None,
+    never: Iterable[_Pair] = (),
+    slots: Mapping[str, int | tuple[int | None, int | None]] | None = None,
+    slot_of: Mapping[_Part, str] | None = None,
+    mounted: Iterable[_Part] = (),
+    start: Iterable[_Part] = (),
+    first: Iterable[Iterable[_Part]] = (),
+    weights: Mapping[_Pair, _Cost] | None = None,
+    done: Iterable[Iterable[_Part]] = (),
+    budget: _Cost | None = None,
     time: float | None = None,
     threads: int = 1,
     seed: int = 1,
     progress: _Progress | None = None,
 ) -> RunSheet: ...
 def load_order(
-    items: int,
+    items: int | None,
     room: int,
     *,
+    pairs: Iterable[Iterable[SupportsIndex]] | None = None,
+    against: int | None = None,
+    done_items: int | None = None,
     time: float | None = None,
     threads: int = 1,
     seed: int = 1,

@@ -5,7 +5,7 @@
 
 #include "bind.hpp"
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/construct/expansion.hpp"
+#include "changeover/construct/enlarge.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
@@ -218,17 +218,19 @@ py::object explain(std::uint64_t v, std::uint64_t k, std::uint64_t change,
   return offer ? py::object(node_of(offer->recipe)) : py::none();
 }
 
-HeldDesign enlarged(const HeldDesign& self) {
+HeldDesign enlarged(const HeldDesign& self, std::optional<std::uint64_t> new_elements,
+                    std::optional<std::uint64_t> set, const std::string& factorization) {
+  const auto kind = factorization_kind_from_string(factorization);
+  if (!kind) {
+    throw BadInput("factorization is 'circle' or 'doubled', not '" + factorization + "'");
+  }
+  if (!self.verdict.valid()) {
+    throw BadInput("it is no valid " + name(self.design->parameters()) + "; its verdict says why");
+  }
   return stoppable([&] {
-    const Design& design = *self.design;
-    const ExpansionSearch search = find_expansion_sets(design, {.how_many = 1});
-    if (search.sets.empty()) {
-      throw ImpossibleParameters(name(design.parameters()) + " has no expansion set" +
-                                 (search.reason.empty() ? std::string() : ": " + search.reason));
-    }
-    const ExpansionSet& set = search.sets.front();
-    return held(surely_verified(expand(design, set, one_factorization(set.size() + 1)),
-                                "the expanded design"));
+    Enlarged larger =
+        enlarge(*self.design, {.new_elements = new_elements, .set = set, .factorization = *kind});
+    return held(surely_verified(std::move(larger.design), "the expanded design"));
   });
 }
 
@@ -370,9 +372,12 @@ void bind_design_class(py::module_& module) {
       .def_property_readonly("transitions", &transitions_of,
                              "A list of (block, introduced, leaving), tuples of element numbers.")
       .def(
-          "expand", &enlarged,
-          "The recursion with the first expansion set that is found: a design on more elements, verified. Raises "
-          "ImpossibleParameters if there is no expansion set.")
+          "expand", &enlarged, py::kw_only(), py::arg("new_elements") = py::none(),
+          py::arg("set") = py::none(), py::arg("factorization") = "circle",
+          "A design on more elements, verified: by the recursion with an expansion set, the one that is found as number "
+          "`set` if given; where there is none, and for a number of new_elements (0: the best one), at unchanged subsets "
+          "that may overlap. factorization, circle or doubled, is that of the new elements. Raises MissingResource with "
+          "the reason if there is no such set or the elements cannot be inserted.")
       .def("to_string", &text_of, py::arg("format") = "text",
            "As text, json, csv, gap, sage, designtheory, ljcr or latex.")
       .def(

@@ -31,8 +31,70 @@ py::tuple next_step(Steps& self) {
   return py::make_tuple(py::cast(step.evict), py::cast(step.load));
 }
 
-LoadOrder order(std::uint64_t items, std::uint64_t room, std::optional<double> time,
+// The pairs that are wanted: listed as rows of two item numbers (a NumPy array, too), between two sets, or beyond what is done.
+WantedPairs wanted_by(std::optional<std::uint64_t> items, const py::object& pairs,
+                      std::optional<std::uint64_t> against,
+                      std::optional<std::uint64_t> done_items) {
+  if (int{!pairs.is_none()} + int{against.has_value()} + int{done_items.has_value()} > 1) {
+    throw BadInput("give one of pairs, against and done_items");
+  }
+  if (!items && pairs.is_none()) {
+    throw BadInput("give items, how many there are");
+  }
+  if (against) {
+    return WantedPairs::between(*items, *against);
+  }
+  if (done_items) {
+    return WantedPairs::beyond(*done_items, *items);
+  }
+  if (pairs.is_none()) {
+    return {};
+  }
+  std::vector<ItemPair> listed;
+  std::uint64_t most = 0;
+  constexpr std::size_t between_signals = 1 << 14;
+  for (const py::handle row : py::iter(pairs)) {
+    if (listed.size() % between_signals == 0 && PyErr_CheckSignals() != 0) {
+      throw py::error_already_set();
+    }
+    Element ends[2] = {};
+    std::size_t count = 0;
+    for (const py::handle end : row) {
+      const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(end.ptr()));
+      if (!number) {
+        throw py::error_already_set();
+      }
+      if (!(number >= py::int_(0) && number < py::int_(most_items))) {
+        throw BadInput("pairs: items are numbered from 0 to " + std::to_string(most_items - 1) +
+                       ", not " + py::str(number).cast<std::string>());
+      }
+      if (count < 2) {
+        ends[count] = number.cast<Element>();
+      }
+      ++count;
+    }
+    if (count != 2) {
+      throw BadInput("pairs: row " + std::to_string(listed.size()) + " has " +
+                     std::to_string(count) + " items; a pair has two");
+    }
+    listed.emplace_back(ends[0], ends[1]);
+    most = std::max<std::uint64_t>({most, ends[0] + 1ULL, ends[1] + 1ULL});
+  }
+  return WantedPairs::listed(std::make_shared<const PairGraph>(items.value_or(most), listed));
+}
+
+LoadOrder plan_for(const WantedPairs& wanted, std::uint64_t items, std::uint64_t room,
+                   const LoadOrderOptions& options) {
+  return wanted.are_all() ? plan_load_order(items, room, options)
+                          : plan_load_order(wanted, room, options);
+}
+
+LoadOrder order(std::optional<std::uint64_t> asked_items, std::uint64_t room,
+                const py::object& pairs, std::optional<std::uint64_t> against,
+                std::optional<std::uint64_t> done_items, std::optional<double> time,
                 std::uint64_t threads, std::uint64_t seed, py::object progress) {
+  const WantedPairs wanted = wanted_by(asked_items, pairs, against, done_items);
+  const std::uint64_t items = wanted.are_all() ? *asked_items : wanted.items();
   // The time is that of the search for a better order: the order itself is not cut short.
   if (time && !(*time >= 0 && *time <= 1e9)) {
     throw py::value_error("time is a number of seconds, 0 or more");
@@ -45,12 +107,16 @@ LoadOrder order(std::uint64_t items, std::uint64_t room, std::optional<double> t
   work.run([&](RunControl& control) {
     LoadOrderOptions options;
     options.seed = seed;
-    found = plan_load_order(items, room, options);
+    found = plan_for(wanted, items, room, options);
     if (time) {
       RunControl limited(control, std::chrono::duration<double>(*time));
       options.improve = improve_by_search(limited);
+      options.search_pairs = [&](const std::function<void()>& search) {
+        const RunScope scope(limited);
+        search();
+      };
       try {
-        found = plan_load_order(items, room, options);
+        found = plan_for(wanted, items, room, options);
       } catch (const Stopped&) {
         // Ctrl-C: the order that needed no search is the best so far.
       }
@@ -146,10 +212,14 @@ void bind_loads(py::module_& module) {
       .def_readonly("most_in_memory", &AllPairsReport::most_in_memory, "Items.");
   module.def(
       "load_order", &order, py::arg("items"), py::arg("room"), py::kw_only(),
-      py::arg("time") = py::none(), py::arg("threads") = 1, py::arg("seed") = 1,
-      py::arg("progress") = py::none(),
+      py::arg("pairs") = py::none(), py::arg("against") = py::none(),
+      py::arg("done_items") = py::none(), py::arg("time") = py::none(), py::arg("threads") = 1,
+      py::arg("seed") = 1, py::arg("progress") = py::none(),
       "An order of loads after which every pair of `items` items was in memory together, with room for `room`; `time` "
-      "seconds of search for a better one. Verified. Iterating gives steps (evict, load).");
+      "seconds of search for a better one. Verified. Iterating gives steps (evict, load).\n\n"
+      "pairs: only these must meet, rows of two item numbers, a NumPy array of shape (n, 2), too; items may then be None. "
+      "against: each of the items with each of so many others, numbered after them. done_items: the pairs of the first so "
+      "many have met before. Raises BadInput, ImpossibleParameters.");
   module.def(
       "all_pairs", &run, py::arg("path"), py::arg("item_bytes"), py::arg("room"),
       py::arg("compute"), py::kw_only(), py::arg("header_bytes") = 0, py::arg("threads") = 1,

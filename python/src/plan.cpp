@@ -33,6 +33,25 @@ std::vector<std::string> names(const Job& job, const Block& parts) {
   return all;
 }
 
+// Everything that plan() may be told about a job, as Python gave it.
+struct Asked {
+  py::object parts;
+  std::uint64_t at_once = 0;
+  py::object test_cost;
+  py::object change_cost;
+  py::object change_costs;
+  std::uint64_t strength = 2;
+  py::object pairs;
+  py::iterable never;
+  py::object slots;
+  py::object slot_of;
+  py::iterable mounted;
+  py::iterable start;
+  py::iterable first;
+  py::object weights;
+  py::iterable done;
+};
+
 Element part_named(const Job& job, const py::handle& part) {
   const auto text = py::str(part).cast<std::string>();
   for (std::size_t i = 0; i < job.names.size(); ++i) {
@@ -43,9 +62,62 @@ Element part_named(const Job& job, const py::handle& part) {
   throw BadInput("no part is called '" + text + "'");
 }
 
-Job job_of(const py::object& parts, std::uint64_t at_once, const py::object& test_cost,
-           const py::object& change_cost, const py::iterable& never, const py::iterable& done) {
+// A string is a sequence of its letters, which nobody means.
+void refuse_string(const char* argument, const py::handle& value) {
+  if (py::isinstance<py::str>(value)) {
+    throw BadInput(std::string(argument) + " is a list of parts, not a string");
+  }
+}
+
+Block parts_named(const Job& job, const char* argument, const py::handle& parts) {
+  refuse_string(argument, parts);
+  Block all;
+  for (const py::handle part : parts) {
+    all.push_back(part_named(job, part));
+  }
+  return all;
+}
+
+std::vector<Block> setups_named(const Job& job, const char* argument, const py::iterable& setups) {
+  refuse_string(argument, setups);
+  std::vector<Block> all;
+  for (const py::handle setup : setups) {
+    all.push_back(parts_named(job, argument, setup));
+  }
+  return all;
+}
+
+std::pair<Element, Element> pair_named(const Job& job, const char* argument,
+                                       const py::handle& pair) {
+  const Block two = parts_named(job, argument, pair);
+  if (two.size() != 2 || two[0] == two[1]) {
+    throw BadInput(std::string(argument) + " is pairs of two parts");
+  }
+  return {two[0], two[1]};
+}
+
+PairSet pairs_named(const Job& job, const char* argument, const py::iterable& pairs) {
+  refuse_string(argument, pairs);
+  PairSet all(job.parts());
+  for (const py::handle pair : pairs) {
+    const auto [x, y] = pair_named(job, argument, pair);
+    all.insert(x, y);
+  }
+  return all;
+}
+
+py::dict mapping(const char* argument, const py::object& value) {
+  if (!py::isinstance<py::dict>(value)) {
+    throw BadInput(std::string(argument) + " is a dict");
+  }
+  return value;
+}
+
+// The parts, by number, by name, or by name with their costs.
+Job parts_and_costs(const Asked& asked) {
+  const py::object& parts = asked.parts;
   const bool is_number = py::isinstance<py::int_>(parts);
+  refuse_string("parts", parts);
   std::vector<std::string> listed;
   std::vector<Amount> costs;
   if (!is_number) {
@@ -67,53 +139,149 @@ Job job_of(const py::object& parts, std::uint64_t at_once, const py::object& tes
   if (count < 2) {
     throw BadInput("a pair needs two parts");
   }
-  if (change_cost.is_none() && costs.empty()) {
+  if (asked.change_cost.is_none() && asked.change_costs.is_none() && costs.empty()) {
     throw BadInput("give change_cost, or parts as a dict from names to their change costs");
   }
-  Job job = make_job(count, at_once, amount_of(test_cost),
-                     change_cost.is_none() ? Amount{} : amount_of(change_cost));
+  Job job = make_job(count, asked.at_once, amount_of(asked.test_cost),
+                     asked.change_cost.is_none() ? Amount{} : amount_of(asked.change_cost));
   if (!listed.empty()) {
     job.names = listed;
   }
   for (std::size_t i = 0; i < costs.size(); ++i) {
     job.change_costs[i] = costs[i];
   }
-  for (const py::handle pair : never) {
-    const auto two = py::reinterpret_borrow<py::sequence>(pair);
-    if (two.size() != 2) {
-      throw BadInput("never is pairs of parts");
-    }
-    job.never.insert(part_named(job, two[0]), part_named(job, two[1]));
-  }
-  job.needed = all_pairs_but(job.never);
-  std::vector<Block> setups;
-  for (const py::handle test : done) {
-    Block setup;
-    for (const py::handle part : test) {
-      setup.push_back(part_named(job, part));
-    }
-    setups.push_back(std::move(setup));
-  }
-  if (!setups.empty()) {
-    mark_done(job, setups);
-  }
-  check(job);
   return job;
 }
 
-Sheet plan(const py::object& parts, std::uint64_t at_once, const py::object& test_cost,
-           const py::object& change_cost, const py::iterable& never, const py::iterable& done,
+// What a change costs by what is replaced: a dict from (out, in) to costs, for every two parts.
+void take_change_costs(const py::object& change_costs, Job& job) {
+  const std::uint64_t v = job.parts();
+  std::vector<bool> given(v * v);
+  job.replace_costs.assign(v * v, Amount{});
+  for (const auto& [pair, cost] : mapping("change_costs", change_costs)) {
+    const auto [out, in] = pair_named(job, "change_costs", pair);
+    job.replace_costs[out * v + in] = amount_of(cost);
+    given[out * v + in] = true;
+  }
+  for (std::uint64_t i = 0; i < v * v; ++i) {
+    if (!given[i] && i / v != i % v) {
+      throw BadInput("change_costs does not say what putting in '" + job.names[i % v] +
+                     "' costs where '" + job.names[i / v] + "' was taken out");
+    }
+  }
+}
+
+// slots: how many parts of each, a number or (least, most), None for no limit; slot_of: which part is in which.
+void take_slots(const Asked& asked, Job& job) {
+  std::vector<Slot> slots;
+  for (const auto& [name, room] : mapping("slots", asked.slots)) {
+    Slot slot{.name = py::str(name).cast<std::string>()};
+    if (py::isinstance<py::int_>(room)) {
+      slot.least = slot.most = room.cast<std::uint64_t>();
+    } else {
+      const auto two = py::reinterpret_borrow<py::object>(room);
+      if (!py::isinstance<py::sequence>(two) || py::len(two) != 2) {
+        throw BadInput("slots says how many parts are in '" + slot.name +
+                       "': a number, or (least, most) with None for no limit");
+      }
+      const auto sequence = py::reinterpret_borrow<py::sequence>(two);
+      slot.least = sequence[0].is_none() ? slot.least : sequence[0].cast<std::uint64_t>();
+      slot.most = sequence[1].is_none() ? slot.most : sequence[1].cast<std::uint64_t>();
+    }
+    slots.push_back(std::move(slot));
+  }
+  std::vector<std::string> of_parts(job.parts());
+  if (!asked.slot_of.is_none()) {
+    for (const auto& [part, slot] : mapping("slot_of", asked.slot_of)) {
+      of_parts[part_named(job, part)] = py::str(slot).cast<std::string>();
+    }
+  }
+  set_slots(job, of_parts, std::move(slots));
+}
+
+void take_weights(const py::object& weights, Job& job) {
+  for (const auto& [pair, weight] : mapping("weights", weights)) {
+    const auto [x, y] = pair_named(job, "weights", pair);
+    job.weights.set(x, y, amount_of(weight));
+  }
+}
+
+// What cannot meet need not, unless its pairs were asked for one by one.
+void take_needs(const Asked& asked, Job& job) {
+  constexpr std::uint64_t triples = 3;
+  if (asked.strength != 2 && asked.strength != triples) {
+    throw BadInput("strength is 2, every two parts must meet, or 3, every three");
+  }
+  if (!asked.pairs.is_none() && asked.strength == triples) {
+    throw BadInput("pairs are listed for strength 2 only");
+  }
+  job.never = pairs_named(job, "never", asked.never);
+  job.needed =
+      asked.pairs.is_none() ? all_pairs_but(job.never) : pairs_named(job, "pairs", asked.pairs);
+  Job any = job;
+  any.needed = PairSet(job.parts());
+  check(any);  // Without needed pairs: what cannot be at all.
+  if (asked.strength == triples) {
+    need_triples(job);
+    if (job.triples.empty()) {
+      throw BadInput("no three parts can be in one set-up");
+    }
+  } else if (asked.pairs.is_none() && !job.slots.empty()) {
+    drop_needed(job, cannot_meet(job));
+  }
+  if (job.needed.size() == 0) {
+    throw BadInput("no pair has to meet that could");
+  }
+}
+
+Job job_of(const Asked& asked) {
+  Job job = parts_and_costs(asked);
+  if (!asked.change_costs.is_none()) {
+    take_change_costs(asked.change_costs, job);
+  }
+  if (asked.slots.is_none() != asked.slot_of.is_none()) {
+    throw BadInput(
+        "slots and slot_of come together: how many parts a slot has, and which parts are in it");
+  }
+  if (!asked.slots.is_none()) {
+    take_slots(asked, job);
+  }
+  job.mounted = parts_named(job, "mounted", asked.mounted);
+  job.start = parts_named(job, "start", asked.start);
+  take_needs(asked, job);
+  job.first = setups_named(job, "first", asked.first);
+  if (!asked.weights.is_none()) {
+    take_weights(asked.weights, job);
+  }
+  check(job);
+  if (const auto setups = setups_named(job, "done", asked.done); !setups.empty()) {
+    mark_done(job, setups);
+  }
+  return job;
+}
+
+Sheet plan(py::object parts, std::uint64_t at_once, py::object test_cost, py::object change_cost,
+           py::object change_costs, std::uint64_t strength, py::object pairs, py::iterable never,
+           py::object slots, py::object slot_of, py::iterable mounted, py::iterable start,
+           py::iterable first, py::object weights, py::iterable done, const py::object& budget,
            std::optional<double> time, std::uint64_t threads, std::uint64_t seed,
            py::object progress) {
-  Sheet sheet{job_of(parts, at_once, test_cost, change_cost, never, done), {}, false};
+  Sheet sheet;
+  sheet.job = job_of({std::move(parts), at_once, std::move(test_cost), std::move(change_cost),
+                      std::move(change_costs), strength, std::move(pairs), std::move(never),
+                      std::move(slots), std::move(slot_of), std::move(mounted), std::move(start),
+                      std::move(first), std::move(weights), std::move(done)});
+  PlanOptions options;
+  options.until_stopped = time.has_value();
+  if (!budget.is_none()) {
+    options.budget = amount_of(budget);
+  }
   LongWork work({.seconds = time,
                  .threads = threads,
                  .seed = seed,
                  .progress = std::move(progress),
                  .keeps_best = true});
-  work.run([&](RunControl& control) {
-    sheet.plan = make_run_plan(sheet.job, {.until_stopped = time.has_value()}, control);
-  });
+  work.run([&](RunControl& control) { sheet.plan = make_run_plan(sheet.job, options, control); });
   sheet.interrupted = work.interrupted();
   return sheet;
 }
@@ -145,6 +313,14 @@ void bind_plan(py::module_& module) {
       .def_property_readonly("tests",
                              [](const Sheet& self) { return self.plan.sheet.steps.size(); })
       .def_property_readonly("changes", [](const Sheet& self) { return self.plan.sheet.changes; })
+      .def_property_readonly(
+          "complete", [](const Sheet& self) { return self.plan.sheet.does_the_job(); },
+          "All that must meet does; a budget may not pay for it.")
+      .def_property_readonly(
+          "pairs_tested", [](const Sheet& self) { return self.plan.sheet.pairs_tested; },
+          "Of the pairs that must meet.")
+      .def_property_readonly("pairs_needed",
+                             [](const Sheet& self) { return self.plan.sheet.pairs_needed; })
       .def_property_readonly(
           "cost", [](const Sheet& self) { return decimal(self.plan.sheet.cost); },
           "Exact, a Decimal.")
@@ -185,14 +361,24 @@ void bind_plan(py::module_& module) {
       });
   module.def(
       "plan", &plan, py::arg("parts"), py::arg("at_once"), py::kw_only(), py::arg("test_cost"),
-      py::arg("change_cost") = py::none(), py::arg("never") = py::tuple(),
-      py::arg("done") = py::tuple(), py::arg("time") = py::none(), py::arg("threads") = 1,
-      py::arg("seed") = 1, py::arg("progress") = py::none(),
+      py::arg("change_cost") = py::none(), py::arg("change_costs") = py::none(),
+      py::arg("strength") = 2, py::arg("pairs") = py::none(), py::arg("never") = py::tuple(),
+      py::arg("slots") = py::none(), py::arg("slot_of") = py::none(),
+      py::arg("mounted") = py::tuple(), py::arg("start") = py::tuple(),
+      py::arg("first") = py::tuple(), py::arg("weights") = py::none(),
+      py::arg("done") = py::tuple(), py::arg("budget") = py::none(), py::arg("time") = py::none(),
+      py::arg("threads") = 1, py::arg("seed") = 1, py::arg("progress") = py::none(),
       "The cheapest list of tests that was found in which every two parts are mounted together at least once.\n\n"
       "parts: how many, a list of names, or a dict from names to what it costs to mount them; at_once of them fit. "
-      "Costs are numbers, Decimals or strings, and exact. never: pairs that must not meet; done: tests that were "
-      "done, lists of names. time: seconds of search; None: a fixed amount of it. Raises BadInput with the reason if "
-      "no list can do it.");
+      "Costs are numbers, Decimals or strings, and exact.\n\n"
+      "change_cost: of a part whose cost is not given. change_costs: a dict from (out, in) to the cost of putting in one part "
+      "where the other was taken out, for every two parts. strength: 2, every two parts must meet, or 3, every three. "
+      "pairs: only these must; never: these must not. slots: a dict from the name of a slot to how many of its parts a "
+      "set-up has, a number or (least, most), None for no limit, with slot_of, a dict from parts to their slots; parts that "
+      "cannot meet then need not. mounted: parts that stay; start: parts that are mounted before the first test; first: "
+      "set-ups that must be run first; weights: a dict from pairs to what testing them is worth (others 1); done: tests that "
+      "were done, lists of names. budget: test as much as it pays for. time: seconds of search; None: a fixed amount of "
+      "it.\n\nRaises BadInput with the reason if no list can do it.");
 }
 
 }  // namespace changeover::python

@@ -16,6 +16,15 @@ TEST(ConstructExamples, Closure) {
   EXPECT_EQ(Registry::standard().build_design(core).block_count(), 5U);
 }
 
+TEST(ConstructExamples, Enlarge) {
+  const Design design = best_design({.v = 15, .k = 5, .kind = Kind::circular});
+  Enlarged larger = enlarge(design);                        // by as many elements as serve it best
+  Enlarged by_four = enlarge(design, {.new_elements = 4});  // by four
+  EXPECT_EQ(by_four.design.v(), 19U);
+  EXPECT_EQ(larger.design.block_count(), 30U);  // the positions where blocks were inserted
+  EXPECT_EQ(larger.at.size(), 5U);
+}
+
 TEST(ConstructExamples, Expansion) {
   const Design design = best_design({.v = 7, .k = 3, .kind = Kind::circular});
   ExpansionSearch search = find_expansion_sets(design, {.how_many = 1});

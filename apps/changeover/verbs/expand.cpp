@@ -1,6 +1,6 @@
 // changeover expand FILE: the recursion with expansion sets, applied to a design of the user's own.
+#include "changeover/construct/enlarge.hpp"
 #include "changeover/construct/expansion.hpp"
-#include "changeover/construct/partial_expansion.hpp"
 
 #include <fmt/format.h>
 
@@ -120,65 +120,19 @@ Answer report(const ExpandRequest& request, const Design& design) {
   return text_answer(text, request.output);
 }
 
-/// A larger design and how it came about.
-struct Larger {
-  Design design;
-  std::string how;
-};
-
-// The recursion of the paper: an expansion set with an odd number of members. Without --set, nothing if
-// there is none.
-std::optional<Larger> by_expansion_set(const ExpandRequest& request, const Design& design) {
-  ExpansionSearchOptions options;
-  options.how_many = request.which.value_or(1);
+// The larger design; what is missing is said of the file.
+Enlarged larger_than(const Design& design, const ExpandRequest& request) {
+  EnlargeOptions options{.new_elements = request.new_elements, .set = request.which};
+  options.factorization = factorization_kind_from_string(request.factorization).value();
   options.limits.nodes = request.nodes;
-  if (options.how_many == 0) {
+  if (request.which == 0) {
     throw UsageError{"--set counts from 1"};
   }
-  if (design.parameters().change != 2) {
-    return std::nullopt;
+  try {
+    return enlarge(design, options);
+  } catch (const MissingResource& missing) {
+    throw MissingResource(fmt::format("{}: {}", request.path, missing.what()));
   }
-  const ExpansionSearch search = find_expansion_sets(design, options);
-  if (request.which && search.sets.size() < *request.which) {
-    throw MissingResource(fmt::format("{}: only {}: {}", request.path,
-                                      count_of(search.sets.size(), "expansion set"),
-                                      no_more(search)));
-  }
-  if (search.sets.size() < options.how_many) {
-    return std::nullopt;
-  }
-  const ExpansionSet& set = search.sets[static_cast<std::size_t>(options.how_many - 1)];
-  if (set.size() % 2 == 0) {
-    return std::nullopt;
-  }
-  const auto kind = factorization_kind_from_string(request.factorization);
-  return Larger{expand(design, set,
-                       one_factorization(static_cast<std::uint32_t>(set.size() + 1), kind.value())),
-                "at the expansion set " + members(design, set)};
-}
-
-// Partial expansion: any number of new elements, subsets that cover V and may overlap.
-Larger by_cover(const ExpandRequest& request, const Design& design, std::uint64_t w) {
-  if (design.k() == design.parameters().change) {
-    throw MissingResource(
-        fmt::format("{}: no new elements can be inserted: k = m, so unchanged subsets are empty",
-                    request.path));
-  }
-  CoverOptions options;
-  options.limits.nodes = request.nodes.value_or(200'000);
-  const std::uint64_t most = 2 * design.k() + 2;
-  const auto best = w == 0 ? best_new_elements(design, 1, most, options)
-                           : best_new_elements(design, w, w, options);
-  if (!best) {
-    throw MissingResource(
-        fmt::format("{}: {} new elements cannot be inserted: too few unchanged subsets, or they "
-                    "leave an element out",
-                    request.path, w == 0 ? "no number of" : fmt::format("{}", w)));
-  }
-  return {expand_by(design, best->cover, best->w,
-                    *factorization_kind_from_string(request.factorization)),
-          fmt::format("by {} at {}", count_of(best->w, "new element"),
-                      members(design, best->cover.subsets))};
 }
 
 Answer run(const ExpandRequest& request) {
@@ -194,15 +148,13 @@ Answer run(const ExpandRequest& request) {
   if (request.list || request.count || request.partial) {
     return report(request, design);
   }
-  // Without an odd expansion set, or when a number is named, subsets that overlap.
-  std::optional<Larger> made;
-  if (!request.new_elements) {
-    made = by_expansion_set(request, design);
-  }
-  if (!made) {
-    made = by_cover(request, design, request.new_elements.value_or(0));
-  }
-  const Design& larger = made->design;
+  const Enlarged made = larger_than(design, request);
+  const Design& larger = made.design;
+  const std::string how =
+      (made.by_expansion_set
+           ? std::string("at the expansion set ")
+           : fmt::format("by {} at ", count_of(made.new_elements, "new element"))) +
+      members(design, made.at);
 
   Exhibit exhibit;
   exhibit.judgement = judge(verify(larger));
@@ -210,11 +162,11 @@ Answer run(const ExpandRequest& request) {
     throw InternalError("the expanded design is not valid");
   }
   exhibit.header = {larger.labels(), larger.recipe};
-  exhibit.title = fmt::format("{}, {}: {}\nexpanded from {} with {} {}\nverified: {}",
-                              name(larger.parameters()), count_of(larger.block_count(), "block"),
-                              quality(exhibit.judgement), name(design.parameters()),
-                              count_of(design.block_count(), "block"), made->how,
-                              exhibit.judgement.certificate);
+  exhibit.title =
+      fmt::format("{}, {}: {}\nexpanded from {} with {} {}\nverified: {}",
+                  name(larger.parameters()), count_of(larger.block_count(), "block"),
+                  quality(exhibit.judgement), name(design.parameters()),
+                  count_of(design.block_count(), "block"), how, exhibit.judgement.certificate);
   return show_design(larger, std::move(exhibit), request.output);
 }
 

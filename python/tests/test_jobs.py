@@ -1,0 +1,192 @@
+"""Jobs with all that they may be told: run sheets with slots, pairs, budgets, load orders for some pairs, larger designs."""
+
+import itertools
+import unittest
+from decimal import Decimal
+
+import changeover
+
+
+def pairs_of(setup):
+    return {frozenset(pair) for pair in itertools.combinations(setup, 2)}
+
+
+def met_by(sheet):
+    return set().union(*(pairs_of(step["setup"]) for step in sheet.steps))
+
+
+class Plans(unittest.TestCase):
+    def plan(self, parts, at_once, **more):
+        return changeover.plan(parts, at_once, **{"test_cost": 2, "change_cost": 1, **more})
+
+    def test_only_the_pairs_that_are_listed_must_meet(self):
+        wanted = [("a", "b"), ("b", "c"), ("c", "d")]
+        sheet = self.plan("a b c d e f".split(), 2, pairs=wanted)
+        self.assertTrue({frozenset(pair) for pair in wanted} <= met_by(sheet))
+        self.assertEqual((sheet.tests, sheet.changes, sheet.pairs_needed), (3, 4, 3))
+        self.assertTrue(sheet.cheapest)
+
+    def test_what_stays_mounted_is_in_every_setup(self):
+        sheet = self.plan(7, 4, mounted=[1], start=[1, "2"])
+        self.assertTrue(all("1" in step["setup"] for step in sheet.steps))
+        self.assertEqual(len(met_by(sheet)), 21)
+        first = set(sheet.steps[0]["put_in"])
+        self.assertEqual(sheet.changes, sum(len(step["put_in"]) for step in sheet.steps))
+        self.assertTrue(first.isdisjoint({"1", "2"}))
+
+    def test_what_comes_first_comes_first(self):
+        first = [["a", "b", "c"], ["d", "b", "c"]]
+        sheet = self.plan("a b c d e".split(), 3, first=first)
+        self.assertEqual([set(step["setup"]) for step in sheet.steps[:2]], [set(each) for each in first])
+        self.assertEqual(len(met_by(sheet)), 10)
+
+    def test_slots_are_kept(self):
+        slot_of = {"P1": "CPU", "P2": "CPU", "P3": "CPU", "D1": "disk", "D2": "disk", "D3": "disk"}
+        sheet = self.plan(list(slot_of) + ["fan"], 5, slots={"CPU": 1, "disk": (1, 2)}, slot_of=slot_of)
+        for step in sheet.steps:
+            kinds = [slot_of.get(part) for part in step["setup"]]
+            self.assertEqual(kinds.count("CPU"), 1)
+            self.assertTrue(1 <= kinds.count("disk") <= 2)
+        apart = pairs_of(["P1", "P2", "P3"])
+        self.assertEqual(met_by(sheet), pairs_of(list(slot_of) + ["fan"]) - apart)
+        self.assertTrue(sheet.complete)
+
+    def test_three_at_a_time(self):
+        sheet = self.plan(7, 4, strength=3)
+        met = {frozenset(each) for step in sheet.steps for each in itertools.combinations(step["setup"], 3)}
+        self.assertEqual(len(met), 35)
+
+    def test_a_budget_is_kept_and_buys_what_is_worth_most(self):
+        whole = self.plan(8, 3)
+        self.assertTrue(whole.complete)
+        heavy = {("7", "8"): 100}
+        sheet = self.plan(8, 3, budget=9, weights=heavy)
+        self.assertLessEqual(sheet.cost, 9)
+        self.assertFalse(sheet.complete)
+        self.assertIn(frozenset("78"), met_by(sheet))
+        self.assertEqual(sheet.pairs_tested, len(met_by(sheet)))
+
+    def test_costs_by_what_is_replaced(self):
+        names = "a b c d".split()
+        costs = {(out, into): 1 if out < into else "0.5" for out in names for into in names if out != into}
+        sheet = changeover.plan(names, 2, test_cost=1, change_cost=3, change_costs=costs)
+        total, mounted = Decimal(0), []
+        for step in sheet.steps:
+            total += 1
+            out, into = step["take_out"], step["put_in"]
+            pairings = [
+                sum(Decimal(str(costs[pair])) for pair in zip(order, into)) for order in itertools.permutations(out)
+            ]
+            total += min(pairings) if out else 3 * len(into)
+            mounted = step["setup"]
+        self.assertEqual(len(mounted), 2)
+        self.assertEqual(total, sheet.cost)
+        del costs["a", "b"]
+        with self.assertRaisesRegex(changeover.BadInput, "change_costs does not say what putting in 'b'"):
+            changeover.plan(names, 2, test_cost=1, change_costs=costs)
+
+    def test_what_cannot_be_meant_is_refused(self):
+        for wrong, words in (
+            ({"pairs": []}, "no pair has to meet"),
+            ({"pairs": [("a", "a")]}, "pairs is pairs of two parts"),
+            ({"pairs": [("a", "b", "c")]}, "pairs is pairs of two parts"),
+            ({"pairs": "ab"}, "pairs is a list of parts, not a string"),
+            ({"mounted": "a"}, "mounted is a list of parts, not a string"),
+            ({"mounted": ["z"]}, "no part is called 'z'"),
+            ({"strength": 4}, "strength is 2"),
+            ({"strength": 3, "pairs": [("a", "b")]}, "strength 2 only"),
+            ({"slots": {"CPU": 1}}, "slots and slot_of come together"),
+            ({"slots": {"CPU": "many"}, "slot_of": {"a": "CPU"}}, "slots says how many"),
+            ({"slots": {"CPU": 1}, "slot_of": {"a": "disk"}}, "disk"),
+            ({"weights": [("a", "b")]}, "weights is a dict"),
+            ({"first": [["a", "b", "c", "d"]]}, "set-up 1 of those that come first"),
+            ({"never": [("a", "b")], "pairs": [("a", "b")]}, "a"),
+        ):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(changeover.BadInput, words) as caught:
+                self.plan("a b c d".split(), 3, **wrong)
+            self.assertNotIn("\n", str(caught.exception))
+
+
+class Loads(unittest.TestCase):
+    def check(self, order, wanted, room):
+        memory, met, loads = set(), set(), 0
+        for evict, load in order:
+            self.assertTrue(set(evict) <= memory and memory.isdisjoint(load))
+            memory = (memory - set(evict)) | set(load)
+            loads += len(load)
+            self.assertLessEqual(len(memory), room)
+            met |= pairs_of(memory)
+        self.assertTrue(wanted <= met)
+        self.assertEqual(loads, order.loads)
+        self.assertGreaterEqual(loads, order.lower_bound)
+
+    def test_only_some_pairs(self):
+        circle = [(i, (i + 1) % 30) for i in range(30)]
+        order = changeover.load_order(None, 4, pairs=circle)
+        self.check(order, {frozenset(pair) for pair in circle}, 4)
+        self.assertLess(order.loads, 45)
+        self.assertEqual(order.items, 30)
+        self.assertEqual(changeover.load_order(40, 4, pairs=circle, time=0.2).items, 40)
+
+    def test_pairs_of_numpy(self):
+        try:
+            import numpy
+        except ImportError:
+            self.skipTest("numpy is not installed")
+        rows = numpy.random.default_rng(1).integers(0, 50, (200, 2))
+        order = changeover.load_order(50, 8, pairs=rows)
+        self.check(order, {frozenset(map(int, row)) for row in rows if row[0] != row[1]}, 8)
+
+    def test_two_sets_and_what_is_new(self):
+        self.check(
+            changeover.load_order(5, 4, against=7),
+            {frozenset(pair) for pair in itertools.product(range(5), range(5, 12))},
+            4,
+        )
+        self.check(
+            changeover.load_order(14, 5, done_items=10),
+            pairs_of(range(14)) - pairs_of(range(10)),
+            5,
+        )
+
+    def test_wrong_pairs_are_refused(self):
+        for wrong, words in (
+            ({"pairs": [(1, 2, 3)]}, "row 0 has 3 items"),
+            ({"pairs": [(1, -2)]}, "items are numbered from 0"),
+            ({"pairs": [(1, 10**8)]}, "items are numbered from 0"),
+            ({"pairs": [(1, 9)]}, "9"),
+            ({"pairs": [(1, 2)], "against": 3}, "one of pairs, against and done_items"),
+            ({"done_items": 8}, ""),
+        ):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(changeover.BadInput, words) as caught:
+                changeover.load_order(8, 3, **wrong)
+            self.assertNotIn("\n", str(caught.exception))
+        with self.assertRaises(TypeError):
+            changeover.load_order(8, 3, pairs=[("a", "b")])
+        with self.assertRaisesRegex(changeover.BadInput, "give items"):
+            changeover.load_order(None, 3)
+
+
+class Larger(unittest.TestCase):
+    def test_designs_grow_as_they_are_told(self):
+        design = changeover.design(15, 5, kind="circular")
+        self.assertEqual((design.expand().v, design.expand().b), (21, 30))
+        for w in range(1, 7):
+            larger = design.expand(new_elements=w)
+            self.assertEqual(larger.v, 15 + w)
+            self.assertTrue(larger.verdict.valid)
+        self.assertEqual(design.expand(set=2).v, 21)
+        with self.assertRaisesRegex(changeover.MissingResource, "expansion sets"):
+            design.expand(set=10**6)
+        with self.assertRaisesRegex(changeover.BadInput, "not both"):
+            design.expand(set=1, new_elements=2)
+        with self.assertRaisesRegex(changeover.BadInput, "'circle' or 'doubled'"):
+            design.expand(factorization="square")
+
+    def test_what_is_no_design_does_not_grow(self):
+        with self.assertRaisesRegex(changeover.BadInput, "no valid"):
+            changeover.Design([[0, 1, 2], [1, 2, 3]]).expand()
+
+
+if __name__ == "__main__":
+    unittest.main()

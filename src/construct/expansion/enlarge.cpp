@@ -1,0 +1,79 @@
+#include "changeover/construct/enlarge.hpp"
+
+#include <fmt/format.h>
+
+#include "changeover/construct/partial_expansion.hpp"
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t nodes_for_covers = 200'000;
+
+// With an odd number of members; nothing if there is none.
+std::optional<ExpansionSet> odd_expansion_set(const Design& design, const EnlargeOptions& options) {
+  if (design.parameters().change != 2) {
+    return std::nullopt;
+  }
+  const std::uint64_t which = options.set.value_or(1);
+  ExpansionSearch search =
+      find_expansion_sets(design, {.how_many = which, .limits = options.limits});
+  if (search.sets.size() < which) {
+    if (!options.set) {
+      return std::nullopt;
+    }
+    const std::size_t there = search.sets.size();
+    throw MissingResource(fmt::format("only {} expansion {}: {}", there,
+                                      there == 1 ? "set" : "sets",
+                                      !search.complete        ? "the search stopped at its limit"
+                                      : search.reason.empty() ? "every exact cover was tried"
+                                                              : search.reason));
+  }
+  ExpansionSet& set = search.sets[static_cast<std::size_t>(which - 1)];
+  return set.size() % 2 == 0 ? std::nullopt : std::optional(std::move(set));
+}
+
+Enlarged by_cover(const Design& design, const EnlargeOptions& options) {
+  if (design.k() == design.parameters().change) {
+    throw MissingResource("no new elements can be inserted: k = m, so unchanged subsets are empty");
+  }
+  const std::uint64_t w = options.new_elements.value_or(0);
+  CoverOptions cover;
+  cover.limits = options.limits;
+  cover.limits.nodes = options.limits.nodes.value_or(nodes_for_covers);
+  const std::uint64_t most = 2 * design.k() + 2;
+  const auto best =
+      w == 0 ? best_new_elements(design, 1, most, cover) : best_new_elements(design, w, w, cover);
+  if (!best) {
+    throw MissingResource(fmt::format(
+        "{} new elements cannot be inserted: too few unchanged subsets, or they leave an element out",
+        w == 0 ? "no number of" : fmt::format("{}", w)));
+  }
+  return {.design = expand_by(design, best->cover, best->w, options.factorization),
+          .at = best->cover.subsets,
+          .new_elements = best->w};
+}
+
+}  // namespace
+
+Enlarged enlarge(const Design& design, const EnlargeOptions& options) {
+  if (options.set == 0) {
+    throw BadInput("expansion sets count from 1");
+  }
+  if (options.set && options.new_elements) {
+    throw BadInput("name an expansion set or a number of new elements, not both");
+  }
+  if (!options.new_elements) {
+    if (auto set = odd_expansion_set(design, options)) {
+      const auto order = static_cast<std::uint32_t>(set->size() + 1);
+      Design larger = expand(design, *set, one_factorization(order, options.factorization));
+      return {.design = std::move(larger),
+              .at = std::move(*set),
+              .new_elements = order,
+              .by_expansion_set = true};
+    }
+  }
+  return by_cover(design, options);
+}
+
+}  // namespace changeover
