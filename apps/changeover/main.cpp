@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   add_catalog_improve(program);
   add_catalog_submit(program);
   add_completion(program);
+  add_manual(program);
   add_describe(program);
   const int code = program.run(argc, argv);
   Team::leave(code);

@@ -37,6 +37,7 @@ void add_catalog_diff(Program& program);
 void add_catalog_improve(Program& program);
 void add_catalog_submit(Program& program);
 void add_completion(Program& program);
+void add_manual(Program& program);
 void add_describe(Program& program);
 
 }  // namespace changeover::cli

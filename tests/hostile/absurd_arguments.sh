@@ -34,6 +34,7 @@ declare -A settings=(
   [paper]=''
   [loadorder]='--items 20 --room 5|--items 12 --room 4 --workers 3|--items 9 --room 4 --prefetch'
   [completion]='bash'
+  [manual]='design|--into pages'
   [serve]='good.txt --assets pages|--export site --assets pages --k 3 --v 5..6 -m 2'
   [describe]=''
 )
@@ -86,13 +87,13 @@ restore() {
   prepare
 }
 
-# Words after -o, --output, --proof, --checkpoint, --data, --figures and --export may appear or change.
+# Words after -o, --output, --proof, --checkpoint, --data, --figures, --export and --into may appear or change.
 named() {
   local wanted=$1 previous='' word
   shift
   for word in "$@"; do
     case $previous in
-      -o | --output | --proof | --checkpoint | --data | --figures | --export)
+      -o | --output | --proof | --checkpoint | --data | --figures | --export | --into)
         word=${word#../ground/}
         [[ ${word%%/*} != "$wanted" ]] || return 0
         ;;

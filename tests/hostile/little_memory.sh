@@ -22,7 +22,7 @@ least_of() { # PROGRAM WORDS
   done 2>/dev/null
   printf '%s\n' $least
 }
-least=$(least_of "$CHANGEOVER" --version)
+least=$(least_of "$CHANGEOVER" describe)
 checker_least=$(least_of "$CHECKDESIGN" --version)
 ((least < 400000)) || skip 'the program does not start with 400 MB'
 

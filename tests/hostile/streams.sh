@@ -23,7 +23,7 @@ commands=(
   'table --k 3..4 --v 5..9 --json' 'plan --items 9 --at-once 3 --test-cost 1 --change-cost 5 --time 300ms --json'
   'plan parts.csv -k 3 --test-cost 2 --time 300ms --format csv' 'expand good.txt --format json'
   'factorize 8' 'constructions --json' 'paper --format markdown' 'loadorder --items 20 --room 5 --json'
-  'loadorder --items 12 --room 4 --time 300ms' 'completion bash' 'describe' '--help' '--version'
+  'loadorder --items 12 --room 4 --time 300ms' 'completion bash' 'manual design' 'describe' '--help' '--version'
   'search --help' 'design 4 2' 'design x' 'verify missing.txt'
 )
 

@@ -8,8 +8,12 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <sstream>
+#include <string_view>
 
 #include "changeover/core/error.hpp"
 
@@ -59,7 +63,26 @@ class Actions {
   posix_spawn_file_actions_t actions_{};
 };
 
+// How a file of that format begins.
+std::string_view beginning_of(const std::string& format) {
+  using namespace std::string_view_literals;
+  return format == "png" ? "\x89PNG\r\n\x1a\n"sv : "%PDF-"sv;
+}
+
 }  // namespace
+
+std::string converter_path() {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "/usr/local/bin:/usr/bin:/bin" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string file = (folder.empty() ? "." : folder) + "/" + program;
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0) {
+      return file;
+    }
+  }
+  return {};
+}
 
 std::string converted(const std::string& svg, const std::string& format, unsigned zoom) {
   const File input = nameless_file();
@@ -102,6 +125,10 @@ std::string converted(const std::string& svg, const std::string& format, unsigne
     throw MissingResource(
         fmt::format("{} could not write {}: {}", program, format,
                     said.empty() ? "it says nothing" : said.substr(0, said.find('\n'))));
+  }
+  if (!picture.starts_with(beginning_of(format))) {
+    throw MissingResource(fmt::format("{} wrote {} bytes that are no {}; write svg", program,
+                                      picture.size(), format));
   }
   return picture;
 }

@@ -15,7 +15,6 @@
 #include "answer/answer.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/version.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/run/scope.hpp"
@@ -23,6 +22,7 @@
 #include "cli/spelling.hpp"
 #include "cli/status_line.hpp"
 #include "core/printable.hpp"
+#include "shell/features.hpp"
 
 namespace changeover::cli {
 namespace {
@@ -123,6 +123,12 @@ std::string kind_of_value(const std::string& what) {
                                                 : "text";
 }
 
+// The same for an argument: most are files.
+std::string kind_of_argument(const std::string& name) {
+  static const std::vector<std::string> words{"LABEL", "CELL", "WORD", "K", "VERB"};
+  return std::find(words.begin(), words.end(), name) == words.end() ? "file" : "text";
+}
+
 std::string joined(const std::vector<std::string>& words, const std::string& between) {
   return fmt::format("{}", fmt::join(words, between));
 }
@@ -151,7 +157,7 @@ std::string misspelt(const CLI::App& program, int argc, char** argv) {
     return {};
   }
   const std::string verb_name = argv[1];
-  if (verb_name == "-h" || verb_name == "--help" || verb_name == "--version") {
+  if (verb_name == "-h" || verb_name == "--help") {
     return {};
   }
   if (verb_name.starts_with('-')) {
@@ -212,6 +218,8 @@ struct Verb::State {
   std::function<Answer()> action;
   std::vector<std::function<void()>> rules;       // throw UsageError, before that
   std::map<const CLI::Option*, Kind> kinds = {};  // flags have none
+  std::vector<std::string> sentences = {};        // what the rules say
+  std::vector<std::string> examples = {};
 
   [[nodiscard]] bool given(const std::string& name) const { return app->count(name) > 0; }
   [[nodiscard]] bool any_given(const std::vector<std::string>& names) const {
@@ -245,7 +253,7 @@ struct Program::State {
       "items in which every pair meets and consecutive blocks differ in exactly m items.",
       "changeover"};
   std::vector<std::unique_ptr<Verb>> verbs;
-  std::vector<std::pair<std::string, std::string>> groups;
+  std::vector<GroupDescription> groups;
 };
 
 Verb::Verb(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -260,14 +268,14 @@ void Verb::positional(const std::string& name, std::string& value, const std::st
                       bool required) {
   CLI::Option* option = state_->app->add_option(name, value, help);
   option->required(required)->option_text(" ");
-  state_->kinds[option] = {"file"};
+  state_->kinds[option] = {kind_of_argument(name)};
 }
 
 void Verb::positional(const std::string& name, std::vector<std::string>& values,
                       const std::string& help, bool required) {
   CLI::Option* option = state_->app->add_option(name, values, help);
   option->required(required)->option_text("...");
-  state_->kinds[option] = {"file"};
+  state_->kinds[option] = {kind_of_argument(name)};
 }
 
 void Verb::option(const std::string& flags, std::optional<std::uint64_t>& value,
@@ -313,6 +321,7 @@ void Verb::flag(const std::string& flags, std::function<void()> set, const std::
 }
 
 void Verb::exclude(const std::vector<std::string>& names) {
+  state_->sentences.push_back(enumerated(names) + " exclude each other");
   state_->rules.emplace_back([state = state_.get(), names] {
     if (std::count_if(names.begin(), names.end(),
                       [state](const auto& name) { return state->given(name); }) > 1) {
@@ -323,6 +332,8 @@ void Verb::exclude(const std::vector<std::string>& names) {
 
 void Verb::only_with(const std::vector<std::string>& names,
                      const std::vector<std::string>& others) {
+  state_->sentences.push_back(enumerated(names) + (names.size() == 1 ? " is" : " are") + " for " +
+                              enumerated(others) + " only");
   state_->refuse(
       names, [state = state_.get(), others] { return !state->any_given(others); },
       "is for " + enumerated(others) + "; give both");
@@ -330,6 +341,8 @@ void Verb::only_with(const std::vector<std::string>& names,
 
 void Verb::never_with(const std::vector<std::string>& names,
                       const std::vector<std::string>& others) {
+  state_->sentences.push_back(enumerated(names) + (names.size() == 1 ? " has" : " have") +
+                              " no meaning with " + enumerated(others));
   state_->refuse(
       names, [state = state_.get(), others] { return state->any_given(others); },
       "has no meaning with " + enumerated(others) + "; leave it out");
@@ -338,6 +351,7 @@ void Verb::never_with(const std::vector<std::string>& names,
 void Verb::require(std::function<void()> rule) { state_->rules.push_back(std::move(rule)); }
 
 void Verb::examples(const std::vector<std::string>& lines) {
+  state_->examples = lines;
   std::string text = "Examples:";
   for (const std::string& line : lines) {
     text += "\n  " + line;
@@ -348,7 +362,9 @@ void Verb::examples(const std::vector<std::string>& lines) {
 Program::Program() : state_(std::make_unique<State>()) {
   CLI::App& app = state_->app;
   app.require_subcommand(1);
-  app.set_version_flag("--version", "changeover " + std::string(changeover::version));
+  // Only to be listed: run() takes it before it parses.
+  app.set_version_flag("--version", "",
+                       "The version, and what this program was built with; as JSON with --json");
   app.footer(
       "Exit codes: 0 done or valid; 1 the claim was refuted; 2 usage; 3 bad input; 4 nothing "
       "serves\n"
@@ -374,7 +390,7 @@ Verb& Program::add_verb(const std::string& name, const std::string& summary,
 void Program::add_group(const std::string& name, const std::string& summary) {
   state_->app.add_subcommand(name,
                              summary);  // Only to be listed: run() takes groups before it parses.
-  state_->groups.emplace_back(name, summary);
+  state_->groups.push_back({name, summary});
 }
 
 int Program::run(int argc, char** argv) {
@@ -386,6 +402,14 @@ int Program::run(int argc, char** argv) {
     return exit_code::usage;
   }
   remove_unfinished_outputs_on_signals();
+  if (std::string(argv[1]) == "--version") {
+    const bool json = argc == 3 && std::string(argv[2]) == "--json";
+    if (argc > 2 && !json) {
+      return complain(exit_code::usage, "after --version there is nothing but --json");
+    }
+    return answer(
+        [json] { return text_answer((json ? features_json : features_text)(features()), {}); }, "");
+  }
   std::vector<char*> words(argv, argv + argc);
   std::string joined_name;
   std::string show = "catalog";
@@ -403,17 +427,18 @@ int Program::run(int argc, char** argv) {
         argc > 2 && (std::string(words[2]) == "--help" || std::string(words[2]) == "-h");
     if (asks_help) {
       std::string text;
-      for (const auto& [name, summary] : groups()) {
-        text += name == group ? summary + "\n" : "";
+      for (const GroupDescription& each : groups()) {
+        text += each.name == group ? each.summary + "\n" : "";
       }
       text += "Usage: changeover " + group + " VERB …\n\nVerbs:\n";
       std::size_t width = 0;
       for (const std::string& member : members) {
         width = std::max(width, member.size());
       }
-      for (const auto& [name, summary] : verbs()) {
-        if (name.starts_with(group + "-")) {
-          text += fmt::format("  {:<{}}  {}\n", name.substr(group.size() + 1), width, summary);
+      for (const VerbDescription& verb : verbs()) {
+        if (verb.group() == group) {
+          text += fmt::format("  {:<{}}  {}\n", verb.name.substr(group.size() + 1), width,
+                              verb.summary);
         }
       }
       text += "\nchangeover " + group + " VERB --help shows options and examples.\n";
@@ -441,9 +466,8 @@ int Program::run(int argc, char** argv) {
   };
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& request) {  // --help, --version
-    const bool help = dynamic_cast<const CLI::CallForHelp*>(&request) != nullptr;
-    std::string text = (help ? app.help() : std::string(request.what())) + "\n";
+  } catch (const CLI::Success&) {  // --help
+    std::string text = app.help() + "\n";
     if (const std::size_t at = joined_name.empty() ? std::string::npos : text.find(joined_name);
         at != std::string::npos) {
       text.replace(at, joined_name.size(), as_typed(joined_name));
@@ -469,20 +493,25 @@ int Program::run(int argc, char** argv) {
   return code;
 }
 
-std::vector<OptionDescription> Program::describe() const {
-  std::vector<OptionDescription> all;
+std::vector<VerbDescription> Program::verbs() const {
+  std::vector<VerbDescription> all;
   for (const auto& entry : state_->verbs) {
     const Verb::State& verb = *entry->state_;
+    VerbDescription& described = all.emplace_back();
+    described.name = verb.app->get_name();
+    described.summary = verb.app->get_description();
+    described.rules = verb.sentences;
+    described.examples = verb.examples;
     for (const CLI::Option* option : verb.app->get_options()) {
       if (option == verb.app->get_help_ptr()) {
         continue;
       }
-      OptionDescription each;
-      each.verb = verb.app->get_name();
+      OptionDescription& each = described.options.emplace_back();
       each.names = names_of(*option);
       each.positional = each.names.empty();
       if (each.positional) {
         each.names = {option->get_name(true)};
+        each.repeats = option->get_items_expected_max() > 1;
       }
       const auto kind = verb.kinds.find(option);
       if (kind == verb.kinds.end()) {
@@ -490,94 +519,17 @@ std::vector<OptionDescription> Program::describe() const {
       } else {
         each.kind = kind->second.name;
         each.words = kind->second.words;
+        each.value = each.positional || !each.words.empty() ? "" : option->get_option_text();
       }
       each.required = option->get_required();
       each.help = option->get_description();
-      all.push_back(std::move(each));
     }
   }
   return all;
 }
 
-std::vector<std::pair<std::string, std::string>> Program::verbs() const {
-  std::vector<std::pair<std::string, std::string>> all;
-  for (const auto& entry : state_->verbs) {
-    all.emplace_back(entry->state_->app->get_name(), entry->state_->app->get_description());
-  }
-  return all;
-}
+std::vector<GroupDescription> Program::groups() const { return state_->groups; }
 
-std::vector<std::pair<std::string, std::string>> Program::groups() const { return state_->groups; }
-
-std::string Program::bash_completion() const {
-  std::vector<std::string> names;
-  std::string cases;
-  std::string values;
-  std::map<std::string, std::string> groups;  // a group's verbs
-  const std::vector<OptionDescription> all = describe();
-  for (const auto& [verb, summary] : verbs()) {
-    std::vector<std::string> offered{"--help"};
-    for (const OptionDescription& each : all) {
-      if (each.verb != verb) {
-        continue;
-      }
-      std::vector<std::string> flags = each.names;
-      std::erase_if(flags, [](const std::string& name) { return !name.starts_with("--"); });
-      if (!flags.empty() && !each.words.empty()) {
-        values += "    " + verb + ":" + flags.front() + ") words=\"" + joined(each.words, " ") +
-                  "\" ;;\n";
-      }
-      const std::vector<std::string>& more = each.positional ? each.words : flags;
-      offered.insert(offered.end(), more.begin(), more.end());
-    }
-    const std::size_t hyphen = verb.find('-');
-    const std::string first = verb.substr(0, hyphen);
-    if (std::find(names.begin(), names.end(), first) == names.end()) {
-      names.push_back(first);
-    }
-    if (hyphen != std::string::npos) {
-      groups[first] += (groups[first].empty() ? "" : " ") + verb.substr(hyphen + 1);
-    }
-    cases += "    " + verb + ") words=\"" + joined(offered, " ") + "\" ;;\n";
-  }
-  std::string members;
-  for (const auto& [group, its_verbs] : groups) {
-    members += "    " + group +
-               ") if [[ $COMP_CWORD -eq 2 ]]; then\n"
-               "        COMPREPLY=($(compgen -W \"" +
-               its_verbs +
-               " --help\" -- \"$current\"))\n"
-               "        return\n"
-               "      fi\n"
-               "      verb+=-${COMP_WORDS[2]} ;;\n";
-  }
-  return "# Completion for bash: source this file, or put it into bash_completion.d.\n"
-         "_changeover() {\n"
-         "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]} words=\n"
-         "  COMPREPLY=()\n"
-         "  if [[ $COMP_CWORD -eq 1 ]]; then\n"
-         "    COMPREPLY=($(compgen -W \"" +
-         joined(names, " ") +
-         " --help --version\" -- \"$current\"))\n"
-         "    return\n"
-         "  fi\n"
-         "  local verb=${COMP_WORDS[1]}\n"
-         "  case $verb in\n" +
-         members +
-         "  esac\n"
-         "  case $verb:$previous in\n" +
-         values +
-         "    *:-o|*:--output) COMPREPLY=($(compgen -f -- \"$current\")); return ;;\n"
-         "  esac\n"
-         "  if [[ -z $words ]]; then\n"
-         "    if [[ $current != -* ]]; then COMPREPLY=($(compgen -f -- \"$current\")); fi\n"
-         "    case $verb in\n" +
-         cases +
-         "    esac\n"
-         "  fi\n"
-         "  COMPREPLY+=($(compgen -W \"$words\" -- \"$current\"))\n"
-         "}\n"
-         "complete -F _changeover changeover\n";
-}
+std::string Program::purpose() const { return state_->app.get_description(); }
 
 }  // namespace changeover::cli

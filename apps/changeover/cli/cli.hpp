@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/description.hpp"
+
 namespace changeover::cli {
 
 /// What the program's exit status means.
@@ -89,17 +91,6 @@ class Verb {
   std::unique_ptr<State> state_;
 };
 
-/// An option or a positional argument of a verb, as completion, tests and other programs want to know it.
-struct OptionDescription {
-  std::string verb;
-  std::vector<std::string> names;  ///< "-m", "--change"; of a positional its name in the help
-  bool positional = false;
-  bool required = false;
-  std::string kind;  ///< number, text, words, flag, file, folder, duration, size, range
-  std::vector<std::string> words;  ///< if kind is words
-  std::string help;
-};
-
 /// All verbs and the parser.
 class Program {
  public:
@@ -123,17 +114,12 @@ class Program {
   /// Parses, runs the verb, delivers its answer and maps faults to exit codes, one line on stderr each.
   int run(int argc, char** argv);
 
-  /// Every option of every verb, in the order of the help.
-  [[nodiscard]] std::vector<OptionDescription> describe() const;
+  /// In the order of the help.
+  [[nodiscard]] std::vector<VerbDescription> verbs() const;
+  [[nodiscard]] std::vector<GroupDescription> groups() const;
 
-  /// The name and the summary of every verb.
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> verbs() const;
-
-  /// The name and the summary of every group.
-  [[nodiscard]] std::vector<std::pair<std::string, std::string>> groups() const;
-
-  /// A script that completes verbs, options and their words in bash.
-  [[nodiscard]] std::string bash_completion() const;
+  /// What the program does, in a sentence.
+  [[nodiscard]] std::string purpose() const;
 
  private:
   Verb& add_verb(const std::string& name, const std::string& summary,

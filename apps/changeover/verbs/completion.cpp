@@ -1,4 +1,6 @@
-// changeover completion bash
+// changeover completion bash|zsh|fish
+#include "shell/completion.hpp"
+
 #include "answer/answer.hpp"
 #include "verbs.hpp"
 
@@ -8,10 +10,12 @@ namespace {
 struct CompletionRequest {
   const Program* program = nullptr;
   std::string shell;
+  OutputRequest output;
 };
 
 Answer run(const CompletionRequest& request) {
-  return text_answer(request.program->bash_completion(), {});
+  return text_answer(completion_script(*request.program, shell_from_string(request.shell).value()),
+                     request.output);
 }
 
 }  // namespace
@@ -19,8 +23,11 @@ Answer run(const CompletionRequest& request) {
 void add_completion(Program& program) {
   auto [verb, request] = program.add("completion", "print a completion script for a shell", run);
   request.program = &program;
-  verb.choice("SHELL", request.shell, {"bash"}, "the shell (bash)");
-  verb.examples({"source <(changeover completion bash)"});
+  verb.choice("SHELL", request.shell, shell_names(), "the shell: bash, zsh or fish");
+  verb.option("-o,--output", request.output.path, "FILE",
+              "write to FILE instead of standard output");
+  verb.examples({"source <(changeover completion bash)", "source <(changeover completion zsh)",
+                 "changeover completion fish | source"});
 }
 
 }  // namespace changeover::cli

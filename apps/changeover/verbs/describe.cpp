@@ -4,7 +4,6 @@
 
 #include "answer/answer.hpp"
 #include "changeover/core/version.hpp"
-#include "cli/spelling.hpp"
 #include "io/write/json_writer.hpp"
 #include "verbs.hpp"
 
@@ -18,18 +17,20 @@ struct DescribeRequest {
 
 std::string as_text(const Program& program) {
   std::string text;
-  for (const OptionDescription& each : program.describe()) {
-    text += fmt::format("{}\t{}\t{}\t{}\t{}\n", each.verb, each.positional ? "argument" : "option",
-                        fmt::join(each.names, ","), each.kind, fmt::join(each.words, "|"));
+  for (const VerbDescription& verb : program.verbs()) {
+    for (const OptionDescription& each : verb.options) {
+      text +=
+          fmt::format("{}\t{}\t{}\t{}\t{}\n", verb.name, each.positional ? "argument" : "option",
+                      fmt::join(each.names, ","), each.kind, fmt::join(each.words, "|"));
+    }
   }
   return text;
 }
 
-void write_options(JsonWriter& json, const std::vector<OptionDescription>& all,
-                   const std::string& verb, bool positional) {
+void write_options(JsonWriter& json, const VerbDescription& verb, bool positional) {
   json.begin_array();
-  for (const OptionDescription& each : all) {
-    if (each.verb != verb || each.positional != positional) {
+  for (const OptionDescription& each : verb.options) {
+    if (each.positional != positional) {
       continue;
     }
     json.begin_object();
@@ -48,19 +49,24 @@ void write_options(JsonWriter& json, const std::vector<OptionDescription>& all,
 }
 
 std::string as_json(const Program& program) {
-  const std::vector<OptionDescription> all = program.describe();
   JsonWriter json;
   json.begin_object().key("version").value(version).key("verbs").begin_array();
-  for (const auto& [name, summary] : program.verbs()) {
-    json.begin_object().key("name").value(name).key("typed").value(as_typed(name));
-    json.key("summary").value(summary);
-    write_options(json.key("arguments"), all, name, true);
-    write_options(json.key("options"), all, name, false);
-    json.end_object();
+  for (const VerbDescription& verb : program.verbs()) {
+    json.begin_object().key("name").value(verb.name).key("typed").value(verb.typed());
+    json.key("summary").value(verb.summary);
+    write_options(json.key("arguments"), verb, true);
+    write_options(json.key("options"), verb, false);
+    json.key("rules").value(verb.rules).key("examples").value(verb.examples).end_object();
   }
   json.end_array().key("groups").begin_array();
-  for (const auto& [name, summary] : program.groups()) {
-    json.begin_object().key("name").value(name).key("summary").value(summary).end_object();
+  for (const GroupDescription& group : program.groups()) {
+    json.begin_object().key("name").value(group.name).key("summary").value(group.summary);
+    json.end_object();
+  }
+  json.end_array().key("exit_codes").begin_array();
+  for (const ExitCodeDescription& each : exit_codes()) {
+    json.begin_object().key("code").value(each.code).key("meaning").value(each.meaning);
+    json.end_object();
   }
   return json.end_array().end_object().take() + "\n";
 }
