@@ -4,11 +4,16 @@
 add_library(changeover_c SHARED "${PROJECT_SOURCE_DIR}/src/loadorder/c_interface.cpp")
 add_library(changeover::c ALIAS changeover_c)
 set(exports "${PROJECT_SOURCE_DIR}/cmake/c_library.map")
+# The number of the binary interface, in the library's soname. It is not the version of the project: it is raised when a
+# program that was linked before would no longer work, and by nothing else (docs/packages.md).
+set(CHANGEOVER_C_INTERFACE 0)
+# What is exported since when, in the words of Debian's symbols files; tests/install holds the library to it.
+set(CHANGEOVER_C_SYMBOLS "${PROJECT_SOURCE_DIR}/cmake/packages/libchangeover_loadorder.symbols")
 set_target_properties(changeover_c PROPERTIES
   EXPORT_NAME c
   OUTPUT_NAME changeover_loadorder
-  VERSION "${PROJECT_VERSION}"
-  SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
+  VERSION "${CHANGEOVER_C_INTERFACE}.${PROJECT_VERSION}"
+  SOVERSION "${CHANGEOVER_C_INTERFACE}"
   LINK_DEPENDS "${exports}")
 target_link_options(changeover_c PRIVATE "LINKER:--version-script=${exports}" LINKER:--gc-sections LINKER:-z,defs)
 target_include_directories(changeover_c INTERFACE
@@ -21,14 +26,16 @@ if(CHANGEOVER_SANITIZE)
   target_link_options(changeover_c PRIVATE LINKER:-z,undefs)
 endif()
 
+if(NOT CHANGEOVER_INSTALL)
+  set_target_properties(changeover_c PROPERTIES EXCLUDE_FROM_ALL ON)
+  return()
+endif()
 # Relative to where the file is found, so that a tree can be moved.
 file(RELATIVE_PATH up "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" up "${up}")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/changeover_loadorder.pc.in"
                "${PROJECT_BINARY_DIR}/generated/changeover_loadorder.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/generated/changeover_loadorder.pc"
-  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
-install(TARGETS changeover_c EXPORT changeoverCTargets
-  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-install(EXPORT changeoverCTargets NAMESPACE changeover::
-  DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/changeover")
+  DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT development)
+install(TARGETS changeover_c EXPORT changeover-C
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library NAMELINK_COMPONENT development)

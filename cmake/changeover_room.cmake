@@ -44,10 +44,11 @@ function(changeover_room name)
     target_link_libraries(${target} PUBLIC changeover_${other})
   endforeach()
 
-  if(room_NOT_INSTALLED)
+  if(room_NOT_INSTALLED OR NOT CHANGEOVER_INSTALL)
     return()
   endif()
-  install(TARGETS ${target} EXPORT changeoverTargets
-    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+  # An export of its own, so that strangers can have this room without what higher ones need: cmake/install.cmake.
+  install(TARGETS ${target} EXPORT changeover-${name}
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
+    FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT development)
 endfunction()

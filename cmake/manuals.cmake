@@ -15,13 +15,20 @@ add_custom_command(OUTPUT "${PROJECT_BINARY_DIR}/man/made"
   COMMENT "Writing manual pages and completions" VERBATIM)
 add_custom_target(changeover_manuals ALL DEPENDS "${PROJECT_BINARY_DIR}/man/made")
 
+if(NOT CHANGEOVER_INSTALL)
+  return()
+endif()
 install(DIRECTORY "${manuals}" DESTINATION "${CMAKE_INSTALL_MANDIR}")
 install(FILES "${completions}/changeover" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
-# Below /usr Debian's zsh looks into a folder of its own; elsewhere all look into this one.
-set(zsh_folder site-functions)
-if(CMAKE_INSTALL_PREFIX STREQUAL "/usr" AND EXISTS "/etc/debian_version")
-  set(zsh_folder vendor-completions)
-endif()
-install(FILES "${completions}/_changeover" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/${zsh_folder}")
 install(FILES "${completions}/changeover.fish"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+# Below usr Debian's zsh looks into a folder of its own; elsewhere all look into the other one. The prefix is known when it is
+# installed: packages are made of a build for another.
+set(zsh_script "${completions}/_changeover")
+set(zsh_folder "\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/zsh")
+install(CODE "
+  set(zsh_folder \"${zsh_folder}/site-functions\")
+  if(CMAKE_INSTALL_PREFIX MATCHES \"/usr$\" AND EXISTS \"/etc/debian_version\")
+    set(zsh_folder \"${zsh_folder}/vendor-completions\")
+  endif()
+  file(INSTALL DESTINATION \"\${zsh_folder}\" TYPE FILE FILES \"${zsh_script}\")")

@@ -1,14 +1,11 @@
-# Installs `build`, builds `consumer` against it, and runs what came out.
-set(prefix "${work}/prefix")
+# Builds `consumer` against the installed tree, and runs what came out.
+cmake_minimum_required(VERSION 3.25)
 set(consumer_build "${work}/consumer")
-file(REMOVE_RECURSE "${prefix}" "${consumer_build}")
-
-execute_process(COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET
-  COMMAND "${CMAKE_COMMAND}" --install "${build}" --prefix "${prefix}")
+file(REMOVE_RECURSE "${consumer_build}")
 
 execute_process(COMMAND_ERROR_IS_FATAL ANY
-  COMMAND "${CMAKE_COMMAND}" -S "${consumer}" -B "${consumer_build}" -G "${generator}"
-    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${compiler}"
+  COMMAND "${CMAKE_COMMAND}" -S "${here}/consumer" -B "${consumer_build}" -G "${generator}"
+    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
     "-DCMAKE_CXX_COMPILER_LAUNCHER=${launcher}" "-DCMAKE_CXX_FLAGS=${flags}"
     -DCMAKE_BUILD_TYPE=Debug)
 execute_process(COMMAND_ERROR_IS_FATAL ANY
