@@ -127,7 +127,7 @@ struct Mark;
 
 /// Marks that share a style and what is said of them.
 struct Group {
-  std::vector<Mark> marks = {};
+  std::vector<Mark> marks;  // Not "= {}": clang would ask what a mark is.
 };
 
 /// One thing in a picture.
