@@ -28,6 +28,7 @@
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/expansion.hpp"
+#include "changeover/construct/explanation.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/construct/partial_expansion.hpp"
 #include "changeover/construct/planner.hpp"
