@@ -29,6 +29,7 @@
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/enlarge.hpp"
 #include "changeover/construct/expansion.hpp"
+#include "changeover/construct/explanation.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/construct/partial_expansion.hpp"
 #include "changeover/construct/planner.hpp"

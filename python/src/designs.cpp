@@ -6,7 +6,7 @@
 #include "bind.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/enlarge.hpp"
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/explanation.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/formats.hpp"
@@ -33,16 +33,7 @@ std::optional<Offer> best_of(const std::vector<Parameters>& asked,
     throw BadInput("no construction is called '" + construction +
                    "'; changeover.constructions() lists them");
   }
-  std::optional<Offer> best;
-  for (const Parameters& p : asked) {
-    auto offer = named != nullptr   ? named->offer(p, registry)
-                 : impossibility(p) ? std::nullopt
-                                    : best_known(registry, p, largest_answered_v);
-    if (offer && (!best || offer->b < best->b)) {
-      best = std::move(offer);
-    }
-  }
-  return best;
+  return best_offer(registry, asked, named);
 }
 
 std::vector<Parameters> asked_for(std::uint64_t v, std::uint64_t k, std::uint64_t change,
@@ -191,31 +182,32 @@ std::unique_ptr<Stream> stream(std::uint64_t v, std::uint64_t k, std::uint64_t c
   });
 }
 
-py::dict node_of(const Recipe& recipe) {
-  const Registry& registry = Registry::standard();
-  const Construction& construction = registry.construction_of(recipe);
-  py::dict node;
-  node["construction"] = recipe.construction;
-  node["v"] = recipe.parameters.v;
-  node["k"] = recipe.parameters.k;
-  node["change"] = recipe.parameters.change;
-  node["kind"] = std::string(to_string(recipe.parameters.kind));
-  node["explanation"] = construction.explain(recipe);
-  node["citation"] = construction.citation().to_string();
-  node["b"] = registry.build(recipe)->block_count();
+py::dict as_dict_of(const RecipeNode& node) {
+  py::dict one;
+  one["construction"] = std::string(node.construction->name());
+  one["v"] = node.parameters.v;
+  one["k"] = node.parameters.k;
+  one["change"] = node.parameters.change;
+  one["kind"] = std::string(to_string(node.parameters.kind));
+  one["explanation"] = node.explanation;
+  one["citation"] = node.citation;
+  one["b"] = node.b;
   py::list inputs;
-  for (const Recipe& input : recipe.inputs) {
-    inputs.append(node_of(input));
+  for (const RecipeNode& input : node.inputs) {
+    inputs.append(as_dict_of(input));
   }
-  node["inputs"] = inputs;
-  return node;
+  one["inputs"] = inputs;
+  return one;
 }
 
 py::object explain(std::uint64_t v, std::uint64_t k, std::uint64_t change,
                    const std::optional<std::string>& kind, std::uint32_t strength) {
   const std::vector<Parameters> asked = asked_for(v, k, change, kind, strength);
-  const auto offer = stoppable([&] { return best_of(asked, ""); });
-  return offer ? py::object(node_of(offer->recipe)) : py::none();
+  const auto tree = stoppable([&]() -> std::optional<RecipeNode> {
+    const auto offer = best_of(asked, "");
+    return offer ? std::optional(explained(Registry::standard(), offer->recipe)) : std::nullopt;
+  });
+  return tree ? py::object(as_dict_of(*tree)) : py::none();
 }
 
 HeldDesign enlarged(const HeldDesign& self, std::optional<std::uint64_t> new_elements,

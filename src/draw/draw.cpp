@@ -56,13 +56,20 @@ std::optional<StayColour> stay_colour_from_string(std::string_view name) {
   return word_of(std::array{StayColour::length, StayColour::ordinal}, name);
 }
 
-std::optional<std::string> draw_defect(const Parameters& p, std::uint64_t b,
-                                       const DrawOptions& options) {
+std::optional<std::string> range_defect(const DrawOptions& options) {
   if (options.from < 1) {
     return "--from 0: blocks are counted from 1";
   }
   if (options.to && *options.to < options.from) {
     return fmt::format("--from {} --to {}: there is no block between", options.from, *options.to);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> draw_defect(const Parameters& p, std::uint64_t b,
+                                       const DrawOptions& options) {
+  if (auto defect = range_defect(options)) {
+    return defect;
   }
   const std::uint64_t last = std::min(b, options.to.value_or(b));
   const std::uint64_t drawn = last < options.from ? 0 : last - options.from + 1;
@@ -127,11 +134,15 @@ std::string Drawing::summary() const {
   return fmt::format("{} elements, blocks of {}", parameters().v, parameters().k);
 }
 
-void Drawing::require_blocks(std::uint64_t drawn) const {
-  if (drawn == 0) {
-    throw BadInput(options.from == 1
-                       ? "there is no block to draw"
-                       : fmt::format("--from {}: there are fewer blocks", options.from));
+void Drawing::require_range(std::uint64_t last) const {
+  if (last == 0 && options.from == 1) {
+    throw BadInput("there is no block to draw");
+  }
+  if (last < options.from) {
+    throw BadInput(fmt::format("--from {}: there are fewer blocks", options.from));
+  }
+  if (options.to && last < *options.to) {
+    throw BadInput(fmt::format("--to {}: there are only {}", *options.to, blocks(last)));
   }
 }
 

@@ -34,6 +34,17 @@ TEST(ConstructExamples, Expansion) {
   EXPECT_TRUE(verify(larger).tight());
 }
 
+TEST(ConstructExamples, Explanation) {
+  const Registry& registry = Registry::standard();
+  const std::vector<Parameters> asked = {{.v = 8, .k = 5, .kind = Kind::circular},
+                                         {.v = 8, .k = 5}};
+  const auto offer = best_offer(registry, asked);  // of both kinds, the one with fewer blocks
+  const RecipeNode tree = explained(registry, offer->recipe);
+  std::cout << tree.explanation << ' ' << tree.citation << '\n';
+  EXPECT_EQ(tree.b, offer->b);
+  EXPECT_FALSE(tree.citation.empty());
+}
+
 TEST(ConstructExamples, OneFactorization) {
   OneFactorization k8 = one_factorization(8);  // seven factors of four edges
   EXPECT_THAT(k8.factors, SizeIs(7));

@@ -91,10 +91,15 @@ TEST_F(Draw, WhatItCannotDoIsSaidInOneLine) {
        {"$changeover draw good.txt --from 0", 2, "--from 0: blocks are counted from 1"},
        {"$changeover draw good.txt --from 3 --to 2", 2, "there is no block between"},
        {"$changeover draw good.txt --from 4", 3, "--from 4: there are fewer blocks"},
+       {"$changeover draw good.txt --to 4", 3, "--to 4: there are only 3 blocks"},
+       {"$changeover draw good.txt --picture circle --to 4", 3, "--to 4: there are only 3 blocks"},
+       {"$changeover draw good.txt -o x.xyz", 2,
+        "x.xyz: which format is that? there are .svg, .tex, .tikz, .pdf, .png; or name it by --format"},
+       {"$changeover draw good.txt -o 20.5.2.linear", 2, "which format is that?"},
        {"$changeover draw 8000 4", 2, "draw a part of them with --from and --to"},
        {"$changeover draw 8000 4 --picture stays", 2, "draw a part of them with --from and --to"},
        {"$changeover draw 1009 8 --picture coverage", 2, "at most 500 elements"},
-       {"$changeover draw good.txt -o good.txt", 2, "is the same file as the design"},
+       {"$changeover draw good.txt --format svg -o good.txt", 2, "is the same file as the design"},
        {"$changeover draw ragged.txt", 3, "ragged.txt:2"},
        {"$changeover draw good.txt --picture recipe", 3, "does not say how it was made"},
        {"$changeover draw nowhere.txt", 4, "nowhere.txt: there is no such file"},
@@ -105,6 +110,30 @@ TEST_F(Draw, WhatItCannotDoIsSaidInOneLine) {
        {"PATH=/nowhere $changeover draw good.txt -o old.svg --format png", 4, "librsvg2-bin"}},
       folder);
   EXPECT_EQ(slurp(folder.file("old.svg")), "precious\n");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "x.xyz"));
+}
+
+TEST_F(Draw, TheEndingSaysTheFormatInAnyLetters) {
+  EXPECT_EQ(run("$changeover draw good.txt -o a.TEX", folder.path()).code, 0);
+  EXPECT_NE(slurp(folder.file("a.TEX")).find("tikzpicture"), std::string::npos);
+  EXPECT_EQ(run("$changeover draw good.txt -o picture", folder.path()).code, 0);
+  EXPECT_TRUE(is_xml(slurp(folder.file("picture"))));
+  EXPECT_EQ(run("$changeover draw good.txt --format svg -o a.xyz", folder.path()).code, 0);
+  EXPECT_TRUE(is_xml(slurp(folder.file("a.xyz"))));
+}
+
+TEST_F(Draw, WhatTheConverterWritesIsNoPictureBeforeItWasLookedAt) {
+  const std::string liar =
+      "mkdir -p tools; printf '#!/bin/sh\necho done\n' >tools/rsvg-convert; chmod +x tools/rsvg-convert; "
+      "PATH=$PWD/tools:$PATH $changeover draw good.txt -o old.svg --format ";
+  for (const std::string format : {"png", "pdf"}) {
+    const Outcome outcome = run(liar + format, folder.path());
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find("rsvg-convert wrote 5 bytes that are no " + format),
+              std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(slurp(folder.file("old.svg")), "precious\n");
+  }
 }
 
 TEST_F(Draw, PdfAndPngComeFromTheConverter) {

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "changeover/io/output.hpp"
@@ -38,8 +39,20 @@ const std::string& OutputRequest::format() const {
   if (json_ && !asked_.empty() && asked_ != json_word_) {
     throw UsageError{"--json and --format " + asked_ + " exclude each other"};
   }
+  std::string ending = std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto by_name = std::find_if(endings_.begin(), endings_.end(),
-                                    [&](const auto& each) { return path.ends_with(each.first); });
+                                    [&](const auto& each) { return each.first == ending; });
+  if (knows_all_endings_ && !json_ && asked_.empty() && ending.size() > 1 &&
+      by_name == endings_.end()) {
+    std::vector<std::string> known;
+    for (const auto& [each, word] : endings_) {
+      known.push_back(each);
+    }
+    throw UsageError{fmt::format("{}: which format is that? there are {}; or name it by --format",
+                                 path, fmt::join(known, ", "))};
+  }
   return json_                       ? json_word_
          : !asked_.empty()           ? asked_
          : by_name != endings_.end() ? by_name->second
@@ -48,6 +61,7 @@ const std::string& OutputRequest::format() const {
 
 void OutputRequest::guess_by_name(std::vector<std::pair<std::string, std::string>> endings) {
   endings_ = std::move(endings);
+  knows_all_endings_ = true;
 }
 
 void OutputRequest::require(const std::string& option,

@@ -17,7 +17,8 @@ struct OutputRequest {
   /// Must live as long as the verb. The first word is the default. --json is for "json", or for "jsonl" if that is a word.
   void add_to(Verb& verb, const std::vector<std::string>& formats);
 
-  /// If no format is chosen, the end of FILE's name says it: ".tex" means "tikz", for instance, and ".xlsx" "xlsx" by itself.
+  /// If no format is chosen, the end of FILE's name says it, in small letters or large: ".tex" means "tikz", for instance. A
+  /// rule of the verb refuses an ending that is none of these; a name without one says nothing. ".xlsx" means "xlsx" by itself.
   void guess_by_name(std::vector<std::pair<std::string, std::string>> endings);
 
   /// These words are no text for a terminal: they are refused there.
@@ -37,6 +38,7 @@ struct OutputRequest {
   std::string asked_;  // --format
   bool json_ = false;
   std::vector<std::pair<std::string, std::string>> endings_;
+  bool knows_all_endings_ = false;
   std::vector<std::string> binary_;
   std::string usual_;
   std::string json_word_ = "json";

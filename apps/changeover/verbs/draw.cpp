@@ -360,7 +360,7 @@ void add_draw(Program& program) {
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"svg", "tikz", "pdf", "png"});
   request.output.guess_by_name(
-      {{".tex", "tikz"}, {".tikz", "tikz"}, {".pdf", "pdf"}, {".png", "png"}});
+      {{".svg", "svg"}, {".tex", "tikz"}, {".tikz", "tikz"}, {".pdf", "pdf"}, {".png", "png"}});
   request.output.set_binary({"pdf", "png"});
   verb.require([&request = request] { require_meaning(request); });
   verb.examples({"changeover draw mine.json -o mine.svg             blocks as columns",

@@ -77,11 +77,14 @@ inline constexpr std::uint64_t most_drawn_lines = 500;           ///< coverage: 
 inline constexpr std::uint64_t most_drawn_points = 1'000;        ///< circle: v
 inline constexpr std::uint64_t most_read_elements = 20'000'000;  ///< circle: blocks times k
 
-/// Why so many blocks cannot be drawn like this, in one line that says how a part of them can; nullopt if they can. Cheap.
+/// Why no blocks can be meant by `from` and `to`, whatever the design, in one line; nullopt if some can.
+[[nodiscard]] std::optional<std::string> range_defect(const DrawOptions& options);
+
+/// The same, or why so many blocks cannot be drawn like this, in one line that says how a part of them can; nullopt if they can. Cheap.
 [[nodiscard]] std::optional<std::string> draw_defect(const Parameters& p, std::uint64_t blocks,
                                                      const DrawOptions& options);
 
-/// @throws BadInput with the defect; if there is no block from `from` to `to`; if the picture is of a recipe and the design has
+/// @throws BadInput with the defect; if there is no block `from`, or no block `to`; if the picture is of a recipe and the design has
 /// none, or a wrong one.
 [[nodiscard]] Picture draw(const Design& design, const DrawOptions& options = {});
 

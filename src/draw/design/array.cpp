@@ -26,7 +26,7 @@ class Array {
   explicit Array(const Drawing& drawing) : drawing_(drawing), options_(drawing.options) {
     const std::uint64_t last = options_.to ? *options_.to - 1 : most_drawn_blocks + options_.from;
     columns_ = aligned_rows(drawing.source, options_.from - 1, last);
-    drawing.require_blocks(columns_.size());
+    drawing.require_range(columns_.empty() ? 0 : options_.from - 1 + columns_.size());
     drawing.require_fits(columns_.size());
     const bool many = columns_.size() > many_blocks;
     font_ = many ? 10 : 13;

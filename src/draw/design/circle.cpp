@@ -108,7 +108,7 @@ class BlockList {
 Picture draw_design_circle(const Drawing& drawing) {
   Design design = read_all(drawing.source);
   design.set_labels(drawing.labels);
-  drawing.require_blocks(design.block_count());
+  drawing.require_range(design.block_count());
   std::optional<FoundRotation> rotation;
   if (drawing.is_whole()) {
     rotation = find_rotation(design);
@@ -121,7 +121,6 @@ Picture draw_design_circle(const Drawing& drawing) {
   const std::uint64_t named =
       drawing.options.to ? *drawing.options.to - first : std::max<std::uint64_t>(2, base_blocks);
   CircleFigure figure = circle_figure(design, first, std::min(named, most_blocks));
-  drawing.require_blocks(figure.blocks.size());
   if (rotation && rotation->pi.cycles == 1 && rotation->pi.fixed == 1) {
     figure.centre = static_cast<std::uint32_t>(rotation->pi.n);
   }

@@ -126,7 +126,7 @@ class Coverage {
         }
       }
     }
-    drawing_.require_blocks(last_);
+    drawing_.require_range(last_);
     for (std::vector<DrawnStay>& own : stays.of) {
       if (own.size() > 1 && own.front().over_the_end) {
         own.pop_back();  // the two are one

@@ -45,8 +45,9 @@ struct Drawing {
   /// "6 elements in 3 blocks" and the like, for those who cannot see the picture.
   [[nodiscard]] std::string summary() const;
 
-  /// @throws BadInput if no block is in the range.
-  void require_blocks(std::uint64_t drawn) const;
+  /// `last` is the number of the last block that there is, as far as the range goes; 0: there is none.
+  /// @throws BadInput unless the range is all there.
+  void require_range(std::uint64_t last) const;
 
   /// @throws BadInput with the defect if so many blocks are too many.
   void require_fits(std::uint64_t drawn) const;

@@ -62,7 +62,7 @@ DrawnStays stays_of(const Drawing& drawing) {
       there[x] = false;
     }
   }
-  drawing.require_blocks(stays.last);
+  drawing.require_range(stays.last);
   if (whole && drawing.parameters().kind == Kind::circular) {
     for (std::vector<DrawnStay>& each : stays.of) {
       close_circle(each);

@@ -31,7 +31,7 @@ struct DrawnStays {
   std::uint64_t first = 0, last = 0;       ///< the blocks that are drawn
 };
 
-/// @throws BadInput as Drawing::require_blocks() and Drawing::require_fits().
+/// @throws BadInput as Drawing::require_range() and Drawing::require_fits().
 [[nodiscard]] DrawnStays stays_of(const Drawing& drawing);
 
 /// All elements, those that are in no block last.

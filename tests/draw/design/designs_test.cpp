@@ -116,6 +116,14 @@ TEST(ArrayTest, APartShowsItsBlocksWithTheMarksOfTheWhole) {
   EXPECT_EQ(read_svg(svg(draw(design, {.from = 60}))).count("block"), 1U);
   EXPECT_EQ(message_of([&] { (void)draw(design, {.from = 61}); }),
             "--from 61: there are fewer blocks");
+  for (const PictureKind kind :
+       {PictureKind::array, PictureKind::stays, PictureKind::coverage, PictureKind::circle}) {
+    EXPECT_EQ(message_of([&] { (void)draw(design, {.picture = kind, .from = 60, .to = 60}); }), "");
+    EXPECT_EQ(message_of([&] { (void)draw(design, {.picture = kind, .from = 59, .to = 61}); }),
+              "--to 61: there are only 60 blocks");
+    EXPECT_EQ(message_of([&] { (void)draw(design, {.picture = kind, .from = 70, .to = 71}); }),
+              "--from 70: there are fewer blocks");
+  }
 }
 
 TEST(ArrayTest, AnExpansionSetHasACaretAtEachPosition) {

@@ -8,6 +8,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) {
+    all += text;
+  }
+  return all;
+}
+
 struct Refused {
   std::string target;
   int status;
@@ -60,7 +68,15 @@ TEST_F(Refusals, QuestionsThatCannotBe) {
       {"/api/design?v=3001&k=3&kind=circular", 413, "changeover design"},
       {"/api/download?v=8&k=5&format=exe", 400, "write text, json"},
       {"/api/draw?v=8&k=5&picture=cat", 400, "array"},
-      {"/api/draw?v=8&k=5&from=900", 400, ""},
+      {"/api/draw?v=8&k=5&from=900", 400, "from 900: there are fewer blocks"},
+      {"/api/draw?v=8&k=5&from=0", 400, "from 0: blocks are counted from 1"},
+      {"/api/draw?v=8&k=5&from=3&to=2", 400, "from 3 to 2: there is no block between"},
+      {"/api/draw?v=8&k=5&to=900", 400, "to 900: there are only"},
+      {"/api/draw?v=601&k=4&kind=circular", 413, "draw a part of them with from and to"},
+      {"/api/about?x=1&" + repeated("a=1&", 98), 400, "takes no parameters"},
+      {"/api/about?" + repeated("a=1&", 100), 414, "more than 100 parameters"},
+      {"/api/about?" + repeated("a&", 600), 414, "more than 100 parameters"},
+      {"/api/about?" + repeated("a=1&", 2000), 414, "more than 100 parameters"},
       {"/api/explain?v=4&k=2&kind=linear", 404, "exists"},
       {"/api/search?id=7", 404, "there is no search 7"},
       {"/api/cite?label=x", 404, "no design x"},
@@ -169,6 +185,8 @@ TEST_F(Refusals, BodiesThatAreNotTaken) {
   EXPECT_EQ(status("/api/verify", {{"Content-Type", "application/x-www-form-urlencoded"}},
                    "0 1 2\n1 2 3\n2 3 0\n"),
             200);
+  EXPECT_EQ(status("/api/verify", {{"Content-Encoding", "gzip"}}, "0 1 2\n"), 415);
+  EXPECT_EQ(status("/api/verify", {{"Content-Encoding", "identity"}}, "0 1 2\n"), 200);
   EXPECT_EQ(status("/api/verify", {{"Content-Length", ""}}, ""), 411);
   EXPECT_EQ(status("/api/plan", {{"Content-Type", json}}, std::string((1 << 20) + 1, ' ')), 413);
   EXPECT_EQ(status("/api/verify", {{"Content-Length", "99999999999"}}, ""), 413);

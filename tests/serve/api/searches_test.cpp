@@ -105,6 +105,16 @@ TEST(Searches, AreNotBegunWithoutLeave) {
   EXPECT_EQ(act(own, "/api/catalog/add", "0 1 2\n").status, 403);
 }
 
+TEST(CatalogAdd, TellsADamagedCatalogFromABodyThatIsNoDesign) {
+  const OwnServer own;
+  spit(own.folder.file("mine.db"), "my diary, and no catalog of designs at all");
+  const Reply reply = act(own, "/api/catalog/add?kind=circular", "0 1 2 3\n4 5 2 3\n4 5 0 1\n");
+  EXPECT_EQ(reply.status, 503) << reply.body;
+  EXPECT_THAT(message_of(reply), HasSubstr("mine.db: damaged, or no catalog"));
+  EXPECT_EQ(act(own, "/api/catalog/add?kind=circular", "0 1 2\n4 5\n").status, 422);
+  EXPECT_EQ(slurp(own.folder.file("mine.db")), "my diary, and no catalog of designs at all");
+}
+
 TEST(CatalogAdd, TakesDesignsAndNothingElse) {
   const OwnServer own;
   const std::string design = "0 1 2 3\n4 5 2 3\n4 5 0 1\n";

@@ -139,11 +139,16 @@ export const catalog: Page = {
       }
       complete.dataset['for'] = wanted;
       const inside = complete.lastElementChild!;
+      const { signal } = asking;
+      const { change, kind } = state;
       try {
         fill(inside, h('p', { class: 'hint' }, 'Counting…'));
-        fill(inside, completenessTable(await completeness(asking.signal), state.change, state.kind));
+        const answer = await completeness(signal);
+        if (!signal.aborted) {
+          fill(inside, completenessTable(answer, change, kind));
+        }
       } catch (fault) {
-        if (!asking.signal.aborted) {
+        if (!signal.aborted) {
           fill(inside, problem(fault));
         }
       }

@@ -5,12 +5,10 @@
 #include <string>
 
 #include "changeover/core/recipe.hpp"
-#include "io/write/json_writer.hpp"
 
 namespace changeover::cli {
 
 [[nodiscard]] std::string tree_text(const Recipe& recipe);
-void tree_json(const Recipe& recipe, JsonWriter& json);
 
 /// The document of `explain --json`: {"recipe":…,"tree":…}.
 [[nodiscard]] std::string explanation_json(const Recipe& recipe);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "changeover/construct/explanation.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
 #include "io/write/json_writer.hpp"
@@ -23,20 +24,7 @@ std::optional<Offer> best_offer(const std::vector<Parameters>& asked,
     throw UsageError{
         fmt::format("no construction is called '{}'; there are {}", construction, names)};
   }
-  std::optional<Offer> best;
-  const auto consider = [&](std::optional<Offer> offer) {
-    if (offer && (!best || offer->b < best->b)) {
-      best = std::move(offer);
-    }
-  };
-  for (const Parameters& p : asked) {
-    if (construction.empty()) {
-      consider(impossibility(p) ? std::nullopt : best_known(p));
-    } else {
-      consider(named->offer(p, Registry::standard()));
-    }
-  }
-  return best;
+  return changeover::best_offer(Registry::standard(), asked, named);
 }
 
 Answer decline(const std::vector<Parameters>& asked, const std::string& construction,

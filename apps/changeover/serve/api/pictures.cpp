@@ -41,14 +41,25 @@ DrawOptions options_of(const Request& request) {
   return options;
 }
 
+// A message about options of the program, with the names that they have here.
+std::string of_parameters(std::string message) {
+  for (std::size_t at = 0; (at = message.find("--", at)) != std::string::npos;) {
+    message.erase(at, 2);
+  }
+  return message;
+}
+
 Response drawn(const Request& request, const Design& design, DrawOptions options) {
+  if (const auto defect = range_defect(options)) {
+    throw Refusal{400, of_parameters(*defect)};
+  }
   if (const auto defect = draw_defect(design.parameters(), design.block_count(), options)) {
-    throw Refusal{413, *defect};
+    throw Refusal{413, of_parameters(*defect)};
   }
   try {
     return picture_response(draw(design, options), theme_of(request));
   } catch (const BadInput& fault) {
-    throw Refusal{400, fault.what()};
+    throw Refusal{400, of_parameters(fault.what())};
   }
 }
 

@@ -49,6 +49,10 @@ static void check_body(const Route& route, const Request& request) {
                            : fmt::format("{} takes at most {} bytes, not {}", route.path,
                                          route.most_bytes, length)};
   }
+  const std::string_view coding = request.header("content-encoding");
+  if (route.body != Body::none && !coding.empty() && coding != "identity") {
+    throw Refusal{415, "send the body as it is, without Content-Encoding"};
+  }
   std::string type(request.header("content-type"));
   type = type.substr(0, type.find(';'));
   type.erase(type.find_last_not_of(" \t") + 1);

@@ -22,6 +22,8 @@ namespace {
 
 constexpr std::size_t longest_target = 8192;
 constexpr std::size_t bytes_of_a_head = 32 << 10;
+// libmicrohttpd has room for some four hundred in that, and answers nothing where there are more.
+constexpr std::size_t most_parameters = 100;
 // A request that is refused is read to its end if that is near, so that who sends it hears why.
 constexpr std::size_t read_though_refused = 64 << 10;
 
@@ -54,6 +56,7 @@ struct Exchange {
   std::size_t held = 0;
   bool begun = false;
   bool dispatched = false;
+  bool refused_at_once = false;
 };
 
 struct Listener {
@@ -85,6 +88,9 @@ struct Server::State {
     }
   }
 
+  // Answers an address before libmicrohttpd takes it apart, and ends the connection.
+  void refuse_at_once(Exchange& exchange, int status, const std::string& words,
+                      const std::string& message) const;
   // Reads the head.
   void begin(Exchange& exchange, const char* method);
   void check(Exchange& exchange) const;
@@ -98,11 +104,18 @@ struct Server::State {
 
 // What libmicrohttpd calls. Nothing may be thrown through it.
 struct Server::State::Calls {
-  static void* target(void* /*state*/, const char* uri, MHD_Connection* connection) {
+  static void* target(void* cls, const char* uri, MHD_Connection* connection) {
     try {
       auto exchange = std::make_unique<Exchange>();
       exchange->connection = connection;
+      exchange->socket = socket_of(connection);
       exchange->target = uri;
+      if (std::ranges::count(exchange->target, '&') >=
+          static_cast<std::ptrdiff_t>(most_parameters)) {
+        static_cast<const Server::State*>(cls)->refuse_at_once(
+            *exchange, 414, "URI Too Long",
+            fmt::format("the address has more than {} parameters", most_parameters));
+      }
       return exchange.release();
     } catch (...) {
       return nullptr;
@@ -114,7 +127,7 @@ struct Server::State::Calls {
                            std::size_t* upload_size, void** context) {
     auto* const state = static_cast<Server::State*>(cls);
     Exchange* const exchange = static_cast<Exchange*>(*context);
-    if (exchange == nullptr) {
+    if (exchange == nullptr || exchange->refused_at_once) {
       return MHD_NO;
     }
     try {
@@ -207,11 +220,19 @@ struct Server::State::Calls {
   }
 };
 
+void Server::State::refuse_at_once(Exchange& exchange, int status, const std::string& words,
+                                   const std::string& message) const {
+  exchange.refused_at_once = true;
+  const std::string text = raw_refusal(status, words, message);
+  static_cast<void>(::send(exchange.socket, text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
+  // libmicrohttpd reads the end from it, and closes it.
+  ::shutdown(exchange.socket, SHUT_RDWR);
+}
+
 void Server::State::begin(Exchange& exchange, const char* method) {
   exchange.begun = true;
   Request& request = exchange.request;
   request.method = method;
-  exchange.socket = Calls::socket_of(exchange.connection);
   MHD_get_connection_values_n(exchange.connection, MHD_HEADER_KIND, &State::Calls::header,
                               &request);
   MHD_get_connection_values_n(exchange.connection, MHD_GET_ARGUMENT_KIND, &State::Calls::parameter,

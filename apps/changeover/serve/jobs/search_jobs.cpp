@@ -111,14 +111,18 @@ Kept keep_in_catalog(Catalog& catalog, const Design& design) {
     throw Refusal{422, "it is no change covering design: " + newcomer.refused};
   }
   const CatalogEntry& entry = *newcomer.entry;
-  const auto there = catalog.find(entry.label());
-  if (there && there->checksum == entry.checksum) {
-    return {entry.label(), true};
+  try {
+    const auto there = catalog.find(entry.label());
+    if (there && there->checksum == entry.checksum) {
+      return {entry.label(), true};
+    }
+    if (const auto same = same_in_catalog(catalog, entry)) {
+      return {*same, true};
+    }
+    return {entry.label(), catalog.add(entry) == Added::already_there};
+  } catch (const BadInput& fault) {  // The user's file is what is bad, and nothing that was sent.
+    throw MissingResource(fault.what());
   }
-  if (const auto same = same_in_catalog(catalog, entry)) {
-    return {*same, true};
-  }
-  return {entry.label(), catalog.add(entry) == Added::already_there};
 }
 
 SearchJobs::SearchJobs(Catalog& catalog, EventHub& events, const Settings& settings)

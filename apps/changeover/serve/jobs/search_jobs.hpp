@@ -38,7 +38,7 @@ struct Kept {
 };
 
 /// A design into the user's catalog, verified and credited with today. @throws Refusal 422 if it is no change covering design;
-/// MissingResource if the catalog cannot be written.
+/// MissingResource if the catalog cannot be written, or is damaged.
 [[nodiscard]] Kept keep_in_catalog(Catalog& catalog, const Design& design);
 
 class SearchJobs {
