@@ -8,7 +8,7 @@ function(configure languages)
   file(REMOVE_RECURSE "${work}/components")
   execute_process(RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE error
     COMMAND "${CMAKE_COMMAND}" -S "${here}/components" -B "${work}/components" -G "${generator}"
-      "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
+      "-DCMAKE_PREFIX_PATH=${prefix}" "-Dwanted=${version}" "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
       "-DCMAKE_CXX_FLAGS=${flags}" "-Dlanguages=${languages}" ${ARGN})
   set(result "${result}" PARENT_SCOPE)
   # CMake breaks the lines of its messages.
@@ -69,3 +69,9 @@ configure(C -Dcomponents=verify)
 refused("the component 'verify' of changeover is C\\+\\+: add CXX to the LANGUAGES")
 configure(CXX -Dcomponents=paper)
 refused("changeover has no component 'paper'")
+
+# Versions with another minor number may break source, so they do not answer.
+string(REGEX REPLACE "^([0-9]+)\\.([0-9]+).*" "\\1" major "${version}")
+math(EXPR major "${major} + 1")
+configure(CXX -Dcomponents=verify -Dwanted=${major}.0)
+refused("compatible with requested version \"${major}.0\"")

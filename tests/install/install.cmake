@@ -4,8 +4,8 @@ file(REMOVE_RECURSE "${work}/installed" "${prefix}")
 execute_process(COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET
   COMMAND "${CMAKE_COMMAND}" --install "${build}" --prefix "${work}/installed")
 file(RENAME "${work}/installed" "${prefix}")
-# Binaries of an instrumented build name their sources for their reports.
-if(NOT flags)
+# Other builds name their sources, for debuggers and reports.
+if(build_type STREQUAL "Release" AND NOT flags)
   find_program(grep NAMES grep REQUIRED)
   foreach(folder IN ITEMS "${source}" "${build}" "${work}")
     execute_process(COMMAND "${grep}" -rlF -- "${folder}" "${prefix}" OUTPUT_VARIABLE found)

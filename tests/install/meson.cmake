@@ -10,7 +10,7 @@ endif()
 set(meson_build "${work}/meson_consumer")
 file(REMOVE_RECURSE "${meson_build}")
 foreach(arguments IN ITEMS
-    "setup;${meson_build};${here}/meson_consumer;-Dc_args=${flags};-Dcpp_args=${flags};-Dc_link_args=${flags};-Dcpp_link_args=${flags}"
+    "setup;${meson_build};${here}/meson_consumer;-Dwanted=>=${version};-Dc_args=${flags};-Dcpp_args=${flags};-Dc_link_args=${flags};-Dcpp_link_args=${flags}"
     "compile;-C;${meson_build}")
   execute_process(COMMAND "${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${prefix}/${libdir}/pkgconfig"
       "CC=${c_compiler}" "CXX=${cxx_compiler}" "${meson}" ${arguments}

@@ -5,7 +5,7 @@ file(REMOVE_RECURSE "${consumer_build}")
 
 execute_process(COMMAND_ERROR_IS_FATAL ANY
   COMMAND "${CMAKE_COMMAND}" -S "${here}/consumer" -B "${consumer_build}" -G "${generator}"
-    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
+    "-DCMAKE_PREFIX_PATH=${prefix}" "-Dwanted=${version}" "-DCMAKE_CXX_COMPILER=${cxx_compiler}"
     "-DCMAKE_CXX_COMPILER_LAUNCHER=${launcher}" "-DCMAKE_CXX_FLAGS=${flags}"
     -DCMAKE_BUILD_TYPE=Debug)
 execute_process(COMMAND_ERROR_IS_FATAL ANY

@@ -20,7 +20,7 @@ endfunction()
 
 execute_process(COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET
   COMMAND "${CMAKE_COMMAND}" -S "${here}/c_consumer" -B "${consumer_build}" -G "${generator}"
-    "-DCMAKE_PREFIX_PATH=${prefix}" "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_C_FLAGS=${flags}")
+    "-DCMAKE_PREFIX_PATH=${prefix}" "-Dwanted=${version}" "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_C_FLAGS=${flags}")
 execute_process(COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET
   COMMAND "${CMAKE_COMMAND}" --build "${consumer_build}")
 execute_process(COMMAND "${consumer_build}/c_consumer" OUTPUT_VARIABLE answer COMMAND_ERROR_IS_FATAL ANY)
