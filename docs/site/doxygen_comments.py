@@ -32,7 +32,7 @@ def translated(lines: list, language: str) -> list:
             if state != "code":
                 out += ["", f"@code{{{language}}}"]
                 state = "code"
-            out.append(line[5:])
+            out.append("\0" + line[5:])  # The mark keeps its own indentation.
             continue
         if state == "code":
             if not line.strip():
@@ -66,6 +66,11 @@ def translated(lines: list, language: str) -> list:
     return out
 
 
+def without_margin(lines: list) -> list:
+    """Without the blank that follows the mark of a comment."""
+    return [line[1:] if line.startswith((" ", "\0")) else line for line in lines]
+
+
 def as_comment(lines: list, indent: str = "") -> list:
     return [f"{indent}/// {line}".rstrip() for line in lines]
 
@@ -74,7 +79,11 @@ def of_cpp(lines: list) -> list:
     out, i = [], 0
     while i < len(lines):
         opening = re.match(r"(\s*)//(/?)(?!/)(?!<)", lines[i])
-        is_head = i == 0
+        # A comment that stands alone, with a gap after it, is of the file as the one at its head is.
+        end = i
+        while end < len(lines) and lines[end].startswith("//") and not lines[end].startswith("///"):
+            end += 1
+        is_head = (i == 0 and end > 0) or (end > i + 1 and end < len(lines) and not lines[end] and not lines[i - 1])
         if not opening or not (is_head or opening.group(2)):
             code, mark, words = lines[i].partition("///<")  # What stands behind a member is the member's.
             out.append(code + mark + escaped(words))
@@ -86,9 +95,9 @@ def of_cpp(lines: list) -> list:
             text = lines[i][len(indent) + len(mark):]
             comment.append(text)
             i += 1
-        body = translated(comment, ".cpp")
-        body = [line[1:] if line.startswith(" ") else line for line in body]
-        out += as_comment((["@file", ""] if is_head else []) + body, indent)
+        body = without_margin(translated(comment, ".cpp"))
+        # Only the first sentence of the first comment is the file's summary.
+        out += as_comment((["@file", "" if len(out) == 0 else "@details"] if is_head else []) + body, indent)
         if is_head:
             out.append("")
     return out
@@ -110,7 +119,7 @@ def of_c(text: str) -> list:
             i += 1
             if done:
                 break
-        body = [line[1:] if line.startswith(" ") else line for line in translated(comment, ".c")]
+        body = without_margin(translated(comment, ".c"))
         out += as_comment((["@file", ""] if is_head else []) + body)
         if is_head:
             out.append("")
