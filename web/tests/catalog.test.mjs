@@ -131,6 +131,31 @@ test('completeness by block size', async () => {
   await page.close();
 });
 
+test('completeness of another kind, chosen while the first is counted', async () => {
+  const page = await explorer.open(`${small}&kind=circular`);
+  await page.locator('rect.cell').first().waitFor();
+  let answer;
+  const looked = new Promise((resolve) => (answer = resolve));
+  let asked = 0;
+  await page.route('**/api/completeness', async (route) => {
+    asked += 1;
+    await looked;
+    await route.continue().catch(() => undefined); // the first was given up
+  });
+  await page.getByText('How complete the whole catalog is').click();
+  await page.locator('.completeness .hint', { hasText: 'Counting' }).waitFor();
+  const second = page.waitForRequest('**/api/completeness');
+  await page.getByLabel('Kind').selectOption('linear');
+  await second;
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  // That the first was given up is nobody's business.
+  assert.equal(await page.locator('.completeness .inside').innerText(), 'Counting…');
+  answer();
+  await page.locator('.completeness meter').first().waitFor();
+  assert.equal(asked, 2);
+  await page.close();
+});
+
 test('it looks right', async () => {
   const page = await explorer.open(`${small}&at=20.5`);
   await look(page, 'catalog');

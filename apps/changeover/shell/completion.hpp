@@ -6,6 +6,7 @@
 // zsh and fish show the help of each. Where a number or a name is wanted nothing is offered.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cctype>
 #include <cstdarg>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
 #include <optional>
