@@ -18,7 +18,8 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.mathjax"]
 exclude_patterns = ["files"]
 nitpicky = True
 # Types of the standard library have no pages here.
-nitpick_ignore_regex = [(r"py:(class|exc|obj)", r"(?!changeover\.).*")]
+nitpick_ignore_regex = [(r"py:.*", r"(collections\.abc\.|typing\.|decimal\.)?(int|str|bool|float|None|object|list|dict|tuple|range|slice|memoryview|Any"
+                         r"|Literal|Union|Callable|Iterable|Iterator|Mapping|Sequence|SupportsIndex|Decimal|\w*Error|Exception)")]
 smartquotes = False
 highlight_language = "none"
 

@@ -77,6 +77,9 @@ def parse(text):
             found.append(Code(begin, fence.group(1), lines[begin:i], part_of))
             marks = [mark for mark in marks if mark[1] != "is in"]
         elif lines[i].startswith("    $ ") and (i == 0 or not lines[i - 1].strip() or marks):
+            before = next((line for line in reversed(lines[:i]) if line.strip()), "")
+            if re.match(r"\s*([-*+]|\d+[.)]) |  ", before):
+                raise ValueError(f"line {i + 1}: this is read as a part of the list before it; put a sentence between them")
             kinds = {what for _, what, _ in marks}
             first = [words for _, what, words in marks if what == "first"]
             needs = [words for _, what, words in marks if what == "needs"]

@@ -74,6 +74,12 @@ class Pages(unittest.TestCase):
         with self.assertRaises(ValueError):
             self.ran("Text.\n<!-- slow -->\n\nText.\n")
 
+    def test_a_session_is_no_part_of_a_list(self):
+        for before in ("- An item.\n", "1. An item\n   that goes on.\n"):
+            with self.assertRaises(ValueError):
+                self.ran(before + "\n    $ echo a\n    a\n")
+        self.right("- An item.\n\nA sentence.\n\n    $ echo a\n    a\n")
+
     def test_code(self):
         self.right("<!-- is in: part.txt -->\n```c\none\ntwo\n```\n")
         self.wrong("<!-- is in: part.txt -->\n```c\none\nthree\n```\n")
