@@ -173,7 +173,6 @@ bool DratReader::next_text(ProofStep& step) {
   while (true) {
     const std::int32_t literal = bytes_.number(limits_.max_variable, "a literal's variable");
     if (literal == 0) {
-      ++steps_;
       return true;
     }
     add(step, literal);

@@ -127,7 +127,7 @@ class DratReader {
   ByteReader bytes_;
   ProofFormat format_;
   ReadLimits limits_;
-  std::uint64_t steps_ = 0;
+  std::uint64_t steps_ = 0;  // of a binary proof
 };
 
 }  // namespace changeover

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "bounds/degree_program.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "core/checked.hpp"
 #include "oracle_minima.hpp"
@@ -106,6 +107,51 @@ TEST(DegreeProgram, IsTheBruteForceAnswerWhereverItRaisesTheBound) {
       }
     }
   }
+}
+
+// Asked by itself, from any number of blocks on, where other bounds would hide what it says.
+TEST(DegreeProgram, IsTheBruteForceAnswerFromAnyNumberOn) {
+  for (std::uint64_t m = 1; m <= 3; ++m) {
+    for (std::uint64_t k = std::max<std::uint64_t>(m, 2); k <= 6; ++k) {
+      for (std::uint64_t v = k + m; v <= 8; ++v) {
+        for (const Kind kind : {Kind::linear, Kind::circular}) {
+          const Parameters p{.v = v, .k = k, .change = m, .kind = kind};
+          if (impossibility(p)) {
+            continue;
+          }
+          std::uint64_t least = 1;
+          while (!counts_exist(p, least)) {
+            ++least;
+          }
+          EXPECT_EQ(degree_program(p, 1), least) << name(p);
+          for (std::uint64_t from = least + 1; from <= least + 3; ++from) {
+            std::uint64_t b = from;
+            while (!counts_exist(p, b)) {
+              ++b;
+            }
+            EXPECT_EQ(degree_program(p, from), b) << name(p) << " from " << from;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(DegreeProgram, IsTriedForPairsFewChangesAndNotTooManyElements) {
+  EXPECT_EQ(degree_program({.v = 2000, .k = 1500, .change = 3}, 5000), 5000U);
+  EXPECT_FALSE(degree_program({.v = 2001, .k = 1500, .change = 3}, 5000));
+  EXPECT_EQ(degree_program({.v = 30, .k = 9, .change = 3}, 1000), 1000U);
+  EXPECT_FALSE(degree_program({.v = 30, .k = 9, .change = 4}, 1000));
+  EXPECT_FALSE(degree_program({.v = 30, .k = 9, .strength = 3}, 1000));
+  EXPECT_FALSE(degree_program({.v = 9, .k = 9}, 1000));
+}
+
+TEST(DegreeProgram, TriesTenThousandNumbersOfBlocks) {
+  // Blocks of two: every pair is a block of its own.
+  const Parameters p{.v = 144, .k = 2, .change = 1};
+  const std::uint64_t least = 144 * 143 / 2;
+  EXPECT_EQ(degree_program(p, least - 10'000), least);
+  EXPECT_FALSE(degree_program(p, least - 10'001));
 }
 
 TEST(DegreeProgram, GivesTheCoveringBoundOfFortAndHedlundForTriples) {

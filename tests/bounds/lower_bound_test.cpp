@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include "bounds/counting_bound.hpp"
 #include "bounds/stays.hpp"
@@ -162,6 +163,170 @@ TEST(LowerBound, RefusesWhatCannotBeCountedAndReturnsSoonForHugeBlocks) {
   EXPECT_EQ(lower_bound({.v = 4'000'000'000, .k = 3'999'999'000, .kind = Kind::circular}).blocks,
             1001U);
   EXPECT_EQ(lower_bound({.v = 7, .k = 7}).blocks, 1U);
+}
+
+std::string reason_named(const Parameters& p, const std::string& name) {
+  for (const Bound& bound : lower_bounds(p)) {
+    if (bound.name == name) {
+      return bound.reason;
+    }
+  }
+  return "";
+}
+
+/// The counting bound of a circular design for pairs over every number f of elements in every block, with an
+/// excess of `each` or more at the v − f others and what it forces at the f.
+std::uint64_t counted_over_every_f(const Parameters& p, std::uint64_t each) {
+  const auto pairs = [](std::uint64_t n) { return n * (n - 1) / 2; };
+  const auto most = [&](std::uint64_t k) { return pairs(k) - pairs(k - p.change); };
+  std::uint64_t least = ~std::uint64_t{0};
+  for (std::uint64_t f = 0; f + p.change <= p.k; ++f) {
+    if (most(p.k - f) == 0) {
+      continue;
+    }
+    const std::uint64_t rest = p.v - f;
+    std::uint64_t at_fixed = 0;
+    while (each > 0 && f > 0 && (rest + at_fixed) % p.change != 0) {
+      ++at_fixed;
+    }
+    const std::uint64_t excess = (rest * each + f * at_fixed + 1) / 2;
+    least =
+        std::min(least, std::max({ceil_div(pairs(p.v) - (f < 2 ? 0 : pairs(f)) + excess, most(p.k)),
+                                  ceil_div(pairs(rest), most(p.k - f)), ceil_div(rest, p.change),
+                                  std::uint64_t{3}}));
+  }
+  return least;
+}
+
+TEST(LowerBound, CountsOverEveryNumberOfElementsThatAreInEveryBlock) {
+  std::size_t forced = 0;
+  for (std::uint64_t m = 1; m <= 6; ++m) {
+    for (std::uint64_t k = std::max<std::uint64_t>(m, 2); k <= 24; ++k) {
+      for (std::uint64_t v = k + m; v <= 34; ++v) {
+        const Parameters p{.v = v, .k = k, .change = m, .kind = Kind::circular};
+        if (impossibility(p)) {
+          continue;
+        }
+        EXPECT_EQ(bound_named(p, "counting"), counted_over_every_f(p, 0)) << name(p);
+        // e_x is the least number that makes v − 1 + e_x divisible by gcd(k−1, m).
+        std::uint64_t each = 0;
+        while ((v - 1 + each) % std::gcd(k - 1, m) != 0) {
+          ++each;
+        }
+        EXPECT_EQ(bound_named(p, "degree"), each == 0 ? 0 : counted_over_every_f(p, each))
+            << name(p);
+        const std::uint64_t all = v * (v - 1) / 2 + (v * each + 1) / 2;
+        const std::uint64_t first = k * (k - 1) / 2;
+        const std::uint64_t most = first - (k - m) * (k - m - 1) / 2;
+        EXPECT_EQ(bound_named({.v = v, .k = k, .change = m}, "degree"),
+                  each == 0 ? 0 : ceil_div(all - first, k == m ? first : most) + 1)
+            << name(p);
+        forced += each > 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(forced, 400U);
+}
+
+TEST(LowerBound, SaysLittleWhereMoreThanAMillionNumbersWouldHaveToBeTried) {
+  constexpr std::uint64_t million = std::uint64_t{1} << 20;
+  const Parameters p{
+      .v = 2 * million + 1004, .k = 2 * million + 4, .change = 1, .kind = Kind::circular};
+  EXPECT_EQ(bound_named(p, "counting"), 3U);
+  EXPECT_NE(reason_named(p, "counting").find("least at f = 0: b >= 3"), std::string::npos);
+}
+
+// Reasons as they are read: every number in them is the right one.
+TEST(LowerBound, WritesEachReasonWithItsNumbers) {
+  const auto circular = [](std::uint64_t v, std::uint64_t k, std::uint64_t m) {
+    return Parameters{.v = v, .k = k, .change = m, .kind = Kind::circular};
+  };
+  EXPECT_EQ(
+      reason_named(circular(20, 5, 2), "counting"),
+      "each block newly covers at most 7 of C(20,2) = 190 pairs: b >= ceil(190 / 7) = 28 (elements in "
+      "every block do not help)");
+  EXPECT_EQ(
+      reason_named(circular(8, 6, 2), "counting"),
+      "ceil(C(8,2) / 9) = 4 counts pairs of elements that are in every block; over the number f of "
+      "those, max(ceil((C(8,2) - C(f,2)) / 9), ceil(C(8-f,2) / p(6-f)), ceil((8-f) / 2), 3) is least at "
+      "f = 2: b >= 3");
+  EXPECT_EQ(
+      reason_named(circular(10, 8, 1), "counting"),
+      "ceil(C(10,2) / 7) = 7 counts pairs of elements that are in every block; over the number f of "
+      "those, max(ceil((C(10,2) - C(f,2)) / 7), ceil(C(10-f,2) / p(8-f)), ceil((10-f) / 1), 3) is least "
+      "at f = 5: b >= 5");
+  EXPECT_EQ(
+      reason_named({.v = 12, .k = 4}, "counting"),
+      "the first block covers C(4,2) = 6 of C(12,2) = 66 pairs, each later one newly covers at most 5: "
+      "b >= ceil((66 - 6) / 5) + 1 = 13");
+  EXPECT_EQ(
+      reason_named({.v = 14, .k = 7, .kind = Kind::circular, .strength = 3}, "counting"),
+      "the first block covers C(7,3) = 35 of C(14,3) = 364 3-subsets, each later one newly covers at "
+      "most 25: b >= ceil((364 - 35) / 25) + 1 = 15 (a circular design is also a linear one)");
+  EXPECT_EQ(
+      reason_named(circular(23, 9, 4), "degree"),
+      "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= 2 (modulo gcd(k-1,m) = 4); counting with "
+      "this excess, least at 0 elements in every block, gives b >= 11");
+  EXPECT_EQ(
+      reason_named(circular(12, 9, 2), "degree"),
+      "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= 1 (modulo gcd(k-1,m) = 2); counting with "
+      "this excess, least at 2 elements in every block, gives b >= 5");
+  EXPECT_EQ(
+      reason_named({.v = 20, .k = 9, .change = 4}, "degree"),
+      "i_x(k-1) + m(r_x-i_x) = v-1 + e_x makes every e_x >= 1 (modulo gcd(k-1,m) = 4), so 200 pairs are "
+      "covered with repetition: b >= ceil((200 - 36) / 26) + 1 = 8");
+  EXPECT_EQ(
+      reason_named({.v = 19, .k = 7, .change = 3}, "end to end"),
+      "at most 3 elements enter a step, so some x is in none of the first ceil((19-7)/3) = 4 blocks and "
+      "some y in none of the last 4: b >= 2*4 + 1 = 9");
+  EXPECT_EQ(
+      reason_named({.v = 14, .k = 7, .strength = 3}, "end to end"),
+      "at most 2 elements enter a step, so ceil((14-7)/2) = 4 blocks in a row lack some element, and 3 "
+      "runs of 4 lack 3 that never meet: b >= 3*4 + 1 = 13");
+  const auto stays = [](const std::string& weights, const std::string& most,
+                        const std::string& forced) {
+    return weights + " <= " + most +
+           " where n_j elements are introduced j times (docs/theorems.md, Theorem 5), so k + m(b-1) >= " +
+           forced;
+  };
+  EXPECT_EQ(reason_named(circular(8, 6, 2), "stays"), stays("n1", "k = 6", "2v - k = 10: b >= 3"));
+  EXPECT_EQ(reason_named({.v = 12, .k = 4}, "stays"),
+            stays("2*n1 + n2", "3k = 12", "3v - 3k = 24: b >= 11"));
+  EXPECT_EQ(reason_named({.v = 14, .k = 7, .strength = 3}, "stays"),
+            stays("2*n1 + n2", "2k = 14", "3v - 2k = 28: b >= 12"));
+  EXPECT_EQ(reason_named({.v = 20, .k = 3, .change = 1}, "stays"),
+            stays("4*n1 + 3*n2 + 2*n3 + n4", "13k = 39", "5v - 13k = 61: b >= 59"));
+  EXPECT_EQ(reason_named({.v = 30, .k = 3}, "stays"),
+            stays("5*n1 + 4*n2 + ... + n5", "21k = 63", "6v - 21k = 117: b >= 58"));
+  EXPECT_EQ(
+      reason_named(circular(10, 3, 3), "degree program"),
+      "no whole numbers i_x, r_x have the sums of 16 or fewer blocks and i_x(k-1) + m(r_x-i_x) >= "
+      "v-1 = 9 for every x and the stays of Theorem 5: b >= 17");
+  EXPECT_EQ(
+      reason_named({.v = 9, .k = 5, .change = 1, .kind = Kind::circular, .strength = 3},
+                   "checked proofs"),
+      "fewer than 15 blocks are excluded by SAT with checked DRAT proofs, written anew by: changeover "
+      "search 9 5 --change 1 --circular --strength 3 --exact --proof DIR");
+  EXPECT_EQ(
+      reason_named({.v = 12, .k = 4}, "checked proofs"),
+      "fewer than 14 blocks are excluded by SAT with checked DRAT proofs, written anew by: changeover "
+      "search 12 4 --change 2 --linear --exact --proof DIR");
+  EXPECT_EQ(reason_named({.v = 7, .k = 7}, "trivial"), "one block holds all elements");
+}
+
+TEST(LowerBound, SaysNothingMoreWhereOneBlockIsAll) {
+  EXPECT_EQ(lower_bounds({.v = 7, .k = 7}).size(), 1U);
+  EXPECT_EQ(counting_bound({.v = 7, .k = 7}), 1U);
+  EXPECT_EQ(counting_bound({.v = 7, .k = 7, .kind = Kind::circular}), 1U);
+  EXPECT_THROW((void)lower_bounds({.v = 3, .k = 4}), ImpossibleParameters);
+}
+
+TEST(LowerBound, IsOfTheFirstKindAmongEqualOnes) {
+  const auto bounds = lower_bounds({.v = 8, .k = 6, .kind = Kind::circular});
+  ASSERT_EQ(bounds.size(), 3U);
+  EXPECT_EQ(bounds[0].name, "counting");
+  EXPECT_EQ(bounds[1].name, "end to end");
+  EXPECT_EQ(bounds[2].name, "stays");
 }
 
 }  // namespace

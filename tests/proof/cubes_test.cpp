@@ -43,6 +43,16 @@ TEST(Cubes, AreRefusedIfTheyContradictThemselves) {
   EXPECT_THROW((void)cubes_cover_everything({{0}}), BadInput);
 }
 
+// The part that is missing is on the side of the first literal, then of its negation, then deeper.
+TEST(Cubes, LeaveNothingOutOnEitherSide) {
+  EXPECT_FALSE(cubes_cover_everything({{1, 2}, {-1, 2}, {-1, -2}}));
+  EXPECT_FALSE(cubes_cover_everything({{1, 2}, {1, -2}, {-1, -2}}));
+  EXPECT_TRUE(cubes_cover_everything({{1, 2}, {1, -2}, {-1, 2}, {-1, -2}}));
+  EXPECT_FALSE(cubes_cover_everything({{3}, {-3, 1, 2}, {-3, -1, 2}, {-3, -1, -2}}));
+  EXPECT_FALSE(cubes_cover_everything({}));
+  EXPECT_TRUE(cubes_cover_everything({{}}));
+}
+
 RC_GTEST_PROP(CubesProperty, AgreeWithBruteForce, ()) {
   constexpr int variables = 4;
   std::vector<Cube> cubes;
