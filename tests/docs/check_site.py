@@ -170,7 +170,11 @@ def main():
     if len(sys.argv) == 3 and sys.argv[1] == "--pages":
         faults = page_faults(pathlib.Path(sys.argv[2]))
     elif len(sys.argv) == 2:
-        faults = site_faults(pathlib.Path(sys.argv[1]))
+        site = pathlib.Path(sys.argv[1])
+        if not site.is_dir():
+            print(f"skipped: {site} was not built")
+            sys.exit(77)
+        faults = site_faults(site)
     else:
         sys.exit(__doc__)
     print("\n".join(faults) if faults else "all links lead somewhere, and nothing is loaded from elsewhere")

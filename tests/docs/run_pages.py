@@ -41,12 +41,12 @@ import tempfile
 
 ANY_KIND = [
     (re.compile(r"\b\d[\d.,]*\s?[kMG]?i?B/s"), "RATE"),
-    (re.compile(r"\b\d[\d.,]*\s(µs|ms|s|min|h)\b(?!/)"), "TIME"),
+    (re.compile(r"\b\d[\d.,:]*\s(µs|ms|s|min|h)\b(?!/)"), "TIME"),
     (re.compile(r"\b\d{4}-\d\d-\d\d\b"), "DATE"),
     (re.compile(r"\bchangeover \d+\.\d+\.\d+\b"), "VERSION"),
 ]
 SUCCESS = {0, 10, 20, 30}
-PROGRESS = re.compile(r"changeover: .*; \d+ s(, \d+ s left)?")
+PROGRESS = re.compile(r"changeover: .*; [\d:]+ (s|min|h|d)(, [\d:]+ (s|min|h|d) left)?")
 
 
 class Command:

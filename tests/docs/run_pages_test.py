@@ -52,7 +52,7 @@ class Pages(unittest.TestCase):
         self.wrong("    $ echo 'no label 123abc'\n    a label …\n")
         self.right("    $ echo '3 blocks in 0.25 s on 2026-01-02'\n    3 blocks in 7.1 s on 2025-12-31\n")
         self.wrong("    $ echo '4 blocks in 0.25 s'\n    3 blocks in 0.25 s\n")
-        self.right("    $ echo 'changeover: search; 9 k moves; 11 s, 4 s left' >&2; echo done\n    done\n")
+        self.right("    $ echo 'changeover: search; 9 k moves; 1:11 min, 4 s left' >&2; echo done\n    done\n")
 
     def test_commands_without_output(self):
         self.right("    $ echo anything\n")

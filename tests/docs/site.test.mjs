@@ -23,6 +23,8 @@ before(async () => {
     chromiumSandbox: process.getuid?.() !== 0,
     viewport: { width: 1280, height: 900 },
   });
+  context.setDefaultTimeout(120000); // On a loaded machine a page takes long.
+  context.setDefaultNavigationTimeout(120000);
   context.on('request', (request) => {
     const url = request.url();
     if (!/^(file|data|blob|about|chrome):/.test(url)) {
