@@ -3,7 +3,7 @@
 # If CHANGEOVER_PRECOMPILE is on: <target> takes the compiled headers of <owner>, who is compiled with the same options;
 # where the two are the same target, these <header>s are compiled. A source then costs two thirds of what it did.
 #
-# A source includes what it needs all the same: only the preset `release` precompiles, so all others hold it to that.
+# A source includes what it needs all the same: the preset `debug` does not precompile and holds it to that.
 option(CHANGEOVER_PRECOMPILE "Compile the headers that most sources include once" OFF)
 
 set(CHANGEOVER_COMMON_HEADERS
