@@ -1,11 +1,15 @@
 // Any bytes, read as JSON.
 #include "changeover/io/formats.hpp"
+#include "support/promises.hpp"
 
-#include "read_write_read.hpp"
+namespace changeover::fuzz {
+namespace {
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace changeover;
-  return fuzz::read_write_read(
-      data, size, [](const std::string& text) { return read_json(*input_from_text(text)); },
+const Target target("json", [](const std::string& bytes) {
+  read_write_read(
+      bytes, [](const std::string& text) { return read_json(*input_from_text(text)); },
       [](const Design& design, Sink& sink) { write_json(design, sink); });
-}
+});
+
+}  // namespace
+}  // namespace changeover::fuzz

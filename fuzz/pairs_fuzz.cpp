@@ -1,0 +1,67 @@
+// Any bytes, read as a list of pairs; a load order for those of a small one is held to its referee.
+#include <algorithm>
+#include <set>
+
+#include "changeover/loadorder/load_check.hpp"
+#include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/wanted_pairs.hpp"
+#include "support/promises.hpp"
+
+namespace changeover::fuzz {
+namespace {
+
+constexpr std::uint64_t most_items_here = 40;
+
+std::string name_of(const PairGraph& graph, Element x) {
+  return graph.names().empty() ? std::to_string(x) : graph.names()[x];
+}
+
+// Pairs as their items are called, which is what a file says.
+std::set<std::pair<std::string, std::string>> pairs_by_name(const PairGraph& graph) {
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (Element x = 0; x < graph.items(); ++x) {
+    for (const Element y : graph.partners(x)) {
+      pairs.emplace(name_of(graph, x), name_of(graph, y));
+    }
+    if (graph.is_needed(x)) {
+      pairs.emplace(name_of(graph, x), name_of(graph, x));
+    }
+  }
+  return pairs;
+}
+
+void order_of(const std::shared_ptr<const PairGraph>& graph) {
+  const WantedPairs wanted = WantedPairs::listed(graph);
+  for (const std::uint64_t room : {2U, 3U, 7U}) {
+    const LoadOrder order = plan_load_order(wanted, room);
+    const auto steps = order.stream();
+    const LoadVerdict verdict = check_loads(*steps, graph->items(), room, {.wanted = wanted});
+    must(verdict.valid() && verdict.loads == order.facts().loads,
+         "a load order is one: " + verdict.fault + verdict.uncovered_example);
+    must(verdict.loads >= load_lower_bound(wanted, room).loads, "no order is below its bound");
+  }
+}
+
+const Target target("pairs", [](const std::string& bytes) {
+  std::shared_ptr<const PairGraph> graph;
+  if (!accepts([&] { graph = read_pairs(*input_from_text(bytes)); })) {
+    return;
+  }
+  if (graph->items() > 4000 || graph->pairs() > 4000) {
+    return;
+  }
+  const auto pairs = pairs_by_name(*graph);
+  std::string text;
+  for (const auto& [x, y] : pairs) {
+    text += x + "\t" + y + "\n";
+  }
+  if (!text.empty()) {
+    must(pairs_by_name(*read_pairs(*input_from_text(text))) == pairs, "pairs are read as written");
+  }
+  if (graph->items() <= most_items_here) {
+    accepts([&] { order_of(graph); });
+  }
+});
+
+}  // namespace
+}  // namespace changeover::fuzz

@@ -1,0 +1,100 @@
+// A parts list and a run sheet with results, as they come back from a bench: what was done is taken off, a sheet is made of
+// what is left and read again, and the results are diagnosed.
+#include <algorithm>
+
+#include "changeover/plan/diagnosis.hpp"
+#include "changeover/plan/run_plan.hpp"
+#include "changeover/plan/sheet_formats.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/run/scope.hpp"
+#include "support/promises.hpp"
+
+namespace changeover::fuzz {
+namespace {
+
+constexpr std::size_t most_parts_here = 12;
+
+std::vector<Block> sorted(std::vector<Block> setups) {
+  for (Block& setup : setups) {
+    std::sort(setup.begin(), setup.end());
+  }
+  return setups;
+}
+
+void plan_again(const Job& job, RunControl& control) {
+  const RunPlan plan =
+      make_run_plan(job, {.steps = 200, .attempts = 1, .design_moves = 0, .states = 0}, control);
+  must(plan.sheet.does_the_job(), "a plan does the job");
+  must(plan.sheet.cost >= plan.bound.cost, "no plan is below its bound");
+  const SheetDocument document{.job = &job, .plan = &plan};
+  must(is_plain_json(sheet_as_json(document)), "a run sheet is JSON");
+  const std::string csv = sheet_as_csv(document);
+  for (const std::string& text :
+       {csv, sheet_as_table(document, 80), sheet_as_html(document), sheet_as_markdown(document)}) {
+    must(is_plain(text), "a run sheet is plain text");
+  }
+  if (plan.sheet.steps.empty()) {
+    return;
+  }
+  std::vector<Block> setups;
+  for (const RunStep& step : plan.sheet.steps) {
+    setups.push_back(step.setup);
+  }
+  must(sorted(read_setups(*input_from_text(csv), job.names)) == sorted(setups),
+       "the set-ups of a run sheet are read as written");
+}
+
+void diagnosed(const Job& job, const DoneList& done) {
+  std::vector<TestedSetup> tests;
+  for (std::size_t i = 0; i < done.setups.size(); ++i) {
+    const TestResult result = result_of(done.results[i]);
+    if (result != TestResult::none && !done.lacks[i] && !done.setups[i].empty()) {
+      tests.push_back({done.setups[i], result == TestResult::fail});
+    }
+  }
+  const Diagnosis found = diagnose(job, tests);
+  must(found.passed + found.failed == tests.size(), "every result counts");
+  for (const Suspect& suspect : found.suspects) {
+    for (const TestedSetup& test : tests) {
+      const auto has = [&](Element x) {
+        return std::find(test.setup.begin(), test.setup.end(), x) != test.setup.end();
+      };
+      must((has(suspect.one) && has(suspect.other.value_or(suspect.one))) == test.failed,
+           "a suspect is in all tests that failed and in none that passed");
+    }
+  }
+  must(is_plain_json(diagnosis_as_json(job, found)), "a diagnosis is JSON");
+  must(is_plain(diagnosis_as_table(job, found, 80)), "a diagnosis is plain text");
+}
+
+const Target target("sheet", [](const std::string& bytes) {
+  const std::vector<std::string> parts = parts_of(bytes, 2);
+  accepts([&] {
+    const PartList list = read_parts(*input_from_text(parts[0]));
+    const std::size_t count = list.names.size();
+    if (count < 2 || count > most_parts_here) {
+      return;
+    }
+    Job job =
+        make_job(count, std::min<std::size_t>(count, 4), parse_amount("1"), parse_amount("5"));
+    job.names = list.names;
+    for (std::size_t x = 0; x < count; ++x) {
+      job.change_costs[x] = list.change_costs[x].value_or(job.change_costs[x]);
+    }
+    const DoneList done = read_done(*input_from_text(parts[1]), job.names, job.at_once);
+    RunControl control({.time = std::chrono::seconds(2)});
+    const RunScope scope(control);
+    try {
+      diagnosed(job, done);
+      std::vector<Block> whole = done.setups;
+      std::erase_if(whole, [](const Block& setup) { return setup.empty(); });
+      mark_done(job, whole);
+      plan_again(job, control);
+    } catch (const Stopped&) {
+      must(control.why_stopped() == WhyStopped::time_limit, "only the time stops it");
+    }
+  });
+});
+
+}  // namespace
+}  // namespace changeover::fuzz
