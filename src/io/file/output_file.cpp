@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "changeover/core/error.hpp"
+#include "io/file/left_behind.hpp"
 #include "io/file/links.hpp"
 
 namespace changeover {
@@ -188,15 +189,20 @@ struct OutputFile::State {
     const std::filesystem::path folder = path.parent_path();
     // The name of a file can be as long as NAME_MAX; ours must not be longer.
     const std::string stem = path.filename().string().substr(0, 200);
+    remove_left_behind(folder, stem);
     for (int attempt = 0; attempt < 100; ++attempt) {
       temporary = (folder / fmt::format(".{}.{}-{}.tmp", stem, ::getpid(), counter++)).string();
       slot = unfinished.add(temporary);
       descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor >= 0) {
+      if (descriptor >= 0 && claim_temporary(descriptor, temporary)) {
         break;
       }
-      const int error = errno;
+      const int error = descriptor >= 0 ? EEXIST : errno;
       unfinished.drop(slot);
+      if (descriptor >= 0) {
+        ::close(descriptor);
+        descriptor = -1;
+      }
       if (error != EEXIST) {
         cannot_write(name, error);
       }
