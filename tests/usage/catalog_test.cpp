@@ -101,16 +101,22 @@ TEST_F(CatalogUsage, ExportAndImport) {
 }
 
 TEST_F(CatalogUsage, Verify) {
-  expect({{mine("add three.txt four.txt"), 0, "added: "},
-          {mine("verify --users --resume done.txt"), 0, "2 of 2 designs built and verified"},
-          {mine("verify --users --resume done.txt"), 0,
-           "0 of 2 designs built and verified (2 before)"},
-          {mine("add same.txt --even-isomorphic"), 0, "added: "},
-          {mine("verify --users --resume done.txt --json"), 0,
-           "\"checked\":3,\"checked_before\":0,\"complete\":true"},
-          {mine("verify --users --resume three.txt"), 3, "no list of what catalog verify has done"},
-          {mine("verify --k 4 --v 10..20 --change 1 --threads 2"), 0, "all as they say"}},
-         folder);
+  expect(
+      {{mine("add three.txt four.txt"), 0, "added: "},
+       {mine("verify --users --resume done.txt"), 0, "2 of 2 designs built and verified"},
+       {mine("verify --users --resume done.txt"), 0,
+        "0 of 2 designs built and verified (2 before)"},
+       {mine("add same.txt --even-isomorphic"), 0, "added: "},
+       {mine("verify --users --resume done.txt --json"), 0,
+        "\"checked\":3,\"checked_before\":0,\"complete\":true"},
+       {mine("verify --users --resume three.txt"), 3, "no list of what catalog verify has done"},
+       {"echo 9.9.9.linear.1.00000000 >>done.txt; " +
+            mine("verify --users --resume done.txt --json"),
+        0, "\"checked\":0,\"checked_before\":3,\"complete\":true"},
+       {"(ulimit -f 0; " + mine("verify --users --resume done.txt") + "); wc -l <done.txt", 0, "4"},
+       {"mkfifo pipe; " + mine("verify --users --resume pipe"), 3, "pipe: is no regular file"},
+       {mine("verify --k 4 --v 10..20 --change 1 --threads 2"), 0, "all as they say"}},
+      folder);
 }
 
 TEST_F(CatalogUsage, ImproveAndSubmit) {

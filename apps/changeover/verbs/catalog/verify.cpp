@@ -1,11 +1,14 @@
 // changeover catalog verify: everything that the catalog says, held to what is built.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/curator/audit.hpp"
+#include "changeover/io/output.hpp"
 #include "core/printable.hpp"
 #include "io/file/file_lock.hpp"
 #include "io/write/json_writer.hpp"
@@ -32,6 +35,11 @@ class Ledger {
       return;
     }
     lock_.emplace(path);
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+      throw BadInput(printable(path) + ": is no regular file; name another one by --resume");
+    }
     const std::string first = "changeover-catalog-verify/1 " + scope.checksum;
     std::ifstream old(path);
     std::string line;
@@ -41,18 +49,22 @@ class Ledger {
                      ": no list of what catalog verify has done; name another file by --resume");
     }
     const bool goes_on = is_there && line == first;
+    const std::set<std::string> labels(scope.labels.begin(), scope.labels.end());
     while (goes_on && std::getline(old, line)) {
-      if (!old.eof()) {  // A line that was broken off has no end.
+      // A line that was broken off has no end; one that names no entry counts for nothing.
+      if (!old.eof() && labels.contains(line)) {
         done.insert(line);
       }
     }
     old.close();
-    // Written anew, so that nothing is appended to half a line.
-    file_.open(path, std::ios::trunc);
-    file_ << first << '\n';
+    // Written anew, so that nothing is appended to half a line, and as a whole, so that nothing is lost.
+    OutputFile whole(path);
+    whole.write(first + "\n");
     for (const std::string& label : done) {
-      file_ << label << '\n';
+      whole.write(label + "\n");
     }
+    whole.commit();
+    file_.open(path, std::ios::app);
     flush();
   }
 
