@@ -131,13 +131,13 @@ class UpdateJob {
       report_.steps_done = report_.steps_resumed = facts_.steps;
       return report_;
     }
-    if (!journal.records().empty() && !std::filesystem::exists(beside_)) {
-      throw BadInput(
-          fmt::format("{}: is not there, and without it {} cannot go on; restore both, "
-                      "or restore the data and remove the journal",
-                      beside_, options_.journal));
+    check_beside(journal);
+    // What is refused is not touched: a journal whose last lines do not count keeps them until the items are known to be those of the
+    // line before. A new one comes before its second file, which without it would be nobody's.
+    const bool goes_on = !journal.records().empty();
+    if (!goes_on) {
+      journal.begin();
     }
-    journal.begin();
     before_write();
     items.begin();
     for (std::uint64_t w = 0; w < facts_.workers; ++w) {
@@ -145,6 +145,9 @@ class UpdateJob {
     }
     ComputePool pool(static_cast<unsigned>(facts_.workers));
     go_on(journal, items, pool);
+    if (goes_on) {
+      journal.begin();
+    }
     while (report_.steps_done < facts_.steps && !cancelled()) {
       compute_step(items, pool);
       if (report_.steps_done % std::max<std::uint64_t>(1, options_.checkpoint_every) == 0 ||
@@ -192,6 +195,33 @@ class UpdateJob {
       throw BadInput(fmt::format("{}: has {} bytes, but {} items of {} make {}", options_.data,
                                  bytes, facts_.items, options_.item_bytes,
                                  facts_.items * options_.item_bytes));
+    }
+  }
+
+  // Whether the second file can be what the journal is about.
+  void check_beside(const Journal& journal) const {
+    const bool there = std::filesystem::exists(beside_);
+    if (journal.records().empty()) {
+      if (there && !journal.note().empty()) {
+        throw BadInput(fmt::format(
+            "{}: its first step is damaged, and {} is there, so {} may be half changed; bring the "
+            "journal back, or restore the data and remove both",
+            options_.journal, beside_, options_.data));
+      }
+      return;
+    }
+    if (!there) {
+      throw BadInput(
+          fmt::format("{}: is not there, and without it {} cannot go on; restore both, "
+                      "or restore the data and remove the journal",
+                      beside_, options_.journal));
+    }
+    const std::uint64_t bytes = std::filesystem::file_size(beside_);
+    if (bytes != facts_.items * options_.item_bytes) {
+      throw BadInput(fmt::format(
+          "{}: has {} bytes, and {} has {}; restore both, or restore the data and remove this file "
+          "and the journal",
+          beside_, bytes, options_.data, facts_.items * options_.item_bytes));
     }
   }
 

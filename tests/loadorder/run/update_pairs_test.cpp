@@ -216,6 +216,40 @@ TEST(UpdatePairs, WithoutTheJournalWhatIsHalfChangedIsRefusedUnchanged) {
   EXPECT_TRUE(slurp(folder.file("data")) == expected(order, content(12)));
 }
 
+TEST(UpdatePairs, ADamagedJournalOrSecondFileIsRefusedUnchanged) {
+  const DisjointOrder order = plan_disjoint_order(12, 3, 2);
+  const TemporaryFolder folder;
+  spit(folder.file("data"), content(12));
+  ASSERT_FALSE(run_until(order, options_in(folder, 1), 90));
+  const std::string data = slurp(folder.file("data"));
+  const std::string versions = slurp(folder.file("data.versions"));
+  const std::string journal = slurp(folder.file("journal"));
+  const auto refused = [&](const std::string& a_journal, const std::string& a_version) {
+    spit(folder.file("journal"), a_journal);
+    spit(folder.file("data.versions"), a_version);
+    EXPECT_THROW(update_pairs(order, mixer(), options_in(folder, 1)), BadInput);
+    EXPECT_TRUE(slurp(folder.file("data")) == data);
+    EXPECT_TRUE(slurp(folder.file("data.versions")) == a_version);
+    EXPECT_EQ(slurp(folder.file("journal")), a_journal);
+  };
+  // A digit of each line, the last of which says where the items are.
+  std::size_t lines = 0;
+  for (std::size_t end = journal.find('\n', journal.find('\n') + 1); end != std::string::npos;
+       end = journal.find('\n', end + 1)) {
+    std::string wrong = journal;
+    wrong[end - 1] = wrong[end - 1] == '0' ? '1' : '0';
+    refused(wrong, versions);
+    ++lines;
+  }
+  EXPECT_GE(lines, 2U);
+  refused(journal, versions.substr(0, versions.size() - 1));
+  refused(journal, versions + "x");
+  spit(folder.file("journal"), journal);
+  spit(folder.file("data.versions"), versions);
+  EXPECT_TRUE(update_pairs(order, mixer(), options_in(folder, 1)).finished);
+  EXPECT_TRUE(slurp(folder.file("data")) == expected(order, content(12)));
+}
+
 TEST(UpdatePairs, StopsWithACheckpointWhenItIsCancelled) {
   const DisjointOrder order = plan_disjoint_order(20, 4, 2);
   const TemporaryFolder folder;
