@@ -34,6 +34,7 @@ constexpr int patience = 20'000;
           "{}: {}; give leave to write there, or name another file by --catalog", name, what));
     case SQLITE_NOMEM:
       throw MissingResource(fmt::format("{}: not enough memory", name));
+    case SQLITE_CONSTRAINT:  // What is written agrees with itself, so what is there does not.
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
       throw BadInput(
