@@ -203,7 +203,8 @@ void write_minima(const std::vector<MinimaRow>& rows, Sink& sink) {
 
 std::vector<MinimaRow> read_minima(Input& input) {
   constexpr std::size_t most_bytes = std::size_t{1} << 26;
-  const std::string text = read_to_end(input, most_bytes);
+  const std::string text =
+      read_to_end(input, most_bytes, "no table of minima is as long; name another file");
   std::vector<MinimaRow> rows;
   for (Lines lines(text); lines.next();) {
     RowReader reader(input.name(), lines.number(), lines.line());

@@ -167,7 +167,8 @@ std::optional<Checkpoint> read_checkpoint(const std::string& path, const Paramet
   if (!std::filesystem::is_regular_file(status)) {
     throw BadInput(fmt::format("{}: a checkpoint must be a regular file; name another one", path));
   }
-  const std::string text = read_to_end(*open_input(path), most_bytes);
+  const std::string text =
+      read_to_end(*open_input(path), most_bytes, "no checkpoint is as long; name another file");
   if (!text.starts_with("changeover-checkpoint ")) {
     throw BadInput(fmt::format("{}: this is not a checkpoint; name another file", path));
   }
