@@ -11,6 +11,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/checked.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/json_body.hpp"
 #include "serve/api/routes.hpp"
@@ -171,8 +172,8 @@ Response load_order(const Request& request) {
   json.begin_object().key("loads").value(loads).key("lower_bound").value(bound.loads);
   json.key("reason").value(bound.reason).key("method").value(facts.method);
   json.key("explanation").value(facts.explanation);
-  json.key("bytes").value(loads * asked.bytes_per_item);
-  json.key("bytes_bound").value(bound.loads * asked.bytes_per_item);
+  json.key("bytes").value(checked_multiply(loads, asked.bytes_per_item));
+  json.key("bytes_bound").value(checked_multiply(bound.loads, asked.bytes_per_item));
   json.key("step_count").value(steps).key("steps").begin_array();
   Account account(asked, steps);
   std::uint64_t written = 0;
