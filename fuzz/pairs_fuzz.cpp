@@ -10,7 +10,7 @@
 namespace changeover::fuzz {
 namespace {
 
-constexpr std::uint64_t most_items_here = 40;
+constexpr std::uint64_t most_items_here = 16;
 
 std::string name_of(const PairGraph& graph, Element x) {
   return graph.names().empty() ? std::to_string(x) : graph.names()[x];
