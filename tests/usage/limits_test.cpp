@@ -157,38 +157,58 @@ std::string said_of(const Outcome& outcome) {
   return line;
 }
 
-TEST(Limits, EachRowOfThePageHoldsAtTheLimitAndOneBeyond) {
-  const auto rows = limit_rows(std::string(CHANGEOVER_TEST_DATA) + "/../../docs/limits.md",
-                               "Files and arguments");
-  for (const auto& [name, row] : rows) {
+std::map<std::string, LimitRow> rows() {
+  return limit_rows(std::string(CHANGEOVER_TEST_DATA) + "/../../docs/limits.md",
+                    "Files and arguments");
+}
+
+Outcome tried(const Limit& limit, std::uint64_t number, const TemporaryFolder& folder) {
+  std::string command = limit.command;
+  if (limit.file) {
+    spit(folder.path() / "it", limit.file(number));
+  } else {
+    command.replace(command.find(" N") + 1, 1, std::to_string(number));
+  }
+  return run(command, folder.path());
+}
+
+TEST(LimitsPage, HasWhatIsTriedAndNothingElse) {
+  for (const auto& [name, row] : rows()) {
     EXPECT_TRUE(limits().contains(name)) << name << " is on the page and not tried";
   }
-  for (const auto& [name, limit] : limits()) {
-    const auto row = rows.find(name);
-    if (row == rows.end()) {
-      ADD_FAILURE() << name << " is not on the page";
-      continue;
-    }
-    const TemporaryFolder folder;
-    const auto tried = [&](std::uint64_t number) {
-      std::string command = limit.command;
-      if (limit.file) {
-        spit(folder.path() / "it", limit.file(number));
-      } else {
-        const std::size_t at = command.find(" N") + 1;
-        command.replace(at, 1, std::to_string(number));
-      }
-      return run(command, folder.path());
-    };
-    const Outcome at = tried(row->second.limit);
-    EXPECT_EQ(at.code, limit.at) << name << " at its limit: " << at.err;
-    EXPECT_NE(said_of(at), row->second.line) << name << " is refused at its limit";
-    const Outcome beyond = tried(row->second.limit + 1);
-    EXPECT_EQ(beyond.code, row->second.code) << name;
-    EXPECT_EQ(said_of(beyond), row->second.line) << name;
-    EXPECT_EQ(beyond.out, "") << name;
-  }
+  EXPECT_EQ(rows().size(), limits().size());
 }
+
+class Limits : public testing::TestWithParam<std::string> {};
+
+TEST_P(Limits, HoldsAtItAndOneBeyond) {
+  const Limit& limit = limits().at(GetParam());
+  const auto page = rows();
+  ASSERT_TRUE(page.contains(GetParam())) << "not on the page";
+  const LimitRow& row = page.at(GetParam());
+  const TemporaryFolder folder;
+  const Outcome at = tried(limit, row.limit, folder);
+  EXPECT_EQ(at.code, limit.at) << at.err;
+  EXPECT_NE(said_of(at), row.line) << "refused at its limit";
+  const Outcome beyond = tried(limit, row.limit + 1, folder);
+  EXPECT_EQ(beyond.code, row.code);
+  EXPECT_EQ(said_of(beyond), row.line);
+  EXPECT_EQ(beyond.out, "");
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const auto& [name, limit] : limits()) {
+    all.push_back(name);
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Limits, testing::ValuesIn(names()), [](const auto& each) {
+  std::string name = each.param;
+  std::ranges::replace(name, '-', '_');
+  return name;
+});
 
 }  // namespace
 }  // namespace changeover::test
