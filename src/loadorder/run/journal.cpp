@@ -158,7 +158,7 @@ void Journal::check_head(const std::string& found, const std::vector<JournalFiel
   for (const JournalField& field : job) {
     const std::string part = part_of_head(field);
     // The last separator is the end of the line.
-    if (found.compare(at, part.size() - 2, part, 0, part.size() - 2) != 0) {
+    if (at > found.size() || found.compare(at, part.size() - 2, part, 0, part.size() - 2) != 0) {
       differs = field.name;
       break;
     }
