@@ -321,6 +321,16 @@ TEST(LowerBound, SaysNothingMoreWhereOneBlockIsAll) {
   EXPECT_THROW((void)lower_bounds({.v = 3, .k = 4}), ImpossibleParameters);
 }
 
+TEST(LowerBound, OfPairsIsNotSaidOfTriples) {
+  const auto bounds = lower_bounds({.v = 14, .k = 7, .kind = Kind::circular, .strength = 3});
+  std::vector<std::string> names;
+  for (const Bound& bound : bounds) {
+    names.push_back(bound.name);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"counting", "end to end", "stays"}));
+  EXPECT_EQ(least_introductions(25, 10), (Introductions{45, 2}));  // of pairs, if nothing is said
+}
+
 TEST(LowerBound, IsOfTheFirstKindAmongEqualOnes) {
   const auto bounds = lower_bounds({.v = 8, .k = 6, .kind = Kind::circular});
   ASSERT_EQ(bounds.size(), 3U);

@@ -186,6 +186,9 @@ TEST(DratDeletion, FindsEachOfThousandsOfClauses) {
     const Clause& clause = clauses[(i * 37) % clauses.size()];
     proof += "d " + lines({{clause[2], clause[0], clause[1]}});
   }
+  const ProofVerdict once = check_text(dimacs(12'000, clauses), proof);
+  EXPECT_EQ(once.deleted, 5000U);
+  EXPECT_EQ(once.ignored_deletions, 0U);
   const ProofVerdict verdict = check_text(dimacs(12'000, clauses), proof + proof);
   EXPECT_EQ(verdict.deleted, 5000U);
   EXPECT_EQ(verdict.ignored_deletions, 5000U);

@@ -5,6 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "changeover/verify/verified_design.hpp"
 
 namespace changeover {
 namespace {
@@ -77,6 +78,24 @@ TEST(VerdictDetails, CountsPairsOfElementsForStrengthTwoOnly) {
     EXPECT_EQ(count.covered, 0U);
     EXPECT_EQ(count.excess, 0U);
     EXPECT_EQ(count.blocks, 4U);
+  }
+}
+
+TEST(VerifiedDesigns, AreValidOrThereIsNone) {
+  const Parameters p{.v = 4, .k = 3, .change = 1};
+  const std::vector<Block> blocks{{0, 1, 2}, {1, 2, 3}, {0, 1, 3}};
+  const auto good = verified(Design(p, blocks));
+  ASSERT_TRUE(good);
+  EXPECT_EQ(good->design().blocks(), blocks);
+  EXPECT_TRUE(good->verdict().valid());
+  EXPECT_EQ(surely_verified(Design(p, blocks), "this").verdict(), good->verdict());
+  const std::vector<Block> one{{0, 1, 2}};
+  EXPECT_FALSE(verified(Design(p, one)));
+  try {
+    (void)surely_verified(Design(p, one), "a list of one block");
+    ADD_FAILURE() << "no design is no design";
+  } catch (const InternalError& fault) {
+    EXPECT_STREQ(fault.what(), "a list of one block fails verification");
   }
 }
 
