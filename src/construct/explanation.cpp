@@ -10,7 +10,7 @@ std::optional<Offer> best_offer(const Registry& registry, std::span<const Parame
                                 const Construction* only) {
   std::optional<Offer> best;
   for (const Parameters& p : asked) {
-    std::optional<Offer> offer = only != nullptr   ? only->offer(p, registry)
+    std::optional<Offer> offer = only != nullptr    ? only->offer(p, registry)
                                  : impossibility(p) ? std::nullopt
                                                     : best_known(registry, p, largest_answered_v);
     if (offer && (!best || offer->b < best->b)) {

@@ -41,7 +41,7 @@ is_refused_unharmed() { is_refused "$1" && cmp -s v.gram right.gram; }
 flip() { # file offset
   local byte
   byte=$(od -An -tu1 -j "$2" -N 1 "$1")
-  printf "\\x$(printf %02x $((byte ^ 16)))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
+  printf "%b" "\\x$(printf %02x $((byte ^ 16)))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
 }
 
 "$all_pairs" make v 60 300 || exit 1
@@ -266,6 +266,7 @@ fi
 huge=18446744073709551615
 for words in "make m $huge $huge" "make m $huge 1" "make m 1 $huge" "make m 4611686018427387904 4" \
   "make m 1099511627776 1048576" "make m 0 3" "make m 3 0"; do
+  # shellcheck disable=SC2086 # words are several.
   timeout 60 "$all_pairs" $words >/dev/null 2>err
   code=$?
   attack "$words" [ "$code" = 2 -o "$code" = 4 ]
