@@ -2,6 +2,7 @@
 #include <chrono>
 #include <optional>
 
+#include "arguments.hpp"
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
@@ -52,34 +53,31 @@ WantedPairs wanted_by(std::optional<std::uint64_t> items, const py::object& pair
   }
   std::vector<ItemPair> listed;
   std::uint64_t most = 0;
-  constexpr std::size_t between_signals = 1 << 14;
-  for (const py::handle row : py::iter(pairs)) {
-    if (listed.size() % between_signals == 0 && PyErr_CheckSignals() != 0) {
-      throw py::error_already_set();
-    }
+  for_each(pairs, [&](const py::handle& row) {
     Element ends[2] = {};
     std::size_t count = 0;
-    for (const py::handle end : row) {
+    for_each(row, [&](const py::handle& end) {
+      if (count == 2) {
+        throw BadInput("pairs: row " + std::to_string(listed.size()) +
+                       " has more than two items; a pair has two");
+      }
       const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(end.ptr()));
       if (!number) {
         throw py::error_already_set();
       }
       if (!(number >= py::int_(0) && number < py::int_(most_items))) {
         throw BadInput("pairs: items are numbered from 0 to " + std::to_string(most_items - 1) +
-                       ", not " + py::str(number).cast<std::string>());
+                       ", not " + quoted(words_of(number)));
       }
-      if (count < 2) {
-        ends[count] = number.cast<Element>();
-      }
-      ++count;
-    }
+      ends[count++] = number.cast<Element>();
+    });
     if (count != 2) {
-      throw BadInput("pairs: row " + std::to_string(listed.size()) + " has " +
-                     std::to_string(count) + " items; a pair has two");
+      throw BadInput("pairs: row " + std::to_string(listed.size()) +
+                     " has fewer than two items; a pair has two");
     }
     listed.emplace_back(ends[0], ends[1]);
     most = std::max<std::uint64_t>({most, ends[0] + 1ULL, ends[1] + 1ULL});
-  }
+  });
   return WantedPairs::listed(std::make_shared<const PairGraph>(items.value_or(most), listed));
 }
 

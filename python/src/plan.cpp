@@ -1,4 +1,5 @@
 // Run sheets: the experimenters' door.
+#include "arguments.hpp"
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
@@ -10,9 +11,7 @@ namespace changeover::python {
 namespace {
 
 // Numbers, strings and decimals alike, exactly as they are written.
-Amount amount_of(const py::handle& value) {
-  return parse_amount(py::str(value).cast<std::string>());
-}
+Amount amount_of(const py::handle& value) { return parse_amount(words_of(value)); }
 
 py::object decimal(Amount amount) {
   return py::module_::import("decimal").attr("Decimal")(to_string(amount));
@@ -53,13 +52,13 @@ struct Asked {
 };
 
 Element part_named(const Job& job, const py::handle& part) {
-  const auto text = py::str(part).cast<std::string>();
+  const std::string text = words_of(part);
   for (std::size_t i = 0; i < job.names.size(); ++i) {
     if (job.names[i] == text) {
       return static_cast<Element>(i);
     }
   }
-  throw BadInput("no part is called '" + text + "'");
+  throw BadInput("no part is called " + quoted(text));
 }
 
 // A string is a sequence of its letters, which nobody means.
@@ -72,18 +71,20 @@ void refuse_string(const char* argument, const py::handle& value) {
 Block parts_named(const Job& job, const char* argument, const py::handle& parts) {
   refuse_string(argument, parts);
   Block all;
-  for (const py::handle part : parts) {
+  for_each(parts, [&](const py::handle& part) {
+    if (all.size() > job.parts()) {
+      throw BadInput(std::string(argument) + " names more parts than there are");
+    }
     all.push_back(part_named(job, part));
-  }
+  });
   return all;
 }
 
 std::vector<Block> setups_named(const Job& job, const char* argument, const py::iterable& setups) {
   refuse_string(argument, setups);
   std::vector<Block> all;
-  for (const py::handle setup : setups) {
-    all.push_back(parts_named(job, argument, setup));
-  }
+  for_each(setups,
+           [&](const py::handle& setup) { all.push_back(parts_named(job, argument, setup)); });
   return all;
 }
 
@@ -99,19 +100,14 @@ std::pair<Element, Element> pair_named(const Job& job, const char* argument,
 PairSet pairs_named(const Job& job, const char* argument, const py::iterable& pairs) {
   refuse_string(argument, pairs);
   PairSet all(job.parts());
-  for (const py::handle pair : pairs) {
+  for_each(pairs, [&](const py::handle& pair) {
     const auto [x, y] = pair_named(job, argument, pair);
     all.insert(x, y);
-  }
+  });
   return all;
 }
 
-py::dict mapping(const char* argument, const py::object& value) {
-  if (!py::isinstance<py::dict>(value)) {
-    throw BadInput(std::string(argument) + " is a dict");
-  }
-  return value;
-}
+const char* const too_many_or_few = "parts is a number from 2 to 1000, or that many names";
 
 // The parts, by number, by name, or by name with their costs.
 Job parts_and_costs(const Asked& asked) {
@@ -121,19 +117,26 @@ Job parts_and_costs(const Asked& asked) {
   std::vector<std::string> listed;
   std::vector<Amount> costs;
   if (!is_number) {
-    const bool is_map = py::isinstance<py::dict>(parts);
-    for (const py::handle part : parts) {
-      listed.push_back(py::str(part).cast<std::string>());
-      if (is_map) {
-        costs.push_back(amount_of(parts[part]));
+    const auto take = [&](const py::handle& part) {
+      if (listed.size() == max_parts) {
+        throw BadInput(too_many_or_few);
       }
+      listed.push_back(words_of(part));
+    };
+    if (py::isinstance<py::dict>(parts)) {
+      for (const auto& [part, cost] : dict_of("parts", parts)) {
+        take(part);
+        costs.push_back(amount_of(cost));
+      }
+    } else {
+      for_each(parts, take);
     }
     if (const auto twice = py::set(py::cast(listed)); twice.size() != listed.size()) {
       throw BadInput("two parts have the same name");
     }
   }
   if (is_number && !(parts >= py::int_(2) && parts <= py::int_(max_parts))) {
-    throw BadInput("parts is a number from 2 to 1000, or names");
+    throw BadInput(too_many_or_few);
   }
   const std::uint64_t count = is_number ? parts.cast<std::uint64_t>() : listed.size();
   if (count < 2) {
@@ -158,7 +161,7 @@ void take_change_costs(const py::object& change_costs, Job& job) {
   const std::uint64_t v = job.parts();
   std::vector<bool> given(v * v);
   job.replace_costs.assign(v * v, Amount{});
-  for (const auto& [pair, cost] : mapping("change_costs", change_costs)) {
+  for (const auto& [pair, cost] : dict_of("change_costs", change_costs)) {
     const auto [out, in] = pair_named(job, "change_costs", pair);
     job.replace_costs[out * v + in] = amount_of(cost);
     given[out * v + in] = true;
@@ -171,36 +174,53 @@ void take_change_costs(const py::object& change_costs, Job& job) {
   }
 }
 
-// slots: how many parts of each, a number or (least, most), None for no limit; slot_of: which part is in which.
+// How many parts are in a slot: a number, or (least, most), where None is no limit.
+Slot slot_of(std::string name, const py::handle& room) {
+  Slot slot{.name = std::move(name)};
+  const auto refuse = [&slot]() {
+    throw BadInput("slots says how many parts are in " + quoted(slot.name) +
+                   ": a number, or (least, most) with None for no limit");
+  };
+  const auto number = [&refuse](const py::object& given) {
+    if (!py::isinstance<py::int_>(given) ||
+        !(given >= py::int_(0) && given <= py::int_(UINT64_MAX))) {
+      refuse();
+    }
+    return given.cast<std::uint64_t>();
+  };
+  const auto given = py::reinterpret_borrow<py::object>(room);
+  if (py::isinstance<py::int_>(given)) {
+    slot.least = slot.most = number(given);
+    return slot;
+  }
+  if (!py::isinstance<py::sequence>(given) || py::len(given) != 2) {
+    refuse();
+  }
+  const auto two = py::reinterpret_borrow<py::sequence>(given);
+  const py::object least = two[0];
+  const py::object most = two[1];
+  slot.least = least.is_none() ? slot.least : number(least);
+  slot.most = most.is_none() ? slot.most : number(most);
+  return slot;
+}
+
+// slots: how many parts of each; slot_of: which part is in which.
 void take_slots(const Asked& asked, Job& job) {
   std::vector<Slot> slots;
-  for (const auto& [name, room] : mapping("slots", asked.slots)) {
-    Slot slot{.name = py::str(name).cast<std::string>()};
-    if (py::isinstance<py::int_>(room)) {
-      slot.least = slot.most = room.cast<std::uint64_t>();
-    } else {
-      const auto two = py::reinterpret_borrow<py::object>(room);
-      if (!py::isinstance<py::sequence>(two) || py::len(two) != 2) {
-        throw BadInput("slots says how many parts are in '" + slot.name +
-                       "': a number, or (least, most) with None for no limit");
-      }
-      const auto sequence = py::reinterpret_borrow<py::sequence>(two);
-      slot.least = sequence[0].is_none() ? slot.least : sequence[0].cast<std::uint64_t>();
-      slot.most = sequence[1].is_none() ? slot.most : sequence[1].cast<std::uint64_t>();
-    }
-    slots.push_back(std::move(slot));
+  for (const auto& [name, room] : dict_of("slots", asked.slots)) {
+    slots.push_back(slot_of(words_of(name), room));
   }
   std::vector<std::string> of_parts(job.parts());
   if (!asked.slot_of.is_none()) {
-    for (const auto& [part, slot] : mapping("slot_of", asked.slot_of)) {
-      of_parts[part_named(job, part)] = py::str(slot).cast<std::string>();
+    for (const auto& [part, slot] : dict_of("slot_of", asked.slot_of)) {
+      of_parts[part_named(job, part)] = words_of(slot);
     }
   }
   set_slots(job, of_parts, std::move(slots));
 }
 
 void take_weights(const py::object& weights, Job& job) {
-  for (const auto& [pair, weight] : mapping("weights", weights)) {
+  for (const auto& [pair, weight] : dict_of("weights", weights)) {
     const auto [x, y] = pair_named(job, "weights", pair);
     job.weights.set(x, y, amount_of(weight));
   }
@@ -218,16 +238,19 @@ void take_needs(const Asked& asked, Job& job) {
   job.never = pairs_named(job, "never", asked.never);
   job.needed =
       asked.pairs.is_none() ? all_pairs_but(job.never) : pairs_named(job, "pairs", asked.pairs);
-  Job any = job;
-  any.needed = PairSet(job.parts());
-  check(any);  // Without needed pairs: what cannot be at all.
+  stoppable([&] {
+    Job any = job;
+    any.needed = PairSet(job.parts());
+    check(any);  // Without needed pairs: what cannot be at all.
+    return true;
+  });
   if (asked.strength == triples) {
-    need_triples(job);
+    stoppable([&] { return need_triples(job), true; });
     if (job.triples.empty()) {
       throw BadInput("no three parts can be in one set-up");
     }
   } else if (asked.pairs.is_none() && !job.slots.empty()) {
-    drop_needed(job, cannot_meet(job));
+    drop_needed(job, stoppable([&] { return cannot_meet(job); }));
   }
   if (job.needed.size() == 0) {
     throw BadInput("no pair has to meet that could");
@@ -253,9 +276,9 @@ Job job_of(const Asked& asked) {
   if (!asked.weights.is_none()) {
     take_weights(asked.weights, job);
   }
-  check(job);
+  stoppable([&] { return check(job), true; });
   if (const auto setups = setups_named(job, "done", asked.done); !setups.empty()) {
-    mark_done(job, setups);
+    stoppable([&] { return mark_done(job, setups), true; });
   }
   return job;
 }

@@ -1,6 +1,7 @@
 """Jobs with all that they may be told: run sheets with slots, pairs, budgets, load orders for some pairs, larger designs."""
 
 import itertools
+import signal
 import unittest
 from decimal import Decimal
 
@@ -96,6 +97,13 @@ class Plans(unittest.TestCase):
             ({"strength": 4}, "strength is 2"),
             ({"strength": 3, "pairs": [("a", "b")]}, "strength 2 only"),
             ({"slots": {"CPU": 1}}, "slots and slot_of come together"),
+            ({"slots": {"CPU": -1}, "slot_of": {"a": "CPU"}}, "slots says how many"),
+            ({"slots": {"CPU": 2**64}, "slot_of": {"a": "CPU"}}, "slots says how many"),
+            ({"slots": {"CPU": (1.5, None)}, "slot_of": {"a": "CPU"}}, "slots says how many"),
+            ({"slots": {"CPU": (2, 1)}, "slot_of": {"a": "CPU", "b": "CPU"}}, "at least 2 parts and at most 1"),
+            ({"mounted": itertools.repeat("a")}, "mounted names more parts than there are"),
+            ({"done": [itertools.repeat("a")]}, "done names more parts than there are"),
+            ({"mounted": ["x" * 10**5]}, "no part is called 'x{60}…'$"),
             ({"slots": {"CPU": "many"}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": 1}, "slot_of": {"a": "disk"}}, "disk"),
             ({"weights": [("a", "b")]}, "weights is a dict"),
@@ -105,6 +113,23 @@ class Plans(unittest.TestCase):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(changeover.BadInput, words) as caught:
                 self.plan("a b c d".split(), 3, **wrong)
             self.assertNotIn("\n", str(caught.exception))
+        with self.assertRaisesRegex(changeover.BadInput, "parts is a number from 2 to 1000"):
+            self.plan(itertools.count(), 3)
+        for wrong in ({"mounted": ["\ud800"]}, {"budget": "\ud800"}):
+            with self.subTest(wrong=wrong), self.assertRaises(UnicodeEncodeError):
+                self.plan("a b c d".split(), 3, **wrong)
+
+    def test_a_dict_that_changes_while_it_is_read_is_read_as_it_was(self):
+        class Part:
+            costs = {}
+
+            def __str__(self):
+                self.costs.clear()
+                return str(id(self))
+
+        Part.costs = {Part(): cost for cost in range(1, 6)}
+        sheet = self.plan(Part.costs, 5, change_cost=None)
+        self.assertEqual((sheet.tests, sheet.cost), (1, 2 + 15))
 
 
 class Loads(unittest.TestCase):
@@ -151,7 +176,9 @@ class Loads(unittest.TestCase):
 
     def test_wrong_pairs_are_refused(self):
         for wrong, words in (
-            ({"pairs": [(1, 2, 3)]}, "row 0 has 3 items"),
+            ({"pairs": [(1, 2, 3)]}, "row 0 has more than two items"),
+            ({"pairs": [(1, 2), (1,)]}, "row 1 has fewer than two items"),
+            ({"pairs": [itertools.repeat(1)]}, "row 0 has more than two items"),
             ({"pairs": [(1, -2)]}, "items are numbered from 0"),
             ({"pairs": [(1, 10**8)]}, "items are numbered from 0"),
             ({"pairs": [(1, 9)]}, "9"),
@@ -165,6 +192,37 @@ class Loads(unittest.TestCase):
             changeover.load_order(8, 3, pairs=[("a", "b")])
         with self.assertRaisesRegex(changeover.BadInput, "give items"):
             changeover.load_order(None, 3)
+
+
+class Signals(unittest.TestCase):
+    """Ctrl-C ends each call, also where Python runs no code of its own."""
+
+    def interrupt(self, call):
+        before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                call()
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
+
+    def test_they_end_what_has_no_end(self):
+        costs = {"test_cost": 1, "change_cost": 1}
+        self.interrupt(lambda: changeover.plan(4, 3, pairs=itertools.repeat((1, 2)), **costs))
+        self.interrupt(lambda: changeover.plan(4, 3, done=itertools.repeat((1, 2)), **costs))
+        self.interrupt(lambda: changeover.load_order(None, 3, pairs=itertools.repeat((0, 1))))
+
+    def test_they_end_what_takes_long_before_a_search(self):
+        slot_of = {str(i): "AB"[i % 2] for i in range(700)}
+        self.interrupt(
+            lambda: changeover.plan(
+                [str(i) for i in range(900)], 20, test_cost=1, change_cost=1, slots={"A": 1, "B": (2, 5)}, slot_of=slot_of
+            )
+        )
+        self.interrupt(lambda: changeover.load_order(10**6, 3, against=9 * 10**6))
+        larger = changeover.design(3001, 20, kind="circular")
+        self.interrupt(lambda: larger.expand())
 
 
 class Larger(unittest.TestCase):

@@ -2,6 +2,8 @@
 #include <expat.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "cases.hpp"
 
 namespace changeover::test {
@@ -123,16 +125,27 @@ TEST_F(Draw, TheEndingSaysTheFormatInAnyLetters) {
 }
 
 TEST_F(Draw, WhatTheConverterWritesIsNoPictureBeforeItWasLookedAt) {
-  const std::string liar =
-      "mkdir -p tools; printf '#!/bin/sh\necho done\n' >tools/rsvg-convert; chmod +x tools/rsvg-convert; "
-      "PATH=$PWD/tools:$PATH $changeover draw good.txt -o old.svg --format ";
+  std::filesystem::create_directory(folder.path() / "tools");
   for (const std::string format : {"png", "pdf"}) {
-    const Outcome outcome = run(liar + format, folder.path());
-    EXPECT_EQ(outcome.code, 4) << outcome.err;
-    EXPECT_NE(outcome.err.find("rsvg-convert wrote 5 bytes that are no " + format),
-              std::string::npos)
-        << outcome.err;
-    EXPECT_EQ(slurp(folder.file("old.svg")), "precious\n");
+    for (const auto& [does, words] : std::map<std::string, std::string>{
+             {"echo done", "rsvg-convert wrote 5 bytes that are no whole " + format},
+             {"printf '\\211PNG\\r\\n\\032\\n'; printf '%%PDF-1.7\\n'",
+              "bytes that are no whole " + format},
+             {"printf '%%PDF-1.7\\n'", "rsvg-convert wrote 9 bytes that are no whole " + format},
+             {"exit 0", "it says nothing"},
+             {"kill -9 $$", "it says nothing"},
+             {"head -c 100000 /dev/zero >&2; exit 1", "could not write"}}) {
+      spit(folder.path() / "tools" / "rsvg-convert", "#!/bin/sh\n" + does + "\n");
+      const Outcome outcome =
+          run("chmod +x tools/rsvg-convert; PATH=$PWD/tools:$PATH "
+              "$changeover draw good.txt -o old.svg --format " +
+                  format,
+              folder.path());
+      EXPECT_EQ(outcome.code, 4) << outcome.err;
+      EXPECT_NE(outcome.err.find(words), std::string::npos) << does << ": " << outcome.err;
+      EXPECT_LT(outcome.err.size(), 2000U) << does;
+      EXPECT_EQ(slurp(folder.file("old.svg")), "precious\n");
+    }
   }
 }
 

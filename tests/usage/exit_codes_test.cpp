@@ -110,6 +110,7 @@ const std::vector<Case>& cases() {
       {"$changeover table --k 3..9223372036854775810 --v 5", 2, "more than 1000000 cells"},
       {"$changeover design 1001 5 --format svg", 2, "at most 1000 points"},
       {"$changeover design 65535 4", 2, "use --format text -o FILE"},
+      {"$changeover completion", 2, "SHELL is required"},
       {"$changeover completion csh", 2, "'csh' is not one of bash|zsh|fish"},
       // 2: options that mean nothing where they stand
       {"$changeover verify good.txt --circular --linear", 2, "--circular and --linear exclude"},

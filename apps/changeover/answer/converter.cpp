@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -63,10 +64,23 @@ class Actions {
   posix_spawn_file_actions_t actions_{};
 };
 
-// How a file of that format begins.
-std::string_view beginning_of(const std::string& format) {
+// Whether a file of that format begins and ends so: half a picture is none.
+bool is_whole(std::string_view file, const std::string& format) {
   using namespace std::string_view_literals;
-  return format == "png" ? "\x89PNG\r\n\x1a\n"sv : "%PDF-"sv;
+  if (format == "png") {
+    return file.starts_with("\x89PNG\r\n\x1a\n"sv) &&
+           file.ends_with("\0\0\0\0IEND\xae\x42\x60\x82"sv);
+  }
+  constexpr std::string_view end = "%%EOF";
+  const std::size_t last = file.find_last_not_of("\r\n");
+  return file.starts_with("%PDF-") && last != std::string_view::npos &&
+         file.substr(0, last + 1).ends_with(end);
+}
+
+// The first line of what a program complained of, as much as fits into a message.
+std::string first_line(const std::string& said) {
+  constexpr std::size_t most_bytes = 300;
+  return said.empty() ? "it says nothing" : said.substr(0, std::min(said.find('\n'), most_bytes));
 }
 
 }  // namespace
@@ -121,13 +135,11 @@ std::string converted(const std::string& svg, const std::string& format, unsigne
   }
   std::string picture = contents(output);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || picture.empty()) {
-    const std::string said = contents(complaints);
-    throw MissingResource(
-        fmt::format("{} could not write {}: {}", program, format,
-                    said.empty() ? "it says nothing" : said.substr(0, said.find('\n'))));
+    throw MissingResource(fmt::format("{} could not write {}: {}", program, format,
+                                      first_line(contents(complaints))));
   }
-  if (!picture.starts_with(beginning_of(format))) {
-    throw MissingResource(fmt::format("{} wrote {} bytes that are no {}; write svg", program,
+  if (!is_whole(picture, format)) {
+    throw MissingResource(fmt::format("{} wrote {} bytes that are no whole {}; write svg", program,
                                       picture.size(), format));
   }
   return picture;

@@ -302,6 +302,7 @@ void Verb::choice(const std::string& flags, std::string& value,
   const std::string all = joined(words, "|");
   CLI::Option* option = state_->app->add_option(flags, value, help);
   option->option_text(all);
+  option->required(!flags.starts_with('-'));  // a verb that asks for one of some words needs it
   option->check(
       [words, all](const std::string& given) {
         return std::find(words.begin(), words.end(), given) == words.end()

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "changeover/construct/expansion.hpp"
+#include "changeover/run/scope.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 #include "core/checked.hpp"
 
@@ -38,6 +39,7 @@ class CoverSearch {
         n_(static_cast<std::size_t>(design.k() - design.parameters().change)),
         holders_(v_) {
     for (const UnchangedSubset& subset : inner) {
+      stop_if_asked();
       if (index_.try_emplace(subset.elements, subsets_.size()).second) {
         for (const Element x : subset.elements) {
           holders_[x].push_back(static_cast<std::uint32_t>(subsets_.size()));
@@ -198,6 +200,7 @@ class CoverSearch {
       try_finish();
     }
     for (std::size_t gain = n_; gain > 0 && left > 0; --gain) {
+      stop_if_asked();
       for (std::size_t i = 0; i < subsets_.size(); ++i) {
         const Block& elements = subsets_[i]->elements;
         const auto gained =
@@ -222,7 +225,11 @@ class CoverSearch {
 
   bool enter() {
     const bool limit = limits_->nodes && nodes_ >= *limits_->nodes;
-    stopped_ = limit || (nodes_ % 256 == 0 && limits_->stop && limits_->stop());
+    constexpr std::uint64_t between_looks = 256;
+    if (nodes_ % between_looks == 0) {
+      stop_if_asked();
+    }
+    stopped_ = limit || (nodes_ % between_looks == 0 && limits_->stop && limits_->stop());
     nodes_ += stopped_ ? 0U : 1U;
     return !stopped_;
   }

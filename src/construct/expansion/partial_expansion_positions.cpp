@@ -7,12 +7,14 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
+#include "changeover/run/scope.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
 
 std::vector<UnchangedSubset> one_subset_a_position(const Design& design) {
+  stop_if_asked();
   const std::size_t b = design.block_count();
   const auto size = static_cast<std::ptrdiff_t>(design.k() - design.parameters().change);
   std::vector<UnchangedSubset> result = unchanged_subsets(design);

@@ -80,7 +80,8 @@ void remove_left_behind(const fs::path& folder, const std::string& name) {
   for (fs::directory_iterator at(folder.empty() ? "." : folder, fault), end; !fault && at != end;
        at.increment(fault)) {
     const auto process = process_in(at->path().filename().string(), name);
-    if (process && *process != ::getpid() && ::kill(*process, 0) != 0 && errno == ESRCH) {
+    // Our own number may be that of another: where each container has a process 1. What is ours is locked.
+    if (process && (*process == ::getpid() || (::kill(*process, 0) != 0 && errno == ESRCH))) {
       remove_if_nobodys(at->path());
     }
   }

@@ -3,7 +3,7 @@
 //     .mine.json.4711-0.tmp                   the temporary of mine.json, of process 4711
 //
 // Who writes to a temporary file holds the lock of the system on it (flock), which ends with the process however that ends. So a file
-// whose lock is free, and whose process is not there, is nobody's.
+// whose lock is free, and whose process is not there or has our number, is nobody's.
 #pragma once
 
 #include <filesystem>

@@ -121,6 +121,7 @@ struct OutputFile::State {
   std::string temporary;  // its path until then
   int slot = -1;
   int descriptor = -1;
+  int lock = -1;          // another descriptor of the same file, which holds its lock
   bool owned = false;     // the descriptor is ours to close
   bool standard = false;  // standard output: a file can have its number where it was closed
   int failure = 0;        // the first error of the system; from then on the bytes are not whole
@@ -220,6 +221,13 @@ struct OutputFile::State {
     }
   }
 
+  void release() noexcept {
+    if (lock >= 0) {
+      ::close(lock);
+      lock = -1;
+    }
+  }
+
   void discard() noexcept {
     if (owned && descriptor >= 0) {
       ::close(descriptor);
@@ -230,6 +238,7 @@ struct OutputFile::State {
       unfinished.drop(slot);
       temporary.clear();
     }
+    release();
   }
 };
 
@@ -303,10 +312,13 @@ void OutputFile::commit() {
   if (::fsync(s.descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
     s.fail(errno);
   }
+  // Closing tells of errors, but it would give up the lock while the file still has the name of a temporary.
+  s.lock = ::fcntl(s.descriptor, F_DUPFD_CLOEXEC, 0);
   s.close();
   if (::rename(s.temporary.c_str(), s.target.c_str()) != 0) {
     s.fail(errno);
   }
+  s.release();
   unfinished.drop(s.slot);
   s.temporary.clear();
   s.sync_folder();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
@@ -170,6 +171,7 @@ class HeldSteps final : public StepSource {
 void count_loads(HeldShape& shape) {
   Walk walk(shape);
   for (Walk::Change change; walk.next(change, true);) {
+    stop_if_asked();
     std::uint64_t loads = 0;
     for (const ItemRange& range : change.in) {
       loads += range.size();

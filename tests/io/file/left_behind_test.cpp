@@ -1,12 +1,17 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/inotify.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
+#include <cstdint>
+#include <cstring>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "changeover/io/output.hpp"
 #include "run_program.hpp"
@@ -81,6 +86,49 @@ TEST(LeftBehind, WhatIsSomebodysStays) {
   std::set<std::string> expected = others;
   expected.insert({"mine", ".mine." + number + "-8.tmp", ".mine." + number + "-9.tmp"});
   EXPECT_EQ(names_in(folder.path()), expected);
+}
+
+// As in containers, where each run is process 1.
+TEST(LeftBehind, WhatAProcessOfOurNumberLeftGoesAwayAndWhatIsOursStays) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("mine");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const std::string name = ".mine." + std::to_string(::getpid());
+    for (int i = 0; i < 200; ++i) {
+      test::spit(folder.path() / (name + "-" + std::to_string(i) + ".tmp"), "left");
+    }
+    OutputFile first(path);
+    write(folder.file("./mine"), "second");  // looks at the folder once more
+    first.write("first");
+    first.commit();
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(test::slurp(path), "first");
+  EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"mine"});
+}
+
+// Between the two it would be nobody's, and its process may be one that others do not see.
+TEST(LeftBehind, ATemporaryIsLockedUntilItHasItsName) {
+  const test::TemporaryFolder folder;
+  const int events = ::inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+  ASSERT_GE(events, 0);
+  ASSERT_GE(::inotify_add_watch(events, folder.path().c_str(), IN_CLOSE_WRITE | IN_MOVED_TO), 0);
+  write(folder.file("mine"), "text");
+  alignas(inotify_event) std::array<char, 4096> buffer = {};
+  const ssize_t bytes = ::read(events, buffer.data(), buffer.size());
+  ::close(events);
+  std::vector<std::uint32_t> seen;
+  for (ssize_t at = 0; at < bytes;) {
+    inotify_event event = {};
+    std::memcpy(&event, buffer.data() + at, sizeof event);
+    seen.push_back(event.mask);
+    at += static_cast<ssize_t>(sizeof event + event.len);
+  }
+  EXPECT_EQ(seen, (std::vector<std::uint32_t>{IN_MOVED_TO, IN_CLOSE_WRITE}));
 }
 
 TEST(LeftBehind, TwoThatWriteTheSameFileDoNotTakeEachOthers) {
