@@ -347,8 +347,9 @@ void add_draw(Program& program) {
   verb.option("--to", request.to, "N", "the last one");
   verb.choice("--order", request.order, {"first", "stays", "given"},
               "of elements: by first block, by number of stays, as numbered (default first)");
-  verb.choice("--colour", request.colour, {"length", "ordinal"},
-              "of stays: how long, or the how-manieth of its element (default length)");
+  verb.choice(
+      "--colour", request.colour, {"length", "ordinal"},
+      "of stays: how long, or whether the first, second, … of its element (default length)");
   verb.flag("--leaving", request.leaving, "array: mark leaving elements too");
   verb.flag("--expansion-sets", request.expansion_sets, "array: mark an expansion set");
   verb.option("--k", request.k, "A..B", "heatmap: block sizes (default 3..8)");

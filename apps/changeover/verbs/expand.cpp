@@ -175,7 +175,7 @@ Answer run(const ExpandRequest& request) {
 void add_expand(Program& program) {
   auto [verb, request] =
       program.add("expand", "the recursion with expansion sets, applied to your own design", run);
-  verb.positional("FILE", request.path, "text, JSON or CSV; - is standard input");
+  verb.positional("FILE", request.path, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
   add_kind_to(verb, request.kind, "take it as circular, whatever the file says",
               "take it as linear");
   verb.choice("--factorization", request.factorization, {"circle", "doubled"},

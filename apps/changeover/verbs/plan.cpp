@@ -490,7 +490,7 @@ void add_plan(Program& program) {
   verb.option("--mounted", request.mounted, "A,B", "parts that stay mounted in every set-up");
   verb.option("--start", request.start, "A,B,…", "parts that are mounted before the first test");
   verb.option("--first", request.first, "FILE",
-              "set-ups that must be run first, in this order: the parts of one a line");
+              "the set-ups that must be run first, in this order: the parts of one a line");
   verb.option("--priority", request.priority, "FILE",
               "what pairs are worth, A,B,weight a line; others are worth 1");
   verb.option("--budget", request.budget, "Z", "test as many pairs as this pays for");

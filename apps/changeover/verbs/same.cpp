@@ -100,7 +100,8 @@ Answer run(const SameRequest& request) {
 void add_same(Program& program) {
   auto [verb, request] =
       program.add("same", "are two designs the same up to relabelling and rotation", run);
-  verb.positional("A", request.one, "a design: text, JSON or CSV; - is standard input");
+  verb.positional("A", request.one,
+                  "a design: text, JSON, CSV, GAP, Sage or XML; - is standard input");
   verb.positional("B", request.other, "another one");
   add_kind_to(verb, request.kind, "take both as circular, whatever the files say",
               "take both as linear");

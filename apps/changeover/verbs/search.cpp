@@ -241,7 +241,7 @@ void add_search(Program& program) {
                  "changeover search 9 5 --linear --exact           the minimum, with proof",
                  "changeover search 8 5 --blocks 9 --exact --proof proofs",
                  "changeover search 28 6 --base-blocks --tight     from base blocks",
-                 "changeover search --order blocks.txt --change 2 an order with 2 changes a step",
+                 "changeover search --order blocks.txt -m 2        an order with 2 changes a step",
                  "mpirun -n 4 changeover search 30 6 --time 10m    several processes share it"});
 }
 

@@ -147,7 +147,7 @@ Answer run(const VerifyRequest& request) {
 
 void add_verify(Program& program) {
   auto [verb, request] = program.add("verify", "is it a change covering design, and how good", run);
-  verb.positional("FILE", request.path, "text, JSON or CSV; - is standard input");
+  verb.positional("FILE", request.path, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
   verb.option("-v", request.declared.v, "V", "number of elements, if the file does not say");
   verb.option("-k", request.declared.k, "K", "elements in a block");
   verb.option("-m,--change", request.declared.change, "M",

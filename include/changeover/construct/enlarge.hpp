@@ -24,7 +24,7 @@ struct EnlargeOptions {
   /// How many elements are inserted at subsets that may overlap; 0: the best number up to 2k + 2. Nothing: an
   /// expansion set if there is one, else as 0.
   std::optional<std::uint64_t> new_elements = {};
-  /// The expansion set that is found as the so-manieth, from 1, and no other; nothing: the first one, if there is any.
+  /// The number of the expansion set, as they are found, from 1; this one and nothing else. Nothing: the first, if there is any.
   std::optional<std::uint64_t> set = {};
   FactorizationKind factorization = FactorizationKind::circle;  ///< of the new elements
   SearchLimits limits = {};  ///< of each search; without nodes, 200,000 for subsets that overlap
@@ -39,8 +39,8 @@ struct Enlarged {
 };
 
 /// The larger design; its new elements come last. Bound by the search for subsets, which is exponential in the worst case.
-/// @throws BadInput if `set` is 0 or comes with `new_elements`; MissingResource if there are fewer expansion sets than `set`, or the new
-/// elements cannot be inserted, with the reason; ImpossibleParameters as blocks_added().
+/// @throws BadInput if `set` is 0 or comes with `new_elements`; MissingResource if there are fewer expansion sets than `set`, or it has
+/// an even number of members, or m is not 2, or the new elements cannot be inserted, with the reason; ImpossibleParameters as blocks_added().
 [[nodiscard]] Enlarged enlarge(const Design& design, const EnlargeOptions& options = {});
 
 }  // namespace changeover

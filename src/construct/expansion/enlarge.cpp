@@ -72,6 +72,12 @@ Enlarged enlarge(const Design& design, const EnlargeOptions& options) {
               .new_elements = order,
               .by_expansion_set = true};
     }
+    if (options.set) {
+      throw MissingResource(
+          fmt::format("no expansion set serves: {}; ask for a number of new elements",
+                      design.parameters().change == 2 ? "each has an even number of members"
+                                                      : "the recursion is for change number 2"));
+    }
   }
   return by_cover(design, options);
 }

@@ -58,6 +58,19 @@ TEST(Enlarge, SetsAreNumberedFromOne) {
   EXPECT_THROW((void)enlarge(design, {.new_elements = 4, .set = 1}), BadInput);
 }
 
+TEST(Enlarge, TakesNothingElseForASetThatCannotServe) {
+  // {0,1,2,3} and {4,5,6,7} are an expansion set, with two members.
+  const std::vector<Block> blocks{
+      {0, 1, 2, 3, 4, 5}, {0, 1, 2, 3, 6, 7}, {0, 1, 4, 5, 6, 7}, {2, 3, 4, 5, 6, 7}};
+  const Design even({.v = 8, .k = 6, .change = 2, .kind = Kind::circular}, blocks);
+  ASSERT_TRUE(verify(even).valid());
+  ASSERT_EQ(find_expansion_sets(even, {.how_many = 1}).sets.at(0).size(), 2U);
+  EXPECT_FALSE(enlarge(even).by_expansion_set);
+  EXPECT_THROW((void)enlarge(even, {.set = 1}), MissingResource);
+
+  EXPECT_THROW((void)enlarge(built("mcsorley-circular", 5, 3, 1), {.set = 1}), MissingResource);
+}
+
 TEST(Enlarge, SaysWhyNothingCanBeInserted) {
   Design pairs({.v = 4, .k = 2, .change = 2, .kind = Kind::linear});
   const Block first{0, 1};
