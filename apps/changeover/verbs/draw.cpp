@@ -333,7 +333,8 @@ void add_draw(Program& program) {
   auto [verb, request] = program.add("draw", "a picture of a design, a recipe or a table", run);
   verb.positional(
       "FILE", request.what,
-      "a design: text, JSON or CSV, - is standard input; or a label of the catalog; or V", false);
+      "a design in any format that verify reads, - is standard input; or a label of the catalog; or V",
+      false);
   verb.positional("K", request.second, "elements in a block, after V", false);
   verb.choice("-p,--picture", request.picture,
               {"array", "stays", "circle", "coverage", "recipe", "factorization", "heatmap"},

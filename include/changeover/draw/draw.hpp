@@ -51,7 +51,7 @@ enum class ElementOrder : std::uint8_t { first, stays, given };
 [[nodiscard]] std::string_view to_string(ElementOrder order);
 [[nodiscard]] std::optional<ElementOrder> element_order_from_string(std::string_view name);
 
-/// What the colour of a stay says: how long it is, or the how-manieth of its element.
+/// What the colour of a stay says: how long it is, or its number among those of its element.
 enum class StayColour : std::uint8_t { length, ordinal };
 
 [[nodiscard]] std::string_view to_string(StayColour colour);

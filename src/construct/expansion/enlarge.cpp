@@ -23,8 +23,9 @@ std::optional<ExpansionSet> odd_expansion_set(const Design& design, const Enlarg
       return std::nullopt;
     }
     const std::size_t there = search.sets.size();
-    throw MissingResource(fmt::format("only {} expansion {}: {}", there,
-                                      there == 1 ? "set" : "sets",
+    throw MissingResource(fmt::format("{} expansion {}: {}",
+                                      there == 0 ? "no" : fmt::format("only {}", there),
+                                      there < 2 ? "set" : "sets",
                                       !search.complete        ? "the search stopped at its limit"
                                       : search.reason.empty() ? "every exact cover was tried"
                                                               : search.reason));
