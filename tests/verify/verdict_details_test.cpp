@@ -30,6 +30,7 @@ TEST(VerdictDetails, NothingIsNotValid) {
   const Verdict empty;
   EXPECT_EQ(empty.b + empty.bad_steps + empty.subsets + empty.uncovered, 0U);
   EXPECT_EQ(empty.covered + empty.never_newly_covered + empty.excess + empty.counting_bound, 0U);
+  EXPECT_EQ(BadStep{}, (BadStep{0, 0, 0}));
   const ElementCount none;
   EXPECT_EQ(none.introductions + none.blocks + none.covered + none.excess, 0U);
   const Parameters p{.v = 5, .k = 3};
@@ -122,6 +123,18 @@ TEST(VerdictDetails, BadStepsHaveTheirPlaces) {
   EXPECT_FALSE(verdict.degree_identity);
 }
 
+TEST(VerdictDetails, RunningVerdictsAreTheSameForLargerSubsets) {
+  const Parameters p{.v = 5, .k = 4, .change = 1, .kind = Kind::linear, .strength = 3};
+  const std::vector<Block> blocks{{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 3, 4}};
+  RunningVerdict running(p);
+  for (const Block& block : blocks) {
+    running.add(block);
+  }
+  const Verdict verdict = running.finish();
+  EXPECT_EQ(verdict, verify(Design(p, blocks)));
+  EXPECT_EQ(verdict.uncovered, 1U);
+}
+
 // The identity holds of these lists too, but it is said of designs only.
 TEST(VerdictDetails, SaysNothingOfDegreesIfInvalid) {
   std::vector<Block> blocks{{0, 1, 2}, {1, 2, 3}};
@@ -190,6 +203,13 @@ TEST(DifferenceDetails, MessagesHaveTheNumbers) {
   EXPECT_EQ(of({{0, 1, 2, 5}, {0, 7, 2, 7}, {0, 1, 2, 5}}), "base block 2 repeats the element 7");
   EXPECT_EQ(of({}), "no base blocks: give at least one");
   EXPECT_THROW((void)verify_differences(BaseBlocks{{3, 4, 2, Kind::circular, 2}, {{0, 1, 2, 3}}}),
+               ImpossibleParameters);
+}
+
+TEST(DifferenceDetails, AreOfPairsOnly) {
+  const Parameters triples{11, 4, 2, Kind::circular, 3};
+  EXPECT_THROW((void)verify_differences(BaseBlocks{triples, {{0, 1, 2, 5}}}), ImpossibleParameters);
+  EXPECT_THROW((void)verify_differences(IntervalBaseBlocks{triples, 0, 3, {5}}),
                ImpossibleParameters);
 }
 
