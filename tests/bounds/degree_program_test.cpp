@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "bounds/degree_program.hpp"
@@ -112,7 +113,7 @@ TEST(DegreeProgram, IsTheBruteForceAnswerWhereverItRaisesTheBound) {
 // Asked by itself, from any number of blocks on, where other bounds would hide what it says.
 TEST(DegreeProgram, IsTheBruteForceAnswerFromAnyNumberOn) {
   for (std::uint64_t m = 1; m <= 3; ++m) {
-    for (std::uint64_t k = std::max<std::uint64_t>(m, 2); k <= 6; ++k) {
+    for (std::uint64_t k = std::max<std::uint64_t>(m, 2); k <= 7; ++k) {
       for (std::uint64_t v = k + m; v <= 8; ++v) {
         for (const Kind kind : {Kind::linear, Kind::circular}) {
           const Parameters p{.v = v, .k = k, .change = m, .kind = kind};
@@ -134,6 +135,21 @@ TEST(DegreeProgram, IsTheBruteForceAnswerFromAnyNumberOn) {
         }
       }
     }
+  }
+}
+
+// Where some elements in every block allow fewer blocks than the program without them: by counting one stay too many
+// or too few for them, the answer would be another.
+TEST(DegreeProgram, IsTheBruteForceAnswerWhereFixedElementsDecide) {
+  const std::vector<std::pair<std::uint64_t, std::uint64_t>> all{
+      {15, 6}, {16, 6}, {16, 7}, {19, 8}, {20, 8}};
+  for (const auto& [v, k] : all) {
+    const Parameters p{.v = v, .k = k, .change = 1, .kind = Kind::circular};
+    std::uint64_t least = 1;
+    while (!counts_exist(p, least)) {
+      ++least;
+    }
+    EXPECT_EQ(degree_program(p, 1), least) << name(p);
   }
 }
 

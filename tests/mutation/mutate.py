@@ -22,6 +22,7 @@ import os
 import re
 import resource
 import shlex
+import signal
 import subprocess
 import sys
 import time
@@ -60,6 +61,22 @@ def files_of(room):
     return sorted(out)
 
 
+def planted_into(path):
+    language = ["-x", "c++", "-std=c++20", f"-I{ROOT}/include", f"-I{ROOT}/src"]
+    return planted.find_faults(os.path.join(ROOT, path), path, language)
+
+
+def write_list(room, only):
+    """Reading a file takes libclang seconds: what is found is written before the next one is begun."""
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # whoever reads may have seen enough
+    for path in files_of(room):
+        if only and path not in only:
+            continue
+        for fault in planted_into(path).faults:
+            print(f"{fault.path}:{fault.line}: {fault.how}")
+        sys.stdout.flush()
+
+
 def keys_of(faults, lines):
     """What a fault is called in survivors.txt: no number of a line, so that it outlives changes elsewhere."""
     times = collections.Counter()
@@ -92,8 +109,7 @@ class Room:
         for path in files_of(name):
             if only and path not in only:
                 continue
-            language = ["-x", "c++", "-std=c++20", f"-I{ROOT}/include", f"-I{ROOT}/src"]
-            found = planted.find_faults(os.path.join(ROOT, path), path, language)
+            found = planted_into(path)
             lines = open(os.path.join(ROOT, path), encoding="utf-8").read().split("\n")
             for fault, key in zip(found.faults, keys_of(found.faults, lines)):
                 fault.number = len(self.faults)
@@ -310,11 +326,10 @@ def main():
     faults = 0
     table = []
     for name, only in rooms.items():
-        room = Room(name, only)
         if asked.list:
-            for fault in room.faults:
-                print(f"{fault.path}:{fault.line}: {fault.how}")
+            write_list(name, only)
             continue
+        room = Room(name, only)
         room.build()
         began = time.time()
         results = room.look()

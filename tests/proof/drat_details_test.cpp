@@ -154,6 +154,13 @@ TEST(DratDeletion, FindsAClauseHoweverItIsWritten) {
   EXPECT_EQ(counts("p cnf 4 1\n1 2 3 0\n", "d 1 2 0\nd 1 2 4 0\nd 1 2 3 4 0\n"), Counts(0, 3));
 }
 
+// Nothing has been laid out for such a variable yet.
+TEST(DratDeletion, OfAVariableThatNothingHasIsIgnored) {
+  const ProofVerdict verdict = check_text(eight, "d 3999999 -3999998 0\n0\n");
+  EXPECT_EQ(verdict.ignored_deletions, 1U);
+  EXPECT_EQ(verdict.deleted, 0U);
+}
+
 TEST(DratDeletion, LeavesUnitsAndWhatFixedALiteral) {
   EXPECT_EQ(check_text("p cnf 3 3\n1 0\n1 0\n2 3 0\n", "d 1 0\n").ignored_deletions, 1U);
   // 1 is what is left of the clause when it comes.
