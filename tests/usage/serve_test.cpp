@@ -38,7 +38,7 @@ TEST(Serve, PrintsItsAddressAndEndsWhenAsked) {
   const TemporaryFolder folder;
   for (const char* const signal : {"INT", "TERM"}) {
     const Outcome outcome =
-        run(std::string("$changeover serve good.txt >out 2>err & p=$!\n"
+        run(std::string("rm -f out; $changeover serve good.txt >out 2>err & p=$!\n"
                         "for i in $(seq 600); do [ -s out ] && break; sleep 0.1; done\n"
                         "$changeover serve --port $(sed 's/.*:\\([0-9]*\\).*/\\1/' out)\n"
                         "echo taken $?; kill -") +
