@@ -160,11 +160,10 @@ Bound stays(const Parameters& p) {
   const std::uint64_t b =
       least.count > p.k ? ceil_div(least.count - p.k, p.change) + 1 : std::uint64_t{1};
   const std::string times = n == 1 ? std::string() : std::to_string(n);
-  return {
-      b, "stays",
-      fmt::format("{0} <= {1}k = {2} where n_j elements are introduced j times (docs/theorems.md, "
-                  "Theorem 5), so k + m(b-1) >= {3}v - {1}k = {4}: b >= {5}",
-                  weighted_stays(least.s), times, n * p.k, least.s + 1, least.count, b)};
+  return {b, "stays",
+          fmt::format("{0} <= {1}k = {2} where n_j elements have j stays (docs/theorems.md, "
+                      "Theorem 5), so k + m(b-1) >= {3}v - {1}k = {4}: b >= {5}",
+                      weighted_stays(least.s), times, n * p.k, least.s + 1, least.count, b)};
 }
 
 // In p = ceil((v-k)/m) blocks in a row at most k + m(p-1) < v elements are seen. Were there t*p blocks or
@@ -172,19 +171,19 @@ Bound stays(const Parameters& p) {
 Bound end_to_end(const Parameters& p) {
   const std::uint64_t reach = ceil_div(p.v - p.k, p.change);
   const std::uint64_t b = checked_add(checked_multiply(p.strength, reach), 1);
+  const std::string entering = p.change == 1 ? "at most 1 element enters"
+                                             : fmt::format("at most {} elements enter", p.change);
   if (p.strength == 2) {
     return {b, "end to end",
-            fmt::format("at most {0} elements enter a step, so some x is in none of the first "
-                        "ceil(({1}-{2})/{0}) = {3} blocks and some y in none of the last {3}: b >= "
-                        "2*{3} + 1 = {4}",
-                        p.change, p.v, p.k, reach, b)};
+            fmt::format(
+                "{5} a step, so some x is in none of the first ceil(({1}-{2})/{0}) = {3} blocks "
+                "and some y in none of the last {3}: b >= 2*{3} + 1 = {4}",
+                p.change, p.v, p.k, reach, b, entering)};
   }
-  return {
-      b, "end to end",
-      fmt::format("at most {0} elements enter a step, so ceil(({1}-{2})/{0}) = {3} blocks in a row "
-                  "lack some element, and {4} runs of {3} lack {4} that never meet: b >= "
-                  "{4}*{3} + 1 = {5}",
-                  p.change, p.v, p.k, reach, p.strength, b)};
+  return {b, "end to end",
+          fmt::format("{6} a step, so ceil(({1}-{2})/{0}) = {3} blocks in a row lack some element, "
+                      "and {4} runs of {3} lack {4} that never meet: b >= {4}*{3} + 1 = {5}",
+                      p.change, p.v, p.k, reach, p.strength, b, entering)};
 }
 
 }  // namespace

@@ -286,7 +286,7 @@ TEST(LowerBound, WritesEachReasonWithItsNumbers) {
   const auto stays = [](const std::string& weights, const std::string& most,
                         const std::string& forced) {
     return weights + " <= " + most +
-           " where n_j elements are introduced j times (docs/theorems.md, Theorem 5), so k + m(b-1) >= " +
+           " where n_j elements have j stays (docs/theorems.md, Theorem 5), so k + m(b-1) >= " +
            forced;
   };
   EXPECT_EQ(reason_named(circular(8, 6, 2), "stays"), stays("n1", "k = 6", "2v - k = 10: b >= 3"));

@@ -175,6 +175,23 @@ TEST(ClauseStore, KeepsEachClauseThatFixedALiteral) {
   }
 }
 
+// Dead clauses are swept away once they are half of what is stored; those that moved are found where they are.
+TEST(ClauseStore, FindsWhatIsLeftAfterDeadClausesWereSweptAway) {
+  constexpr std::int32_t many = 30'000;
+  const auto clause = [](std::int32_t i) { return Clause{i, -(many + i % 97 + 1), many + 100}; };
+  ClauseStore store(1'000'000);
+  store.reserve(many + 100);
+  for (std::int32_t i = 1; i <= many; ++i) {
+    store.add(clause(i));
+  }
+  for (std::int32_t i = 1; i <= many; ++i) {
+    ASSERT_TRUE(i % 3 == 0 || store.remove(clause(i))) << i;
+  }
+  for (std::int32_t i = 1; i <= many; ++i) {
+    ASSERT_EQ(store.remove(clause(i)), i % 3 == 0) << i;
+  }
+}
+
 // What was true for one resolvent only fixed nothing, and may be deleted.
 TEST(ClauseStore, ForgetsWhatAResolventAssumed) {
   ClauseStore store(1000);

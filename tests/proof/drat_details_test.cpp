@@ -1,6 +1,9 @@
 // The proof checker where a small fault of it would hide: signs and lengths of binary proofs, what is counted, what
 // deletion may take away, when it asks whether to stop. Most of these were missing until planted faults survived.
+#include <istream>
 #include <set>
+#include <streambuf>
+#include <utility>
 
 #include "proof_texts.hpp"
 
@@ -84,6 +87,7 @@ TEST(DratText, TakesBlanksCommentsAndLinesAsTheyCome) {
           .verified());
   EXPECT_TRUE(
       check_text(eight, "c x\n\nc y\n\n1\n2 0\r\n1\t0\nd \n1\n2 0\n2 0\n\n\nc z\n0\nc").verified());
+  EXPECT_TRUE(check_text("\n \n\np cnf 1 2\n1 0\n-1 0\n", "").verified());
   EXPECT_EQ(check_text("p cnf 0 0", "").outcome, Outcome::refuted);
   EXPECT_EQ(check_text("p cnf 3 0\nc only a comment", "c only a comment").outcome,
             Outcome::refuted);
@@ -92,6 +96,7 @@ TEST(DratText, TakesBlanksCommentsAndLinesAsTheyCome) {
 TEST(DratText, ShowsWhatItFound) {
   EXPECT_THAT(refusal("", ""), HasSubstr("found the end"));
   EXPECT_THAT(refusal("p c nf 1 1\n", ""), HasSubstr("found byte 32"));
+  EXPECT_THAT(refusal("p \ncnf 1 1\n1 0\n", ""), HasSubstr("found byte 10"));
   EXPECT_THAT(refusal("!", ""), HasSubstr("found '!'"));
   EXPECT_THAT(refusal("~", ""), HasSubstr("found '~'"));
   EXPECT_THAT(refusal("\x7f", ""), HasSubstr("found byte 127"));
@@ -102,6 +107,33 @@ TEST(DratText, ShowsWhatItFound) {
               HasSubstr("a.cnf:2: a literal's variable exceeds 4"));
   EXPECT_THAT(refusal("p cnf 3 1\n1 2\n3", ""),
               HasSubstr("a.cnf:3: the last clause is not ended by 0"));
+}
+
+// A file whose disk fails after some bytes.
+class FailingBuffer final : public std::streambuf {
+ public:
+  explicit FailingBuffer(std::string bytes) : bytes_(std::move(bytes)) {
+    setg(bytes_.data(), bytes_.data(), bytes_.data() + bytes_.size());
+  }
+
+ protected:
+  int_type underflow() override { throw std::ios_base::failure("input/output error"); }
+
+ private:
+  std::string bytes_;
+};
+
+// What was read so far may look whole: it is not judged.
+TEST(DratText, AFileThatCannotBeReadIsNoShortOne) {
+  FailingBuffer half("p cnf 1 2\n1 0\n-1 0\n");
+  std::istream formula(&half);
+  std::istringstream none;
+  try {
+    (void)check_proof(formula, "a.cnf", none, "a.drat", {});
+    ADD_FAILURE() << "a failed disk is no end";
+  } catch (const MissingResource& fault) {
+    EXPECT_STREQ(fault.what(), "a.cnf: cannot read; check the file and the disk");
+  }
 }
 
 TEST(DratText, ShowsEightLiteralsOfAClause) {

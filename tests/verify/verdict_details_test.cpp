@@ -5,6 +5,7 @@
 #include <string>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/scope.hpp"
 #include "changeover/verify/difference.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "changeover/verify/verified_design.hpp"
@@ -159,6 +160,40 @@ TEST(VerdictDetails, RefusesWhatNoDesignCanBe) {
   } catch (const MissingResource& fault) {
     EXPECT_NE(std::string(fault.what()).find("need more than 4 GiB"), std::string::npos);
   }
+  try {
+    const RunningVerdict running({.v = 65'536, .k = 3});
+    ADD_FAILURE() << "65,535 elements are the limit";
+  } catch (const MissingResource& fault) {
+    EXPECT_STREQ(fault.what(), "v = 65536 exceeds the 65535 elements that verification can hold");
+  }
+  EXPECT_EQ(refusal([] {
+              RunningVerdict running({.v = 9, .k = 4});
+              running.add(Block{0, 1, 2, 3, 4, 5, 6});
+            }),
+            "a block of 3 elements, not k = 4");
+}
+
+// Blocks with many new elements are taken as rows of bits, several blocks together: none has a part of the next one.
+TEST(VerdictDetails, BlocksTakenTogetherAreApart) {
+  constexpr Element k = 64;
+  std::vector<Block> blocks(4, Block(k));
+  for (Element i = 0; i < 4 * k; ++i) {
+    blocks[i / k][i % k] = i;
+  }
+  const Verdict verdict = verify(Design({.v = 4 * k, .k = k, .change = k}, blocks));
+  EXPECT_EQ(verdict.bad_steps, 0U);
+  EXPECT_EQ(verdict.uncovered, 6U * k * k);  // each pair of two blocks
+  EXPECT_EQ(verdict.excess, 0U);
+}
+
+TEST(VerdictDetails, AVerificationStopsWhenItsScopeDoes) {
+  const Design design({.v = 4, .k = 3, .change = 1},
+                      std::vector<Block>{{0, 1, 2}, {1, 2, 3}, {0, 1, 3}});
+  RunControl control({});
+  const RunScope scope(control);
+  EXPECT_TRUE(verify(design).valid());
+  control.stop(WhyStopped::interrupted);
+  EXPECT_THROW((void)verify(design), Stopped);
 }
 
 TEST(VerifiedDesigns, AreValidOrThereIsNone) {
@@ -169,6 +204,13 @@ TEST(VerifiedDesigns, AreValidOrThereIsNone) {
   EXPECT_EQ(good->design().blocks(), blocks);
   EXPECT_TRUE(good->verdict().valid());
   EXPECT_EQ(surely_verified(Design(p, blocks), "this").verdict(), good->verdict());
+  VerifiedDesign named = *good;
+  Recipe recipe;
+  recipe.construction = "some";
+  named.set_recipe(recipe);
+  EXPECT_EQ(named.design().recipe, recipe);
+  EXPECT_EQ(named.design().blocks(), blocks);
+  EXPECT_FALSE(good->design().recipe);
   const std::vector<Block> one{{0, 1, 2}};
   EXPECT_FALSE(verified(Design(p, one)));
   try {
