@@ -1,10 +1,13 @@
 // Any bytes, read as a list of pairs; a load order for those of a small one is held to its referee.
 #include <algorithm>
+#include <chrono>
+#include <functional>
 #include <set>
 
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
+#include "changeover/run/scope.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz {
@@ -32,8 +35,15 @@ std::set<std::pair<std::string, std::string>> pairs_by_name(const PairGraph& gra
 
 void order_of(const std::shared_ptr<const PairGraph>& graph) {
   const WantedPairs wanted = WantedPairs::listed(graph);
+  // A search that ends by itself takes as long as thousands of other inputs.
+  LoadOrderOptions options;
+  options.search_pairs = [](const std::function<void()>& search) {
+    RunControl control({.time = std::chrono::milliseconds(5)});
+    const RunScope scope(control);
+    search();
+  };
   for (const std::uint64_t room : {2U, 3U, 7U}) {
-    const LoadOrder order = plan_load_order(wanted, room);
+    const LoadOrder order = plan_load_order(wanted, room, options);
     const auto steps = order.stream();
     const LoadVerdict verdict = check_loads(*steps, graph->items(), room, {.wanted = wanted});
     must(verdict.valid() && verdict.loads == order.facts().loads,
