@@ -280,6 +280,10 @@ TEST(LowerBound, WritesEachReasonWithItsNumbers) {
       "at most 3 elements enter a step, so some x is in none of the first ceil((19-7)/3) = 4 blocks and "
       "some y in none of the last 4: b >= 2*4 + 1 = 9");
   EXPECT_EQ(
+      reason_named({.v = 9, .k = 4, .change = 1}, "end to end"),
+      "at most 1 element enters a step, so some x is in none of the first ceil((9-4)/1) = 5 blocks and "
+      "some y in none of the last 5: b >= 2*5 + 1 = 11");
+  EXPECT_EQ(
       reason_named({.v = 14, .k = 7, .strength = 3}, "end to end"),
       "at most 2 elements enter a step, so ceil((14-7)/2) = 4 blocks in a row lack some element, and 3 "
       "runs of 4 lack 3 that never meet: b >= 3*4 + 1 = 13");
