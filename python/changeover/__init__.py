@@ -16,7 +16,11 @@ from __future__ import annotations
 
 import sys as _sys
 
-from ._core import (
+from . import _calls, _core
+
+_calls.say_all_in_one_line(_core)
+
+from ._core import (  # noqa: E402
     BadInput,
     Blocks,
     Bound,

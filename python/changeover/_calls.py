@@ -1,0 +1,118 @@
+"""Calls of the core that say in one line what does not fit. pybind11 says it in many, and names no argument."""
+
+from __future__ import annotations
+
+import ast
+import functools
+import inspect
+import operator
+import reprlib
+import typing
+
+
+def signature_of(function, classes: dict[str, type]) -> inspect.Signature:
+    """What the first line of a docstring of pybind11 says, with the types that it means where Python has one."""
+    line = function.__doc__.split("\n", 1)[0]
+    written = ast.parse(f"def {line}: ...").body[0]
+    assert isinstance(written, ast.FunctionDef)
+    types = {**vars(typing), "int": int, "str": str, "float": float, "bool": bool, "list": list, "dict": dict,
+             "object": object, "function": typing.Callable}
+
+    def type_of(node):
+        if isinstance(node, ast.Attribute):  # changeover._core.Design
+            return classes.get(node.attr, object)
+        if isinstance(node, ast.Subscript):
+            inner = type_of(node.slice)
+            return typing.Optional[inner] if ast.unparse(node.value) == "Optional" else object
+        if isinstance(node, ast.Constant):
+            return node.value
+        return types.get(node.id, object)
+
+    empty = inspect.Parameter.empty
+
+    def parameters(how, arguments, defaults):
+        for each, default in zip(arguments, defaults):
+            yield inspect.Parameter(each.arg, how, default=empty if default is None else ast.literal_eval(default),
+                                    annotation=empty if each.arg == "self" else type_of(each.annotation))
+
+    given = written.args
+    without = [None] * (len(given.args) - len(given.defaults))
+    return inspect.Signature([
+        *parameters(inspect.Parameter.POSITIONAL_OR_KEYWORD, given.args, [*without, *given.defaults]),
+        *parameters(inspect.Parameter.KEYWORD_ONLY, given.kwonlyargs, given.kw_defaults)])
+
+
+def _whole(value) -> bool:
+    try:
+        return 0 <= operator.index(value) < 1 << 64
+    except TypeError:
+        return False
+
+
+def _what_does_not_fit(wanted, value) -> str:
+    """What an argument of a type is, in words; nothing if the value is one."""
+    inner = [each for each in typing.get_args(wanted) if each is not type(None)]
+    if typing.get_origin(wanted) is typing.Union:
+        text = "" if value is None else _what_does_not_fit(inner[0], value)
+        return text and f"{text} or None"
+    if wanted is int:
+        return "" if _whole(value) else "a whole number from 0 to 2**64 - 1"
+    if wanted is float:
+        return "" if hasattr(value, "__float__") or _whole(value) else "a number"
+    if wanted is bool:
+        return "" if isinstance(value, bool) else "True or False"
+    if wanted is str:
+        return "" if isinstance(value, str) else "a string"
+    if wanted is typing.Iterable:
+        return "" if hasattr(value, "__iter__") else "an iterable"
+    if wanted is typing.Callable:
+        return "" if callable(value) else "a function"
+    if isinstance(wanted, type) and wanted is not inspect.Parameter.empty:
+        return "" if isinstance(value, wanted) else f"a {wanted.__name__}"
+    return ""
+
+
+def _why(name: str, signature: inspect.Signature, args, kwargs) -> str:
+    try:
+        given = signature.bind(*args, **kwargs).arguments
+    except TypeError as fault:
+        names = ", ".join(each for each in signature.parameters if each != "self")
+        return f"{name}(): {fault}; its arguments are {names or 'none'}"
+    for argument, value in given.items():
+        text = _what_does_not_fit(signature.parameters[argument].annotation, value)
+        if text:
+            return f"{name}(): {argument} is {text}, not {reprlib.repr(value)}"
+    return f"{name}(): an argument has a type that it does not take; help() says which it does"
+
+
+def in_one_line(function, classes: dict[str, type], name: str):
+    """The same function, whose TypeErrors are one line."""
+    signature = signature_of(function, classes)
+
+    @functools.wraps(function)
+    def call(*args, **kwargs):
+        try:
+            return function(*args, **kwargs)
+        except TypeError as fault:
+            if not str(fault).startswith(f"{function.__name__}(): incompatible "):
+                raise  # Another call's, such as one in a callback.
+        raise TypeError(_why(name, signature, args, kwargs))
+
+    setattr(call, "__signature__", signature)
+    return call
+
+
+def say_all_in_one_line(module) -> None:
+    """Replaces the functions of a module of pybind11, and the methods of its classes."""
+    classes = {name: each for name, each in vars(module).items() if isinstance(each, type)}
+    for name, each in list(vars(module).items()):
+        if inspect.isbuiltin(each):
+            setattr(module, name, in_one_line(each, classes, name))
+        elif inspect.ismodule(each):
+            say_all_in_one_line(each)
+    for owner, each in classes.items():
+        for name, method in list(vars(each).items()):
+            described = (getattr(method, "__doc__", None) or "").startswith(f"{name}(self: ")
+            if described and (name == "__init__" or not name.startswith("__")):
+                shown = owner if name == "__init__" else f"{owner}.{name}"
+                setattr(each, name, in_one_line(method, classes, shown))

@@ -1,0 +1,69 @@
+"""Calls that fit no function."""
+
+import inspect
+import os
+import tempfile
+import unittest
+
+import changeover
+
+
+class Calls(unittest.TestCase):
+    """What does not fit is said in one line that names the argument."""
+
+    def said(self, function, *args, **kwargs):
+        with self.assertRaises(TypeError) as caught:
+            function(*args, **kwargs)
+        text = str(caught.exception)
+        self.assertEqual(text.splitlines(), [text])
+        self.assertIsNone(caught.exception.__context__)
+        return text
+
+    def test_the_argument_is_named_and_what_it_may_be(self):
+        design = changeover.design(6, 4)
+        whole = "a whole number from 0 to 2**64 - 1"
+        self.assertEqual(self.said(changeover.design, "a", 4), f"design(): v is {whole}, not 'a'")
+        self.assertEqual(self.said(changeover.design, 6, -4), f"design(): k is {whole}, not -4")
+        self.assertEqual(self.said(changeover.design, 6, 4, kind=3), "design(): kind is a string or None, not 3")
+        self.assertEqual(self.said(changeover.search, 9, 4, time="1"), "search(): time is a number or None, not '1'")
+        self.assertEqual(self.said(design.is_same_as, 4), "Design.is_same_as(): other is a Design, not 4")
+        self.assertEqual(self.said(changeover.catalog.find, 3), "find(): label is a string, not 3")
+        self.assertEqual(self.said(changeover.all_pairs, "f", 1, 2, 3), "all_pairs(): compute is a function, not 3")
+        self.assertLess(len(self.said(changeover.bounds, "v" * 10_000, 4)), 120)
+
+    def test_a_call_that_is_none_has_the_names_of_the_arguments(self):
+        names = "; its arguments are v, k, change, kind, strength, construction"
+        self.assertEqual(self.said(changeover.design, 6), "design(): missing a required argument: 'k'" + names)
+        self.assertEqual(self.said(changeover.design, 6, 4, 2, "linear", 2, "x"),
+                         "design(): too many positional arguments" + names)
+        self.assertEqual(self.said(changeover.design, 6, 4, kid=1),
+                         "design(): got an unexpected keyword argument 'kid'" + names)
+        self.assertIn("missing a required argument: 'test_cost'", self.said(changeover.plan, 9, 3))
+        self.assertEqual(self.said(changeover.constructions, 1),
+                         "constructions(): too many positional arguments; its arguments are none")
+
+    def test_every_function_and_method_does(self):
+        seen = 0
+        for owner in (changeover, changeover.catalog, changeover.Design, changeover.Blocks, changeover.Verdict,
+                      changeover.RunSheet, changeover.LoadOrder):
+            for name, each in vars(owner).items():
+                if name[0] != "_" and callable(each) and not isinstance(each, type) and hasattr(each, "__wrapped__"):
+                    self.said(each, *[object()] * 30)
+                    self.assertIn(name, str(inspect.signature(each)) + each.__name__)
+                    seen += 1
+        self.assertGreater(seen, 20)
+
+    def test_faults_of_a_callback_are_its_own(self):
+        def compute(*_):
+            raise TypeError("two\nlines")
+
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "items")
+            with open(path, "wb") as out:
+                out.write(bytes(64))
+            with self.assertRaisesRegex(TypeError, "^two\nlines$"):
+                changeover.all_pairs(path, 8, 4, compute)
+
+
+if __name__ == "__main__":
+    unittest.main()
