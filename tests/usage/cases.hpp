@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,12 @@ inline std::size_t count(const std::string& text, const std::string& part) {
   return times;
 }
 
+/// Without the lines of progress that a command writes once it has taken ten seconds.
+inline std::string without_progress(const std::string& err) {
+  static const std::regex progress("changeover: [^\\n]*; [0-9]+ s\\n");
+  return std::regex_replace(err, progress, "");
+}
+
 /// An answer is on standard output and nothing on stderr; a refusal is one clean line on stderr and nothing else.
 /// That nothing serves some parameters (4) is an answer as well.
 inline void expect(const std::vector<Case>& cases, const TemporaryFolder& folder) {
@@ -42,7 +49,7 @@ inline void expect(const std::vector<Case>& cases, const TemporaryFolder& folder
     EXPECT_TRUE(!each.says.empty() && said.find(each.says) != std::string::npos)
         << each.command << " should say '" << each.says << "' but says\n"
         << said.substr(0, 1000);
-    EXPECT_EQ(answers ? outcome.err : outcome.out, "") << each.command;
+    EXPECT_EQ(answers ? without_progress(outcome.err) : outcome.out, "") << each.command;
     EXPECT_EQ(said.find('\x1b'), std::string::npos) << each.command;
     if (!answers && each.command != "$changeover") {  // which shows the help
       EXPECT_EQ(count(outcome.err, "\n"), 1U) << each.command << "\n" << outcome.err;
@@ -50,8 +57,10 @@ inline void expect(const std::vector<Case>& cases, const TemporaryFolder& folder
   }
 }
 
-/// Open MPI refuses to run as root, or with more processes than cores, unless told otherwise.
+/// Open MPI refuses to run as root, or with more processes than cores, unless told otherwise. It leaves memory to modules
+/// that it has unloaded when it ends, of which a leak sanitizer cannot even say where it was taken.
 inline const std::string mpirun =
+    "ASAN_OPTIONS=\"$ASAN_OPTIONS:detect_leaks=0\" "
     "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 "
     "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun ";
 
