@@ -109,7 +109,7 @@ attack() { # the verb and its words
   if [[ $1 != serve && ("$* " == *" --time 100ms "* || " $* " != *' --time '*) ]]; then
     run 10 "$CHANGEOVER" "$@"
   else # A server never ends, others may have been given much time: they are asked to stop.
-    { timeout --preserve-status -s INT -k 8 2 "$CHANGEOVER" "$@" >"$out" 2>"$err" </dev/null; } 2>/dev/null
+    { timeout --preserve-status -s INT -k $((8 * slower)) 2 "$CHANGEOVER" "$@" >"$out" 2>"$err" </dev/null; } 2>/dev/null
     code=$?
     heard
   fi

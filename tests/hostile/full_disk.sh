@@ -19,7 +19,7 @@ start() {
     {
       ulimit -f "$1"
       # shellcheck disable=SC2086 # the words of the command
-      timeout -s KILL 60 "$CHANGEOVER" $2 2>"$err" </dev/null
+      timeout -s KILL $((60 * slower)) "$CHANGEOVER" $2 2>"$err" </dev/null
       printf '%s\n' $? >"$scratch/said/code"
     } | cat >"$out"
   ) 2>/dev/null &
@@ -67,10 +67,15 @@ writers=(
   'plan --items 20 --at-once 4 --test-cost 1 --change-cost 1 --time 200ms --format html'
   'classify 9 4 15 -m 1 --time 500ms --designs --json'
 )
+time=--time\ ${slower}s
 searches=(
-  'search 41 6 --time 1s --format text' 'search --order blocks.txt -m 2 --time 1s --format text'
-  'search --extend part.txt --time 1s --format text' 'search 30 5 --time 1s --format text'
+  "search 41 6 $time --format text" "search --order blocks.txt -m 2 $time --format text"
+  "search --extend part.txt $time --format text" "search 30 5 $time --format text"
 )
+# after TENTHS: of a second, in which a search has begun, but has not ended.
+after() {
+  sleep "$(($1 * slower / 10)).$(($1 * slower % 10))"
+}
 inputs() {
   "$CHANGEOVER" design 40 5 --linear --format text | sed '/^#/d' >blocks.txt
   printf '# changeover design v=24 k=4 change=2 kind=linear\n0 1 2 3\n0 1 4 5\n' >part.txt
@@ -111,7 +116,7 @@ for command in "${searches[@]}"; do
 done
 clear_folder
 attacks=$((attacks + 2))
-start 1 'search 41 6 --time 1s --checkpoint state --format text'
+start 1 "search 41 6 $time --checkpoint state --format text"
 await
 documented "$code" || fault "ulimit -f 1; changeover search 41 6 --checkpoint state: exit code $code ${said:0:200}"
 delivered || fault "ulimit -f 1; changeover search 41 6 --checkpoint state: the design was lost"
@@ -170,7 +175,7 @@ for ((round = 0; round < rounds; ++round)); do
       cp "$scratch/tools/old" "$disk/folder/old"
       [[ $how != full ]] || fill 0
       start unlimited "$command -o disk/folder/old"
-      sleep "0.$((3 + RANDOM % 4))"
+      after $((3 + RANDOM % 4))
       if [[ $how != full ]] && ended; then # Found sooner than that: nothing to attack.
         await
         whole_design "$disk/folder/old" || fault "changeover $command: exit code $code, no design"
@@ -178,6 +183,11 @@ for ((round = 0; round < rounds; ++round)); do
       fi
       [[ $how != fills ]] || fill 0
       [[ $how != vanishes ]] || rm -rf "$disk/folder"
+      if [[ $how != full ]] && ended; then # In between.
+        await
+        find . -maxdepth 1 -type f ! -name blocks.txt ! -name part.txt -delete
+        continue
+      fi
       await
       tried="changeover $command -o disk/folder/old, the disk $how"
       [[ $how != vanishes ]] || tried="changeover $command -o disk/folder/old, the folder is removed"
@@ -195,11 +205,11 @@ for ((round = 0; round < rounds; ++round)); do
     attacks=$((attacks + 1))
     fresh_disk
     [[ $how != full ]] || fill 0
-    start unlimited 'search 41 6 --time 1s --checkpoint disk/state --format text -o x.txt'
-    sleep 0.5
+    start unlimited "search 41 6 $time --checkpoint disk/state --format text -o x.txt"
+    after 5
     [[ $how != fills ]] || fill 0
     await
-    tried="changeover search 41 6 --time 1s --checkpoint disk/state -o x.txt, the disk $how"
+    tried="changeover search 41 6 $time --checkpoint disk/state -o x.txt, the disk $how"
     documented "$code" || fault "$tried: exit code $code"
     # Refused before it began, or the result is there.
     [[ $how == full && $code == 4 && $said == changeover:\ * ]] || whole_design x.txt ||
@@ -218,8 +228,8 @@ for ((round = 0; round < rounds; ++round)); do
       usual_tmpdir=$TMPDIR
       option='--proof disk/proofs'
       [[ $place != tmp ]] || { option=; TMPDIR=$disk; }
-      start unlimited "search 11 4 -m 1 --exact --time 1s $option --format text -o x.txt"
-      sleep 0.4
+      start unlimited "search 11 4 -m 1 --exact $time $option --format text -o x.txt"
+      after 4
       [[ $how != fills ]] || fill 0
       await
       export TMPDIR=$usual_tmpdir

@@ -332,7 +332,7 @@ class Exact {
         sum[j] += 64 + key[i] % 8191;
       }
       for (std::size_t i = 0; i < parts_.size(); ++i) {
-        key[i] = (sum[i] << 1U | (setup >> i & 1U)) * 37 % 1'000'003;
+        key[i] = (sum[i] << 1U | (std::uint32_t{setup} >> i & 1U)) * 37 % 1'000'003;
       }
     }
     Labels label{};

@@ -46,6 +46,10 @@ cd "$scratch/ground" || exit 1
 export TMPDIR=$scratch/tmp
 unset COLUMNS NO_COLOR
 
+# With sanitizers everything takes several times as long.
+slower=1
+[[ -z ${HOSTILE_SANITIZED:-} ]] || slower=6
+
 # An address space that the sanitizers do not fit into is no fair limit for them.
 limit_memory() {
   [[ -n ${HOSTILE_SANITIZED:-} ]] || ulimit -v "$1"
@@ -80,7 +84,7 @@ run() {
   local seconds=$1
   shift
   # The shell tells of processes that were killed; that is for the script to judge.
-  { timeout -s KILL "$seconds" "$@" >"$out" 2>"$err" </dev/null; } 2>/dev/null
+  { timeout -s KILL $((seconds * slower)) "$@" >"$out" 2>"$err" </dev/null; } 2>/dev/null
   code=$?
   heard
 }

@@ -130,7 +130,8 @@ TEST(JobResults, OfScatteredLostStepsAreComputedAgainWithoutTheOthers) {
   for (std::size_t apart : {3U, 7U, 20U}) {
     std::string changed = right;
     for (std::size_t i = 0; i < items; ++i) {
-      changed[(i * items + i) * sizeof(std::uint64_t)] ^= i % apart == 0 ? 1 : 0;
+      char& byte = changed[(i * items + i) * sizeof(std::uint64_t)];
+      byte = static_cast<char>(byte ^ (i % apart == 0 ? 1 : 0));
     }
     spit(work.results(), changed);
     const AllPairsReport report = work.run();
