@@ -137,7 +137,15 @@ Answer drawn(const Subject& subject, DrawOptions options, const DrawRequest& req
   if (request.expansion_sets && options.expansion_set.empty()) {
     add_expansion_set(options, *subject.source);
   }
-  return answer_of(draw(*subject.source, options, subject.labels), request);
+  try {
+    return answer_of(draw(*subject.source, options, subject.labels), request);
+  } catch (const BadInput& fault) {
+    // What begins with an option is about its value.
+    if (std::string_view(fault.what()).starts_with("--")) {
+      throw UsageError{fault.what()};
+    }
+    throw;
+  }
 }
 
 // What the registry makes of a promise, judged.
