@@ -1,6 +1,8 @@
 // Heads of requests that are large, long, many or malformed: each gets one answer, and nobody else gets it.
 #include <gmock/gmock.h>
 
+#include <array>
+
 #include "served.hpp"
 
 namespace changeover::test {
@@ -108,6 +110,20 @@ TEST_F(Heads, BlanksAndCapitalsMeanNothing) {
   EXPECT_EQ(
       ask(port(), "POST", "/api/verify", {{"Content-Encoding", "Identity"}}, "0 1 2\n").status,
       200);
+}
+
+// As nc and others do when their input ends.
+TEST_F(Heads, WhoSendsNoMoreIsAnswered) {
+  for (const auto& [method, target, body] :
+       std::vector<std::array<std::string, 3>>{{"GET", "/api/search", ""},
+                                               {"GET", "/api/cell?v=9&k=4&kind=linear", ""},
+                                               {"GET", "/api/about", ""},
+                                               {"POST", "/api/verify", "0 1 2\n"}}) {
+    Connection connection(port());
+    connection.send(request_text(port(), method, target, {}, body));
+    connection.end();
+    EXPECT_EQ(connection.reply().status, 200) << target;
+  }
 }
 
 // Those whose heads are on their way meanwhile hear nothing of what another one did.

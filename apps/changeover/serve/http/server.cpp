@@ -9,6 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cctype>
+#include <chrono>
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>
@@ -38,16 +39,6 @@ constexpr std::size_t bytes_of_a_field = 64;
 constexpr const char* too_many_fields = "the head of the request has too many lines or cookies";
 // A request that is refused is read to its end if that is near, so that who sends it hears why.
 constexpr std::size_t read_though_refused = 64 << 10;
-
-std::string raw_refusal(int status, const std::string& words, const std::string& message) {
-  const Response response = refused({status, message});
-  std::string text = fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n",
-                                 status, words, response.type, response.body->size());
-  for (const auto& [name, value] : security_headers()) {
-    text += fmt::format("{}: {}\r\n", name, value);
-  }
-  return text + "Connection: close\r\n\r\n" + *response.body;
-}
 
 bool takes_gzip(const Request& request) {
   const std::string_view accepted = request.header("accept-encoding");
@@ -119,19 +110,6 @@ std::optional<Refusal> address_defect(const std::string& target) {
   return std::nullopt;
 }
 
-const char* words_of(int status) {
-  switch (status) {
-    case 413:
-      return "Content Too Large";
-    case 414:
-      return "URI Too Long";
-    case 431:
-      return "Request Header Fields Too Large";
-    default:
-      return "Bad Request";
-  }
-}
-
 }  // namespace
 
 struct Server::State {
@@ -140,7 +118,7 @@ struct Server::State {
   explicit State(Settings given)
       : settings(std::move(given)),
         deadlines(settings.deadlines,
-                  raw_refusal(408, "Request Timeout", "the request took too long to arrive")),
+                  refused_as_text({408, "the request took too long to arrive"})),
         lanes(settings.lanes) {}
 
   Settings settings;
@@ -291,8 +269,13 @@ struct Server::State::Calls {
             "Error processing request (HTTP response code is %u")) {
       va_list copy;
       va_copy(copy, arguments);
-      state->refuse_instead(static_cast<int>(va_arg(copy, unsigned)));
+      const unsigned status = va_arg(copy, unsigned);
       va_end(copy);
+      try {
+        state->refuse_instead(static_cast<int>(status));
+      } catch (...) {
+        // Then it is refused in the library's words.
+      }
     }
     std::string line(512, '\0');
     const int length = std::vsnprintf(line.data(), line.size(), format, arguments);
@@ -306,7 +289,7 @@ struct Server::State::Calls {
 
 void Server::State::refuse_at_once(Exchange& exchange, const Refusal& refusal) {
   exchange.refused_at_once = true;
-  const std::string text = raw_refusal(refusal.status, words_of(refusal.status), refusal.message);
+  const std::string text = refused_as_text(refusal);
   static_cast<void>(::send(exchange.socket, text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
   // A socket that is closed with bytes unread is reset, and who sent them may not hear why.
   std::array<char, 4096> unread{};
@@ -440,9 +423,12 @@ MHD_Result Server::State::dispatch(Exchange& exchange) {
     exchange.response = answer(exchange);
     return send(exchange);
   }
-  exchange.request.left = [socket = exchange.socket] {
+  // Who sends no more may still wait for an answer, and cannot be told from who has gone: short answers are made for both.
+  exchange.request.left = [socket = exchange.socket, since = std::chrono::steady_clock::now()] {
+    constexpr std::chrono::seconds short_answer{1};
     char byte = 0;
-    return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+    return std::chrono::steady_clock::now() - since > short_answer &&
+           ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
   };
   MHD_suspend_connection(exchange.connection);
   lanes.add(lane, [this, &exchange] {
