@@ -31,10 +31,10 @@ namespace {
 constexpr std::size_t longest_target = 8192;
 constexpr std::size_t bytes_of_a_head = 32 << 10;
 constexpr std::size_t most_parameters = 100;
-// What libmicrohttpd has for one request. Half of it is for reading; lines, parameters and cookies are kept in the rest, and
-// where that is full there is no room for the head of an answer, so that nothing is answered.
-constexpr std::size_t room_of_a_connection = 96 << 10;
-constexpr std::size_t room_of_fields = 40 << 10;
+// What libmicrohttpd has for one request, and clears after each. Half of it is for reading; lines, parameters and cookies are kept
+// in the rest, and where that is full there is no room for the head of an answer, so that nothing is answered.
+constexpr std::size_t room_of_a_connection = 64 << 10;
+constexpr std::size_t room_of_fields = 24 << 10;
 constexpr std::size_t bytes_of_a_field = 64;
 constexpr const char* too_many_fields = "the head of the request has too many lines or cookies";
 // A request that is refused is read to its end if that is near, so that who sends it hears why.
