@@ -150,6 +150,11 @@ for ((round = 0; round < 3 * rounds; ++round)); do
   if ((round % 2 == 0)); then kill -KILL $process; else kill -INT $process; fi
   wait $process
   code=$?
+  if ((round % 2 == 0)); then
+    # What it left is cleared by the next one.
+    run 120 "$CHANGEOVER" "${small[@]}" site
+    [[ $code == 0 && -z $(find . -maxdepth 1 -name 'site.new-*') ]] || fault "export after kill -9: exit code $code, or a folder is left"
+  fi
   attacks=$((attacks + 1))
   [[ $(cat site/data/config.json site/index.html) == "$before" ]] || fault 'export, stopped: the old site is another'
   if ((round % 2 == 1)); then

@@ -56,6 +56,9 @@ class Connection {
     return open_;
   }
 
+  /// There is nothing more to say; what comes back is still read.
+  void end() const { ::shutdown(socket_, SHUT_WR); }
+
   /// More bytes into text(); false at the end.
   bool read_more(int patience = 60'000) {
     pollfd ready{.fd = socket_, .events = POLLIN, .revents = 0};

@@ -425,8 +425,14 @@ TEST(Plan, MakesTriplesMeet) {
        {plan("--strength 3 --what-if"), 2, "--what-if is of pairs"},
        {"$changeover plan --items 8 -k 2 --test-cost 1 --change-cost 1 --strength 3" + fast, 2,
         "no triple can meet"},
-       {"$changeover plan --items 101 -k 4 --test-cost 1 --change-cost 1 --strength 3" + fast, 3,
-        "where triples must meet, at most 100"}},
+       {"$changeover plan --items 101 -k 4 --test-cost 1 --change-cost 1 --strength 3" + fast, 2,
+        "where triples must meet, at most 100"},
+       {"$changeover plan --items 2 -k 4 --test-cost 1 --change-cost 1 --strength 3" + fast, 2,
+        "a triple needs three parts"},
+       {plan("--mounted 1,2,3,4,5,6"), 2, "6 parts stay mounted, but only 5 fit"},
+       {plan("--mounted 1,2,3,4"), 2, "there is no room for both"},
+       {plan("--start 1,2,3,4,5,6"), 2, "6 parts are mounted at the start, but only 5 fit"},
+       {plan("--mounted 1,2 --never pairs.csv"), 3, "must never be in one set-up"}},
       folder);
 }
 

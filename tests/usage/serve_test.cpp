@@ -1,3 +1,10 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+
 #include "cases.hpp"
 
 namespace changeover::test {
@@ -80,6 +87,47 @@ TEST(Serve, ExportsWhatItWouldAnswer) {
   spit(folder.file("site/CNAME"), "designs.example");
   expect({{site, 4, "CNAME there is not of an earlier export"}}, folder);
   EXPECT_EQ(slurp(folder.file("site/CNAME")), "designs.example");
+}
+
+TEST(Serve, ExportsClearWhatAKilledOneLeft) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "pages");
+  spit(folder.file("pages/index.html"), "<html><head></head></html>");
+  const std::string killed =
+      "$changeover serve --assets pages --export site --k 3..8 --v 4..200 -m 2 >/dev/null 2>&1 & "
+      "p=$!; while [ ! -e \"$(echo site.new-*)\"/.changeover-explorer ] && kill -0 $p; do sleep 0.01; done; "
+      "kill -KILL $p; wait $p; ls -d site.new-* | wc -l";
+  ASSERT_EQ(run(killed, folder.path()).out, "1\n");
+  const auto make = [&](const std::string& name, const std::string& file) {
+    std::filesystem::create_directory(folder.path() / name);
+    spit(folder.path() / name / file, "precious");
+  };
+  const std::string marker = ".changeover-explorer";
+  make("site.new-mine12", "mine");  // what no export makes
+  make("site.new-both12", "mine");  // with something of somebody's
+  spit(folder.path() / "site.new-both12" / marker, "");
+  make("site.new-index1", "index.html");  // no export begins like that
+  make("site.new-short", marker);         // not named as ours
+  make("other.new-abcdef", marker);       // of another place
+  make("site.new-locked", marker);        // being made
+  make("elsewhere", marker);
+  std::filesystem::create_directory_symlink("elsewhere", folder.path() / "site.new-symbol");
+  spit(folder.path() / "site.new-file12", "precious");
+  std::filesystem::create_directory(folder.path() / "site.new-empty1");  // killed before it began
+  const int held = ::open(folder.file("site.new-locked").c_str(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(held, LOCK_EX | LOCK_NB), 0);
+  const std::string small = "$changeover serve --assets pages --export site --k 3 --v 5..7 -m 2";
+  expect({{small, 0, "files"}}, folder);
+  ::close(held);
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    names.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"elsewhere", "other.new-abcdef", "pages", "site",
+                                          "site.new-both12", "site.new-file12", "site.new-index1",
+                                          "site.new-locked", "site.new-mine12", "site.new-short",
+                                          "site.new-symbol"}));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "elsewhere" / marker));
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "request/catalog_request.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"
+#include "request/picture_options.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -136,7 +137,15 @@ Answer drawn(const Subject& subject, DrawOptions options, const DrawRequest& req
   if (request.expansion_sets && options.expansion_set.empty()) {
     add_expansion_set(options, *subject.source);
   }
-  return answer_of(draw(*subject.source, options, subject.labels), request);
+  try {
+    return answer_of(draw(*subject.source, options, subject.labels), request);
+  } catch (const BadInput& fault) {
+    // What begins with an option is about its value.
+    if (std::string_view(fault.what()).starts_with("--")) {
+      throw UsageError{fault.what()};
+    }
+    throw;
+  }
 }
 
 // What the registry makes of a promise, judged.
@@ -304,27 +313,20 @@ Answer run(const DrawRequest& request) {
 
 // Options that some pictures alone have.
 void require_meaning(const DrawRequest& request) {
-  const auto only = [&](bool given, const std::string& option,
-                        const std::vector<std::string>& pictures) {
-    if (given && std::find(pictures.begin(), pictures.end(), request.picture) == pictures.end()) {
-      std::string words;
-      for (const std::string& picture : pictures) {
-        words += (words.empty() ? "" : ", ") + picture;
-      }
-      throw UsageError{fmt::format("{} has no meaning with --picture {}; it is for {}", option,
-                                   request.picture, words)};
+  const auto only = [&](bool given, std::string_view option) {
+    if (const auto defect = picture_option_defect(option, request.picture, "--"); given && defect) {
+      throw UsageError{*defect};
     }
   };
-  const std::vector<std::string> of_blocks = {"array", "stays", "coverage", "circle"};
-  only(request.from.has_value(), "--from", of_blocks);
-  only(request.to.has_value(), "--to", of_blocks);
-  only(request.order != "first", "--order", {"stays", "coverage"});
-  only(request.colour != "length", "--colour", {"stays"});
-  only(request.leaving, "--leaving", {"array"});
-  only(request.expansion_sets, "--expansion-sets", {"array"});
-  only(request.measure != "ratio", "--measure", {"heatmap"});
-  only(!request.k.empty(), "--k", {"heatmap"});
-  only(!request.v.empty(), "--v", {"heatmap"});
+  only(request.from.has_value(), "from");
+  only(request.to.has_value(), "to");
+  only(request.order != "first", "order");
+  only(request.colour != "length", "colour");
+  only(request.leaving, "leaving");
+  only(request.expansion_sets, "expansion-sets");
+  only(request.measure != "ratio", "measure");
+  only(!request.k.empty(), "k");
+  only(!request.v.empty(), "v");
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // changeover plan: the cheapest run sheet.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "changeover/core/error.hpp"
 #include "changeover/plan/benches.hpp"
 #include "changeover/plan/diagnosis.hpp"
@@ -278,8 +280,10 @@ void take_priorities(const PlanRequest& request, Asked& asked) {
 void take_triples(Asked& asked) {
   const std::uint64_t apart = need_triples(asked.job);
   if (asked.job.triples.empty()) {
-    throw BadInput(
-        "no three parts can be in one set-up, for the slots, forbidden pairs or what stays mounted");
+    throw BadInput(asked.job.parts() < triples
+                       ? "a triple needs three parts"
+                       : "no three parts can be in one set-up, for the slots, forbidden pairs or "
+                         "what stays mounted");
   }
   if (apart > 0) {
     asked.notes.push_back(fmt::format(
@@ -288,7 +292,7 @@ void take_triples(Asked& asked) {
   }
 }
 
-Asked asked_of(const PlanRequest& request) {
+Asked asked_by(const PlanRequest& request) {
   Asked asked = parts_of(request);
   Job& job = asked.job;
   if (!request.change_costs.empty()) {
@@ -328,6 +332,20 @@ Asked asked_of(const PlanRequest& request) {
   check(job);
   take_done(request, asked);
   return asked;
+}
+
+// Where no file says anything, the options are wrong.
+Asked asked_of(const PlanRequest& request) {
+  const auto files = {request.parts, request.change_costs, request.pairs,    request.never,
+                      request.slots, request.first,        request.priority, request.done};
+  if (std::ranges::any_of(files, [](const std::string& file) { return !file.empty(); })) {
+    return asked_by(request);
+  }
+  try {
+    return asked_by(request);
+  } catch (const BadInput& fault) {
+    throw UsageError{fault.what()};
+  }
 }
 
 std::string plan_text(const SheetDocument& document, const std::string& format, std::size_t width) {

@@ -83,18 +83,21 @@ void add_defects(const Verdict& verdict, const Labels& labels, std::string& text
 void add_qualities(const Verdict& verdict, const Judgement& judgement, const Labels& labels,
                    std::string& text) {
   const Parameters& p = verdict.parameters;
-  const std::string subsets = p.strength == 2 ? "pairs" : fmt::format("{}-subsets", p.strength);
+  const std::string subset = p.strength == 2 ? "pair" : fmt::format("{}-subset", p.strength);
   text += fmt::format("quality:  {}\n", quality(judgement));
   text += fmt::format("bound:    {}\n", judgement.bound.reason);
-  text += fmt::format("excess:   {} of {} covered {} are repetitions\n", verdict.excess,
-                      verdict.covered, subsets);
+  text += fmt::format("excess:   {} of {} {}\n", verdict.excess,
+                      count_of(verdict.covered, "covered " + subset),
+                      verdict.excess == 1 ? "is a repetition" : "are repetitions");
   if (verdict.never_newly_covered > 0) {
-    text += fmt::format("fixed:    {} {} in every block, never newly covered\n",
-                        verdict.never_newly_covered, subsets);
+    text += fmt::format("fixed:    {} in every block, never newly covered\n",
+                        count_of(verdict.never_newly_covered, subset));
   }
-  text += fmt::format("elements: introduced {} times each, in {} blocks each\n",
-                      range(verdict, &ElementCount::introductions),
-                      range(verdict, &ElementCount::blocks));
+  const std::string introduced = range(verdict, &ElementCount::introductions);
+  const std::string blocks = range(verdict, &ElementCount::blocks);
+  text +=
+      fmt::format("elements: introduced {} {} each, in {} {} each\n", introduced,
+                  introduced == "1" ? "time" : "times", blocks, blocks == "1" ? "block" : "blocks");
   if (p.strength == 2) {
     text += fmt::format("degrees:  i_x(k-1) + m(r_x-i_x) = v-1 + e_x {} at every element, e_x {}\n",
                         verdict.degree_identity ? "holds" : "fails",

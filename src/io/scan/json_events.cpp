@@ -66,8 +66,9 @@ class Adapter {
     start_token();
     ++cursor_;
     if (++depth_ > max_json_depth) {
-      source_.fail(start_,
-                   fmt::format("nested more than {} deep; this is no design", max_json_depth));
+      source_.fail(
+          start_, fmt::format("JSON nested more than {} deep; nothing that is read here is as deep",
+                              max_json_depth));
     }
     return emit(type, {});
   }

@@ -181,7 +181,7 @@ TEST(JsonTest, DeepNestingIsRefusedWithoutStack) {
   EXPECT_EQ(complaint(std::string(10'000'000, '[')),
             "f:1:3: an array where an element, a number or a label, belongs; correct it");
   EXPECT_EQ(complaint("{\"x\":" + std::string(10'000'000, '[')),
-            "f:1:261: nested more than 256 deep; this is no design");
+            "f:1:261: JSON nested more than 256 deep; nothing that is read here is as deep");
   std::string recipe = "{\"recipe\":";
   for (int i = 0; i < 1'000'000; ++i) {
     recipe += "{\"inputs\":[";

@@ -72,6 +72,18 @@ TEST_F(Refusals, QuestionsThatCannotBe) {
       {"/api/draw?v=8&k=5&from=0", 400, "from 0: blocks are counted from 1"},
       {"/api/draw?v=8&k=5&from=3&to=2", 400, "from 3 to 2: there is no block between"},
       {"/api/draw?v=8&k=5&to=900", 400, "to 900: there are only"},
+      {"/api/draw?v=8&k=5&picture=recipe&from=0", 400,
+       "from has no meaning with picture recipe; it is for array, stays, coverage, circle"},
+      {"/api/draw?v=8&k=5&picture=recipe&to=3", 400, "to has no meaning"},
+      {"/api/draw?v=8&k=5&picture=recipe&order=stays", 400, "order has no meaning"},
+      {"/api/draw?v=8&k=5&order=first", 400, "it is for stays, coverage"},
+      {"/api/draw?v=8&k=5&picture=circle&colour=length", 400, "it is for stays"},
+      {"/api/draw?v=8&k=5&picture=stays&leaving=no", 400, "it is for array"},
+      {"/api/draw?label=x&k=3", 400, "k has no meaning with label; leave it out"},
+      {"/api/explain?label=x&kind=linear", 400, "kind has no meaning with label"},
+      {"/api/design?file=1&change=2", 400, "change has no meaning with file"},
+      {"/api/download?job=1&strength=2", 400, "strength has no meaning with job"},
+      {"/api/design?k=3&kind=linear", 400, "name a design by v"},
       {"/api/draw?v=601&k=4&kind=circular", 413, "draw a part of them with from and to"},
       {"/api/about?x=1&" + repeated("a=1&", 98), 400, "takes no parameters"},
       {"/api/about?" + repeated("a=1&", 100), 414, "more than 100 parameters"},
@@ -204,7 +216,8 @@ TEST_F(Refusals, JsonThatIsNotWhatWasAsked) {
       {"[]", 422, "object"},
       {"{", 422, "not JSON"},
       {"{}", 422, "missing"},
-      {std::string(100'000, '['), 422, "256"},
+      {std::string(100'000, '['), 422,
+       "JSON nested more than 256 deep; nothing that is read here is as deep"},
       {"{\"parts\":" + std::string(300, '[') + std::string(300, ']') + "}", 422, "256"},
       {R"({"parts":9,"at_once":3,"colour":1})", 422, "no member 'colour'"},
       {R"({"parts":9,"at_once":"3"})", 422, "at_once: write a whole number"},
@@ -255,6 +268,7 @@ TEST_F(Refusals, DesignsThatAreNone) {
   }
   // Declared by whoever asks: no fault of the file.
   EXPECT_EQ(ask(port(), "POST", "/api/verify?k=0", {}, "0 1 2\n").status, 400);
+  EXPECT_EQ(ask(port(), "POST", "/api/draw?picture=circle&leaving=yes", {}, "0 1 2\n").status, 400);
 }
 
 }  // namespace

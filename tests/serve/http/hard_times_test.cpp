@@ -48,6 +48,7 @@ TEST(HardTimes, WhoSendsTooSlowlyIsLetGo) {
     open = head.send("X: y\r\n");
   }
   EXPECT_FALSE(open);
+  EXPECT_EQ(head.reply().status, 408);
   const Reply late = body.reply();
   EXPECT_EQ(late.status, 408);
   EXPECT_THAT(message_of(late), HasSubstr("too long"));

@@ -23,14 +23,18 @@ KnownBounds known_bounds(const Parameters& p) {
   return answer;
 }
 
-std::string bounds_json(const KnownBounds& answer) {
-  const Parameters& p = answer.parameters;
-  JsonWriter json;
+void begin_known(JsonWriter& json, const KnownBounds& known) {
+  const Parameters& p = known.parameters;
   json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
   json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
   json.key("lower_bound");
-  answer.impossible ? json.null() : json.value(answer.bounds.front().blocks);
-  json.key("reason").value(answer.impossible ? *answer.impossible : answer.bounds.front().reason);
+  known.impossible ? json.null() : json.value(known.bounds.front().blocks);
+  json.key("reason").value(known.impossible ? *known.impossible : known.bounds.front().reason);
+}
+
+std::string bounds_json(const KnownBounds& answer) {
+  JsonWriter json;
+  begin_known(json, answer);
   json.key("best_known");
   answer.best ? json.value(answer.best->b) : json.null();
   json.key("construction");

@@ -8,6 +8,10 @@
 #include "answer/known/offers.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 
+namespace changeover {
+class JsonWriter;
+}  // namespace changeover
+
 namespace changeover::cli {
 
 struct KnownBounds {
@@ -22,6 +26,9 @@ struct KnownBounds {
 
 /// @throws ImpossibleParameters as check().
 [[nodiscard]] KnownBounds known_bounds(const Parameters& p);
+
+/// Opens an object with the parameters, the largest bound and its reason.
+void begin_known(JsonWriter& json, const KnownBounds& known);
 
 /// The document of `bounds --json`.
 [[nodiscard]] std::string bounds_json(const KnownBounds& known);

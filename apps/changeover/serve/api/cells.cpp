@@ -72,11 +72,7 @@ bool is_quick_table(const Request& request) {
 std::string cell_json(const Catalog& catalog, const Parameters& p) {
   const cli::KnownBounds known = cli::known_bounds(p);
   JsonWriter json;
-  json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
-  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
-  json.key("lower_bound");
-  known.impossible ? json.null() : json.value(known.bounds.front().blocks);
-  json.key("reason").value(known.impossible ? *known.impossible : known.bounds.front().reason);
+  cli::begin_known(json, known);
   json.key("status").value(known.status());
   json.key("bounds").begin_array();
   for (const Bound& bound : known.bounds) {

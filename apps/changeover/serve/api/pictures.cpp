@@ -8,6 +8,7 @@
 #include "changeover/draw/draw.hpp"
 #include "changeover/draw/heatmap.hpp"
 #include "changeover/io/input.hpp"
+#include "request/picture_options.hpp"
 #include "serve/api/cells.hpp"
 #include "serve/api/query.hpp"
 #include "serve/api/routes.hpp"
@@ -26,11 +27,16 @@ Response picture_response(const Picture& picture, Theme theme) {
 }
 
 DrawOptions options_of(const Request& request) {
+  const std::string picture =
+      word_of(request, "picture", {"array", "stays", "coverage", "circle", "recipe"});
+  for (const char* const option : {"order", "colour", "leaving", "from", "to"}) {
+    const auto defect = cli::picture_option_defect(option, picture, "");
+    if (request.parameter(option) && defect) {
+      throw Refusal{400, *defect};
+    }
+  }
   DrawOptions options;
-  options.picture =
-      picture_kind_from_string(
-          word_of(request, "picture", {"array", "stays", "coverage", "circle", "recipe"}))
-          .value();
+  options.picture = picture_kind_from_string(picture).value();
   options.order =
       element_order_from_string(word_of(request, "order", {"first", "stays", "given"})).value();
   options.colour =

@@ -96,6 +96,11 @@ std::string way_of(const Request& request, const std::vector<std::string>& ways)
   if (found.empty()) {
     throw Refusal{400, "name a design by v, k, change and kind, or by its label"};
   }
+  for (const char* const name : {"k", "change", "kind", "strength"}) {
+    if (found != "v" && request.parameter(name)) {
+      throw Refusal{400, fmt::format("{} has no meaning with {}; leave it out", name, found)};
+    }
+  }
   return found;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,7 +14,9 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "answer/catalog/completeness.hpp"
 #include "answer/catalog/entry_words.hpp"
@@ -26,6 +29,7 @@
 #include "changeover/draw/heatmap.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/printable.hpp"
+#include "io/file/left_behind.hpp"
 #include "io/write/json_writer.hpp"
 #include "run/threads.hpp"
 #include "serve/api/about.hpp"
@@ -39,9 +43,75 @@ namespace fs = std::filesystem;
 
 constexpr const char* marker = ".changeover-explorer";
 
+// What is at the top of a site.
+bool is_of_a_site(const std::string& name) {
+  static const std::set<std::string> ours{marker, "index.html", "assets", "data", "sources.sha256"};
+  return ours.contains(name);
+}
+
 [[noreturn]] void cannot(const std::string& what, const fs::path& path, int why) {
   throw MissingResource(
       fmt::format("cannot {} {}: {}", what, printable(path.string()), std::strerror(why)));
+}
+
+// A descriptor of a folder, which may be locked by it; -1 if there is none.
+class OpenFolder {
+ public:
+  OpenFolder() = default;
+  explicit OpenFolder(const fs::path& path)
+      : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC)) {}
+  ~OpenFolder() {
+    if (descriptor_ >= 0) {
+      ::close(descriptor_);
+    }
+  }
+  OpenFolder(OpenFolder&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  OpenFolder& operator=(OpenFolder&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  OpenFolder(const OpenFolder&) = delete;
+  OpenFolder& operator=(const OpenFolder&) = delete;
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_ = -1;
+};
+
+constexpr std::string_view before_random = ".new-";
+constexpr std::size_t random_letters = 6;  // of mkdtemp
+
+// Removes what exports to `place` left that were killed. Whoever makes a site has its folder locked, as the temporaries of files
+// are (io/file/left_behind.hpp).
+void remove_left_behind(const fs::path& place) {
+  const std::string front = place.filename().string() + std::string(before_random);
+  std::vector<fs::path> found;
+  std::error_code fault;
+  for (fs::directory_iterator at(place.parent_path(), fault), end; !fault && at != end;
+       at.increment(fault)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with(front) && name.size() == front.size() + random_letters) {
+      found.push_back(at->path());
+    }
+  }
+  for (const fs::path& path : found) {
+    const OpenFolder folder(path);
+    if (folder.descriptor() < 0 || ::flock(folder.descriptor(), LOCK_EX | LOCK_NB) != 0) {
+      continue;
+    }
+    bool nothing_else = true;
+    bool marked = false;
+    bool empty = true;
+    for (fs::directory_iterator at(path, fault), end; !fault && at != end; at.increment(fault)) {
+      const std::string name = at->path().filename().string();
+      nothing_else = nothing_else && is_of_a_site(name);
+      marked = marked || name == marker;
+      empty = false;
+    }
+    if (!fault && nothing_else && (marked || empty)) {
+      fs::remove_all(path, fault);
+    }
+  }
 }
 
 // A folder beside the place of the site, which goes away unless it is put there.
@@ -69,12 +139,20 @@ class Workshop {
     if (there_) {
       refuse_what_was_added(place);
     }
-    std::string pattern =
-        (place_.parent_path() / (place_.filename().string() + ".new-XXXXXX")).string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-      cannot("make a folder beside", place_, errno);
-    }
-    work_ = pattern;
+    remove_left_behind(place_);
+    do {
+      std::string pattern =
+          fmt::format("{}{}{}", place_.string(), before_random, std::string(random_letters, 'X'));
+      if (::mkdtemp(pattern.data()) == nullptr) {
+        cannot("make a folder beside", place_, errno);
+      }
+      work_ = pattern;
+      folder_ = OpenFolder(work_);
+      if (folder_.descriptor() < 0 && errno != ENOENT) {
+        cannot("open", work_, errno);
+      }
+      // Another export may have taken it for one that was left.
+    } while (folder_.descriptor() < 0 || !claim_temporary(folder_.descriptor(), work_.string()));
     constexpr auto as_folders_are = fs::perms::owner_all | fs::perms::group_read |
                                     fs::perms::group_exec | fs::perms::others_read |
                                     fs::perms::others_exec;
@@ -82,9 +160,8 @@ class Workshop {
   }
   // An earlier export is replaced whole; what others put beside it would be gone.
   void refuse_what_was_added(const std::string& place) const {
-    const std::set<std::string> ours{marker, "index.html", "assets", "data", "sources.sha256"};
     for (const fs::directory_entry& entry : fs::directory_iterator(place_)) {
-      if (const std::string added = entry.path().filename().string(); ours.count(added) == 0) {
+      if (const std::string added = entry.path().filename().string(); !is_of_a_site(added)) {
         throw MissingResource(fmt::format(
             "--export {}: {} there is not of an earlier export and would be lost; export to a new "
             "folder and copy it",
@@ -128,11 +205,9 @@ class Workshop {
 
   // The old site, if there was one, is in the workshop afterwards.
   void put_in_place() {
-    const int folder = ::open(work_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0 || ::syncfs(folder) != 0) {
+    if (::syncfs(folder_.descriptor()) != 0) {
       cannot("write", work_, errno);
     }
-    ::close(folder);
     const unsigned how = there_ ? RENAME_EXCHANGE : RENAME_NOREPLACE;
     if (::renameat2(AT_FDCWD, work_.c_str(), AT_FDCWD, place_.c_str(), how) != 0) {
       cannot("put the site at", place_, errno);
@@ -145,6 +220,7 @@ class Workshop {
  private:
   fs::path place_;
   fs::path work_;
+  OpenFolder folder_;  // of it, locked
   bool there_ = false;
   std::mutex mutex_;
   std::uint64_t files_ = 0;

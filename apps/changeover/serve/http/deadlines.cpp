@@ -30,6 +30,13 @@ void Deadlines::enter(int socket, Stage stage) {
   }
 }
 
+void Deadlines::hear(int socket) {
+  const std::scoped_lock lock(mutex_);
+  if (const auto found = open_.find(socket); found != open_.end()) {
+    found->second.begun = true;
+  }
+}
+
 void Deadlines::close(int socket) {
   const std::scoped_lock lock(mutex_);
   open_.erase(socket);
@@ -63,7 +70,7 @@ void Deadlines::run() {
     const Clock::time_point now = Clock::now();
     for (auto& [socket, open] : open_) {
       if (is_late(open, now)) {
-        if (open.stage == Stage::body) {
+        if (open.stage == Stage::body || (open.stage == Stage::head && open.begun)) {
           static_cast<void>(
               ::send(socket, timed_out_.data(), timed_out_.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
         }

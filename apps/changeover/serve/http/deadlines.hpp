@@ -30,7 +30,7 @@ class Deadlines {
     Seconds reading{300};
   };
 
-  /// `timed_out` is sent to who is too slow with a body, before the connection is closed.
+  /// `timed_out` is sent to who is too slow with a request that has begun, before the connection is closed.
   Deadlines(const Settings& settings, std::string timed_out);
   ~Deadlines();
   Deadlines(const Deadlines&) = delete;
@@ -39,6 +39,8 @@ class Deadlines {
   /// A connection that is open until close(), and closed by nobody else meanwhile.
   void open(int socket);
   void enter(int socket, Stage stage);
+  /// A request has begun on it: its first line is there.
+  void hear(int socket);
   void close(int socket);
 
   /// How many connections are open.
@@ -49,6 +51,7 @@ class Deadlines {
   struct Open {
     Stage stage = Stage::head;
     Clock::time_point since;
+    bool begun = false;
   };
   void run();
   [[nodiscard]] bool is_late(const Open& open, Clock::time_point now) const;

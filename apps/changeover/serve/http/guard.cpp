@@ -47,7 +47,8 @@ bool Guard::knows(std::string host) const {
 }
 
 void Guard::check(const Request& request, Action action) const {
-  for (const char* const once : {"host", "origin", "content-length", "x-changeover-token"}) {
+  for (const char* const once : {"host", "origin", "content-length", "content-type",
+                                 "content-encoding", "x-changeover-token"}) {
     if (std::ranges::find(request.repeated, once) != request.repeated.end()) {
       throw Refusal{400, fmt::format("the header {} is there twice", once)};
     }

@@ -63,6 +63,9 @@ struct Response {
 /// {"error":{"message":…,"line":…,"column":…}}
 [[nodiscard]] Response refused(const Refusal& refusal);
 
+/// The same with its head, as it goes through the socket before the connection is closed. For statuses 400, 408, 413, 414 and 431.
+[[nodiscard]] std::string refused_as_text(const Refusal& refusal);
+
 /// What is sent with every answer, whatever it is.
 [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& security_headers();
 

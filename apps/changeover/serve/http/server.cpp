@@ -6,13 +6,20 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cctype>
+#include <chrono>
 #include <cstdarg>
 #include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <mutex>
 #include <optional>
+#include <set>
+#include <string_view>
+#include <thread>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -23,20 +30,15 @@ namespace {
 
 constexpr std::size_t longest_target = 8192;
 constexpr std::size_t bytes_of_a_head = 32 << 10;
-// libmicrohttpd has room for some four hundred in that, and answers nothing where there are more.
 constexpr std::size_t most_parameters = 100;
+// What libmicrohttpd has for one request, and clears after each. Half of it is for reading; lines, parameters and cookies are kept
+// in the rest, and where that is full there is no room for the head of an answer, so that nothing is answered.
+constexpr std::size_t room_of_a_connection = 64 << 10;
+constexpr std::size_t room_of_fields = 24 << 10;
+constexpr std::size_t bytes_of_a_field = 64;
+constexpr const char* too_many_fields = "the head of the request has too many lines or cookies";
 // A request that is refused is read to its end if that is near, so that who sends it hears why.
 constexpr std::size_t read_though_refused = 64 << 10;
-
-std::string raw_refusal(int status, const std::string& words, const std::string& message) {
-  const Response response = refused({status, message});
-  std::string text = fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n",
-                                 status, words, response.type, response.body->size());
-  for (const auto& [name, value] : security_headers()) {
-    text += fmt::format("{}: {}\r\n", name, value);
-  }
-  return text + "Connection: close\r\n\r\n" + *response.body;
-}
 
 bool takes_gzip(const Request& request) {
   const std::string_view accepted = request.header("accept-encoding");
@@ -49,7 +51,8 @@ bool takes_gzip(const Request& request) {
 struct Exchange {
   MHD_Connection* connection = nullptr;
   int socket = -1;
-  std::string target;  // as it came
+  std::thread::id thread = std::this_thread::get_id();  // of libmicrohttpd, always the same
+  std::string target;                                   // as it came
   Request request = {};
   const Route* route = nullptr;
   std::optional<Response> response = {};
@@ -65,6 +68,48 @@ struct Listener {
   MHD_Connection* connection;
 };
 
+/// Those whose address has been read, and the rest of the head not yet.
+class Heads {
+ public:
+  void add(Exchange& exchange) {
+    const std::scoped_lock lock(mutex_);
+    all_.insert(&exchange);
+  }
+  void remove(Exchange& exchange) {
+    const std::scoped_lock lock(mutex_);
+    all_.erase(&exchange);
+  }
+  /// The one that libmicrohttpd is looking at on this thread; nullptr if its head is not complete. All others of the thread wait
+  /// for lines: as soon as a head is complete it goes on, or is refused.
+  [[nodiscard]] Exchange* complete() {
+    const std::scoped_lock lock(mutex_);
+    const auto found = std::ranges::find_if(all_, [](const Exchange* each) {
+      return each->thread == std::this_thread::get_id() &&
+             MHD_get_connection_info(each->connection, MHD_CONNECTION_INFO_REQUEST_HEADER_SIZE) !=
+                 nullptr;
+    });
+    return found == all_.end() ? nullptr : *found;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::set<Exchange*> all_;
+};
+
+std::optional<Refusal> address_defect(const std::string& target) {
+  if (target.size() > longest_target) {
+    return Refusal{414, "the address is too long"};
+  }
+  if (std::ranges::count(target, '&') >= static_cast<std::ptrdiff_t>(most_parameters)) {
+    return Refusal{414, fmt::format("the address has more than {} parameters", most_parameters)};
+  }
+  const auto is_blank = [](unsigned char c) { return c <= ' ' || c == 0x7f; };
+  if (std::ranges::any_of(target, is_blank)) {
+    return Refusal{400, "there is a blank in the address; write %20"};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 struct Server::State {
@@ -73,13 +118,14 @@ struct Server::State {
   explicit State(Settings given)
       : settings(std::move(given)),
         deadlines(settings.deadlines,
-                  raw_refusal(408, "Request Timeout", "the request took too long to arrive")),
+                  refused_as_text({408, "the request took too long to arrive"})),
         lanes(settings.lanes) {}
 
   Settings settings;
   Deadlines deadlines;
   std::atomic<bool> stopping = false;
   std::atomic<std::size_t> held = 0;
+  Heads heads;
   MHD_Daemon* daemon = nullptr;
   Lanes lanes;  // last: its threads end first
 
@@ -89,9 +135,11 @@ struct Server::State {
     }
   }
 
-  // Answers an address before libmicrohttpd takes it apart, and ends the connection.
-  void refuse_at_once(Exchange& exchange, int status, const std::string& words,
-                      const std::string& message) const;
+  // Answers what libmicrohttpd cannot answer, or would in its own words, and ends the connection.
+  static void refuse_at_once(Exchange& exchange, const Refusal& refusal);
+  // libmicrohttpd refuses something with this status.
+  void refuse_instead(int status);
+  [[nodiscard]] static std::optional<Refusal> head_defect(const Exchange& exchange);
   // Reads the head.
   void begin(Exchange& exchange, const char* method);
   void check(Exchange& exchange) const;
@@ -111,11 +159,12 @@ struct Server::State::Calls {
       exchange->connection = connection;
       exchange->socket = socket_of(connection);
       exchange->target = uri;
-      if (std::ranges::count(exchange->target, '&') >=
-          static_cast<std::ptrdiff_t>(most_parameters)) {
-        static_cast<const Server::State*>(cls)->refuse_at_once(
-            *exchange, 414, "URI Too Long",
-            fmt::format("the address has more than {} parameters", most_parameters));
+      auto* const state = static_cast<Server::State*>(cls);
+      if (const auto defect = address_defect(exchange->target)) {
+        refuse_at_once(*exchange, *defect);
+      } else {
+        state->deadlines.hear(exchange->socket);
+        state->heads.add(*exchange);
       }
       return exchange.release();
     } catch (...) {
@@ -133,6 +182,7 @@ struct Server::State::Calls {
     }
     try {
       if (!exchange->begun) {
+        state->heads.remove(*exchange);
         exchange->request.path = url[0] == '/' ? url + 1 : url;
       }
       return state->handle(*exchange, method, upload, upload_size);
@@ -150,6 +200,7 @@ struct Server::State::Calls {
     const std::unique_ptr<Exchange> exchange(static_cast<Exchange*>(*context));
     *context = nullptr;
     if (exchange) {
+      state->heads.remove(*exchange);
       state->held -= exchange->held;
       state->deadlines.enter(exchange->socket, Stage::head);
     }
@@ -177,7 +228,9 @@ struct Server::State::Calls {
     std::string name(key, key_size);
     std::ranges::transform(name, name.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (!request.headers.emplace(name, std::string(value, value_size)).second) {
+    std::string text(value, value_size);
+    text.erase(text.find_last_not_of(" \t") + 1);
+    if (!request.headers.emplace(name, std::move(text)).second) {
       request.repeated.push_back(name);
     }
     return MHD_YES;
@@ -210,7 +263,20 @@ struct Server::State::Calls {
 
   __attribute__((format(printf, 2, 0))) static void complain(void* cls, const char* format,
                                                              va_list arguments) {
-    const auto* const state = static_cast<Server::State*>(cls);
+    auto* const state = static_cast<Server::State*>(cls);
+    // Said before it makes its own answer, which is not JSON; some versions even send two heads.
+    if (std::string_view(format).starts_with(
+            "Error processing request (HTTP response code is %u")) {
+      va_list copy;
+      va_copy(copy, arguments);
+      const unsigned status = va_arg(copy, unsigned);
+      va_end(copy);
+      try {
+        state->refuse_instead(static_cast<int>(status));
+      } catch (...) {
+        // Then it is refused in the library's words.
+      }
+    }
     std::string line(512, '\0');
     const int length = std::vsnprintf(line.data(), line.size(), format, arguments);
     line.resize(std::min(line.size() - 1, static_cast<std::size_t>(std::max(length, 0))));
@@ -221,13 +287,58 @@ struct Server::State::Calls {
   }
 };
 
-void Server::State::refuse_at_once(Exchange& exchange, int status, const std::string& words,
-                                   const std::string& message) const {
+void Server::State::refuse_at_once(Exchange& exchange, const Refusal& refusal) {
   exchange.refused_at_once = true;
-  const std::string text = raw_refusal(status, words, message);
+  const std::string text = refused_as_text(refusal);
   static_cast<void>(::send(exchange.socket, text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
+  // A socket that is closed with bytes unread is reset, and who sent them may not hear why.
+  std::array<char, 4096> unread{};
+  for (std::size_t read = 0; read < read_though_refused; read += unread.size()) {
+    if (::recv(exchange.socket, unread.data(), unread.size(), MSG_DONTWAIT) <= 0) {
+      break;
+    }
+  }
   // libmicrohttpd reads the end from it, and closes it.
   ::shutdown(exchange.socket, SHUT_RDWR);
+}
+
+void Server::State::refuse_instead(int status) {
+  Exchange* const exchange = heads.complete();
+  if (exchange == nullptr) {
+    return;
+  }
+  heads.remove(*exchange);
+  const char* const length =
+      MHD_lookup_connection_value(exchange->connection, MHD_HEADER_KIND, "Content-Length");
+  const bool no_length =
+      length != nullptr && (*length == '\0' || length[std::strspn(length, "0123456789")] != '\0');
+  if (status == 431) {
+    refuse_at_once(*exchange, {431, too_many_fields});
+  } else if (status == 413) {
+    refuse_at_once(*exchange, {413, "the header Content-Length is too large"});
+  } else {
+    refuse_at_once(*exchange, {400, no_length ? "the header Content-Length is no number of bytes"
+                                              : "the head of the request is malformed"});
+  }
+}
+
+std::optional<Refusal> Server::State::head_defect(const Exchange& exchange) {
+  const MHD_ConnectionInfo* const head =
+      MHD_get_connection_info(exchange.connection, MHD_CONNECTION_INFO_REQUEST_HEADER_SIZE);
+  if (head != nullptr && head->header_size > bytes_of_a_head) {
+    return Refusal{431,
+                   fmt::format("the head of the request has more than {} bytes", bytes_of_a_head)};
+  }
+  constexpr auto all =
+      static_cast<MHD_ValueKind>(MHD_HEADER_KIND | MHD_COOKIE_KIND | MHD_GET_ARGUMENT_KIND);
+  const int fields = MHD_get_connection_values(exchange.connection, all, nullptr, nullptr);
+  // Cookies are copied.
+  if (bytes_of_a_field * static_cast<std::size_t>(fields) +
+          exchange.request.header("cookie").size() >
+      room_of_fields) {
+    return Refusal{431, too_many_fields};
+  }
+  return std::nullopt;
 }
 
 void Server::State::begin(Exchange& exchange, const char* method) {
@@ -238,6 +349,10 @@ void Server::State::begin(Exchange& exchange, const char* method) {
                               &request);
   MHD_get_connection_values_n(exchange.connection, MHD_GET_ARGUMENT_KIND, &State::Calls::parameter,
                               &request);
+  if (const auto defect = head_defect(exchange)) {
+    refuse_at_once(exchange, *defect);
+    return;
+  }
   try {
     check(exchange);
   } catch (const Refusal& refusal) {
@@ -255,9 +370,6 @@ void Server::State::check(Exchange& exchange) const {
                                                                     : declared_length(request);
   if (stopping) {
     throw Refusal{503, "the server is stopping"};
-  }
-  if (exchange.target.size() > longest_target) {
-    throw Refusal{414, "the address is too long"};
   }
   if (exchange.target.find("%00") != std::string::npos) {
     throw Refusal{400, "there is a zero byte in the address"};
@@ -311,9 +423,12 @@ MHD_Result Server::State::dispatch(Exchange& exchange) {
     exchange.response = answer(exchange);
     return send(exchange);
   }
-  exchange.request.left = [socket = exchange.socket] {
+  // Who sends no more may still wait for an answer, and cannot be told from who has gone: short answers are made for both.
+  exchange.request.left = [socket = exchange.socket, since = std::chrono::steady_clock::now()] {
+    constexpr std::chrono::seconds short_answer{1};
     char byte = 0;
-    return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+    return std::chrono::steady_clock::now() - since > short_answer &&
+           ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
   };
   MHD_suspend_connection(exchange.connection);
   lanes.add(lane, [this, &exchange] {
@@ -339,6 +454,9 @@ MHD_Result Server::State::send(Exchange& exchange) {
                                                  listener.get(), &State::Calls::events_end));
     if (made) {
       static_cast<void>(listener.release());
+      // Deadlines has none for listeners; this one is for those who take nothing any more.
+      constexpr unsigned seconds = 30;
+      MHD_set_connection_option(exchange.connection, MHD_CONNECTION_OPTION_TIMEOUT, seconds);
       response.events->on_more(
           [connection = exchange.connection] { MHD_resume_connection(connection); });
     }
@@ -399,6 +517,9 @@ MHD_Result Server::State::handle(Exchange& exchange, const char* method, const c
                                  std::size_t* upload_size) {
   if (!exchange.begun) {
     begin(exchange, method);
+    if (exchange.refused_at_once) {
+      return MHD_NO;
+    }
     if (exchange.response && exchange.expected > read_though_refused) {
       exchange.response->headers.emplace_back("Connection", "close");
       return send(exchange);
@@ -419,17 +540,16 @@ MHD_Result Server::State::handle(Exchange& exchange, const char* method, const c
 Server::Server(Settings settings) : state_(std::make_unique<State>(std::move(settings))) {
   const Settings& given = state_->settings;
   constexpr unsigned threads = 2;
-  constexpr unsigned idle_seconds = 30;
   state_->daemon = MHD_start_daemon(
       MHD_USE_EPOLL_INTERNAL_THREAD | MHD_ALLOW_SUSPEND_RESUME | MHD_USE_ERROR_LOG, 0, nullptr,
       nullptr, &State::Calls::access, state_.get(), MHD_OPTION_EXTERNAL_LOGGER,
       &State::Calls::complain, state_.get(), MHD_OPTION_LISTEN_SOCKET, given.listening.socket,
       MHD_OPTION_THREAD_POOL_SIZE, threads, MHD_OPTION_CONNECTION_LIMIT, given.connections,
-      MHD_OPTION_PER_IP_CONNECTION_LIMIT, given.connections_of_one, MHD_OPTION_CONNECTION_TIMEOUT,
-      idle_seconds, MHD_OPTION_CONNECTION_MEMORY_LIMIT, bytes_of_a_head,
-      MHD_OPTION_STRICT_FOR_CLIENT, 1, MHD_OPTION_URI_LOG_CALLBACK, &State::Calls::target,
-      state_.get(), MHD_OPTION_NOTIFY_COMPLETED, &State::Calls::completed, state_.get(),
-      MHD_OPTION_NOTIFY_CONNECTION, &State::Calls::connection, state_.get(), MHD_OPTION_END);
+      MHD_OPTION_PER_IP_CONNECTION_LIMIT, given.connections_of_one,
+      MHD_OPTION_CONNECTION_MEMORY_LIMIT, room_of_a_connection, MHD_OPTION_URI_LOG_CALLBACK,
+      &State::Calls::target, state_.get(), MHD_OPTION_NOTIFY_COMPLETED, &State::Calls::completed,
+      state_.get(), MHD_OPTION_NOTIFY_CONNECTION, &State::Calls::connection, state_.get(),
+      MHD_OPTION_END);
   if (state_->daemon == nullptr) {
     ::close(given.listening.socket);
     throw MissingResource("the server cannot start: the system has no threads or files left");
