@@ -63,8 +63,9 @@ RC_GTEST_PROP(CatalogFileProperty, DamagedItIsRefusedOrHoldsEntries,
               (std::uint32_t seed, const std::vector<Damage>& damages)) {
   const std::string good = written(some_file(seed));
   for (const Damage& damage : damages) {
+    const std::string bad = damage.of(good);
     CatalogText text;
-    if (!accepted("f:", [&] { text = read_catalog(damage.of(good), "f"); })) {
+    if (!accepted("f:", [&] { text = read_catalog(bad, "f"); })) {
       continue;
     }
     for (const CatalogEntry& entry : text.entries) {
@@ -72,6 +73,7 @@ RC_GTEST_PROP(CatalogFileProperty, DamagedItIsRefusedOrHoldsEntries,
       RC_ASSERT(entry.b >= std::max<std::uint64_t>(entry.lower_bound, 1));
       const auto label = parse_design_label(entry.label());
       RC_ASSERT(label.has_value());
+      RC_ASSERT(bad.find('"' + entry.label() + '"') != std::string::npos);
       RC_ASSERT(label->parameters == entry.parameters);
       RC_ASSERT(label->b == entry.b);
     }

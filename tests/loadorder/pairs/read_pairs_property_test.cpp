@@ -104,7 +104,8 @@ std::string written(const Pairs& pairs) {
     const bool number = (x + y).find_first_not_of("0123456789") == std::string::npos &&
                         x.size() < 8 && y.size() < 8 && (x == "0" || x[0] != '0') &&
                         (y == "0" || y[0] != '0');
-    (number ? rest : beginning) += x + "\t" + y + "\n";
+    const bool turned = x.starts_with('%');  // At the beginning of a line it would be a comment.
+    (number ? rest : beginning) += (turned ? y : x) + "\t" + (turned ? x : y) + "\n";
   }
   return beginning + beginning + rest;
 }
