@@ -89,18 +89,24 @@ RC_GTEST_PROP(LabelProperty, DamagedItIsNoneOrTheLabelOfSomethingElse,
   std::mt19937 random(seed);
   const CatalogEntry entry = random_entry(random);
   RC_ASSERT(parse_cell_label(cell_label(entry.parameters)) == entry.parameters);
-  for (const Damage& damage : damages) {
-    const std::string text = damage.of(entry.label());
+  const auto look_at = [](const std::string& text) {
     if (const auto label = parse_design_label(text)) {
       RC_ASSERT(cell_label(label->parameters) + "." + std::to_string(label->b) + "." +
                     label->digits ==
                 text);
       check(label->parameters);
     }
-    const std::string cell = damage.of(cell_label(entry.parameters));
-    if (const auto parameters = parse_cell_label(cell)) {
-      RC_ASSERT(cell_label(*parameters) == cell);
+    if (const auto parameters = parse_cell_label(text)) {
+      RC_ASSERT(cell_label(*parameters) == text);
     }
+  };
+  const std::string cell = cell_label(entry.parameters);
+  for (const Damage& damage : damages) {
+    look_at(damage.of(entry.label()));
+    look_at(damage.of(cell));
+    std::string more = some_number(1) == 0 ? cell : entry.label();
+    more.insert(some_number(more.size()), *rc::gen::element<std::string>("0", "+", ".", "t", " "));
+    look_at(more);
   }
 }
 

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
+#include <iterator>
+
 #include "changeover/core/error.hpp"
 #include "damage.hpp"
 #include "io/workbook/cell_text.hpp"
@@ -138,32 +141,42 @@ RC_GTEST_PROP(WorkbookProperty, ADamagedFileIsRefusedOrSaysTheSame, (const Damag
   }
 }
 
-// Where the parts themselves are written wrongly, with right checksums: a sheet that is one, or one line.
-RC_GTEST_PROP(WorkbookProperty, DamagedXmlIsRefusedOrASheet, (const Damage& damage)) {
-  Book book = some_book();
-  auto part = book.members.begin();
-  std::advance(part, static_cast<std::ptrdiff_t>(some_number(book.members.size() - 1)));
-  RC_LOG() << part->first << '\n';
-  part->second = damage.of(part->second);
-  Cells cells;
-  if (!test::accepted("f.xlsx:", [&] { cells = read(test::zipped(book.members)); })) {
-    return;
-  }
+// A workbook of these texts, one a row.
+std::vector<std::string> read_again(const std::vector<std::string>& texts) {
   std::string xml;
-  for (const auto& [place, text] : cells) {
-    RC_ASSERT(text.find_first_of("\n\r\t") == std::string::npos);
-    xml += fmt::format("<row r='{}'><c r='{}' t='str'><v>{}</v></c></row>", xml.size() + 1,
-                       cell_name(place.second, xml.size() + 1), escaped(text));
+  for (const std::string& text : texts) {
+    xml += "<row><c t='str'><v>" + escaped(with_escapes(text)) + "</v></c></row>";
   }
   std::vector<std::string> again;
   for (const auto& [place, text] : read(test::zipped(test::workbook_of({{"Costs", xml}})))) {
     again.push_back(text);
   }
-  std::vector<std::string> once;
-  for (const auto& [place, text] : cells) {
-    once.push_back(text);
+  return again;
+}
+
+// Where the parts themselves are written wrongly, with right checksums: a sheet that is one, or one line.
+RC_GTEST_PROP(WorkbookProperty, DamagedXmlIsRefusedOrASheet,
+              (const std::array<Damage, 4>& damages)) {
+  const Book book = some_book();
+  for (const Damage& damage : damages) {
+    test::Members members = book.members;
+    auto part = members.find("xl/worksheets/sheet1.xml");
+    if (some_number(1) == 0) {
+      part =
+          std::next(members.begin(), static_cast<std::ptrdiff_t>(some_number(members.size() - 1)));
+    }
+    part->second = damage.of(part->second);
+    Cells cells;
+    if (!test::accepted("f.xlsx:", [&] { cells = read(test::zipped(members)); })) {
+      continue;
+    }
+    std::vector<std::string> texts;
+    for (const auto& [place, text] : cells) {
+      RC_ASSERT(text.find_first_of("\n\r\t") == std::string::npos);
+      texts.push_back(text);
+    }
+    RC_ASSERT(read_again(texts) == texts);
   }
-  RC_ASSERT(again == once);
 }
 
 }  // namespace

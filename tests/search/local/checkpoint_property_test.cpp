@@ -162,7 +162,9 @@ RC_GTEST_PROP(CheckpointsProperty, WithARightChecksumTheyAreRefusedOrStatesOfASe
     RC_ASSERT(read.has_value());
     RC_ASSERT((!read->best || verify(read->best->design()).valid()));
     for (const SearchArm& arm : read->arms) {
-      RC_ASSERT((arm.method != SearchArm::Method::imposed || arm.automorphism(p.v).has_value()));
+      const bool imposed = arm.method == SearchArm::Method::imposed;
+      RC_ASSERT((imposed ? arm.automorphism(p.v).has_value()
+                         : arm.order == 0 && arm.fixed == 0 && arm.extra == 0));
     }
     State::put(with_check(written(*read)));
     const auto again = read_checkpoint(State::path(), p);
