@@ -67,8 +67,8 @@ void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
 /// Sink::write().
 void write_minima(const std::vector<MinimaRow>& rows, Sink& sink);
 
-/// The rows in their order. @throws BadInput with the line if the text is not what write_minima() writes;
-/// MissingResource if reading fails.
+/// The rows in their order. @throws BadInput with the line if the text is not what write_minima() writes: impossible parameters,
+/// some that stand there twice, and bounds that decrease are refused, too; MissingResource if reading fails.
 [[nodiscard]] std::vector<MinimaRow> read_minima(Input& input);
 
 /// One object whose "minima" are the rows, in their order.

@@ -143,7 +143,7 @@ class Catalog::Store {
       while (rows.step()) {
         if ((!carries_blocks || rows.integer(2) != 0) && retraction(rows.view(0)).empty()) {
           const auto label = parse_design_label(rows.view(0));
-          if (!label || label->b != rows.integer(1)) {
+          if (!label || label->parameters != p || label->b != rows.integer(1)) {
             throw BadInput(
                 fmt::format("{}: the entry {} is damaged", shelf.database().name(), rows.view(0)));
           }

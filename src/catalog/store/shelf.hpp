@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -22,7 +23,8 @@
 namespace changeover {
 
 inline constexpr std::string_view entry_columns =
-    "design.label, design.line, credit.json FROM design JOIN credit ON credit.id = design.credit ";
+    "design.label, design.line, credit.json, v, k, change, kind, strength, b FROM design JOIN credit ON "
+    "credit.id = design.credit ";
 inline constexpr std::string_view of_cell =
     "WHERE k = ? AND v = ? AND change = ? AND kind = ? AND strength = ? ";
 // Fewest blocks first; of equal ones those that say how they are made.
@@ -60,7 +62,7 @@ class Shelf {
     return word(retraction_, label);
   }
 
-  /// The entry of a row of entry_columns. @throws BadInput if it is damaged.
+  /// The entry of a row of entry_columns. @throws BadInput if it is damaged, or the row says otherwise.
   [[nodiscard]] CatalogEntry read(const Statement& row) const {
     const std::string& name = database_.name();
     const Credit credit = shared_from_header(row.view(2), name);
@@ -68,6 +70,12 @@ class Shelf {
       CatalogEntry entry = entry_from_line(row.view(1), name, 1, credit);
       if (entry.label() != row.view(0)) {
         throw BadInput("its line is that of " + entry.label());
+      }
+      const Parameters& p = entry.parameters;
+      if (std::array{p.v, p.k, p.change, code_of(p.kind), std::uint64_t{p.strength}, entry.b} !=
+          std::array{row.integer(3), row.integer(4), row.integer(5), row.integer(6), row.integer(7),
+                     row.integer(8)}) {
+        throw BadInput("it stands where a design of other parameters or blocks belongs");
       }
       return entry;
     } catch (const BadInput& fault) {

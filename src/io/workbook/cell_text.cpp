@@ -36,6 +36,19 @@ void append_utf8(std::string& text, std::uint32_t c) {
   }
 }
 
+constexpr std::size_t escape_length = 7;  // _x000D_
+
+// The code of an escape with which the text begins.
+std::optional<std::uint32_t> escape_at(std::string_view text) {
+  if (text.size() < escape_length || !text.starts_with("_x") || text[escape_length - 1] != '_') {
+    return std::nullopt;
+  }
+  std::uint32_t code = 0;
+  const char* const end = text.data() + escape_length - 1;
+  const auto [stop, failure] = std::from_chars(text.data() + 2, end, code, 16);
+  return failure == std::errc() && stop == end ? std::optional(code) : std::nullopt;
+}
+
 }  // namespace
 
 std::string number_text(double number) {
@@ -110,22 +123,23 @@ std::string date_text(double days, bool from_1904) {
 }
 
 std::string without_escapes(std::string_view text) {
-  constexpr std::size_t length = 7;  // _x000D_
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
-    const std::string_view rest = text.substr(at);
-    if (rest.size() >= length && rest.starts_with("_x") && rest[length - 1] == '_') {
-      std::uint32_t code = 0;
-      const char* const end = rest.data() + length - 1;
-      const auto [stop, failure] = std::from_chars(rest.data() + 2, end, code, 16);
-      const bool surrogate = code >= 0xd800 && code < 0xe000;
-      if (failure == std::errc() && stop == end && !surrogate) {
-        append_utf8(result, code);
-        at += length;
-        continue;
-      }
+    const auto code = escape_at(text.substr(at));
+    if (code && !(*code >= 0xd800 && *code < 0xe000)) {
+      append_utf8(result, *code);
+      at += escape_length;
+    } else {
+      result += text[at++];
     }
-    result += text[at++];
+  }
+  return result;
+}
+
+std::string with_escapes(std::string_view text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    result += escape_at(text.substr(at)) ? "_x005F_" : std::string(1, text[at]);
   }
   return result;
 }

@@ -25,6 +25,8 @@ enum class NumberStyle : std::uint8_t { number, date };
 
 /// _x000D_ and the like are characters that XML cannot hold.
 [[nodiscard]] std::string without_escapes(std::string_view text);
+/// So that a text that looks like one is read as it is: its _ becomes _x005F_.
+[[nodiscard]] std::string with_escapes(std::string_view text);
 
 /// The text on one line: blanks for line ends and tabs.
 [[nodiscard]] std::string on_one_line(std::string_view text);

@@ -28,7 +28,7 @@ std::optional<std::uint64_t> natural(std::optional<std::string_view> text) {
 
 bool is_true(std::optional<std::string_view> text) { return text == "1" || text == "true"; }
 
-// Reads a whole member; false if there is none.
+// Reads a whole member; false if there is none, as there need not be for relations.
 bool read_member(const ZipArchive& archive, const std::string& file, const std::string& member,
                  XmlHandler& handler) {
   auto opened = archive.open(member, most_shared_bytes);
@@ -41,6 +41,14 @@ bool read_member(const ZipArchive& archive, const std::string& file, const std::
   }
   reader.finish();
   return true;
+}
+
+// The same of one that the workbook names: without it cells would say something else.
+void read_part(const ZipArchive& archive, const std::string& file, const std::string& member,
+               XmlHandler& handler) {
+  if (!read_member(archive, file, member, handler)) {
+    throw BadInput(fmt::format("{}: its part {} is missing; save it again", file, member));
+  }
 }
 
 // A handler that looks at tags only.
@@ -175,7 +183,7 @@ std::vector<NumberStyle> styles_in(const ZipArchive& archive, const std::string&
         }
       },
       [&](std::string_view name) { of_cells = of_cells && name != "cellXfs"; });
-  read_member(archive, file, member, tags);
+  read_part(archive, file, member, tags);
   return styles;
 }
 
@@ -213,14 +221,10 @@ WorkbookParts workbook_parts(const ZipArchive& archive, const std::string& file)
       parts.sheets.push_back(std::move(sheet));
     }
   });
-  if (!read_member(archive, file, book, tags)) {
-    fail(fmt::format("its part {} is missing; save it again", book));
-  }
+  read_part(archive, file, book, tags);
   if (const std::string member = member_of_kind(relations, "sharedStrings"); !member.empty()) {
     Texts texts(parts.texts, file);
-    if (!read_member(archive, file, member, texts)) {
-      fail(fmt::format("its part {} is missing; save it again", member));
-    }
+    read_part(archive, file, member, texts);
   }
   if (const std::string member = member_of_kind(relations, "styles"); !member.empty()) {
     parts.styles = styles_in(archive, file, member);

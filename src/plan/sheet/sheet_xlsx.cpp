@@ -15,6 +15,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "core/utf8.hpp"
+#include "io/workbook/cell_text.hpp"
 #include "plan/sheet/sheet_words.hpp"
 #include "plan/sheet/slot_columns.hpp"
 
@@ -165,7 +166,7 @@ class SheetWriter {
 
   void text(lxw_row_t row, std::size_t column, const std::string& words, lxw_format* format) {
     if (!words.empty()) {
-      check(worksheet_write_string(sheet_, row, at(column), words.c_str(), format));
+      check(worksheet_write_string(sheet_, row, at(column), with_escapes(words).c_str(), format));
     }
   }
 
@@ -180,7 +181,8 @@ class SheetWriter {
     constexpr lxw_col_t last = 6;
     constexpr std::size_t letters_a_line = 90;
     constexpr double height = 15;
-    check(worksheet_merge_range(sheet_, row, 0, row, last, words.c_str(), book_->wrapped));
+    check(worksheet_merge_range(sheet_, row, 0, row, last, with_escapes(words).c_str(),
+                                book_->wrapped));
     check(worksheet_set_row(
         sheet_, row, height * static_cast<double>(1 + letters(words) / letters_a_line), nullptr));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/search/minima_table.hpp"
 #include "core/lines.hpp"
+#include "core/printable.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover {
@@ -92,6 +94,25 @@ MinimaRow row_from(RowReader& reader) {
   row.limit = reader.number<std::uint64_t>();
   reader.end();
   return row;
+}
+
+// Why no table has such a row; empty if one may.
+std::string defect(const MinimaRow& row) {
+  try {
+    check(row.parameters);
+  } catch (const ImpossibleParameters& fault) {
+    return fault.what();
+  }
+  if (row.start > row.lower || (row.upper && row.lower > *row.upper)) {
+    return fmt::format("{} on paper, {} and {} blocks, which must not decrease", row.start,
+                       row.lower, row.upper.value_or(0));
+  }
+  for (const double seconds : {row.seconds, row.solve_seconds, row.check_seconds}) {
+    if (!std::isfinite(seconds) || seconds < 0) {
+      return fmt::format("{} seconds", seconds);
+    }
+  }
+  return is_printable(row.by) ? "" : "a name that has characters which are no text";
 }
 
 std::string interval(const MinimaRow& row) {
@@ -205,7 +226,12 @@ std::vector<MinimaRow> read_minima(Input& input) {
   constexpr std::size_t most_bytes = std::size_t{1} << 26;
   const std::string text =
       read_to_end(input, most_bytes, "no table of minima is as long; name another file");
+  const auto place = [](const MinimaRow& row) {
+    const Parameters& p = row.parameters;
+    return std::tuple(p.strength, p.change, p.kind, p.k, p.v);
+  };
   std::vector<MinimaRow> rows;
+  std::set<decltype(place(rows.front()))> places;
   for (Lines lines(text); lines.next();) {
     RowReader reader(input.name(), lines.number(), lines.line());
     if (lines.number() == 1) {
@@ -214,12 +240,15 @@ std::vector<MinimaRow> read_minima(Input& input) {
       }
       continue;
     }
-    rows.push_back(row_from(reader));
+    MinimaRow row = row_from(reader);
+    if (const std::string wrong = defect(row); !wrong.empty()) {
+      reader.fail(wrong);
+    }
+    if (!places.insert(place(row)).second) {
+      reader.fail(name(row.parameters) + " stands here twice");
+    }
+    rows.push_back(std::move(row));
   }
-  const auto place = [](const MinimaRow& row) {
-    const Parameters& p = row.parameters;
-    return std::tuple(p.strength, p.change, p.kind, p.k, p.v);
-  };
   std::sort(rows.begin(), rows.end(),
             [&](const MinimaRow& a, const MinimaRow& b) { return place(a) < place(b); });
   return rows;

@@ -198,6 +198,23 @@ TEST(CatalogFile, WithBytesChanged) {
   EXPECT_GT(refused, 50);
 }
 
+TEST(CatalogFile, WithARowInTheCellOfAnother) {
+  const Parameters other{.v = 7, .k = 3, .change = 2, .kind = Kind::linear};
+  for (const std::string change : {"v = 7", "v = 7, b = 4", "b = 4"}) {
+    const TemporaryFolder folder;
+    const std::string path = folder.file("mine.db");
+    Catalog({.user = path}).add(some_entry());
+    Database::open(path, Access::read_write).run("UPDATE design SET " + change);
+    for (const Parameters& p : {cell, other}) {
+      EXPECT_FALSE(Catalog({.user = path}).best(p));
+      EXPECT_FALSE(Catalog({.user = path}).fewest(p));
+    }
+    Catalog catalog({.user = path});
+    EXPECT_FALSE(catalog.find(some_entry().label()));
+    EXPECT_THAT(catalog.problem(), HasSubstr("is damaged: it stands where a design of other"));
+  }
+}
+
 // A step to a version that is not there yet.
 constexpr Migration to_two[] = {
     {.from = catalog_schema_version, .sql = "ALTER TABLE design ADD COLUMN colour TEXT"}};

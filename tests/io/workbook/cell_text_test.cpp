@@ -1,6 +1,9 @@
 #include "io/workbook/cell_text.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "damage.hpp"
 
 namespace changeover {
 namespace {
@@ -56,7 +59,14 @@ TEST(CellText, Escapes) {
   for (const char* text : {"_x", "_x000D", "_xD800_", "_x00G0_", "_x 0D_", "a_x00", "_X000D_"}) {
     EXPECT_EQ(without_escapes(text), text);
   }
+  EXPECT_EQ(with_escapes("_x0041__x_"), "_x005F_x0041__x_");
   EXPECT_EQ(on_one_line("a\r\n\tb\nc"), "a b c");
+}
+
+RC_GTEST_PROP(CellText, WhatLooksLikeAnEscapeComesBack, ()) {
+  const std::string text =
+      test::some_text({"_", "x", "_x", "0041", "005F", "D800", "_x000a_", "a"}, 9);
+  RC_ASSERT(without_escapes(with_escapes(text)) == text);
 }
 
 TEST(CellText, NamesOfCells) {

@@ -134,7 +134,8 @@ TEST(WorkbookSheet, OtherFilesAreNamed) {
   EXPECT_THAT(fault(zipped({{"xl/workbook.bin", "b"}})), HasSubstr("(.xlsb)"));
   const Members book = workbook_of({{"A", ""}});
   EXPECT_THAT(fault(zipped(book, "secret")), HasSubstr("need a password"));
-  for (const char* part : {"xl/workbook.xml", "xl/sharedStrings.xml", "xl/worksheets/sheet1.xml"}) {
+  for (const char* part :
+       {"xl/workbook.xml", "xl/sharedStrings.xml", "xl/styles.xml", "xl/worksheets/sheet1.xml"}) {
     Members less = book;
     less.erase(part);
     EXPECT_EQ(fault(zipped(less)),

@@ -65,6 +65,12 @@ TEST_F(SheetXlsx, NumbersAreNumbersAndThePageIsSetUp) {
   EXPECT_THAT(members["xl/styles.xml"], HasSubstr("#,##0.000000"));
 }
 
+TEST_F(SheetXlsx, ANameThatLooksLikeAnEscapeIsShownAsItIs) {
+  job.names[0] = "_x0041_";
+  EXPECT_EQ(read_setups(*sheet("Run sheet"), job.names), setups);
+  EXPECT_EQ(read_parts(*sheet("Parts")).names[0], "_x0041_");
+}
+
 TEST_F(SheetXlsx, TheSameAgain) { EXPECT_EQ(sheet_as_xlsx(document), sheet_as_xlsx(document)); }
 
 TEST_F(SheetXlsx, SlotsHaveColumnsOfTheirOwn) {

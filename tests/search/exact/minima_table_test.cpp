@@ -86,6 +86,22 @@ TEST(MinimaTable, RefusesRowsThatAreNone) {
   EXPECT_THAT(refusal(head + "2,1,oval,4,9,1,1,1,x,0,0,0,0,0,0\n"), HasSubstr("the kind must be"));
   EXPECT_THAT(refusal(head + "2,1,linear,4,9,1,1,1,x,0,0,0,0,0,0,7\n"), HasSubstr("too long"));
   EXPECT_THAT(refusal(head + "2,1,linear,4,9x,1,1,1,x,0,0,0,0,0,0\n"), HasSubstr("'9x'"));
+  const std::string good = "2,1,linear,4,9,11,12,13,cut,0.50,0,0,0,0,0\n";
+  EXPECT_EQ(refusal(head + good), "");
+  EXPECT_THAT(refusal(head + good + good),
+              HasSubstr("a.csv:3: linear SCCD(9,4) stands here twice"));
+  for (const auto& [from, to] :
+       std::vector<std::pair<std::string, std::string>>{{"9,11,12", "3,11,12"},
+                                                        {"11,12", "12,11"},
+                                                        {"12,13", "14,13"},
+                                                        {"0.50", "nan"},
+                                                        {"0.50", "inf"},
+                                                        {"0.50", "-1"},
+                                                        {"cut", "\x1b[2J"}}) {
+    std::string bad = good;
+    bad.replace(bad.find(from), from.size(), to);
+    EXPECT_THAT(refusal(head + bad), HasSubstr("a.csv:2: ")) << bad;
+  }
 }
 
 TEST(MinimaTable, IsWrittenAsTables) {
