@@ -61,7 +61,8 @@ inline void expect(const std::vector<Case>& cases, const TemporaryFolder& folder
     EXPECT_EQ(answers ? without_progress(outcome.err) : outcome.out, "") << each.command;
     EXPECT_EQ(said.find('\x1b'), std::string::npos) << each.command;
     if (!answers && each.command != "$changeover") {  // which shows the help
-      EXPECT_EQ(count(outcome.err, "\n"), 1U) << each.command << "\n" << outcome.err;
+      EXPECT_EQ(count(without_progress(outcome.err), "\n"), 1U) << each.command << "\n"
+                                                                << outcome.err;
     }
   }
 }

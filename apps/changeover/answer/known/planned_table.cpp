@@ -58,6 +58,10 @@ TableRange table_range(const std::string& k, const std::string& v,
   return range;
 }
 
+void check_table(const TableRange& asked) {
+  static_cast<void>(with_surroundings(asked, text_of(asked.k), text_of(asked.v)));
+}
+
 PlannedTable plan_table(const TableRange& asked) {
   return {asked, plan_range(Registry::standard(),
                             with_surroundings(asked, text_of(asked.k), text_of(asked.v)))};

@@ -40,7 +40,10 @@ class PlannedTable {
   Plan plan_;
 };
 
-/// @throws UsageError if the range cannot be planned; as plan_range().
+/// @throws UsageError if the range cannot be planned. Takes no time.
+void check_table(const TableRange& asked);
+
+/// @throws as check_table() and plan_range().
 [[nodiscard]] PlannedTable plan_table(const TableRange& asked);
 
 /// The document of `table --json`; `with_labels`: each cell has "label" too, of its design in the catalog, or null.

@@ -352,6 +352,9 @@ SiteSummary export_site(const std::string& folder, const SiteRange& range, const
   if (!index) {
     throw MissingResource("this program was built without pages; give --assets DIR");
   }
+  for (const std::uint64_t change : range.changes) {
+    cli::check_table({.k = range.k, .v = range.v, .change = change});
+  }
   Workshop workshop(folder);
   workshop.write(marker, fmt::format("changeover {}\n", version));
   for (const std::string& path : pages.paths()) {
