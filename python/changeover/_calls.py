@@ -42,15 +42,38 @@ def signature_of(function, classes: dict[str, type]) -> inspect.Signature:
         *parameters(inspect.Parameter.KEYWORD_ONLY, given.kwonlyargs, given.kw_defaults)])
 
 
+def _succeeds(what, *args) -> bool:
+    try:
+        what(*args)
+    except Exception:  # Of whoever wrote the value.
+        return False
+    return True
+
+
 def _whole(value) -> bool:
+    """As pybind11 has it: what Python takes for an index, and what becomes an int without being a float or a text."""
     try:
         return 0 <= operator.index(value) < 1 << 64
-    except TypeError:
+    except Exception:
+        if isinstance(value, (float, str, bytes, bytearray)) or _succeeds(operator.index, value):
+            return False
+    try:
+        return 0 <= int(value) < 1 << 64
+    except Exception:
         return False
 
 
+def _shown(value) -> str:
+    """A value in a line, whatever its repr() does."""
+    try:
+        text = " ".join(reprlib.repr(value).split())
+    except Exception:  # Such as an int of more digits than Python writes.
+        text = f"<{type(value).__name__}>"
+    return text if len(text) <= 80 else f"<{type(value).__name__}>"
+
+
 def _what_does_not_fit(wanted, value) -> str:
-    """What an argument of a type is, in words; nothing if the value is one."""
+    """What an argument of a type is, in words; nothing if the value is one. What pybind11 takes, fits."""
     inner = [each for each in typing.get_args(wanted) if each is not type(None)]
     if typing.get_origin(wanted) is typing.Union:
         text = "" if value is None else _what_does_not_fit(inner[0], value)
@@ -58,13 +81,17 @@ def _what_does_not_fit(wanted, value) -> str:
     if wanted is int:
         return "" if _whole(value) else "a whole number from 0 to 2**64 - 1"
     if wanted is float:
-        return "" if hasattr(value, "__float__") or _whole(value) else "a number"
+        fits = not isinstance(value, (str, bytes, bytearray)) and _succeeds(float, value)
+        return "" if fits else "a number"
     if wanted is bool:
-        return "" if isinstance(value, bool) else "True or False"
+        fits = value is None or (hasattr(type(value), "__bool__") and _succeeds(bool, value))
+        return "" if fits else "True or False"
     if wanted is str:
-        return "" if isinstance(value, str) else "a string"
+        if isinstance(value, str):
+            return "" if _succeeds(value.encode) else "a string that can be written as UTF-8"
+        return "" if isinstance(value, (bytes, bytearray)) else "a string"
     if wanted is typing.Iterable:
-        return "" if hasattr(value, "__iter__") else "an iterable"
+        return "" if _succeeds(iter, value) else "an iterable"
     if wanted is typing.Callable:
         return "" if callable(value) else "a function"
     if isinstance(wanted, type) and wanted is not inspect.Parameter.empty:
@@ -72,20 +99,21 @@ def _what_does_not_fit(wanted, value) -> str:
     return ""
 
 
-def _why(name: str, signature: inspect.Signature, args, kwargs) -> str:
+def _why(name: str, owner: type, signature: inspect.Signature, args, kwargs) -> str:
     try:
         given = signature.bind(*args, **kwargs).arguments
     except TypeError as fault:
         names = ", ".join(each for each in signature.parameters if each != "self")
         return f"{name}(): {fault}; its arguments are {names or 'none'}"
     for argument, value in given.items():
-        text = _what_does_not_fit(signature.parameters[argument].annotation, value)
+        wanted = owner if argument == "self" else signature.parameters[argument].annotation
+        text = _what_does_not_fit(wanted, value)
         if text:
-            return f"{name}(): {argument} is {text}, not {reprlib.repr(value)}"
+            return f"{name}(): {argument} is {text}, not {_shown(value)}"
     return f"{name}(): an argument has a type that it does not take; help() says which it does"
 
 
-def in_one_line(function, classes: dict[str, type], name: str):
+def in_one_line(function, classes: dict[str, type], name: str, owner: type = object):
     """The same function, whose TypeErrors are one line."""
     signature = signature_of(function, classes)
 
@@ -94,10 +122,12 @@ def in_one_line(function, classes: dict[str, type], name: str):
         try:
             return function(*args, **kwargs)
         except TypeError as fault:
-            if not str(fault).startswith(f"{function.__name__}(): incompatible "):
-                raise  # Another call's, such as one in a callback.
-        raise TypeError(_why(name, signature, args, kwargs))
+            below = fault.__traceback__ and fault.__traceback__.tb_next  # Python, such as a callback.
+            if below or not str(fault).startswith(f"{function.__name__}(): incompatible "):
+                raise
+        raise TypeError(_why(name, owner, signature, args, kwargs))
 
+    call.__qualname__ = name if owner is object else f"{owner.__qualname__}.{function.__name__}"
     setattr(call, "__signature__", signature)
     return call
 
@@ -107,7 +137,7 @@ def say_all_in_one_line(module) -> None:
     classes = {name: each for name, each in vars(module).items() if isinstance(each, type)}
     for name, each in list(vars(module).items()):
         if inspect.isbuiltin(each):
-            setattr(module, name, in_one_line(each, classes, name))
+            setattr(module, name, in_one_line(each, classes, name.lstrip("_")))
         elif inspect.ismodule(each):
             say_all_in_one_line(each)
     for owner, each in classes.items():
@@ -115,4 +145,4 @@ def say_all_in_one_line(module) -> None:
             described = (getattr(method, "__doc__", None) or "").startswith(f"{name}(self: ")
             if described and (name == "__init__" or not name.startswith("__")):
                 shown = owner if name == "__init__" else f"{owner}.{name}"
-                setattr(each, name, in_one_line(method, classes, shown))
+                setattr(each, name, in_one_line(method, classes, shown, each))

@@ -2,8 +2,11 @@
 
 import inspect
 import os
+import pickle
 import tempfile
 import unittest
+from decimal import Decimal
+from fractions import Fraction
 
 import changeover
 
@@ -53,9 +56,51 @@ class Calls(unittest.TestCase):
                     seen += 1
         self.assertGreater(seen, 20)
 
+    def test_what_a_value_does_when_it_is_looked_at_is_not_heard(self):
+        class Index:
+            def __index__(self):
+                raise OverflowError("of the value")
+
+        class Attributes:
+            def __getattr__(self, name):
+                raise ValueError(name)
+
+        class Lines:
+            def __repr__(self):
+                return "a\nb\u2028c"
+
+        class Silent:
+            def __repr__(self):
+                raise ValueError("no")
+
+        for value in (Index(), Attributes(), Lines(), Silent(), 10**5000, [10**5000], -1, "\ud800", 1j):
+            with self.subTest(type=type(value)):
+                self.assertIn("v is a whole number", self.said(changeover.design, value, 4))
+                self.assertIn("label is a string", self.said(changeover.catalog.find, value))
+                self.assertIn("time is a number", self.said(changeover.search, 9, 4, time=value)
+                              if value != -1 else "time is a number")
+                self.assertIn("self is a Design", self.said(changeover.Design.expand, value))
+                self.assertTrue(self.said(changeover.table, value, 4).startswith("table(): "))
+        self.assertIn("v is a whole number from 0 to 2**64 - 1, not a b c", self.said(changeover.design, Lines(), 4))
+
+    def test_what_fits_is_not_blamed(self):
+        design = changeover.design(6, 4)
+        for six in (6, Fraction(6), Decimal(6), True):
+            self.assertIn("design(): k is ", self.said(changeover.design, six, "4"))
+        self.assertIn("compute is ", self.said(changeover.all_pairs, b"items", 1, 2, 3))
+        self.assertIn("users_only is ", self.said(changeover.catalog.entries, best_only=1, users_only="x"))
+        self.assertTrue(design.is_same_as(design, 1))
+
+    def test_functions_can_be_sent_to_other_processes(self):
+        for function in (changeover.design, changeover.verify, changeover.catalog.find, changeover.Design.expand):
+            self.assertIs(pickle.loads(pickle.dumps(function)), function)
+
     def test_faults_of_a_callback_are_its_own(self):
         def compute(*_):
             raise TypeError("two\nlines")
+
+        def similar(*_):
+            raise TypeError("all_pairs(): incompatible function arguments")
 
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "items")
@@ -63,6 +108,8 @@ class Calls(unittest.TestCase):
                 out.write(bytes(64))
             with self.assertRaisesRegex(TypeError, "^two\nlines$"):
                 changeover.all_pairs(path, 8, 4, compute)
+            with self.assertRaisesRegex(TypeError, "incompatible function arguments$"):
+                changeover.all_pairs(path, 8, 4, similar)
 
 
 if __name__ == "__main__":

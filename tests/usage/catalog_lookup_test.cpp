@@ -84,6 +84,13 @@ TEST(CatalogVerbs, SayThatTheUsersFileIsNoCatalogAndGoOn) {
   EXPECT_NE(outcome.out.find("b <= 65"), std::string::npos);
   EXPECT_NE(outcome.err.find("mine.db"), std::string::npos);
   EXPECT_NE(run("cat mine.db", folder.path()).out.find("my diary"), std::string::npos);
+  const Outcome verified =
+      run("$changeover catalog verify --users --quiet --catalog mine.db", folder.path());
+  EXPECT_EQ(verified.code, 1);
+  EXPECT_EQ(verified.out.rfind("WRONG: your own catalog: mine.db: damaged, or no catalog", 0), 0U);
+  expect({{"$changeover catalog show 7.3.2.circular.7.00000000 --catalog mine.db", 4,
+           "your own catalog was left out: mine.db: damaged, or no catalog"}},
+         folder);
 }
 
 }  // namespace

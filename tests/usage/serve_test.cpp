@@ -102,7 +102,7 @@ TEST(Serve, ExportsClearWhatAKilledOneLeft) {
     std::filesystem::create_directory(folder.path() / name);
     spit(folder.path() / name / file, "precious");
   };
-  const std::string marker = ".changeover-explorer";
+  const std::string marker = ".changeover-unfinished";
   make("site.new-mine12", "mine");  // what no export makes
   make("site.new-both12", "mine");  // with something of somebody's
   spit(folder.path() / "site.new-both12" / marker, "");
@@ -111,6 +111,10 @@ TEST(Serve, ExportsClearWhatAKilledOneLeft) {
   make("other.new-abcdef", marker);       // of another place
   make("site.new-locked", marker);        // being made
   make("elsewhere", marker);
+  make("site.new-second", ".changeover-explorer");  // a site that somebody keeps
+  spit(folder.path() / "site.new-second" / "index.html", "precious");
+  make("site.new-folder", ".changeover-explorer");
+  std::filesystem::create_directory(folder.path() / "site.new-folder" / marker);
   std::filesystem::create_directory_symlink("elsewhere", folder.path() / "site.new-symbol");
   spit(folder.path() / "site.new-file12", "precious");
   std::filesystem::create_directory(folder.path() / "site.new-empty1");  // killed before it began
@@ -124,9 +128,12 @@ TEST(Serve, ExportsClearWhatAKilledOneLeft) {
     names.insert(entry.path().filename().string());
   }
   EXPECT_EQ(names, (std::set<std::string>{"elsewhere", "other.new-abcdef", "pages", "site",
-                                          "site.new-both12", "site.new-file12", "site.new-index1",
-                                          "site.new-locked", "site.new-mine12", "site.new-short",
-                                          "site.new-symbol"}));
+                                          "site.new-both12", "site.new-file12", "site.new-folder",
+                                          "site.new-index1", "site.new-locked", "site.new-mine12",
+                                          "site.new-second", "site.new-short", "site.new-symbol"}));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "site" / marker));
+  expect({{small, 0, "files"}}, folder);  // The old site goes away with its folder.
+  EXPECT_EQ(run("ls -d site.new-* | wc -l", folder.path()).out, "8\n");  // nor is any locked now
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "elsewhere" / marker));
 }
 

@@ -23,7 +23,7 @@
 namespace changeover {
 
 inline constexpr std::string_view entry_columns =
-    "design.label, design.line, credit.json, v, k, change, kind, strength, b FROM design JOIN credit ON "
+    "design.label, design.line, credit.json, v, k, change, kind, strength, b FROM design LEFT JOIN credit ON "
     "credit.id = design.credit ";
 inline constexpr std::string_view of_cell =
     "WHERE k = ? AND v = ? AND change = ? AND kind = ? AND strength = ? ";
@@ -65,8 +65,8 @@ class Shelf {
   /// The entry of a row of entry_columns. @throws BadInput if it is damaged, or the row says otherwise.
   [[nodiscard]] CatalogEntry read(const Statement& row) const {
     const std::string& name = database_.name();
-    const Credit credit = shared_from_header(row.view(2), name);
     try {
+      const Credit credit = shared_from_header(row.view(2), name);
       CatalogEntry entry = entry_from_line(row.view(1), name, 1, credit);
       if (entry.label() != row.view(0)) {
         throw BadInput("its line is that of " + entry.label());

@@ -215,6 +215,16 @@ TEST(CatalogFile, WithARowInTheCellOfAnother) {
   }
 }
 
+TEST(CatalogFile, WithoutACreditOfADesign) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("mine.db");
+  Catalog({.user = path}).add(some_entry());
+  Database::open(path, Access::read_write).run("PRAGMA foreign_keys = OFF; DELETE FROM credit");
+  const Catalog catalog({.user = path});
+  EXPECT_FALSE(catalog.find(some_entry().label()));
+  EXPECT_THAT(catalog.problem(), HasSubstr("the entry " + some_entry().label() + " is damaged"));
+}
+
 // A step to a version that is not there yet.
 constexpr Migration to_two[] = {
     {.from = catalog_schema_version, .sql = "ALTER TABLE design ADD COLUMN colour TEXT"}};

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <thread>
 
 #include "served.hpp"
 
@@ -141,6 +142,36 @@ TEST_F(Heads, NobodyIsRefusedForAnother) {
   for (const auto& each : patient) {
     each->send("\r\n\r\n");
     EXPECT_EQ(each->reply().status, 200);
+  }
+}
+
+// Those whom the library refuses in its words are still there when others are refused in ours.
+TEST_F(Heads, RefusalsAtTheSameTimeReachWhomTheyAreFor) {
+  const std::string request = "GET /api/search HTTP/1.1\r\n" + host();
+  struct Kind {
+    std::string head;
+    int status;
+    std::string words;  // of its answer
+  };
+  const std::array<Kind, 3> kinds{
+      Kind{request + "X: " + std::string(100'000, 'y') + "\r\n\r\n", 431, "too big"},
+      Kind{request + "Content-Length: abc\r\n\r\n", 400, "Content-Length is no number of bytes"},
+      Kind{request + "Cookie: " + times(3000, "c=1;") + "\r\n\r\n", 431,
+           "too many lines or cookies"}};
+  for (int round = 0; round < 5; ++round) {
+    std::vector<std::jthread> clients;
+    for (std::size_t i = 0; i < 24; ++i) {
+      clients.emplace_back([&kind = kinds[i % 3]] {
+        Connection connection(port());
+        connection.send(kind.head);
+        const Reply reply = connection.reply();
+        while (connection.read_more()) {
+        }
+        EXPECT_EQ(reply.status, kind.status);
+        EXPECT_THAT(reply.body, HasSubstr(kind.words));
+        EXPECT_EQ(connection.text(), "");
+      });
+    }
   }
 }
 

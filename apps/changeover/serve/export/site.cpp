@@ -42,10 +42,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* marker = ".changeover-explorer";
+// In a folder that an export works in, and in an old site that it removes: may be removed by whoever finds it unlocked. A site
+// that somebody wants to keep has none, whatever its name is.
+constexpr const char* unfinished = ".changeover-unfinished";
 
 // What is at the top of a site.
 bool is_of_a_site(const std::string& name) {
-  static const std::set<std::string> ours{marker, "index.html", "assets", "data", "sources.sha256"};
+  static const std::set<std::string> ours{marker,   unfinished, "index.html",
+                                          "assets", "data",     "sources.sha256"};
   return ours.contains(name);
 }
 
@@ -81,6 +85,21 @@ class OpenFolder {
 constexpr std::string_view before_random = ".new-";
 constexpr std::size_t random_letters = 6;  // of mkdtemp
 
+// Removes a folder, its mark last: it can be killed.
+void remove_marked(const fs::path& folder) {
+  std::error_code fault;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
+    if (at->path().filename() != unfinished) {
+      found.push_back(at->path());
+    }
+  }
+  for (const fs::path& path : found) {
+    fs::remove_all(path, fault);
+  }
+  fs::remove_all(folder, fault);
+}
+
 // Removes what exports to `place` left that were killed. Whoever makes a site has its folder locked, as the temporaries of files
 // are (io/file/left_behind.hpp).
 void remove_left_behind(const fs::path& place) {
@@ -100,16 +119,15 @@ void remove_left_behind(const fs::path& place) {
       continue;
     }
     bool nothing_else = true;
-    bool marked = false;
     bool empty = true;
     for (fs::directory_iterator at(path, fault), end; !fault && at != end; at.increment(fault)) {
-      const std::string name = at->path().filename().string();
-      nothing_else = nothing_else && is_of_a_site(name);
-      marked = marked || name == marker;
+      nothing_else = nothing_else && is_of_a_site(at->path().filename().string());
       empty = false;
     }
+    std::error_code none;
+    const bool marked = fs::is_regular_file(fs::symlink_status(path / unfinished, none));
     if (!fault && nothing_else && (marked || empty)) {
-      fs::remove_all(path, fault);
+      remove_marked(path);
     }
   }
 }
@@ -157,6 +175,7 @@ class Workshop {
                                     fs::perms::group_exec | fs::perms::others_read |
                                     fs::perms::others_exec;
     fs::permissions(work_, as_folders_are);
+    mark(work_);
   }
   // An earlier export is replaced whole; what others put beside it would be gone.
   void refuse_what_was_added(const std::string& place) const {
@@ -170,10 +189,7 @@ class Workshop {
     }
   }
 
-  ~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(work_, ignored);
-  }
+  ~Workshop() { remove_marked(work_); }
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
 
@@ -212,12 +228,26 @@ class Workshop {
     if (::renameat2(AT_FDCWD, work_.c_str(), AT_FDCWD, place_.c_str(), how) != 0) {
       cannot("put the site at", place_, errno);
     }
+    std::error_code ignored;
+    fs::remove(place_ / unfinished, ignored);
+    if (there_) {
+      mark(work_);
+    }
   }
 
   [[nodiscard]] std::uint64_t files() const { return files_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
  private:
+  static void mark(const fs::path& folder) {
+    constexpr mode_t as_files_are = 0644;
+    const int file = ::open((folder / unfinished).c_str(),
+                            O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, as_files_are);
+    if (file >= 0) {
+      ::close(file);
+    }  // Then it stays if it is killed.
+  }
+
   fs::path place_;
   fs::path work_;
   OpenFolder folder_;  // of it, locked

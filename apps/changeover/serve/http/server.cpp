@@ -80,13 +80,17 @@ class Heads {
     all_.erase(&exchange);
   }
   /// The one that libmicrohttpd is looking at on this thread; nullptr if its head is not complete. All others of the thread wait
-  /// for lines: as soon as a head is complete it goes on, or is refused.
+  /// for lines, as soon as a head is complete it goes on or is refused; or they are being refused by the library before that,
+  /// which looks as if their heads had come, with no bytes.
   [[nodiscard]] Exchange* complete() {
     const std::scoped_lock lock(mutex_);
     const auto found = std::ranges::find_if(all_, [](const Exchange* each) {
-      return each->thread == std::this_thread::get_id() &&
-             MHD_get_connection_info(each->connection, MHD_CONNECTION_INFO_REQUEST_HEADER_SIZE) !=
-                 nullptr;
+      if (each->thread != std::this_thread::get_id()) {
+        return false;
+      }
+      const MHD_ConnectionInfo* const head =
+          MHD_get_connection_info(each->connection, MHD_CONNECTION_INFO_REQUEST_HEADER_SIZE);
+      return head != nullptr && head->header_size > 0;
     });
     return found == all_.end() ? nullptr : *found;
   }

@@ -100,8 +100,11 @@ Answer run(const AuditRequest& request) {
   const auto running = std::make_shared<Running>(request.run, request.output);
   const AuditScope scope = audit_scope(catalog, filter);
   Ledger ledger(request.resume, scope);
-  const Audit audit = audit_entries(catalog, scope, running->control(), ledger.done,
-                                    [&](const std::string& label) { ledger.add(label); });
+  Audit audit = audit_entries(catalog, scope, running->control(), ledger.done,
+                              [&](const std::string& label) { ledger.add(label); });
+  if (const std::string problem = catalog.problem(); !problem.empty() && audit.faults.empty()) {
+    audit.faults.push_back({"your own catalog", problem});  // It was left out.
+  }
   ledger.flush();
   const double seconds = running->control().elapsed().count();
   running->finish();
