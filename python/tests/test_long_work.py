@@ -182,8 +182,15 @@ class Loads(unittest.TestCase):
             self.assertGreaterEqual(order.loads, order.lower_bound)
 
     def test_ctrl_c_keeps_the_order(self):
-        with ctrl_c_after(0.5):
-            order = changeover.load_order(60, 8, time=600)
+        timers = []
+
+        def progress(_):  # The search has begun, so there is an order.
+            if not timers:
+                timers.append(threading.Timer(0.3, os.kill, [os.getpid(), signal.SIGINT]))
+                timers[0].start()
+
+        order = changeover.load_order(60, 8, time=600, progress=progress)
+        timers[0].join()
         self.assertEqual(sum(len(load) for _, load in order), order.loads)
 
     def test_the_executor_computes_each_pair_once(self):
