@@ -438,7 +438,7 @@ TEST(ResultFile, ThatDoesNotFitLeavesTheOldOneAsItWas) {
 }
 
 TEST(JobThreads, ThatCannotBeStartedAreOneFaultAndNoAbort) {
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "the sanitizer needs more address space than a limit leaves";
 #endif
   const pid_t child = ::fork();
