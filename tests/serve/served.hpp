@@ -40,6 +40,19 @@ class OwnServer {
   std::unique_ptr<serve::ExplorerServer> server;
 };
 
+/// Tests of one server with a catalog of its own.
+class OfOneServer : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() { own_ = new OwnServer; }
+  static void TearDownTestSuite() {
+    delete own_;
+    own_ = nullptr;
+  }
+  static std::uint16_t port() { return own_->port(); }
+
+  inline static OwnServer* own_ = nullptr;
+};
+
 /// The parsed body.
 inline nlohmann::json json_of(const Reply& reply) {
   return nlohmann::json::parse(reply.body, nullptr, false);

@@ -22,16 +22,7 @@ struct Refused {
   std::string says;
 };
 
-class Refusals : public ::testing::Test {
- protected:
-  static void SetUpTestSuite() { own_ = new OwnServer; }
-  static void TearDownTestSuite() {
-    delete own_;
-    own_ = nullptr;
-  }
-  static std::uint16_t port() { return own_->port(); }
-  inline static OwnServer* own_ = nullptr;
-};
+using Refusals = OfOneServer;
 
 TEST_F(Refusals, QuestionsThatCannotBe) {
   const std::vector<Refused> cases{

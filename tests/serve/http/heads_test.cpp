@@ -12,14 +12,8 @@ namespace {
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
-class Heads : public ::testing::Test {
+class Heads : public OfOneServer {
  protected:
-  static void SetUpTestSuite() { own_ = new OwnServer; }
-  static void TearDownTestSuite() {
-    delete own_;
-    own_ = nullptr;
-  }
-  static std::uint16_t port() { return own_->port(); }
   static std::string host() { return "Host: 127.0.0.1:" + std::to_string(port()) + "\r\n"; }
   /// The reply to a request with these lines more; nothing but this one reply may come.
   static Reply reply_to(const std::string& first, const std::string& lines) {
@@ -32,7 +26,6 @@ class Heads : public ::testing::Test {
   static Reply with(const std::string& lines) {
     return reply_to("GET /api/search HTTP/1.1", host() + lines);
   }
-  inline static OwnServer* own_ = nullptr;
 };
 
 std::string times(int count, const std::string& text) {
