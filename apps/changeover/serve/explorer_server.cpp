@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <thread>
 #include <utility>
 
@@ -23,12 +22,6 @@ std::uint64_t an_eighth_of_the_memory() {
                                                 static_cast<std::uint64_t>(page) / part,
                                             least, most)
                                : least;
-}
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 // The names that the server goes by.

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include "changeover/core/error.hpp"
 
@@ -41,9 +41,7 @@ bool same_secret(std::string_view given, std::string_view secret) {
 }
 
 bool Guard::knows(std::string host) const {
-  std::ranges::transform(host, host.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::ranges::find(hosts_, host) != hosts_.end();
+  return std::ranges::find(hosts_, lower_case(std::move(host))) != hosts_.end();
 }
 
 void Guard::check(const Request& request, Action action) const {

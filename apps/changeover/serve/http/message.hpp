@@ -66,6 +66,9 @@ struct Response {
 /// The same with its head, as it goes through the socket before the connection is closed. For statuses 400, 408, 413, 414 and 431.
 [[nodiscard]] std::string refused_as_text(const Refusal& refusal);
 
+/// With A to Z as a to z, for names of headers and hosts.
+[[nodiscard]] std::string lower_case(std::string text);
+
 /// What is sent with every answer, whatever it is.
 [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& security_headers();
 

@@ -37,13 +37,6 @@ std::size_t declared_length(const Request& request) {
   return length;
 }
 
-static std::string lower(std::string_view text) {
-  std::string small(text);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return small;
-}
-
 static void check_body(const Route& route, const Request& request) {
   const std::size_t length = declared_length(request);
   if (request.headers.contains("transfer-encoding") ||
@@ -56,12 +49,12 @@ static void check_body(const Route& route, const Request& request) {
                            : fmt::format("{} takes at most {} bytes, not {}", route.path,
                                          route.most_bytes, length)};
   }
-  const std::string coding = lower(request.header("content-encoding"));
+  const std::string coding = lower_case(std::string(request.header("content-encoding")));
   if (route.body != Body::none && !coding.empty() && coding != "identity") {
     throw Refusal{415, "send the body as it is, without Content-Encoding"};
   }
   std::string type(request.header("content-type"));
-  type = lower(type.substr(0, type.find(';')));
+  type = lower_case(type.substr(0, type.find(';')));
   type.erase(type.find_last_not_of(" \t") + 1);
   if (route.body == Body::json && type != "application/json") {
     throw Refusal{415, "send JSON, with the header Content-Type: application/json"};

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cctype>
 #include <chrono>
 #include <cstdarg>
 #include <cstddef>
@@ -229,9 +228,7 @@ struct Server::State::Calls {
   static MHD_Result header(void* cls, MHD_ValueKind /*kind*/, const char* key, std::size_t key_size,
                            const char* value, std::size_t value_size) {
     auto& request = *static_cast<Request*>(cls);
-    std::string name(key, key_size);
-    std::ranges::transform(name, name.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string name = lower_case({key, key_size});
     std::string text(value, value_size);
     text.erase(text.find_last_not_of(" \t") + 1);
     if (!request.headers.emplace(name, std::move(text)).second) {
