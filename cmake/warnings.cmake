@@ -4,5 +4,7 @@
 
 add_library(changeover_warnings INTERFACE)
 target_compile_options(changeover_warnings INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
-  $<$<AND:$<BOOL:${CHANGEOVER_WERROR}>,$<NOT:$<BOOL:${CHANGEOVER_SANITIZE}>>>:-Werror>)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion)
+if(CHANGEOVER_WERROR AND NOT CHANGEOVER_SANITIZE)
+  target_compile_options(changeover_warnings INTERFACE -Werror)
+endif()
