@@ -4,7 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "run_program.hpp"
@@ -42,6 +46,38 @@ inline std::string without_progress(const std::string& err) {
   return rest;
 }
 
+/// The exit codes of each verb's answers, as `changeover describe` has them: "catalog verify" -> {0, 1, 30}.
+inline const std::map<std::string, std::set<int>>& described_outcomes() {
+  static const std::map<std::string, std::set<int>> all = [] {
+    std::map<std::string, std::set<int>> codes;
+    const TemporaryFolder folder;
+    const auto described = nlohmann::json::parse(run("$changeover describe", folder.path()).out);
+    for (const auto& verb : described.at("verbs")) {
+      for (const auto& outcome : verb.at("outcomes")) {
+        codes[verb.at("typed")].insert(outcome.at("code").get<int>());
+      }
+    }
+    return codes;
+  }();
+  return all;
+}
+
+/// The verb of a line that runs changeover once and nothing else: "catalog verify"; empty otherwise.
+inline std::string only_verb(const std::string& command) {
+  constexpr std::string_view program = "$changeover ";
+  if (!command.starts_with(program) || command.find_first_of("|;&\n") != std::string::npos ||
+      command.find("--help") != std::string::npos) {
+    return {};
+  }
+  const std::string words = command.substr(program.size()) + " ";
+  const std::string one = words.substr(0, words.find(' '));
+  const std::string two =
+      words.substr(0, words.find(' ', std::min(one.size() + 1, words.size() - 1)));
+  return described_outcomes().contains(two)   ? two
+         : described_outcomes().contains(one) ? one
+                                              : std::string();
+}
+
 /// An answer is on standard output and nothing on stderr; a refusal is one clean line on stderr and nothing else.
 /// That nothing serves some parameters (4) is an answer as well.
 inline void expect(const std::vector<Case>& cases, const TemporaryFolder& folder) {
@@ -60,6 +96,11 @@ inline void expect(const std::vector<Case>& cases, const TemporaryFolder& folder
         << said.substr(0, 1000);
     EXPECT_EQ(answers ? without_progress(outcome.err) : outcome.out, "") << each.command;
     EXPECT_EQ(said.find('\x1b'), std::string::npos) << each.command;
+    if (const std::string verb = only_verb(each.command);
+        answers && each.code != 4 && !verb.empty()) {
+      EXPECT_TRUE(described_outcomes().at(verb).contains(outcome.code))
+          << each.command << ": the help of " << verb << " knows no exit code " << outcome.code;
+    }
     if (!answers && each.command != "$changeover") {  // which shows the help
       EXPECT_EQ(count(without_progress(outcome.err), "\n"), 1U) << each.command << "\n"
                                                                 << outcome.err;

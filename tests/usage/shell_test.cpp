@@ -205,6 +205,8 @@ TEST(Manual, SaysWhichPageThereIsNot) {
           {"$changeover manual catalog", 0, ".TH CHANGEOVER\\-CATALOG 1"},
           {"$changeover manual catalog history", 0, "\nv.k.m.kind, as 20.5.2.linear"},
           {"$changeover manual design", 0, "\nUse this construction only."},
+          {"$changeover manual same", 0, ".B 1\nNot the same.\n"},
+          {"$changeover same --help", 0, "Exit codes: 0 the same; 1 not the same"},
           {"$changeover manual desing", 2, "did you mean changeover-design?"},
           {"$changeover manual design --into man", 2, "exclude each other"},
           {"$changeover manual --into file/man", 4, "the folder cannot be made"}},
@@ -260,6 +262,27 @@ void expect_offered(const Offer& offer, std::vector<std::string> offered) {
   std::ranges::sort(offered);
   offered.erase(std::unique(offered.begin(), offered.end()), offered.end());
   EXPECT_EQ(offered, offer.offered) << offer.words;
+}
+
+TEST(Manual, APageHasTheExitCodesOfItsVerbOnly) {
+  const TemporaryFolder folder;
+  const auto codes = [&folder](const std::string& verb) {
+    const std::string page = run("$changeover manual " + verb, folder.path()).out;
+    const std::size_t begin = page.find(".SH EXIT STATUS");
+    const std::string part = page.substr(begin, page.find(".SH", begin + 1) - begin);
+    std::vector<std::string> found;
+    for (std::size_t at = part.find("\n.B "); at != std::string::npos;
+         at = part.find("\n.B ", at + 1)) {
+      found.push_back(part.substr(at + 4, part.find('\n', at + 4) - at - 4));
+    }
+    return found;
+  };
+  EXPECT_EQ(codes("bounds"), (std::vector<std::string>{"0", "2", "3", "4", "5"}));
+  EXPECT_EQ(codes("search"), (std::vector<std::string>{"2", "3", "4", "5", "10", "20", "30"}));
+  EXPECT_EQ(codes("catalog verify"),
+            (std::vector<std::string>{"0", "1", "2", "3", "4", "5", "30"}));
+  EXPECT_EQ(codes("catalog"), codes(""));  // all of them: a page on several verbs
+  EXPECT_EQ(codes("catalog").size(), 9U);
 }
 
 TEST(Completion, OfBashOffersWhatFits) {

@@ -220,6 +220,23 @@ struct Verb::State {
   std::map<const CLI::Option*, Kind> kinds = {};  // flags have none
   std::vector<std::string> sentences = {};        // what the rules say
   std::vector<std::string> examples = {};
+  std::vector<ExitCodeDescription> outcomes = {{exit_code::done, "done"}};
+
+  // The end of the help.
+  void write_footer() {
+    std::string text = examples.empty() ? "" : "Examples:";
+    for (const std::string& line : examples) {
+      text += "\n  " + line;
+    }
+    if (outcomes.size() > 1) {
+      text += (text.empty() ? "" : "\n\n") + std::string("Exit codes:");
+      for (const ExitCodeDescription& each : outcomes) {
+        text +=
+            fmt::format("{} {} {}", &each == &outcomes.front() ? "" : ";", each.code, each.meaning);
+      }
+    }
+    app->footer(text);
+  }
 
   [[nodiscard]] bool given(const std::string& name) const { return app->count(name) > 0; }
   [[nodiscard]] bool any_given(const std::vector<std::string>& names) const {
@@ -353,11 +370,12 @@ void Verb::require(std::function<void()> rule) { state_->rules.push_back(std::mo
 
 void Verb::examples(const std::vector<std::string>& lines) {
   state_->examples = lines;
-  std::string text = "Examples:";
-  for (const std::string& line : lines) {
-    text += "\n  " + line;
-  }
-  state_->app->footer(text);
+  state_->write_footer();
+}
+
+void Verb::outcomes(const std::vector<ExitCodeDescription>& codes) {
+  state_->outcomes = codes;
+  state_->write_footer();
 }
 
 Program::Program() : state_(std::make_unique<State>()) {
@@ -503,6 +521,7 @@ std::vector<VerbDescription> Program::verbs() const {
     described.summary = verb.app->get_description();
     described.rules = verb.sentences;
     described.examples = verb.examples;
+    described.outcomes = verb.outcomes;
     for (const CLI::Option* option : verb.app->get_options()) {
       if (option == verb.app->get_help_ptr()) {
         continue;

@@ -84,6 +84,9 @@ class Verb {
   /// Command lines shown at the end of --help.
   void examples(const std::vector<std::string>& lines);
 
+  /// The exit codes of its answers, smallest first, and what each means here; without this, 0 is the only one.
+  void outcomes(const std::vector<ExitCodeDescription>& codes);
+
  private:
   friend class Program;
   struct State;

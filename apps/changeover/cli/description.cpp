@@ -27,4 +27,12 @@ const std::vector<ExitCodeDescription>& exit_codes() {
   return all;
 }
 
+std::vector<ExitCodeDescription> refusals() {
+  std::vector<ExitCodeDescription> some = exit_codes();
+  std::erase_if(some, [](const ExitCodeDescription& each) {
+    return each.code < exit_code::usage || each.code > exit_code::bug;
+  });
+  return some;
+}
+
 }  // namespace changeover::cli

@@ -23,13 +23,21 @@ struct OptionDescription {
   std::string help;
 };
 
+struct ExitCodeDescription {
+  int code = 0;
+  std::string meaning;
+};
+
 struct VerbDescription {
   std::string name;  ///< "catalog-show"
   std::string summary;
-  std::vector<OptionDescription> options;
-  std::vector<std::string> rules;  ///< what options cannot mean together, a sentence each
-  std::vector<std::string>
-      examples;  ///< lines at the end of the help: commands, some with words after them
+  std::vector<OptionDescription> options = {};
+  std::vector<std::string> rules = {};  ///< what options cannot mean together, a sentence each
+  std::vector<std::string> examples =
+      {};  ///< lines at the end of the help: commands, some with words after them
+
+  std::vector<ExitCodeDescription> outcomes =
+      {};  ///< the exit codes of its answers, smallest first
 
   [[nodiscard]] std::string typed() const;  ///< "catalog show"
   [[nodiscard]] std::string group() const;  ///< "catalog"; empty if it is of none
@@ -41,12 +49,10 @@ struct GroupDescription {
   std::string summary;
 };
 
-struct ExitCodeDescription {
-  int code = 0;
-  std::string meaning;
-};
-
 /// Every exit code of the program, smallest first.
 [[nodiscard]] const std::vector<ExitCodeDescription>& exit_codes();
+
+/// Those with which any verb may refuse: 2 to 5.
+[[nodiscard]] std::vector<ExitCodeDescription> refusals();
 
 }  // namespace changeover::cli

@@ -68,9 +68,10 @@ std::string entry_of(const OptionDescription& each) {
   return text;
 }
 
-std::string ending() {
+// Of a verb, or of a page on several.
+std::string ending(const std::vector<ExitCodeDescription>& codes) {
   std::string text = ".SH EXIT STATUS\n";
-  for (const ExitCodeDescription& each : exit_codes()) {
+  for (const ExitCodeDescription& each : codes) {
     text += fmt::format(".TP\n.B {}\n{}\n", each.code, sentence(each.meaning));
   }
   text +=
@@ -127,7 +128,11 @@ std::string verb_page(const VerbDescription& verb, const std::vector<VerbDescrip
       text += (&rule == &verb.rules.front() ? "" : ".PP\n") + sentence(rule) + "\n";
     }
   }
-  text += ending();
+  std::vector<ExitCodeDescription> codes = verb.outcomes;
+  const std::vector<ExitCodeDescription> refused = refusals();
+  codes.insert(codes.end(), refused.begin(), refused.end());
+  std::ranges::sort(codes, {}, &ExitCodeDescription::code);
+  text += ending(codes);
   if (!verb.examples.empty()) {
     text += ".SH EXAMPLES\n.nf\n";
     for (const std::string& line : verb.examples) {
@@ -167,8 +172,8 @@ std::string group_page(const GroupDescription& group, const std::vector<VerbDesc
          fmt::format(".SH SYNOPSIS\n{} {} ...\n.SH DESCRIPTION\n{}: {}\n", typed,
                      roff_italic("VERB"), typed, roff_text(group.summary + ".")) +
          ".SH VERBS\n" +
-         verb_list(all, [&](const auto& verb) { return verb.group() == group.name; }) + ending() +
-         references({"changeover", "checkdesign"});
+         verb_list(all, [&](const auto& verb) { return verb.group() == group.name; }) +
+         ending(exit_codes()) + references({"changeover", "checkdesign"});
 }
 
 std::string program_page(const Program& program) {
@@ -192,7 +197,7 @@ std::string program_page(const Program& program) {
       ".BI \"changeover \" VERB \" \\-\\-help\"\nhas the options of a verb and examples.\n"
       ".TP\n\\fB\\-\\-version\\fR [\\fB\\-\\-json\\fR]\n"
       "The version, and what this program was built with and can do.\n";
-  return text + ending() + references({"checkdesign"});
+  return text + ending(exit_codes()) + references({"checkdesign"});
 }
 
 }  // namespace

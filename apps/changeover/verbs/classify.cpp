@@ -242,7 +242,9 @@ void add_classify(Program& program) {
   verb.examples({"changeover classify 12 4 21 --change 1      2554 standard forms",
                  "changeover classify 9 4 12 --change 1 --circular --json",
                  "changeover classify 7 3 --reversal --designs -o all.txt",
-                 "linear unless --circular; exit code 0: these are all, 30: a limit stopped it"});
+                 "linear unless --circular"});
+  verb.outcomes({{exit_code::done, "these are all"},
+                 {exit_code::limit_reached, "stopped, by a limit or by Ctrl-C, before the end"}});
 }
 
 }  // namespace changeover::cli

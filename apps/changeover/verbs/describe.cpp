@@ -48,6 +48,15 @@ void write_options(JsonWriter& json, const VerbDescription& verb, bool positiona
   json.end_array();
 }
 
+void write_codes(JsonWriter& json, const std::vector<ExitCodeDescription>& codes) {
+  json.begin_array();
+  for (const ExitCodeDescription& each : codes) {
+    json.begin_object().key("code").value(each.code).key("meaning").value(each.meaning);
+    json.end_object();
+  }
+  json.end_array();
+}
+
 std::string as_json(const Program& program) {
   JsonWriter json;
   json.begin_object().key("version").value(version).key("verbs").begin_array();
@@ -56,19 +65,18 @@ std::string as_json(const Program& program) {
     json.key("summary").value(verb.summary);
     write_options(json.key("arguments"), verb, true);
     write_options(json.key("options"), verb, false);
-    json.key("rules").value(verb.rules).key("examples").value(verb.examples).end_object();
+    json.key("rules").value(verb.rules).key("examples").value(verb.examples);
+    write_codes(json.key("outcomes"), verb.outcomes);
+    json.end_object();
   }
   json.end_array().key("groups").begin_array();
   for (const GroupDescription& group : program.groups()) {
     json.begin_object().key("name").value(group.name).key("summary").value(group.summary);
     json.end_object();
   }
-  json.end_array().key("exit_codes").begin_array();
-  for (const ExitCodeDescription& each : exit_codes()) {
-    json.begin_object().key("code").value(each.code).key("meaning").value(each.meaning);
-    json.end_object();
-  }
-  return json.end_array().end_object().take() + "\n";
+  json.end_array();
+  write_codes(json.key("exit_codes"), exit_codes());
+  return json.end_object().take() + "\n";
 }
 
 Answer run(const DescribeRequest& request) {

@@ -109,7 +109,8 @@ void add_same(Program& program) {
   request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover same mine.txt theirs.json",
                  "changeover same mine.txt theirs.json --reversal --json",
-                 "a circular design may be rotated; exit code 0: the same, 1: not the same"});
+                 "a circular design may be rotated"});
+  verb.outcomes({{exit_code::done, "the same"}, {exit_code::refuted, "not the same"}});
 }
 
 }  // namespace changeover::cli

@@ -243,6 +243,10 @@ void add_search(Program& program) {
                  "changeover search 28 6 --base-blocks --tight     from base blocks",
                  "changeover search --order blocks.txt -m 2        an order with 2 changes a step",
                  "mpirun -n 4 changeover search 30 6 --time 10m    several processes share it"});
+  verb.outcomes(
+      {{exit_code::found, "found"},
+       {exit_code::proved_none, "proved that there is none"},
+       {exit_code::limit_reached, "stopped, by a limit or by Ctrl-C, before that was known"}});
 }
 
 }  // namespace changeover::cli

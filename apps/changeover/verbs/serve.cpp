@@ -206,7 +206,10 @@ void add_serve(Program& program) {
   });
   verb.examples({"changeover serve --open", "changeover serve mine.txt --port 8080",
                  "changeover serve --export public --k 3..6 --v 4..30 --change 2",
-                 "Ctrl-C ends it; exit code 0, or 4 if the port is taken"});
+                 "Ctrl-C ends it"});
+  verb.outcomes({{exit_code::done, "ended by Ctrl-C or SIGTERM, or the files are written"},
+                 {exit_code::limit_reached,
+                  "--export was stopped before the site was whole; nothing was changed"}});
 }
 
 }  // namespace changeover::cli

@@ -162,8 +162,8 @@ void add_verify(Program& program) {
   verb.flag("--elements", request.elements, "show i_x, r_x and e_x of every element");
   request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover verify mine.txt", "changeover verify mine.csv --circular --change 1",
-                 "changeover design 105 9 --json | changeover verify -",
-                 "exit code 0: valid, 1: refuted, 3: not a list of blocks"});
+                 "changeover design 105 9 --json | changeover verify -"});
+  verb.outcomes({{exit_code::done, "valid"}, {exit_code::refuted, "no such design"}});
 }
 
 }  // namespace changeover::cli

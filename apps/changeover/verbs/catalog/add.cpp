@@ -193,9 +193,9 @@ void add_catalog_add(Program& program) {
   request.output.add_to(verb, {"text", "json"});
   verb.examples({"changeover catalog add mine.txt --who 'A. Researcher'",
                  "changeover search 9 4 --change 2 --circular --format text | changeover catalog "
-                 "add -",
-                 "exit code 0: added, or there already, 1: one of them is no such design and "
-                 "nothing was added"});
+                 "add -"});
+  verb.outcomes({{exit_code::done, "added, or there already"},
+                 {exit_code::refuted, "one of them is no such design; nothing was added"}});
 }
 
 }  // namespace changeover::cli

@@ -98,8 +98,10 @@ void add_catalog_import(Program& program) {
   request.output.add_to(verb, {"text", "json"});
   request.run.add_limits_to(verb, "", request.output, false);
   verb.examples({"changeover catalog import theirs.jsonl",
-                 "exit code 0: done, 1: some were left out, 3: nothing was added, for one is not "
-                 "as it says, 30: stopped, nothing was added"});
+                 "changeover catalog import theirs.jsonl --skip-bad"});
+  verb.outcomes({{exit_code::done, "all of them are in the catalog"},
+                 {exit_code::refuted, "some were left out (--skip-bad)"},
+                 {exit_code::limit_reached, "stopped; nothing was added"}});
 }
 
 }  // namespace changeover::cli

@@ -85,8 +85,9 @@ void add_catalog_improve(Program& program) {
   request.output.add_to(verb, {"text", "json"});
   request.run.add_to(verb, "60s", request.output);
   verb.examples({"changeover catalog improve --time 10m --threads 2 --k 5..8 --v 20..40",
-                 "each find is verified and in the catalog at once",
-                 "exit code 10: something was found, 30: nothing in this time"});
+                 "each find is verified and in the catalog at once"});
+  verb.outcomes({{exit_code::found, "something was found"},
+                 {exit_code::limit_reached, "nothing in this time"}});
 }
 
 void add_catalog_submit(Program& program) {

@@ -144,8 +144,10 @@ void add_catalog_verify(Program& program) {
   request.output.add_to(verb, {"text", "json"});
   request.run.add_limits_to(verb, "", request.output);
   verb.examples({"changeover catalog verify --threads 2 --resume done.txt",
-                 "changeover catalog verify --users",
-                 "exit code 0: all as it says, 1: not, 30: stopped before the end"});
+                 "changeover catalog verify --users"});
+  verb.outcomes({{exit_code::done, "all as it says"},
+                 {exit_code::refuted, "not all"},
+                 {exit_code::limit_reached, "stopped before the end"}});
 }
 
 }  // namespace changeover::cli
