@@ -28,8 +28,9 @@ std::string defect_of(const Verdict& verdict) {
         "{} of the steps do not change exactly {} elements, the first from block {} to block {}",
         verdict.bad_steps, p.change, first.from, first.to);
   }
-  return fmt::format("{} of {} {} are in no block, as {{{}}}", verdict.uncovered, verdict.subsets,
+  return fmt::format("{} of {} {} {} in no block, as {{{}}}", verdict.uncovered, verdict.subsets,
                      p.strength == 2 ? "pairs" : fmt::format("{}-subsets", p.strength),
+                     verdict.uncovered == 1 ? "is" : "are",
                      fmt::join(verdict.uncovered_examples.front(), ","));
 }
 

@@ -71,8 +71,9 @@ void add_defects(const Verdict& verdict, const Labels& labels, std::string& text
     }
   }
   if (verdict.uncovered > 0) {
-    text += fmt::format("{} of {} {} in no block:", verdict.uncovered, verdict.subsets,
-                        p.strength == 2 ? "pairs are" : fmt::format("{}-subsets are", p.strength));
+    text += fmt::format("{} of {} {} {} in no block:", verdict.uncovered, verdict.subsets,
+                        p.strength == 2 ? "pairs" : fmt::format("{}-subsets", p.strength),
+                        verdict.uncovered == 1 ? "is" : "are");
     for (const Block& subset : verdict.uncovered_examples) {
       text += " " + set(subset, labels);
     }

@@ -59,7 +59,7 @@ class Greedy {
       const bool in_haste = listener_.stop_wanted(parts_ * room_);
       Block next = in_haste ? Block() : best_step();
       if (next.empty()) {
-        next = forced_step();
+        next = forced_step(in_haste);
       }
       test(next);
       put_on_bench(next);
@@ -268,7 +268,7 @@ class Greedy {
   }
 
   // The first missing pair, with what else fits.
-  [[nodiscard]] Block forced_step() {
+  [[nodiscard]] Block forced_step(bool in_haste) {
     while (left_[first_open_] == 0) {
       ++first_open_;
     }
@@ -284,10 +284,30 @@ class Greedy {
     if (const auto whole = fitting_.completed(setup, bench_)) {
       setup = *whole;  // There is one: the job has no defects.
     }
-    if (setup.size() < room_) {
+    // Small set-ups are many; to look at all parts for each of them takes too long for who wants to stop.
+    constexpr std::uint64_t small_room = 3;
+    if (setup.size() < room_ && in_haste && room_ <= small_room && never_.empty() &&
+        !fitting_.has_slots()) {
+      add_open_partners(setup, other);
+    } else if (setup.size() < room_) {
       fill(setup);
     }
     return setup;
+  }
+
+  // Adds parts that the first open part has yet to meet while there is room, such as the last one has yet to meet
+  // too as long as there are any. O(parts), and in the mean far less.
+  void add_open_partners(Block& setup, Element last) const {
+    const std::uint8_t* const row = missing_with(first_open_);
+    for (const bool both : {true, false}) {
+      for (Element y = last + 1; y < parts_ && setup.size() < room_; ++y) {
+        if (row[y] != 0 && (!both || missing(last, y)) &&
+            std::find(setup.begin(), setup.end(), y) == setup.end()) {
+          setup.push_back(y);
+          last = y;
+        }
+      }
+    }
   }
 
   const Job* job_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
 
 #include "changeover/plan/cost_bound.hpp"
@@ -27,6 +28,26 @@ TEST(GreedyStart, DoesEveryJob) {
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const Job job = test::random_job(seed, 9);
     EXPECT_TRUE(run_sheet(job, greedy_start(job, control).setups).does_the_job()) << seed;
+  }
+}
+
+TEST(GreedyStart, DoesEveryJobInHaste) {
+  std::atomic<bool> interrupted = true;
+  RunControl control({.interrupted = &interrupted});
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const Job job = test::random_job(seed, 9);
+    EXPECT_TRUE(run_sheet(job, greedy_start(job, control).setups).does_the_job()) << seed;
+  }
+}
+
+// All but the last of a part do.
+TEST(GreedyStart, InHasteSmallSetUpsStillTestTwoNewPairsEach) {
+  std::atomic<bool> interrupted = true;
+  RunControl control({.interrupted = &interrupted});
+  for (const Element parts : {4U, 9U, 40U, 100U}) {
+    const Job job = make_job(parts, 3, parse_amount("1"), parse_amount("1"));
+    const std::size_t steps = greedy_start(job, control).setups.size();
+    EXPECT_LE(2 * steps, job.needed.size() + parts) << parts;
   }
 }
 
