@@ -19,6 +19,9 @@ for word in nonsense '' 'slow address' ../fuzz/read $'a\nb'; do
   refused .ci/nightly docs "$word"
 done
 if /usr/bin/python3 -c 'import clang.cindex' 2>/dev/null; then
-  refused /usr/bin/python3 tests/mutation/mutate.py --understood nonsense
+  for words in nonsense --nonsense '-j x' '-j 0'; do
+    # shellcheck disable=SC2086 # two words
+    refused /usr/bin/python3 tests/mutation/mutate.py --understood $words
+  done
 fi
 finish

@@ -306,14 +306,23 @@ def read_explained(path):
     return out
 
 
+class Parser(argparse.ArgumentParser):
+    """Its complaints are one line."""
+
+    def error(self, message):
+        fail(f"{message}; see ./dev mutate --help", 2)
+
+
 def main():
-    parser = argparse.ArgumentParser(prog="./dev mutate", description=__doc__.split("\n")[0])
+    parser = Parser(prog="./dev mutate", description=__doc__.split("\n")[0])
     parser.add_argument("--list", action="store_true", help="write the faults, run nothing")
     parser.add_argument("--again", action="store_true", help="only what survived the last run; tests only grew")
     parser.add_argument("-j", type=int, default=2, metavar="N", help="runs at a time (default 2)")
     parser.add_argument("--understood", action="store_true", help=argparse.SUPPRESS)  # do these words mean anything
     parser.add_argument("what", nargs="*", metavar="ROOM|FILE", help=f"one of {', '.join(ROOMS)}, or a file of theirs")
     asked = parser.parse_args()
+    if asked.j < 1:
+        parser.error(f"-j {asked.j}: at least one run at a time")
     rooms = {}
     for word in asked.what or ROOMS:
         room = word if word in ROOMS else next((r for r in ROOMS if word in files_of(r)), None)
