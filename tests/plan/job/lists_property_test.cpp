@@ -155,11 +155,13 @@ Rows rows_of(const Pairs& pairs, const Fields& names) {
 
 Pairs read_pairs_of(const std::string& text, const Fields& names) {
   Pairs pairs;
-  read_pairs(*input_from_text(text, "f"), names).for_each(10'000, [&](Element x, Element y) {
+  const PairSet read = read_pairs(*input_from_text(text, "f"), names);
+  read.for_each(10'000, [&](Element x, Element y) {
     RC_ASSERT(std::max(x, y) < names.size());
     RC_ASSERT(x != y);
     pairs.insert(std::minmax(x, y));
   });
+  RC_ASSERT(read.size() == pairs.size());
   return pairs;
 }
 
