@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -30,17 +31,15 @@ inline std::size_t count(const std::string& text, const std::string& part) {
   return times;
 }
 
-/// Without the lines of progress ("changeover: planning v = 9; 11 s") that a command writes once it has taken ten seconds.
+/// Without the lines of progress ("changeover: planning v = 9; 11 s", "…; 1:08 min") that a command writes once it has taken ten
+/// seconds.
 inline std::string without_progress(const std::string& err) {
+  static const std::regex progress("changeover: .*; [0-9:]+ (s|min|h)\n");
   std::string rest;
   for (std::size_t at = 0; at < err.size();) {
     const std::size_t end = std::min(err.find('\n', at), err.size() - 1) + 1;
     const std::string line = err.substr(at, end - at);
-    const std::size_t time = line.rfind("; ");
-    const bool is_progress = line.starts_with("changeover: ") && line.ends_with(" s\n") &&
-                             time != std::string::npos &&
-                             line.find_first_not_of("0123456789", time + 2) == line.size() - 3;
-    rest += is_progress ? "" : line;
+    rest += std::regex_match(line, progress) ? "" : line;
     at = end;
   }
   return rest;
