@@ -15,6 +15,12 @@ namespace {
 
 constexpr std::uint64_t most_items_here = 16;
 
+// Written as the reader writes whole numbers.
+bool is_number(const std::string& word) {
+  return word.find_first_not_of("0123456789") == std::string::npos &&
+         (word.size() == 1 || word.front() != '0');
+}
+
 std::string name_of(const PairGraph& graph, Element x) {
   return graph.names().empty() ? std::to_string(x) : graph.names()[x];
 }
@@ -65,8 +71,7 @@ const Target target("pairs", [](const std::string& bytes) {
   std::string text;
   std::string numbers;
   for (const auto& [x, y] : pairs) {
-    const bool is_name = (x + y).find_first_not_of("0123456789") != std::string::npos;
-    (is_name ? text : numbers) += x + "\t" + y + "\n";
+    (is_number(x) && is_number(y) ? numbers : text) += x + "\t" + y + "\n";
   }
   text += text + numbers;  // twice, so that the first line is no header
   if (!text.empty()) {

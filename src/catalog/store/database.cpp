@@ -34,7 +34,16 @@ constexpr int patience = 20'000;
           "{}: {}; give leave to write there, or name another file by --catalog", name, what));
     case SQLITE_NOMEM:
       throw MissingResource(fmt::format("{}: not enough memory", name));
+    case SQLITE_PROTOCOL:
+    case SQLITE_NOLFS:
+      throw MissingResource(
+          fmt::format("{}: {}; name a file on another file system by --catalog", name, what));
     case SQLITE_CONSTRAINT:  // What is written agrees with itself, so what is there does not.
+    case SQLITE_ERROR:       // Our questions are understood where the file is what it should be.
+    case SQLITE_SCHEMA:
+    case SQLITE_MISMATCH:
+    case SQLITE_TOOBIG:
+    case SQLITE_FORMAT:
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
       throw BadInput(
