@@ -7,7 +7,7 @@
 # shellcheck source=support/attack.sh
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
-patience=8
+patience=$((8 * slower))
 limit_memory 12000000
 
 # "time": with --time; "ask": with an interrupt; both for the others. A star: in the quick round too.

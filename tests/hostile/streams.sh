@@ -35,7 +35,7 @@ with() {
   tried="changeover $2 $1"
   {
     # shellcheck disable=SC2086 # the words of the command
-    eval "timeout -s KILL 20 \"\$CHANGEOVER\" $2 </dev/null >\"\$out\" 2>\"\$err\" $1"
+    eval "timeout -s KILL $((20 * slower)) \"\$CHANGEOVER\" $2 </dev/null >\"\$out\" 2>\"\$err\" $1"
     code=$?
   } 2>/dev/null
   heard
@@ -75,7 +75,7 @@ for command in "${commands[@]}"; do
       {
         [[ -z $ignored ]] || trap '' PIPE
         sleep 0.05
-        timeout -s KILL 20 "$CHANGEOVER" $command 2>"$err" </dev/null
+        timeout -s KILL $((20 * slower)) "$CHANGEOVER" $command 2>"$err" </dev/null
         printf '%s\n' "$?" >"$scratch/said/code"
       } | true
     } 2>/dev/null

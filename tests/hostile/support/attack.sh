@@ -48,7 +48,11 @@ unset COLUMNS NO_COLOR
 
 # With sanitizers everything takes several times as long.
 slower=1
-[[ -z ${HOSTILE_SANITIZED:-} ]] || slower=6
+case ${HOSTILE_SANITIZED:-} in
+  '') ;;
+  *thread*) slower=20 ;;
+  *) slower=6 ;;
+esac
 
 # An address space that the sanitizers do not fit into is no fair limit for them.
 limit_memory() {
