@@ -227,7 +227,7 @@ TEST(ThreeWay, NothingFromAFileReachesTheTerminalUnescaped) {
   }
 }
 
-TEST(ThreeWay, AFewHugeBlocksAreJudgedInNoTime) {
+TEST(ThreeWay, AFewHugeBlocksAreJudgedInGoodTime) {
   const TemporaryFolder folder;
   std::string all;
   for (int i = 0; i < 65'535; ++i) {
@@ -235,7 +235,7 @@ TEST(ThreeWay, AFewHugeBlocksAreJudgedInNoTime) {
   }
   spit(folder.file("one"), "# changeover design v=65535\n" + all);
   for (const std::string program : {"$checkdesign", "$changeover verify"}) {
-    EXPECT_EQ(run("timeout 10 " + program + " one", folder.path()).code, 0) << program;
+    EXPECT_EQ(run("timeout 120 " + program + " one", folder.path()).code, 0) << program;
   }
 }
 
