@@ -25,7 +25,16 @@ std::optional<std::string> variable(const char* name) {
   return value == nullptr ? std::nullopt : std::optional<std::string>(value);
 }
 
-std::string users_file() {
+}  // namespace
+
+void choose_catalog(std::string path) {
+  if (asked) {
+    throw InternalError("the catalog was asked before its file was chosen");
+  }
+  chosen() = std::move(path);
+}
+
+std::string standard_catalog_file() {
   if (chosen()) {
     return *chosen();
   }
@@ -43,15 +52,6 @@ std::string users_file() {
   return folder / "changeover" / "catalog.db";
 }
 
-}  // namespace
-
-void choose_catalog(std::string path) {
-  if (asked) {
-    throw InternalError("the catalog was asked before its file was chosen");
-  }
-  chosen() = std::move(path);
-}
-
 bool comes_planned(const Parameters& p) {
   return p.strength == 2 && p.change >= 1 && p.change <= 3 &&
          ((p.k >= 3 && p.k <= 12 && p.v <= 100) || (p.k >= 13 && p.k <= 40 && p.v <= 160));
@@ -61,7 +61,7 @@ std::string standard_catalog_problem() { return asked ? standard_catalog().probl
 
 Catalog& standard_catalog() {
   asked = true;
-  static Catalog catalog({.shipped = shipped_catalog(), .user = users_file()});
+  static Catalog catalog({.shipped = shipped_catalog(), .user = standard_catalog_file()});
   return catalog;
 }
 

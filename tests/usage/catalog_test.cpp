@@ -121,6 +121,28 @@ TEST_F(CatalogUsage, Verify) {
          folder);
 }
 
+TEST_F(CatalogUsage, NoAnswerReplacesIt) {
+  expect({{mine("add three.txt four.txt"), 0, "added: "}}, folder);
+  const std::string before = slurp(folder.file("mine.db"));
+  const std::string refused = "would replace your catalog";
+  EXPECT_EQ(run("ln -s mine.db link", folder.path()).code, 0);
+  expect(
+      {{mine("list --users -o mine.db"), 2, refused},
+       {mine("list --users -o ./mine.db"), 2, refused},
+       {mine("list --users -o link"), 2, refused},
+       {mine("add four.txt -o mine.db"), 2, refused},
+       {mine("export -o mine.db-wal"), 2, refused},
+       {"CHANGEOVER_CATALOG= $changeover catalog verify --users --catalog mine.db -o mine.db", 2,
+        refused},
+       {"CHANGEOVER_CATALOG=mine.db $changeover design 7 3 -o mine.db", 2, refused},
+       {"CHANGEOVER_CATALOG=not-yet.db $changeover bounds 7 3 -o not-yet.db", 2, refused},
+       {mine("verify --users --resume done.txt -o done.txt"), 2, "would replace --resume"},
+       {mine("verify --users --resume done.txt -o ./done.txt.lock"), 2, "would replace --resume"},
+       {mine("list --users -o answer.txt && tail -n 1 answer.txt"), 0, "1 design"}},
+      folder);
+  EXPECT_EQ(slurp(folder.file("mine.db")), before);
+}
+
 TEST_F(CatalogUsage, ImproveAndSubmit) {
   expect({{mine("add four.txt"), 0, "added: 4.3.1.linear.4."},
           {mine("submit"), 4, "Nothing of yours is better than what comes with the program."},

@@ -163,6 +163,30 @@ TEST(Plan, AbsurdNumbersAreRefusedOrAnsweredAtOnce) {
               HasSubstr("\"tests\":1,\"changes\":9,\"cost\":46,"));
 }
 
+// Whatever is asked for, there always is a plan.
+TEST(Plan, StoppedAtOnceItIsWhole) {
+  const TemporaryFolder folder;
+  spit(folder.file("costs.csv"), ",A,B,C,D\nA,,1,5,2\nB,1,,3,4\nC,5,3,,1\nD,2,4,1,\n");
+  spit(folder.file("parts.csv"), "A,1\nB,1\nC,1\nD,1\n");
+  spit(folder.file("slotted.csv"), "part,slot\nA,X\nB,X\nC,Y\nD,Y\nE,\n");
+  const std::string slotted = "slotted.csv -k 3 --test-cost 1 --change-cost 1 --slot X=1..2,Y=..2";
+  const std::string triples = "--items 9 -k 4 --test-cost 1 --change-cost 1 --strength 3";
+  const std::vector<std::string> jobs{
+      triples,
+      triples + " --budget 20",
+      "parts.csv -k 3 --test-cost 1 --change-costs costs.csv",
+      "parts.csv -k 3 --test-cost 1 --change-costs costs.csv --budget 7",
+      slotted,
+      slotted + " --benches 2",
+      slotted + " --what-if",
+      slotted + " --budget 5"};
+  for (const std::string& job : jobs) {
+    const Outcome outcome = run("$changeover plan " + job + " --time 0s --quiet", folder.path());
+    EXPECT_EQ(outcome.code, 0) << job << outcome.err;
+    EXPECT_EQ(outcome.err, "") << job;
+  }
+}
+
 TEST(Plan, NeverWritesOverWhatItReads) {
   const TemporaryFolder folder;
   const std::string parts = "A,1\nB,2\nC,3\nD,4\n";

@@ -22,6 +22,7 @@
 #include "cli/spelling.hpp"
 #include "cli/status_line.hpp"
 #include "core/printable.hpp"
+#include "request/inputs.hpp"
 #include "shell/features.hpp"
 
 namespace changeover::cli {
@@ -111,6 +112,18 @@ std::string whole_number_defect(const std::string& given) {
   }
   return failure == std::errc() && rest == end ? std::string()
                                                : "'" + given + "' is not a whole number";
+}
+
+// The answer must not replace what is kept: the user's designs, and the list of what `catalog verify` has done.
+void check_output(const CLI::App& verb) {
+  const auto given = [&verb](const std::string& name) {
+    const CLI::Option* const option = verb.get_option_no_throw(name);
+    return option != nullptr && option->count() > 0 ? option->as<std::string>() : std::string();
+  };
+  const std::string output = given("--output");
+  const std::string catalog = given("--catalog");
+  check_kept(output, {"your catalog", catalog.empty() ? standard_catalog_file() : catalog});
+  check_kept(output, {"--resume", given("--resume")});
 }
 
 // What is to be given, from its name in the help: FILE, DIR, DURATION, SIZE, A..B.
@@ -502,6 +515,7 @@ int Program::run(int argc, char** argv) {
         for (const auto& rule : (*verb)->state_->rules) {
           rule();
         }
+        check_output(chosen());
         return (*verb)->state_->action();
       },
       chosen().get_name());

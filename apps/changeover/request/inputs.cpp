@@ -24,7 +24,41 @@ bool is_read_from(const std::string& output, const std::string& input) {
                       : !input.empty() && std::filesystem::equivalent(output, input, ignored);
 }
 
+// The file that a path names when it is written: links are followed, also to where nothing is yet.
+std::filesystem::path written_file(std::filesystem::path path) {
+  constexpr int most_links = 40;
+  std::error_code ignored;
+  for (int links = 0; links < most_links && std::filesystem::is_symlink(path, ignored); ++links) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
+  }
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const std::filesystem::path real = std::filesystem::weakly_canonical(folder, ignored);
+  return (real.empty() ? folder : real) / path.filename();
+}
+
 }  // namespace
+
+bool same_file(const std::string& one, const std::string& other) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(one, other, ignored) ||
+         written_file(one) == written_file(other);
+}
+
+void check_kept(const std::string& output, const InputFile& kept) {
+  const auto& [what, path] = kept;
+  std::error_code ignored;
+  const auto status = std::filesystem::status(output, ignored);
+  if (output.empty() || output == "-" || path.empty() ||
+      (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))) {
+    return;
+  }
+  for (const std::string beside : {"", ".lock", "-wal", "-shm", "-journal"}) {
+    if (same_file(output, path + beside)) {
+      throw UsageError{
+          fmt::format("--output {} would replace {}, {}; write elsewhere", output, what, path)};
+    }
+  }
+}
 
 void check_inputs(const OutputRequest& output, const std::vector<InputFile>& inputs) {
   std::string from_stdin;

@@ -100,24 +100,6 @@ struct SearchOptions : SearchRequest {
   std::optional<std::uint64_t> fixed_points;
 };
 
-// The file that a path names when it is written: links are followed, also to where nothing is yet.
-std::filesystem::path written_file(std::filesystem::path path) {
-  constexpr int most_links = 40;
-  std::error_code ignored;
-  for (int links = 0; links < most_links && std::filesystem::is_symlink(path, ignored); ++links) {
-    path = path.parent_path() / std::filesystem::read_symlink(path, ignored);
-  }
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-  const std::filesystem::path real = std::filesystem::weakly_canonical(folder, ignored);
-  return (real.empty() ? folder : real) / path.filename();
-}
-
-bool same_file(const std::string& one, const std::string& other) {
-  std::error_code ignored;
-  return std::filesystem::equivalent(one, other, ignored) ||
-         written_file(one) == written_file(other);
-}
-
 // The answer must not replace the state of the search, of any of the processes that share it.
 void require_another_output(const LocalSearch& request) {
   const std::string& output = request.output.path;

@@ -18,6 +18,9 @@ namespace changeover {
 /// @throws InternalError if it was asked already.
 void choose_catalog(std::string path);
 
+/// The user's file, whether it is there or not; empty for none.
+[[nodiscard]] std::string standard_catalog_file();
+
 /// Whether the catalog that comes with the program has the best design of p that was known to all constructions, closure rules and
 /// searches when it was made: strength 2, m = 1, 2, 3, and 3 ≤ k ≤ 12, v ≤ 100 or 13 ≤ k ≤ 40, v ≤ 160.
 [[nodiscard]] bool comes_planned(const Parameters& p);

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
@@ -152,7 +154,21 @@ PairSet cannot_meet(const Job& job) {
   }
   const Fitting fitting(job);
   constexpr auto all = std::numeric_limits<std::uint64_t>::max();
+  // Parts of one slot that are neither mounted nor in a forbidden pair stand for each other.
+  std::vector<bool> plain(job.parts(), true);
+  for (const Element x : job.mounted) {
+    plain[x] = false;
+  }
+  job.never.for_each(all, [&](Element x, Element y) { plain[x] = plain[y] = false; });
+  std::map<std::pair<std::size_t, std::size_t>, bool> known;  // by slots: whether there is a set-up
   job.needed.for_each(all, [&](Element x, Element y) {
+    const auto slots = std::minmax({fitting.slot(x), fitting.slot(y)});
+    if (const auto found = known.find(slots); plain[x] && plain[y] && found != known.end()) {
+      if (!found->second) {
+        pairs.insert(x, y);
+      }
+      return;
+    }
     stop_if_asked();
     Block setup = job.mounted;
     for (const Element z : {x, y}) {
@@ -160,8 +176,12 @@ PairSet cannot_meet(const Job& job) {
         setup.push_back(z);
       }
     }
-    if (!fitting.completed(std::move(setup), {})) {
+    const bool fits = fitting.completed(std::move(setup), {}).has_value();
+    if (!fits) {
       pairs.insert(x, y);
+    }
+    if (plain[x] && plain[y]) {
+      known.emplace(slots, fits);
     }
   });
   return pairs;

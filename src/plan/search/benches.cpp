@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "plan/job/check_in_full.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
@@ -313,7 +314,7 @@ BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunContro
         "plans for several benches begin with empty benches, without a budget and tests that are done "
         "or come first");
   }
-  check(job);
+  check_in_full(job);
   return BenchPlanner(job, options, control).run();
 }
 

@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "plan/job/check_in_full.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/exact_plan.hpp"
@@ -325,7 +326,7 @@ class Planner {
 }  // namespace
 
 RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {
-  check(job);
+  check_in_full(job);
   if (!job.first.empty()) {
     return plan_with_first(job, options, control);
   }

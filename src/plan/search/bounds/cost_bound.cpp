@@ -11,6 +11,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "plan/job/check_in_full.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/job/words.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
@@ -501,7 +502,7 @@ Amount rounded_up(const Job& job, Amount cost) {
 }
 
 CostBound cost_bound(const Job& job) {
-  check(job);
+  check_in_full(job);
   if (!job.first.empty()) {
     return bound_with_first(job);
   }

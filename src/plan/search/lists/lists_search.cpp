@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "changeover/core/error.hpp"
+#include "changeover/run/control.hpp"
 #include "run/random.hpp"
 #include "run/threads.hpp"
 
@@ -466,6 +467,9 @@ FoundLists search_lists(const Job& job, const Weights& weights,
     }
   }
   if (best == nullptr) {
+    if (control.stop_wanted()) {
+      throw Stopped(control.why_stopped());  // before any list was counted
+    }
     throw InternalError("no list to start from");
   }
   found.lists = best->lists;
