@@ -114,7 +114,7 @@ std::string whole_number_defect(const std::string& given) {
                                                : "'" + given + "' is not a whole number";
 }
 
-// The answer must not replace what is kept: the user's designs, and the list of what `catalog verify` has done.
+// Whatever the verb, its answer must not replace the user's designs.
 void check_output(const CLI::App& verb) {
   const auto given = [&verb](const std::string& name) {
     const CLI::Option* const option = verb.get_option_no_throw(name);
@@ -123,7 +123,6 @@ void check_output(const CLI::App& verb) {
   const std::string output = given("--output");
   const std::string catalog = given("--catalog");
   check_kept(output, {"your catalog", catalog.empty() ? standard_catalog_file() : catalog});
-  check_kept(output, {"--resume", given("--resume")});
 }
 
 // What is to be given, from its name in the help: FILE, DIR, DURATION, SIZE, A..B.

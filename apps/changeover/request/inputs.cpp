@@ -36,13 +36,14 @@ std::filesystem::path written_file(std::filesystem::path path) {
   return (real.empty() ? folder : real) / path.filename();
 }
 
-}  // namespace
-
+// Whether two paths lead to one file, or would if it were there.
 bool same_file(const std::string& one, const std::string& other) {
   std::error_code ignored;
   return std::filesystem::equivalent(one, other, ignored) ||
          written_file(one) == written_file(other);
 }
+
+}  // namespace
 
 void check_kept(const std::string& output, const InputFile& kept) {
   const auto& [what, path] = kept;

@@ -19,9 +19,6 @@ using InputFile = std::pair<std::string, std::string>;
 /// more than one of them is standard input.
 void check_inputs(const OutputRequest& output, const std::vector<InputFile>& inputs);
 
-/// Whether two paths lead to one file, or would if it were there: links are followed.
-[[nodiscard]] bool same_file(const std::string& one, const std::string& other);
-
 /// @throws UsageError if the output is a file in which something is kept from one run to the next, or one beside it that belongs to
 /// it: a lock, SQLite's journals.
 void check_kept(const std::string& output, const InputFile& kept);

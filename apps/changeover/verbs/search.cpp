@@ -102,16 +102,11 @@ struct SearchOptions : SearchRequest {
 
 // The answer must not replace the state of the search, of any of the processes that share it.
 void require_another_output(const LocalSearch& request) {
-  const std::string& output = request.output.path;
-  if (request.checkpoint.empty() || output.empty() || output == "-") {
+  if (request.checkpoint.empty() || request.output.path.empty()) {
     return;
   }
   for (std::uint64_t i = 0; i < Team::world().size(); ++i) {
-    const std::string state = checkpoint_of(request, i);
-    if (same_file(output, state) || same_file(output, state + ".lock")) {
-      throw UsageError{fmt::format(
-          "-o {} would replace the checkpoint {}; give the answer another file", output, state)};
-    }
+    check_kept(request.output.path, {"the checkpoint", checkpoint_of(request, i)});
   }
 }
 

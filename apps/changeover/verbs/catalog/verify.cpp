@@ -13,6 +13,7 @@
 #include "io/file/file_lock.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
+#include "request/inputs.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 
@@ -95,6 +96,7 @@ class Ledger {
 };
 
 Answer run(const AuditRequest& request) {
+  check_kept(request.output.path, {"--resume", request.resume});
   const Catalog& catalog = request.catalog.open();
   const CatalogFilter filter = request.filter.filter();
   const auto running = std::make_shared<Running>(request.run, request.output);
