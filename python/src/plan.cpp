@@ -296,6 +296,7 @@ Sheet plan(py::object parts, std::uint64_t at_once, py::object test_cost, py::ob
                       std::move(first), std::move(weights), std::move(done)});
   PlanOptions options;
   options.until_stopped = time.has_value();
+  options.checked = true;  // by job_of()
   if (!budget.is_none()) {
     options.budget = amount_of(budget);
   }

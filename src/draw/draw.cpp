@@ -139,10 +139,10 @@ void Drawing::require_range(std::uint64_t last) const {
     throw BadInput("there is no block to draw");
   }
   if (last < options.from) {
-    throw BadInput(fmt::format("--from {}: there are fewer blocks", options.from));
+    throw BadOption(fmt::format("--from {}: there are fewer blocks", options.from));
   }
   if (options.to && last < *options.to) {
-    throw BadInput(fmt::format("--to {}: there are only {}", *options.to, blocks(last)));
+    throw BadOption(fmt::format("--to {}: there are only {}", *options.to, blocks(last)));
   }
 }
 
@@ -158,6 +158,9 @@ Picture draw(BlockSource& source, const DrawOptions& options,
   if (!labels.empty() && labels.size() != source.parameters().v) {
     throw BadInput(fmt::format("{} names for {} elements; give one each", labels.size(),
                                source.parameters().v));
+  }
+  if (const auto defect = range_defect(options)) {
+    throw BadOption(*defect);
   }
   if (const auto defect =
           draw_defect(source.parameters(), source.block_count().value_or(0), options)) {

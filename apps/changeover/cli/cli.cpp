@@ -55,7 +55,7 @@ int answer(const std::function<Answer()>& make, const std::string& verb) {
     return deliver(make());
   } catch (const UsageError& fault) {
     return usage(fault.message);
-  } catch (const BadReadOption& fault) {  // the command line said so, not the file
+  } catch (const BadOption& fault) {  // the command line said so, not the file
     return usage(fault.what());
   } catch (const ImpossibleParameters& fault) {
     return complain(exit_code::usage, fault.what());
@@ -509,16 +509,20 @@ int Program::run(int argc, char** argv) {
   }
   const auto verb = std::find_if(state_->verbs.begin(), state_->verbs.end(),
                                  [&](const auto& each) { return each->state_->app == &chosen(); });
+  bool made = false;  // an answer, be it that there is no such design
   const int code = answer(
       [&] {
         for (const auto& rule : (*verb)->state_->rules) {
           rule();
         }
         check_output(chosen());
-        return (*verb)->state_->action();
+        Answer answer = (*verb)->state_->action();
+        made = true;
+        return answer;
       },
       chosen().get_name());
-  const bool answered = code <= exit_code::refuted || code >= exit_code::found;
+  const bool answered = code <= exit_code::refuted || code >= exit_code::found ||
+                        (made && code == exit_code::missing_resource);
   if (const std::string problem = answered ? standard_catalog_problem() : ""; !problem.empty()) {
     complain(code, "your own catalog was left out: " + problem);
   }

@@ -1,7 +1,10 @@
 #include "request/catalog_request.hpp"
 
+#include <fmt/format.h>
+
 #include "catalog/entry/day.hpp"
 #include "changeover/construct/standard_catalog.hpp"
+#include "core/printable.hpp"
 #include "request/parameters.hpp"
 #include "request/range.hpp"
 
@@ -18,6 +21,16 @@ Catalog& CatalogRequest::open() const {
     choose_catalog(path);
   }
   return standard_catalog();
+}
+
+std::string has_no_design(const std::string& label) {
+  return fmt::format("the catalog has no design {}; changeover catalog list shows what it has",
+                     printable(label));
+}
+
+std::string left_out() {
+  const std::string problem = standard_catalog_problem();
+  return problem.empty() ? "" : "; your own catalog was left out: " + problem;
 }
 
 void FilterRequest::add_to(Verb& verb, Unless unless) {

@@ -18,9 +18,15 @@ struct CatalogRequest {
   void add_to(Verb& verb);
 
   /// The catalog: what comes with the program, and the user's designs in FILE if one was named. What is wrong with that file is said
-  /// by Program::run(), once the verb has answered.
+  /// by Program::run(), once the verb has answered; what is thrown instead ends with left_out().
   [[nodiscard]] Catalog& open() const;
 };
+
+/// For a label, or its beginning, that leads nowhere: that the catalog has no such design, and where to look; in one line.
+[[nodiscard]] std::string has_no_design(const std::string& label);
+
+/// "; your own catalog was left out: …", where that is so: for a fault that comes instead of an answer.
+[[nodiscard]] std::string left_out();
 
 /// [--k A..B] [--v C..D] [--change M] [--circular | --linear] [--strength T] [--status WORD] [--gap N] [--construction NAME]
 /// [--since DATE] [--all | --best] [--users].

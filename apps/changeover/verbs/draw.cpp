@@ -137,15 +137,7 @@ Answer drawn(const Subject& subject, DrawOptions options, const DrawRequest& req
   if (request.expansion_sets && options.expansion_set.empty()) {
     add_expansion_set(options, *subject.source);
   }
-  try {
-    return answer_of(draw(*subject.source, options, subject.labels), request);
-  } catch (const BadInput& fault) {
-    // What begins with an option is about its value.
-    if (std::string_view(fault.what()).starts_with("--")) {
-      throw UsageError{fault.what()};
-    }
-    throw;
-  }
+  return answer_of(draw(*subject.source, options, subject.labels), request);
 }
 
 // What the registry makes of a promise, judged.

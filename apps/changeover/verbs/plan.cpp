@@ -438,6 +438,7 @@ Answer run(const PlanRequest& request) {
   const Job& job = asked.job;
   options.steps = request.steps.value_or(0);
   options.rest = asked.rest;
+  options.checked = true;  // by asked_of()
   if (request.diagnose) {
     return diagnosis(request, asked);
   }

@@ -31,6 +31,12 @@ class BadInput : public Error {
   explicit BadInput(std::string_view line) : Error(line) {}
 };
 
+/// What the caller asks for besides a design or a file cannot be: no fault of that, and no correction of it would help.
+class BadOption : public BadInput {
+ public:
+  using BadInput::BadInput;
+};
+
 /// No design, factorization, … with these parameters can exist, or they exceed what is supported.
 class ImpossibleParameters : public Error {
  public:

@@ -84,7 +84,7 @@ inline constexpr std::uint64_t most_read_elements = 20'000'000;  ///< circle: bl
 [[nodiscard]] std::optional<std::string> draw_defect(const Parameters& p, std::uint64_t blocks,
                                                      const DrawOptions& options);
 
-/// @throws BadInput with the defect; if there is no block `from`, or no block `to`; if the picture is of a recipe and the design has
+/// @throws BadInput with the defect, which is BadOption if there is no block `from` or no block `to`; if the picture is of a recipe and the design has
 /// none, or a wrong one.
 [[nodiscard]] Picture draw(const Design& design, const DrawOptions& options = {});
 

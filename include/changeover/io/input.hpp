@@ -77,7 +77,8 @@ class Input {
 //     label_defect() lets pass, in every format: UTF-8 without control characters.
 //
 // A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`. Lines and
-// columns count from 1, columns in bytes. If it is the caller's it is BadReadOption, without a place.
+// columns count from 1, columns in bytes. If it is the caller's (v or k that no file can
+// have, a change of 0 or of more than k elements, a strength above k) it is BadOption, without a place.
 
 /// What the caller knows of a design that is about to be read; it wins over what the file says.
 struct ReadOptions {
@@ -86,13 +87,6 @@ struct ReadOptions {
   std::optional<std::uint64_t> change = {};
   std::optional<Kind> kind = {};
   std::optional<std::uint32_t> strength = {};
-};
-
-/// The caller declared what cannot be: v or k that no file can have, a change of 0 or of more than k
-/// elements, a strength above k. No fault of the file, and no correction of it would help.
-class BadReadOption : public BadInput {
- public:
-  using BadInput::BadInput;
 };
 
 /// A design from outside as a stream.

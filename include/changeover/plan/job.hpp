@@ -191,7 +191,7 @@ inline constexpr std::uint64_t max_parts_of_triples = 100;
 
 /// Asks for every three parts that can be in one set-up to meet, and for their pairs, instead of what was asked for; returns
 /// how many triples cannot, for the slots, forbidden pairs or what stays mounted. @throws BadInput for more than
-/// max_parts_of_triples parts. O(v³).
+/// max_parts_of_triples parts. O(v³) without forbidden pairs. Stopped if the scope of this thread wants to stop; the job is then as it was.
 std::uint64_t need_triples(Job& job);
 
 /// What is left of a job when its first set-ups have been run: their pairs are needed no more, and the last of them is

@@ -98,8 +98,8 @@ Declared merged(const std::string& name, const ReadOptions& caller, const ReadOp
   const auto require = [&](std::string_view key, const auto& value, std::uint64_t least,
                            std::uint64_t most) {
     if (value && (*value < least || *value > most)) {
-      throw BadReadOption(fmt::format("{}: {} = {} cannot be; give a whole number from {} to {}",
-                                      name, key, *value, least, most));
+      throw BadOption(fmt::format("{}: {} = {} cannot be; give a whole number from {} to {}", name,
+                                  key, *value, least, most));
     }
   };
   require("v", caller.v, 1, max_elements_in_memory);
@@ -135,7 +135,7 @@ Parameters completed(const std::string& name, Place place, const Declared& decla
                          : p.change > p.k ? caller.change.has_value()
                                           : caller.strength.has_value();
     if (callers) {
-      throw BadReadOption(fmt::format("{}: {}", name, fault.what()));
+      throw BadOption(fmt::format("{}: {}", name, fault.what()));
     }
     fail(name, place, fault.what());
   }

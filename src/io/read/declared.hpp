@@ -21,14 +21,14 @@ struct Declared : ReadOptions {
   ReadOptions by_caller = {};
 };
 
-/// What the caller says, and else what the file says. @throws BadReadOption if what the caller says can
+/// What the caller says, and else what the file says. @throws BadOption if what the caller says can
 /// be true of no file.
 [[nodiscard]] Declared merged(const std::string& name, const ReadOptions& caller,
                               const ReadOptions& file);
 
 /// What merged() declares, completed: v and k are known by now, `first_change` is the number of
 /// elements in which the first two blocks differ, 0 if that says nothing.
-/// @throws BadInput at `place` if no blocks with these parameters can be written down; BadReadOption if
+/// @throws BadInput at `place` if no blocks with these parameters can be written down; BadOption if
 /// that comes from what the caller declared.
 [[nodiscard]] Parameters completed(const std::string& name, Place place, const Declared& declared,
                                    std::uint64_t v, std::uint64_t k, std::uint64_t first_change);

@@ -5,6 +5,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
+#include "changeover/run/scope.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/setup_list.hpp"
 
@@ -43,6 +44,7 @@ std::uint64_t need_triples(Job& job) {
   std::uint64_t apart = 0;
   for (Element z = 2; z < job.parts(); ++z) {
     for (Element y = 1; y < z; ++y) {
+      stop_if_asked();
       for (Element x = 0; x < y; ++x) {
         if (!may_meet(job, fitting, {x, y, z})) {
           ++apart;

@@ -15,6 +15,7 @@
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/lists/lists_search.hpp"
+#include "plan/search/of_checked.hpp"
 #include "plan/search/weighted.hpp"
 
 namespace changeover {
@@ -85,7 +86,7 @@ class BenchPlanner {
     const RunScope scope(*control_);
     PlanOptions once = options_->plan;
     once.until_stopped = false;
-    RunPlan one = make_run_plan(*job_, once, *control_);
+    RunPlan one = plan_of_checked(*job_, once, *control_);
     plan_.shortage = one.shortage;
     plan_.steps = one.steps;
     plan_.bound = one.bound;
@@ -256,7 +257,7 @@ class BenchPlanner {
                           .rest = lists[bench],
                           .design_moves = 0,
                           .states = 20'000};
-      const RunPlan anew = make_run_plan(own, options, *control_);
+      const RunPlan anew = plan_of_checked(own, options, *control_);
       plan_.steps += anew.steps;
       lists[bench] = anew.candidates.front().setups;
     }
@@ -314,7 +315,9 @@ BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunContro
         "plans for several benches begin with empty benches, without a budget and tests that are done "
         "or come first");
   }
-  check_in_full(job);
+  if (!options.plan.checked) {
+    check_in_full(job);
+  }
   return BenchPlanner(job, options, control).run();
 }
 

@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "plan/search/of_checked.hpp"
 
 namespace changeover {
 namespace {
@@ -71,7 +72,9 @@ CostBound after(const Job& job, CostBound rest) {
 
 }  // namespace
 
-CostBound bound_with_first(const Job& job) { return after(job, cost_bound(after_first(job))); }
+CostBound bound_with_first(const Job& job) {
+  return after(job, bound_of_checked(after_first(job)));
+}
 
 RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& control) {
   const Job rest = after_first(job);
@@ -94,7 +97,7 @@ RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& 
       left.rest.erase(found);
     }
   }
-  RunPlan plan = make_run_plan(rest, left, control);
+  RunPlan plan = plan_of_checked(rest, left, control);
   for (Candidate& candidate : plan.candidates) {
     candidate = with_first(job, std::move(candidate));
   }

@@ -16,6 +16,7 @@
 #include "plan/search/exact_plan.hpp"
 #include "plan/search/first_plan.hpp"
 #include "plan/search/lists/replacing_plan.hpp"
+#include "plan/search/of_checked.hpp"
 #include "plan/search/starts/starts.hpp"
 #include "plan/search/triple_plan.hpp"
 #include "plan/search/weighted.hpp"
@@ -31,7 +32,7 @@ class Planner {
   RunPlan run() {
     const RunScope scope(*control_);
     RunPlan plan;
-    plan.bound = cost_bound(*job_);
+    plan.bound = bound_of_checked(*job_);
     if (options_->budget && !job_->weights.empty()) {  // Before time is up.
       most_weight_ = most_weight_within(*job_, *options_->budget);
     }
@@ -326,7 +327,13 @@ class Planner {
 }  // namespace
 
 RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {
-  check_in_full(job);
+  if (!options.checked) {
+    check_in_full(job);
+  }
+  return plan_of_checked(job, options, control);
+}
+
+RunPlan plan_of_checked(const Job& job, const PlanOptions& options, RunControl& control) {
   if (!job.first.empty()) {
     return plan_with_first(job, options, control);
   }

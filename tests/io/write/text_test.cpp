@@ -251,7 +251,7 @@ TEST(TextTest, TheCallersParametersAreCheckedToo) {
 
 TEST(TextTest, WhatOnlyTheCallerSaysWrongIsToldApart) {
   const auto blame = [](const std::string& text, const ReadOptions& options) {
-    return message_of<BadReadOption>([&] { (void)read(text, options); });
+    return message_of<BadOption>([&] { (void)read(text, options); });
   };
   EXPECT_EQ(blame("0 1\n", {.change = 0}),
             "f: change = 0 cannot be; give a whole number from 1 to 65535");
@@ -264,7 +264,7 @@ TEST(TextTest, WhatOnlyTheCallerSaysWrongIsToldApart) {
   const auto is_callers_fault = [](const std::string& text, const ReadOptions& options) {
     try {
       (void)read(text, options);
-    } catch (const BadReadOption&) {
+    } catch (const BadOption&) {
       return true;
     } catch (const BadInput&) {
       return false;

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "cheapest.hpp"
@@ -109,6 +111,58 @@ TEST(Slots, PairsThatCannotMeetAreThoseThatNoSetUpHolds) {
     EXPECT_EQ(defects(job).empty(), apart.size() == 0) << seed;
   }
   EXPECT_GT(apart_in_all, 100U);
+}
+
+// Of one pair by itself nothing is known from others.
+TEST(Slots, EachPairOfManyIsJudgedAsIfAlone) {
+  std::uint64_t apart_in_all = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed, 5);
+    const std::uint32_t v = 16 + random.below(20);
+    Job job = make_job(v, 5, units(5), units(1));
+    std::vector<std::string> slots;
+    for (std::uint32_t x = 0; x < v; ++x) {  // P is rare, so that forbidden pairs matter
+      slots.emplace_back(x < 3 ? "P" : std::array{"Q", "R", ""}.at(random.below(3)));
+    }
+    slots.back() = "Q";
+    slots[3] = "R";
+    set_slots(job, slots, parse_slots("P=1..2, Q=1..2, R=0..1"));
+    const std::uint32_t one_in = 2 + random.below(6);
+    for (Element y = 1; y < v; ++y) {
+      for (Element x = 0; x < y; ++x) {
+        if (random.below(one_in) == 0) {
+          job.never.insert(x, y);
+        }
+      }
+    }
+    if (random.one_in_two()) {
+      job.mounted = {v / 2};
+    }
+    job.needed = all_pairs_but(job.never);
+    const PairSet apart = cannot_meet(job);
+    apart_in_all += apart.size();
+    Job alone = job;
+    job.needed.for_each(1'000'000, [&](Element x, Element y) {
+      alone.needed = PairSet(v);
+      alone.needed.insert(x, y);
+      EXPECT_EQ(cannot_meet(alone).size() == 1, apart.contains(x, y))
+          << seed << ' ' << x << ' ' << y;
+    });
+  }
+  EXPECT_GT(apart_in_all, 500U);
+}
+
+TEST(Slots, AJobThatWasCheckedHasTheSamePlan) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Job job = test::random_job_with_slots(seed, 7);
+    RunControl control({.threads = 1});
+    const RunPlan plan = make_run_plan(job, {.steps = 2'000}, control);
+    check(job);
+    RunControl another({.threads = 1});
+    const RunPlan same = make_run_plan(job, {.steps = 2'000, .checked = true}, another);
+    EXPECT_EQ(same.candidates.front().setups, plan.candidates.front().setups) << seed;
+    EXPECT_EQ(same.bound.cost, plan.bound.cost) << seed;
+  }
 }
 
 // Three processors and two power supplies, exactly one of each in a set-up, and eight disks, two to four.

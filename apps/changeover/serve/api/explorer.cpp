@@ -137,7 +137,7 @@ Response answered(Explorer& explorer, const Request& request, Again again,
     throw Refusal{400, without_dashes(fault.message)};
   } catch (const ImpossibleParameters& fault) {
     throw Refusal{400, fault.what()};
-  } catch (const BadReadOption& fault) {
+  } catch (const BadOption& fault) {
     throw Refusal{400, fault.what()};
   } catch (const BadInput& fault) {
     throw request.method == "POST" ? malformed(fault.what()) : Refusal{400, fault.what()};

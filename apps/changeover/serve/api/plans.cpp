@@ -193,6 +193,7 @@ Response plan(const Explorer& explorer, const Request& request) {
   RunControl control(*RunScope::current(), std::chrono::duration<double>(seconds));
   PlanOptions options;
   options.until_stopped = asked.seconds.has_value();
+  options.checked = true;
   const RunPlan found = make_run_plan(job, options, control);
   stop_if_asked();  // whoever asked may have gone
   const RunSheet& sheet = found.sheet;

@@ -1,6 +1,4 @@
 // changeover catalog cite [LABEL]: BibTeX of a design, or of the catalog as it is today.
-#include <fmt/format.h>
-
 #include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
 #include "changeover/core/error.hpp"
@@ -23,7 +21,7 @@ Answer run(const CiteRequest& request) {
   }
   const auto entry = catalog.find(request.label);
   if (!entry) {
-    throw MissingResource(fmt::format("the catalog has no design {}", request.label));
+    throw MissingResource(has_no_design(request.label) + left_out());
   }
   return text_answer(bibtex_of(*entry), request.output);
 }

@@ -34,10 +34,7 @@ void require_words(const std::string& what, const std::string& words) {
 std::string whole_label(const Catalog& catalog, const std::string& words) {
   const auto entry = catalog.find(words);
   if (!entry) {
-    throw MissingResource(
-        fmt::format("there is no design {} in the catalog; changeover catalog list says "
-                    "which there are",
-                    words));
+    throw MissingResource(has_no_design(words) + left_out());
   }
   return entry->label();
 }

@@ -9,7 +9,6 @@
 #include "answer/design/recipe_tree.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/registry.hpp"
-#include "core/printable.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
 #include "request/parameters.hpp"
@@ -80,12 +79,7 @@ Answer run(const ShowRequest& request) {
   } else if (const auto entry = catalog.find(request.what)) {
     entries.push_back(*entry);
   } else {
-    const std::string problem = catalog.problem();
-    const std::string words =
-        fmt::format("the catalog has no design {}; {}", request.what,
-                    problem.empty() ? "changeover catalog list shows what it has"
-                                    : "your own catalog was left out: " + printable(problem));
-    return no_design(request.output, exit_code::missing_resource, words);
+    return no_design(request.output, exit_code::missing_resource, has_no_design(request.what));
   }
   for (const Parameters& p : cells) {
     for (CatalogEntry& entry : catalog.cell(p)) {

@@ -17,6 +17,7 @@
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
 #include "plan/search/first_plan.hpp"
+#include "plan/search/of_checked.hpp"
 #include "plan/search/triple_plan.hpp"
 
 namespace changeover {
@@ -503,11 +504,15 @@ Amount rounded_up(const Job& job, Amount cost) {
 
 CostBound cost_bound(const Job& job) {
   check_in_full(job);
+  return bound_of_checked(job);
+}
+
+CostBound bound_of_checked(const Job& job) {
   if (!job.first.empty()) {
     return bound_with_first(job);
   }
   if (job.replaces()) {
-    CostBound bound = cost_bound(at_prices(job, Price::least));
+    CostBound bound = bound_of_checked(at_prices(job, Price::least));
     bound.cost = rounded_up(job, bound.cost);
     bound.reason =
         "each part costs at least what it costs where it is cheapest to put in: " + bound.reason;

@@ -11,6 +11,7 @@
 #include "plan/job/words.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
+#include "plan/search/of_checked.hpp"
 #include "plan/search/triple_plan.hpp"
 
 namespace changeover {
@@ -165,7 +166,7 @@ std::uint64_t by_refining(const Numbers& n) {
 CostBound bound_for_triples(const Job& job) {
   Job pairs = job;
   pairs.triples.clear();
-  CostBound bound = cost_bound(pairs);
+  CostBound bound = bound_of_checked(pairs);
   const Numbers n(job);
   if (n.triples == 0) {
     return bound;

@@ -10,6 +10,7 @@
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/lists/lists_search.hpp"
+#include "plan/search/of_checked.hpp"
 
 namespace changeover {
 namespace {
@@ -27,7 +28,7 @@ class ListsPlanner {
   RunPlan run() {
     const RunScope scope(*control_);
     RunPlan plan;
-    plan.bound = cost_bound(*job_);
+    plan.bound = bound_of_checked(*job_);
     if (job_->needed.size() == 0 && job_->triples.empty()) {
       plan.candidates.push_back(counted(*job_, {"no test", "nothing is left to test", {}}));
       settle(*job_, plan, *control_);
