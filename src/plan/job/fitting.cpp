@@ -13,7 +13,8 @@ bool holds(std::span<const Element> parts, Element x) {
 
 }  // namespace
 
-Fitting::Fitting(const Job& job) : job_(&job), members_(job.slots.size()) {
+Fitting::Fitting(const Job& job)
+    : job_(&job), forbids_(job.never.size() > 0), members_(job.slots.size()) {
   for (const Slot& slot : job.slots) {
     least_.push_back(slot.least);
     most_.push_back(std::min(slot.most, job.room()));
@@ -32,7 +33,7 @@ Fitting::Fitting(const Job& job) : job_(&job), members_(job.slots.size()) {
 
 bool Fitting::joins(const Block& setup, Element y) const {
   return std::none_of(setup.begin(), setup.end(), [&](Element z) {
-    return z == y || (job_->never.size() > 0 && job_->never.contains(y, z));
+    return z == y || (forbids_ && job_->never.contains(y, z));
   });
 }
 

@@ -44,6 +44,7 @@ class Fitting {
   [[nodiscard]] bool joins(const Block& setup, Element y) const;
 
   const Job* job_;
+  bool forbids_;                               // some pairs
   std::vector<std::uint64_t> least_, most_;    // by slot
   std::vector<std::vector<Element>> members_;  // by slot, the cheapest first
 };
