@@ -47,6 +47,9 @@ class Greedy {
         never_[x * parts_ + y] = never_[y * parts_ + x] = 1;
       });
     }
+    for (Element x = 0; x < parts_; ++x) {
+      slotless_ += fitting_.slot(x) == fitting_.slots() ? 1U : 0U;
+    }
     put_on_bench(job.start);
   }
 
@@ -146,6 +149,22 @@ class Greedy {
       const std::size_t s = fitting_.slot(y);
       lacking_ -= in_slot_[s]++ < fitting_.least(s) ? 1U : 0U;
     }
+  }
+
+  // The same, and whether y is not there yet, nor a part that it must not meet.
+  [[nodiscard]] bool may_join(const Block& setup, Element y) const {
+    return slots_allow(setup.size(), y) && std::none_of(setup.begin(), setup.end(), [&](Element x) {
+             return x == y || (!never_.empty() && never_[x * parts_ + y] != 0);
+           });
+  }
+
+  // How many parts at most can join a set-up of so many, for what its slots hold.
+  [[nodiscard]] std::uint64_t most_more(std::size_t size) const {
+    std::uint64_t more = slotless_;
+    for (std::size_t s = 0; s < fitting_.slots(); ++s) {
+      more += fitting_.most(s) - std::min(fitting_.most(s), in_slot_[s]);
+    }
+    return std::min<std::uint64_t>(room_ - std::min<std::uint64_t>(room_, size), more);
   }
 
   // What is kept when room for j more is wanted: the mounted parts and those with most left to meet.
@@ -284,10 +303,9 @@ class Greedy {
     if (const auto whole = fitting_.completed(setup, bench_)) {
       setup = *whole;  // There is one: the job has no defects.
     }
-    // Small set-ups are many; to look at all parts for each of them takes too long for who wants to stop.
-    constexpr std::uint64_t small_room = 3;
-    if (setup.size() < room_ && in_haste && room_ <= small_room && never_.empty() &&
-        !fitting_.has_slots()) {
+    // Where one part more fits, set-ups are many; to look at all parts for each of them takes too long for who wants to stop.
+    count_slots(setup);
+    if (in_haste && most_more(setup.size()) == 1) {
       add_open_partners(setup, other);
     } else if (setup.size() < room_) {
       fill(setup);
@@ -297,13 +315,13 @@ class Greedy {
 
   // Adds parts that the first open part has yet to meet while there is room, such as the last one has yet to meet
   // too as long as there are any. O(parts), and in the mean far less.
-  void add_open_partners(Block& setup, Element last) const {
+  void add_open_partners(Block& setup, Element last) {
     const std::uint8_t* const row = missing_with(first_open_);
     for (const bool both : {true, false}) {
       for (Element y = last + 1; y < parts_ && setup.size() < room_; ++y) {
-        if (row[y] != 0 && (!both || missing(last, y)) &&
-            std::find(setup.begin(), setup.end(), y) == setup.end()) {
+        if (row[y] != 0 && (!both || missing(last, y)) && may_join(setup, y)) {
           setup.push_back(y);
+          note_joined(y);
           last = y;
         }
       }
@@ -325,6 +343,7 @@ class Greedy {
   std::vector<double> worth_;           // by part, if prices count: less for the dear
   std::vector<std::uint32_t> gains_;    // by part: missing pairs with the set-up in work
   std::vector<std::uint64_t> in_slot_;  // by slot, in the set-up in work
+  std::uint64_t slotless_ = 0;          // parts in no slot
   std::uint64_t lacking_ = 0;           // of the slots of the set-up in work
   std::vector<std::uint8_t> blocked_;   // by part: is in the set-up in work, or must not join it
 };
