@@ -45,6 +45,26 @@ TEST(GreedyStart, DoesEveryJobInHaste) {
   EXPECT_GT(hasty, 200);  // Small jobs end before the control is asked.
 }
 
+TEST(GreedyStart, InHasteKeepsApartWhatMustNotMeet) {
+  std::atomic<bool> interrupted = true;
+  RunControl control({.interrupted = &interrupted});
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Job job = make_job(50, 3, parse_amount("1"), parse_amount("1"));
+    Random random(seed, 0);
+    for (Element y = 1; y < job.parts(); ++y) {
+      for (Element x = 0; x < y; ++x) {
+        if (random.below(3) == 0) {
+          job.never.insert(x, y);
+        }
+      }
+    }
+    job.needed = all_pairs_but(job.never);
+    const Start start = greedy_start(job, control);
+    EXPECT_TRUE(run_sheet(job, start.setups).does_the_job()) << seed;
+    EXPECT_LT(start.setups.size(), job.needed.size()) << seed;  // most have a third part
+  }
+}
+
 // All but the last of a part do.
 TEST(GreedyStart, InHasteSmallSetUpsStillTestTwoNewPairsEach) {
   std::atomic<bool> interrupted = true;
