@@ -173,8 +173,8 @@ void drop_needed(Job& job, const PairSet& pairs);
 
 /// Why no list of set-ups can do the job, or why the job is malformed: a line for each reason, at most
 /// ten; none if there is one. The reasons are complete: without one, a set-up for each needed pair, of
-/// this pair, the mounted parts and what the slots need, does the job. With slots and forbidden pairs such a set-up is
-/// looked for among 100,000 choices. O(v²).
+/// this pair, the mounted parts and what the slots need, does the job. With slots and forbidden pairs the
+/// search for such a set-up looks at parts that may join it 2,000,000 times at most. O(v²).
 [[nodiscard]] std::vector<std::string> defects(const Job& job);
 
 /// @throws BadInput with the first of defects() and how many more there are.

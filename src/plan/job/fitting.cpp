@@ -5,7 +5,7 @@
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_choices = 100'000;
+constexpr std::uint64_t most_looks = 2'000'000;
 
 bool holds(std::span<const Element> parts, Element x) {
   return std::find(parts.begin(), parts.end(), x) != parts.end();
@@ -40,27 +40,27 @@ bool Fitting::joins(const Block& setup, Element y) const {
 // Adds `missing` members of this slot, from number `from` on, and what the slots after it lack. The liked ones
 // are numbered first.
 bool Fitting::choose(Block& setup, std::span<const Element> liked, std::size_t slot,
-                     std::size_t from, std::uint64_t missing, std::uint64_t& choices) const {
+                     std::size_t from, std::uint64_t missing, std::uint64_t& looks) const {
   if (missing == 0) {
     if (++slot == slots()) {
       return true;
     }
     const auto there = static_cast<std::uint64_t>(std::count_if(
         setup.begin(), setup.end(), [&](Element x) { return this->slot(x) == slot; }));
-    return choose(setup, liked, slot, 0, least_[slot] - std::min(least_[slot], there), choices);
+    return choose(setup, liked, slot, 0, least_[slot] - std::min(least_[slot], there), looks);
   }
   const std::vector<Element>& members = members_[slot];
   for (std::size_t i = from; i < liked.size() + members.size(); ++i) {
     const Element y = i < liked.size() ? liked[i] : members[i - liked.size()];
+    if (++looks > most_looks) {
+      return false;
+    }
     const bool mine = i < liked.size() ? this->slot(y) == slot : !holds(liked, y);
     if (!mine || !joins(setup, y)) {
       continue;
     }
-    if (++choices > most_choices) {
-      return false;
-    }
     setup.push_back(y);
-    if (choose(setup, liked, slot, i + 1, missing - 1, choices)) {
+    if (choose(setup, liked, slot, i + 1, missing - 1, looks)) {
       return true;
     }
     setup.pop_back();
@@ -86,9 +86,9 @@ std::optional<Block> Fitting::completed(Block setup, std::span<const Element> li
   if (lacking == 0) {
     return setup;
   }
-  std::uint64_t choices = 0;
+  std::uint64_t looks = 0;
   const std::uint64_t missing = least_[0] - std::min(least_[0], count[0]);
-  return choose(setup, liked, 0, 0, missing, choices) ? std::optional(setup) : std::nullopt;
+  return choose(setup, liked, 0, 0, missing, looks) ? std::optional(setup) : std::nullopt;
 }
 
 }  // namespace changeover

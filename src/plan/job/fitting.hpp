@@ -34,13 +34,13 @@ class Fitting {
   }
 
   /// The set with as few parts more as its slots need: those of `liked` first, then cheap ones. Nothing if
-  /// that cannot be, or is not found among the first 100,000 choices; without forbidden pairs, the first is right.
-  /// The set must have the mounted parts and no part twice; whether it obeys all else is found out.
+  /// that cannot be, or is not found by looking 2,000,000 times at a part that may join; without forbidden pairs, the
+  /// first choice is right. The set must have the mounted parts and no part twice; whether it obeys all else is found out.
   [[nodiscard]] std::optional<Block> completed(Block setup, std::span<const Element> liked) const;
 
  private:
   bool choose(Block& setup, std::span<const Element> liked, std::size_t slot, std::size_t from,
-              std::uint64_t missing, std::uint64_t& choices) const;
+              std::uint64_t missing, std::uint64_t& looks) const;
   [[nodiscard]] bool joins(const Block& setup, Element y) const;
 
   const Job* job_;
