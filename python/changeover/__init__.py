@@ -22,6 +22,7 @@ _calls.say_all_in_one_line(_core)
 
 from ._core import (  # noqa: E402
     BadInput,
+    BenchSheets,
     Blocks,
     Bound,
     Bounds,
@@ -60,7 +61,7 @@ from ._core import _table
 _sys.modules[__name__ + ".catalog"] = catalog
 
 __all__ = [
-    "BadInput", "Blocks", "Bound", "Bounds", "Cell", "Classification", "Design", "Entry", "Error",
+    "BadInput", "BenchSheets", "Blocks", "Bound", "Bounds", "Cell", "Classification", "Design", "Entry", "Error",
     "ImpossibleParameters", "InternalError", "LoadOrder", "MissingResource", "Report", "RunSheet", "SearchResult",
     "Stream", "Verdict", "__version__", "all_pairs", "bounds", "catalog", "classify", "constructions", "design",
     "explain", "load_order", "loads", "plan", "read", "search", "stream", "table", "to_pandas", "to_sage", "verify",

@@ -269,6 +269,48 @@ class RunSheet:
     def interrupted(self) -> bool: ...
     @property
     def candidates(self) -> list[dict[str, Any]]: ...
+    def what_if(
+        self,
+        *,
+        time: float | None = None,
+        threads: int = 1,
+        seed: int = 1,
+        progress: _Progress | None = None,
+    ) -> dict[str, Any]: ...
+    def diagnose(self, results: Iterable[bool | None | tuple[Iterable[_Part], bool]]) -> dict[str, Any]: ...
+    def to_csv(self) -> str: ...
+    def to_html(self) -> str: ...
+    def __len__(self) -> int: ...
+
+class BenchSheets:
+    @property
+    def sheets(self) -> list[list[dict[str, Any]]]: ...
+    @property
+    def tests(self) -> int: ...
+    @property
+    def changes(self) -> int: ...
+    @property
+    def cost(self) -> Decimal: ...
+    @property
+    def makespan(self) -> Decimal: ...
+    @property
+    def complete(self) -> bool: ...
+    @property
+    def pairs_tested(self) -> int: ...
+    @property
+    def pairs_needed(self) -> int: ...
+    @property
+    def lower_bound(self) -> Decimal: ...
+    @property
+    def reason(self) -> str: ...
+    @property
+    def makespan_bound(self) -> Decimal: ...
+    @property
+    def makespan_reason(self) -> str: ...
+    @property
+    def interrupted(self) -> bool: ...
+    @property
+    def candidates(self) -> list[dict[str, Any]]: ...
     def to_csv(self) -> str: ...
     def to_html(self) -> str: ...
     def __len__(self) -> int: ...
@@ -358,6 +400,7 @@ def classify(
     threads: int = 1,
     progress: _Progress | None = None,
 ) -> Classification: ...
+@overload
 def plan(
     parts: int | Iterable[str] | Mapping[str, _Cost],
     at_once: int,
@@ -376,11 +419,39 @@ def plan(
     weights: Mapping[_Pair, _Cost] | None = None,
     done: Iterable[Iterable[_Part]] = (),
     budget: _Cost | None = None,
+    benches: None = None,
+    objective: Literal["makespan", "cost"] = "makespan",
     time: float | None = None,
     threads: int = 1,
     seed: int = 1,
     progress: _Progress | None = None,
 ) -> RunSheet: ...
+@overload
+def plan(
+    parts: int | Iterable[str] | Mapping[str, _Cost],
+    at_once: int,
+    *,
+    test_cost: _Cost,
+    change_cost: _Cost | None = None,
+    change_costs: Mapping[_Pair, _Cost] | None = None,
+    strength: int = 2,
+    pairs: Iterable[_Pair] | None = None,
+    never: Iterable[_Pair] = (),
+    slots: Mapping[str, int | tuple[int | None, int | None]] | None = None,
+    slot_of: Mapping[_Part, str] | None = None,
+    mounted: Iterable[_Part] = (),
+    start: Iterable[_Part] = (),
+    first: Iterable[Iterable[_Part]] = (),
+    weights: Mapping[_Pair, _Cost] | None = None,
+    done: Iterable[Iterable[_Part]] = (),
+    budget: _Cost | None = None,
+    benches: int,
+    objective: Literal["makespan", "cost"] = "makespan",
+    time: float | None = None,
+    threads: int = 1,
+    seed: int = 1,
+    progress: _Progress | None = None,
+) -> BenchSheets: ...
 def load_order(
     items: int | None,
     room: int,

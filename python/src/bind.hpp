@@ -25,6 +25,7 @@ void bind_designs(py::module_& module);
 void bind_bounds(py::module_& module);
 void bind_search(py::module_& module);
 void bind_catalog(py::module_& module);
+void bind_benches(py::module_& module);
 void bind_plan(py::module_& module);
 void bind_loads(py::module_& module);
 

@@ -15,6 +15,7 @@
 #include "changeover/io/tables.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "foreign_blocks.hpp"
+#include "gil.hpp"
 #include "long_work.hpp"
 
 namespace changeover::python {
@@ -123,7 +124,7 @@ class Stream {
     const auto room = std::make_shared<std::vector<Element>>(batch_ * k);
     std::size_t filled = 0;
     {
-      const py::gil_scoped_release released;
+      const GilReleased released;
       while (filled < room->size()) {
         const auto read = source_->read(std::span(*room).subspan(filled));
         if (read.empty()) {

@@ -8,6 +8,7 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/scope.hpp"
+#include "gil.hpp"
 #include "long_work.hpp"
 
 namespace changeover::python {
@@ -23,7 +24,7 @@ py::tuple next_step(Steps& self) {
   LoadStep step;
   bool more = false;
   {
-    const py::gil_scoped_release released;
+    const GilReleased released;
     more = self.source->next(step);
   }
   if (!more) {
@@ -123,6 +124,20 @@ LoadOrder order(std::optional<std::uint64_t> asked_items, std::uint64_t room,
   return std::move(*found);
 }
 
+void call(const py::function& compute, const PairWork& pair) {
+  const py::gil_scoped_acquire held;
+  const auto view = [](const ItemView& item) {
+    return py::memoryview::from_memory(item.bytes.data(),
+                                       static_cast<py::ssize_t>(item.bytes.size()));
+  };
+  py::memoryview first = view(pair.first);
+  py::memoryview second = view(pair.second);
+  compute(pair.first.item, pair.second.item, first, second);
+  // The buffers are used again: whoever kept a view is told so by Python, not by wrong numbers.
+  first.attr("release")();
+  second.attr("release")();
+}
+
 AllPairsReport run(const std::string& path, std::uint64_t item_bytes, std::uint64_t room,
                    const py::function& compute, std::uint64_t header_bytes, std::uint64_t threads,
                    const std::string& journal) {
@@ -147,17 +162,7 @@ AllPairsReport run(const std::string& path, std::uint64_t item_bytes, std::uint6
             cancelled = true;
             return;
           }
-          const py::gil_scoped_acquire held;
-          const auto view = [](const ItemView& item) {
-            return py::memoryview::from_memory(item.bytes.data(),
-                                               static_cast<py::ssize_t>(item.bytes.size()));
-          };
-          py::memoryview first = view(pair.first);
-          py::memoryview second = view(pair.second);
-          compute(pair.first.item, pair.second.item, first, second);
-          // The buffers are used again: whoever kept a view is told so by Python, not by wrong numbers.
-          first.attr("release")();
-          second.attr("release")();
+          unless_python_ends([&] { call(compute, pair); });
         },
         options);
     if (cancelled) {

@@ -1,16 +1,19 @@
 #include "long_work.hpp"
 
 #include <pybind11/stl.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <thread>
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "gil.hpp"
 
 namespace changeover::python {
 namespace {
@@ -56,7 +59,64 @@ RunControl::Settings settings_of(const LongOptions& options, Shared& shared) {
   return settings;
 }
 
+// The work of all threads.
+class AllWork {
+ public:
+  static AllWork& instance() {
+    static auto* const all = new AllWork;  // never destroyed: threads outlive what is
+    return *all;
+  }
+
+  void begin(RunControl& control) {
+    sleep_if_python_ends();
+    const std::lock_guard lock(mutex_);
+    running_.insert(&control);
+  }
+
+  void end(RunControl& control) {
+    const std::lock_guard lock(mutex_);
+    running_.erase(&control);
+    changed_.notify_all();
+  }
+
+  // Then only the thread that ends it still works: it runs what others want to be done at the end.
+  void sleep_if_python_ends() {
+    std::unique_lock lock(mutex_);
+    if (ender_ && *ender_ != std::this_thread::get_id()) {
+      lock.unlock();
+      const GilReleased released;
+      sleep_for_ever();
+    }
+  }
+
+  void stop_and_wait() {
+    std::unique_lock lock(mutex_);
+    ender_ = std::this_thread::get_id();
+    for (RunControl* const control : running_) {
+      control->stop(WhyStopped::interrupted);
+    }
+    // No longer for functions of the caller that do not return.
+    constexpr auto most = std::chrono::seconds(2);
+    changed_.wait_for(lock, most, [this] { return running_.empty(); });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::set<RunControl*> running_;
+  std::optional<std::thread::id> ender_;
+};
+
 }  // namespace
+
+void stop_long_work_at_the_end() {
+  py::module_::import("atexit").attr("register")(py::cpp_function([process = getpid()] {
+    if (getpid() == process) {  // the work of a parent is not there
+      const GilReleased released;
+      AllWork::instance().stop_and_wait();
+    }
+  }));
+}
 
 LongWork::LongWork(LongOptions options) : options_(std::move(options)) {
   constexpr std::uint64_t most_threads = 4096;
@@ -75,7 +135,21 @@ void LongWork::run(const std::function<void(RunControl&)>& work) {
   constexpr auto between_looks = std::chrono::milliseconds(50);
   Shared shared;
   RunControl control(settings_of(options_, shared));
+  AllWork::instance().begin(control);
   std::thread worker;
+  struct EndWithUs {  // whatever is thrown here
+    RunControl& control;
+    std::thread& worker;
+    ~EndWithUs() {
+      if (worker.joinable()) {
+        control.stop(WhyStopped::interrupted);
+        worker.join();
+      }
+      AllWork::instance().end(control);
+      AllWork::instance().sleep_if_python_ends();
+    }
+  };
+  const EndWithUs end{control, worker};
   try {
     worker = std::thread([&] {
       std::exception_ptr fault;
@@ -94,33 +168,19 @@ void LongWork::run(const std::function<void(RunControl&)>& work) {
     throw MissingResource(
         "a thread cannot be started; end other programs or raise the limit of processes");
   }
-  // If Python ends while this thread waits, it unwinds this thread from wherever it asks for the GIL.
-  struct EndWithUs {
-    RunControl& control;
-    std::thread& worker;
-    ~EndWithUs() {
-      if (worker.joinable()) {
-        control.stop(WhyStopped::interrupted);
-        worker.join();
-      }
-    }
-  };
-  const EndWithUs end{control, worker};
   std::exception_ptr raised;  // by a signal or the callback
   for (bool done = false; !done;) {
     std::optional<Progress> latest;
-    // Not gil_scoped_release: its destructor may not be unwound through.
-    PyThreadState* const state = PyEval_SaveThread();
     {
+      const GilReleased released;
       std::unique_lock lock(shared.mutex);
       shared.changed.wait_for(lock, between_looks, [&] { return shared.done || shared.latest; });
       done = shared.done;
       latest = std::exchange(shared.latest, std::nullopt);
     }
-    PyEval_RestoreThread(state);
     try {
       if (latest && !raised && !interrupted_) {
-        options_.progress(as_dict(*latest));
+        unless_python_ends([&] { options_.progress(as_dict(*latest)); });
       }
       if (!raised && PyErr_CheckSignals() != 0) {
         throw py::error_already_set();

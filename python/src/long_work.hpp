@@ -5,7 +5,7 @@
 //     work.interrupted();                    // Ctrl-C: what was found so far is kept
 //
 // The work runs on a thread of its own and listens to its control; this thread looks for signals twenty times a second and hands
-// progress on. A callback that raises stops the work, and what it raised arrives where the work was called.
+// progress on. When Python ends, the work of other threads is ended before. A callback that raises stops the work, and what it raised arrives where the work was called.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -41,6 +41,9 @@ class LongWork {
   LongOptions options_;
   bool interrupted_ = false;
 };
+
+/// From now on all work is asked to stop when Python ends, which waits for it: what the work uses is then still there.
+void stop_long_work_at_the_end();
 
 /// The same for what has no limits of its own: the result of work().
 template <typename Work>

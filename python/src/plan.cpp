@@ -1,299 +1,31 @@
 // Run sheets: the experimenters' door.
-#include "arguments.hpp"
-#include "bind.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/plan/job.hpp"
-#include "changeover/plan/run_plan.hpp"
 #include "changeover/plan/sheet_formats.hpp"
 #include "long_work.hpp"
+#include "sheets.hpp"
 
 namespace changeover::python {
 namespace {
 
-// Numbers, strings and decimals alike, exactly as they are written.
-Amount amount_of(const py::handle& value) { return parse_amount(words_of(value)); }
-
-py::object decimal(Amount amount) {
-  return py::module_::import("decimal").attr("Decimal")(to_string(amount));
+BenchObjective objective_of(const std::string& word) {
+  if (word == "makespan" || word == "cost") {
+    return word == "cost" ? BenchObjective::cost : BenchObjective::makespan;
+  }
+  throw BadInput(
+      "objective is 'makespan', what the bench costs that costs most, or 'cost', of all benches");
 }
 
-// A run sheet with the job that it names its parts from.
-struct Sheet {
-  Job job;
-  RunPlan plan;
-  bool interrupted = false;
-};
-
-std::vector<std::string> names(const Job& job, const Block& parts) {
-  std::vector<std::string> all;
-  for (const Element part : parts) {
-    all.push_back(job.names[part]);
-  }
-  return all;
-}
-
-// Everything that plan() may be told about a job, as Python gave it.
-struct Asked {
-  py::object parts;
-  std::uint64_t at_once = 0;
-  py::object test_cost;
-  py::object change_cost;
-  py::object change_costs;
-  std::uint64_t strength = 2;
-  py::object pairs;
-  py::iterable never;
-  py::object slots;
-  py::object slot_of;
-  py::iterable mounted;
-  py::iterable start;
-  py::iterable first;
-  py::object weights;
-  py::iterable done;
-};
-
-Element part_named(const Job& job, const py::handle& part) {
-  const std::string text = words_of(part);
-  for (std::size_t i = 0; i < job.names.size(); ++i) {
-    if (job.names[i] == text) {
-      return static_cast<Element>(i);
-    }
-  }
-  throw BadInput("no part is called " + quoted(text));
-}
-
-// A string is a sequence of its letters, which nobody means.
-void refuse_string(const char* argument, const py::handle& value) {
-  if (py::isinstance<py::str>(value)) {
-    throw BadInput(std::string(argument) + " is a list of parts, not a string");
-  }
-}
-
-Block parts_named(const Job& job, const char* argument, const py::handle& parts) {
-  refuse_string(argument, parts);
-  Block all;
-  for_each(parts, [&](const py::handle& part) {
-    if (all.size() > job.parts()) {
-      throw BadInput(std::string(argument) + " names more parts than there are");
-    }
-    all.push_back(part_named(job, part));
-  });
-  return all;
-}
-
-std::vector<Block> setups_named(const Job& job, const char* argument, const py::iterable& setups) {
-  refuse_string(argument, setups);
-  std::vector<Block> all;
-  for_each(setups,
-           [&](const py::handle& setup) { all.push_back(parts_named(job, argument, setup)); });
-  return all;
-}
-
-std::pair<Element, Element> pair_named(const Job& job, const char* argument,
-                                       const py::handle& pair) {
-  const Block two = parts_named(job, argument, pair);
-  if (two.size() != 2 || two[0] == two[1]) {
-    throw BadInput(std::string(argument) + " is pairs of two parts");
-  }
-  return {two[0], two[1]};
-}
-
-PairSet pairs_named(const Job& job, const char* argument, const py::iterable& pairs) {
-  refuse_string(argument, pairs);
-  PairSet all(job.parts());
-  for_each(pairs, [&](const py::handle& pair) {
-    const auto [x, y] = pair_named(job, argument, pair);
-    all.insert(x, y);
-  });
-  return all;
-}
-
-const char* const too_many_or_few = "parts is a number from 2 to 1000, or that many names";
-
-// The parts, by number, by name, or by name with their costs.
-Job parts_and_costs(const Asked& asked) {
-  const py::object& parts = asked.parts;
-  const bool is_number = py::isinstance<py::int_>(parts);
-  refuse_string("parts", parts);
-  std::vector<std::string> listed;
-  std::vector<Amount> costs;
-  if (!is_number) {
-    const auto take = [&](const py::handle& part) {
-      if (listed.size() == max_parts) {
-        throw BadInput(too_many_or_few);
-      }
-      listed.push_back(words_of(part));
-    };
-    if (py::isinstance<py::dict>(parts)) {
-      for (const auto& [part, cost] : dict_of("parts", parts)) {
-        take(part);
-        costs.push_back(amount_of(cost));
-      }
-    } else {
-      for_each(parts, take);
-    }
-    if (const auto twice = py::set(py::cast(listed)); twice.size() != listed.size()) {
-      throw BadInput("two parts have the same name");
-    }
-  }
-  if (is_number && !(parts >= py::int_(2) && parts <= py::int_(max_parts))) {
-    throw BadInput(too_many_or_few);
-  }
-  const std::uint64_t count = is_number ? parts.cast<std::uint64_t>() : listed.size();
-  if (count < 2) {
-    throw BadInput("a pair needs two parts");
-  }
-  if (asked.change_cost.is_none() && asked.change_costs.is_none() && costs.empty()) {
-    throw BadInput("give change_cost, or parts as a dict from names to their change costs");
-  }
-  Job job = make_job(count, asked.at_once, amount_of(asked.test_cost),
-                     asked.change_cost.is_none() ? Amount{} : amount_of(asked.change_cost));
-  if (!listed.empty()) {
-    job.names = listed;
-  }
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    job.change_costs[i] = costs[i];
-  }
-  return job;
-}
-
-// What a change costs by what is replaced: a dict from (out, in) to costs, for every two parts.
-void take_change_costs(const py::object& change_costs, Job& job) {
-  const std::uint64_t v = job.parts();
-  std::vector<bool> given(v * v);
-  job.replace_costs.assign(v * v, Amount{});
-  for (const auto& [pair, cost] : dict_of("change_costs", change_costs)) {
-    const auto [out, in] = pair_named(job, "change_costs", pair);
-    job.replace_costs[out * v + in] = amount_of(cost);
-    given[out * v + in] = true;
-  }
-  for (std::uint64_t i = 0; i < v * v; ++i) {
-    if (!given[i] && i / v != i % v) {
-      throw BadInput("change_costs does not say what putting in '" + job.names[i % v] +
-                     "' costs where '" + job.names[i / v] + "' was taken out");
-    }
-  }
-}
-
-// How many parts are in a slot: a number, or (least, most), where None is no limit.
-Slot slot_of(std::string name, const py::handle& room) {
-  Slot slot{.name = std::move(name)};
-  const auto refuse = [&slot]() {
-    throw BadInput("slots says how many parts are in " + quoted(slot.name) +
-                   ": a number, or (least, most) with None for no limit");
-  };
-  const auto number = [&refuse](const py::object& given) {
-    if (!py::isinstance<py::int_>(given) ||
-        !(given >= py::int_(0) && given <= py::int_(UINT64_MAX))) {
-      refuse();
-    }
-    return given.cast<std::uint64_t>();
-  };
-  const auto given = py::reinterpret_borrow<py::object>(room);
-  if (py::isinstance<py::int_>(given)) {
-    slot.least = slot.most = number(given);
-    return slot;
-  }
-  if (!py::isinstance<py::sequence>(given) || py::len(given) != 2) {
-    refuse();
-  }
-  const auto two = py::reinterpret_borrow<py::sequence>(given);
-  const py::object least = two[0];
-  const py::object most = two[1];
-  slot.least = least.is_none() ? slot.least : number(least);
-  slot.most = most.is_none() ? slot.most : number(most);
-  return slot;
-}
-
-// slots: how many parts of each; slot_of: which part is in which.
-void take_slots(const Asked& asked, Job& job) {
-  std::vector<Slot> slots;
-  for (const auto& [name, room] : dict_of("slots", asked.slots)) {
-    slots.push_back(slot_of(words_of(name), room));
-  }
-  std::vector<std::string> of_parts(job.parts());
-  if (!asked.slot_of.is_none()) {
-    for (const auto& [part, slot] : dict_of("slot_of", asked.slot_of)) {
-      of_parts[part_named(job, part)] = words_of(slot);
-    }
-  }
-  set_slots(job, of_parts, std::move(slots));
-}
-
-void take_weights(const py::object& weights, Job& job) {
-  for (const auto& [pair, weight] : dict_of("weights", weights)) {
-    const auto [x, y] = pair_named(job, "weights", pair);
-    job.weights.set(x, y, amount_of(weight));
-  }
-}
-
-// What cannot meet need not, unless its pairs were asked for one by one.
-void take_needs(const Asked& asked, Job& job) {
-  constexpr std::uint64_t triples = 3;
-  if (asked.strength != 2 && asked.strength != triples) {
-    throw BadInput("strength is 2, every two parts must meet, or 3, every three");
-  }
-  if (!asked.pairs.is_none() && asked.strength == triples) {
-    throw BadInput("pairs are listed for strength 2 only");
-  }
-  job.never = pairs_named(job, "never", asked.never);
-  job.needed =
-      asked.pairs.is_none() ? all_pairs_but(job.never) : pairs_named(job, "pairs", asked.pairs);
-  stoppable([&] {
-    Job any = job;
-    any.needed = PairSet(job.parts());
-    check(any);  // Without needed pairs: what cannot be at all.
-    return true;
-  });
-  if (asked.strength == triples) {
-    stoppable([&] { return need_triples(job), true; });
-    if (job.triples.empty()) {
-      throw BadInput("no three parts can be in one set-up");
-    }
-  } else if (asked.pairs.is_none() && !job.slots.empty()) {
-    drop_needed(job, stoppable([&] { return cannot_meet(job); }));
-  }
-  if (job.needed.size() == 0) {
-    throw BadInput("no pair has to meet that could");
-  }
-}
-
-Job job_of(const Asked& asked) {
-  Job job = parts_and_costs(asked);
-  if (!asked.change_costs.is_none()) {
-    take_change_costs(asked.change_costs, job);
-  }
-  if (asked.slots.is_none() != asked.slot_of.is_none()) {
-    throw BadInput(
-        "slots and slot_of come together: how many parts a slot has, and which parts are in it");
-  }
-  if (!asked.slots.is_none()) {
-    take_slots(asked, job);
-  }
-  job.mounted = parts_named(job, "mounted", asked.mounted);
-  job.start = parts_named(job, "start", asked.start);
-  take_needs(asked, job);
-  job.first = setups_named(job, "first", asked.first);
-  if (!asked.weights.is_none()) {
-    take_weights(asked.weights, job);
-  }
-  stoppable([&] { return check(job), true; });
-  if (const auto setups = setups_named(job, "done", asked.done); !setups.empty()) {
-    stoppable([&] { return mark_done(job, setups), true; });
-  }
-  return job;
-}
-
-Sheet plan(py::object parts, std::uint64_t at_once, py::object test_cost, py::object change_cost,
-           py::object change_costs, std::uint64_t strength, py::object pairs, py::iterable never,
-           py::object slots, py::object slot_of, py::iterable mounted, py::iterable start,
-           py::iterable first, py::object weights, py::iterable done, const py::object& budget,
-           std::optional<double> time, std::uint64_t threads, std::uint64_t seed,
-           py::object progress) {
-  Sheet sheet;
-  sheet.job = job_of({std::move(parts), at_once, std::move(test_cost), std::move(change_cost),
-                      std::move(change_costs), strength, std::move(pairs), std::move(never),
-                      std::move(slots), std::move(slot_of), std::move(mounted), std::move(start),
-                      std::move(first), std::move(weights), std::move(done)});
+py::object plan(py::object parts, std::uint64_t at_once, py::object test_cost,
+                py::object change_cost, py::object change_costs, std::uint64_t strength,
+                py::object pairs, py::iterable never, py::object slots, py::object slot_of,
+                py::iterable mounted, py::iterable start, py::iterable first, py::object weights,
+                py::iterable done, const py::object& budget, std::optional<std::uint64_t> benches,
+                const std::string& objective, std::optional<double> time, std::uint64_t threads,
+                std::uint64_t seed, py::object progress) {
+  const Job job = job_of({std::move(parts), at_once, std::move(test_cost), std::move(change_cost),
+                          std::move(change_costs), strength, std::move(pairs), std::move(never),
+                          std::move(slots), std::move(slot_of), std::move(mounted),
+                          std::move(start), std::move(first), std::move(weights), std::move(done)});
   PlanOptions options;
   options.until_stopped = time.has_value();
   options.checked = true;  // by job_of()
@@ -305,20 +37,83 @@ Sheet plan(py::object parts, std::uint64_t at_once, py::object test_cost, py::ob
                  .seed = seed,
                  .progress = std::move(progress),
                  .keeps_best = true});
+  if (benches) {
+    Sheets sheets{.job = job, .options = {.benches = *benches, .plan = options}, .plan = {}};
+    sheets.options.objective = objective_of(objective);
+    work.run([&](RunControl& control) {
+      sheets.plan = make_bench_plan(sheets.job, sheets.options, control);
+    });
+    sheets.interrupted = work.interrupted();
+    return py::cast(std::move(sheets));
+  }
+  Sheet sheet{.job = job, .options = options, .plan = {}};
   work.run([&](RunControl& control) { sheet.plan = make_run_plan(sheet.job, options, control); });
   sheet.interrupted = work.interrupted();
-  return sheet;
+  return py::cast(std::move(sheet));
 }
 
-py::list steps_of(const Sheet& self) {
+py::list steps_of_plan(const Sheet& self) { return steps_of(self.job, self.plan.sheet); }
+
+// Exact, a Fraction.
+py::object fraction(const Ratio& ratio) {
+  return py::module_::import("fractions").attr("Fraction")(ratio.over, ratio.under);
+}
+
+py::object fraction_or_none(const std::optional<Ratio>& ratio) {
+  return ratio ? fraction(*ratio) : py::none();
+}
+
+std::vector<std::vector<std::string>> names_of_setups(const Job& job,
+                                                      const std::vector<Block>& setups) {
+  std::vector<std::vector<std::string>> all;
+  for (const Block& setup : setups) {
+    all.push_back(names(job, setup));
+  }
+  return all;
+}
+
+py::dict ratios(const Sheet& self, std::optional<double> time, std::uint64_t threads,
+                std::uint64_t seed, py::object progress) {
+  LongWork work({.seconds = time,
+                 .threads = threads,
+                 .seed = seed,
+                 .progress = std::move(progress),
+                 .keeps_best = true});
+  WhatIf answer;
+  work.run([&](RunControl& control) {
+    answer = changeover::what_if(self.job, self.plan, self.options, control);
+  });
+  py::list ranges;
+  for (const WhatIf::Range& range : answer.ranges) {
+    py::dict one;
+    one["from"] = fraction_or_none(range.from);
+    one["to"] = fraction_or_none(range.to);
+    one["name"] = range.plan.name;
+    one["how"] = range.plan.how;
+    one["tests"] = range.plan.tests();
+    one["changes"] = range.plan.changes;
+    one["setups"] = names_of_setups(self.job, range.plan.setups);
+    ranges.append(one);
+  }
+  py::dict all;
+  all["by_factor"] = answer.by_factor;
+  all["asked"] = fraction_or_none(answer.asked);
+  all["ranges"] = ranges;
+  all["interrupted"] = work.interrupted();
+  return all;
+}
+
+}  // namespace
+
+py::list steps_of(const Job& job, const RunSheet& sheet) {
   py::list steps;
-  std::uint64_t number = self.job.tests_done;
-  for (const RunStep& each : self.plan.sheet.steps) {
+  std::uint64_t number = job.tests_done;
+  for (const RunStep& each : sheet.steps) {
     py::dict step;
     step["number"] = ++number;
-    step["take_out"] = names(self.job, each.take_out);
-    step["put_in"] = names(self.job, each.put_in);
-    step["setup"] = names(self.job, each.setup);
+    step["take_out"] = names(job, each.take_out);
+    step["put_in"] = names(job, each.put_in);
+    step["setup"] = names(job, each.setup);
     step["cost"] = decimal(each.cost);
     step["cost_so_far"] = decimal(each.cost_so_far);
     steps.append(step);
@@ -326,13 +121,11 @@ py::list steps_of(const Sheet& self) {
   return steps;
 }
 
-}  // namespace
-
 void bind_plan(py::module_& module) {
   py::class_<Sheet>(module, "RunSheet",
                     "A run sheet, counted by code that shares nothing with what made it.")
       .def_property_readonly(
-          "steps", &steps_of,
+          "steps", &steps_of_plan,
           "A dict for each test: number, take_out, put_in, setup (names), cost, cost_so_far.")
       .def_property_readonly("tests",
                              [](const Sheet& self) { return self.plan.sheet.steps.size(); })
@@ -373,6 +166,23 @@ void bind_plan(py::module_& module) {
             return all;
           },
           "What it was compared with, cheapest first.")
+      .def(
+          "what_if", &ratios, py::kw_only(), py::arg("time") = py::none(), py::arg("threads") = 1,
+          py::arg("seed") = 1, py::arg("progress") = py::none(),
+          "Which plan is cheapest when changes become dearer or cheaper against tests, and where it breaks even.\n\n"
+          "A dict: ranges, by ratio of the cost of a change to that of a test (of a factor of all change costs, if these differ: "
+          "by_factor) without gaps, each with from and to (Fractions; None: from 0, without end), name, how, tests, "
+          "changes and setups; asked, where the sheet stands (None if tests cost nothing); interrupted. time: seconds; None: a fixed "
+          "amount of search for each ratio.\n\nRaises BadInput if costs depend on what is replaced.")
+      .def(
+          "diagnose", &diagnosis_of, py::arg("results"),
+          "Which one fault explains the results, and which tests tell apart what is left.\n\n"
+          "results: for each of the first tests of the sheet True if it passed, False if it failed, None if nothing is known; or "
+          "tuples (set-up, passed) for tests of other set-ups.\n\n"
+          "A dict: passed, failed; suspects, each a tuple of one part or of two that do not work together; two, pairs of suspects "
+          "that explain all together where none does alone; contradictions, (what failed, what passed though it had all of it); "
+          "tests, a tree of dicts with after (results so far, True for passed), setup, take_out, put_in, cost, if_it_fails and "
+          "if_it_passes (suspects); most_cost, of the tests that are made. Raises BadInput for other results.")
       .def("to_csv",
            [](const Sheet& self) { return sheet_as_csv({.job = &self.job, .plan = &self.plan}); })
       .def("to_html",
@@ -390,8 +200,10 @@ void bind_plan(py::module_& module) {
       py::arg("slots") = py::none(), py::arg("slot_of") = py::none(),
       py::arg("mounted") = py::tuple(), py::arg("start") = py::tuple(),
       py::arg("first") = py::tuple(), py::arg("weights") = py::none(),
-      py::arg("done") = py::tuple(), py::arg("budget") = py::none(), py::arg("time") = py::none(),
-      py::arg("threads") = 1, py::arg("seed") = 1, py::arg("progress") = py::none(),
+      py::arg("done") = py::tuple(), py::arg("budget") = py::none(),
+      py::arg("benches") = py::none(), py::arg("objective") = "makespan",
+      py::arg("time") = py::none(), py::arg("threads") = 1, py::arg("seed") = 1,
+      py::arg("progress") = py::none(),
       "The cheapest list of tests that was found in which every two parts are mounted together at least once.\n\n"
       "parts: how many, a list of names, or a dict from names to what it costs to mount them; at_once of them fit. "
       "Costs are numbers, Decimals or strings, and exact.\n\n"
@@ -401,7 +213,8 @@ void bind_plan(py::module_& module) {
       "set-up has, a number or (least, most), None for no limit, with slot_of, a dict from parts to their slots; parts that "
       "cannot meet then need not. mounted: parts that stay; start: parts that are mounted before the first test; first: "
       "set-ups that must be run first; weights: a dict from pairs to what testing them is worth (others 1); done: tests that "
-      "were done, lists of names. budget: test as much as it pays for. time: seconds of search; None: a fixed amount of "
+      "were done, lists of names. budget: test as much as it pays for. benches: so many side by side, which gives BenchSheets; objective: 'makespan', "
+      "what the bench costs that costs most is least, or 'cost', of all of them. time: seconds of search; None: a fixed amount of "
       "it.\n\nRaises BadInput with the reason if no list can do it.");
 }
 

@@ -4,6 +4,7 @@ import itertools
 import signal
 import unittest
 from decimal import Decimal
+from fractions import Fraction
 
 import changeover
 
@@ -194,6 +195,103 @@ class Loads(unittest.TestCase):
             changeover.load_order(None, 3)
 
 
+class Benches(unittest.TestCase):
+    def test_all_benches_together_do_the_job(self):
+        for benches, objective in itertools.product((1, 2, 3), ("makespan", "cost")):
+            both = changeover.plan(list("abcdefghi"), 3, test_cost="1.5", change_cost=2, benches=benches, objective=objective)
+            self.assertEqual(len(both), benches)
+            met = set()
+            costs = []
+            for steps in both.sheets:
+                here, cost = set(), Decimal(0)
+                for step in steps:
+                    cost += Decimal("1.5") + 2 * len(set(step["setup"]) - here)
+                    here = set(step["setup"])
+                    self.assertLessEqual(len(here), 3)
+                    met |= pairs_of(here)
+                costs.append(cost)
+            self.assertEqual(len(met), 36)
+            self.assertTrue(both.complete)
+            self.assertEqual((both.cost, both.makespan), (sum(costs), max(costs)))
+            self.assertEqual(both.tests, sum(len(steps) for steps in both.sheets))
+            self.assertGreaterEqual(both.cost, both.lower_bound)
+            self.assertGreaterEqual(both.makespan, both.makespan_bound)
+            self.assertFalse(both.interrupted)
+
+    def test_wrong_ones_are_refused(self):
+        for wrong in ({"benches": 0}, {"benches": 65}, {"benches": 2, "objective": "time"}, {"benches": 2, "budget": 5},
+                      {"benches": 2, "start": ["1"]}):
+            with self.assertRaises(changeover.BadInput, msg=wrong):
+                changeover.plan(9, 3, test_cost=1, change_cost=1, **wrong)
+        with self.assertRaises(TypeError):
+            changeover.plan(9, 3, test_cost=1, change_cost=1, benches="two")
+
+
+class Ratios(unittest.TestCase):
+    def test_ranges_have_no_gaps_and_break_even_where_they_meet(self):
+        sheet = changeover.plan(11, 4, test_cost=3, change_cost=1)
+        answer = sheet.what_if()
+        ranges = answer["ranges"]
+        self.assertEqual(answer["asked"], Fraction(1, 3))
+        self.assertGreater(len(ranges), 1)
+        self.assertIsNone(ranges[0]["from"])
+        self.assertIsNone(ranges[-1]["to"])
+        for one, next_one in zip(ranges, ranges[1:]):
+            self.assertEqual(one["to"], next_one["from"])
+            at = [each["tests"] + one["to"] * each["changes"] for each in (one, next_one)]
+            self.assertEqual(at[0], at[1])
+        for each in ranges:
+            setups = [set(setup) for setup in each["setups"]]
+            self.assertEqual(len(set().union(*map(pairs_of, setups))), 55)
+            self.assertEqual(each["tests"], len(setups))
+            self.assertEqual(each["changes"], sum(len(b - a) for a, b in zip([set(), *setups], setups)))
+
+    def test_it_has_limits_and_hands_out_progress(self):
+        sheet = changeover.plan(30, 6, test_cost=3, change_cost=1)
+        self.assertTrue(sheet.what_if(time=0.05)["ranges"])
+        said = []
+        sheet.what_if(time=0.5, progress=said.append)
+        self.assertTrue(all("phase" in each for each in said))
+        costs = {(x, y): 1 for x in "abcd" for y in "abcd" if x != y}
+        with self.assertRaises(changeover.BadInput):
+            changeover.plan(list("abcd"), 2, test_cost=1, change_cost=1, change_costs=costs).what_if()
+
+
+class Diagnoses(unittest.TestCase):
+    def test_the_tree_leads_to_what_is_wrong(self):
+        names = list("abcdefgh")
+        sheet = changeover.plan(names, 3, test_cost=1, change_cost=1)
+        faults = [(x,) for x in names] + list(itertools.combinations(names, 2))
+        for fault in faults:
+            def passes(setup):
+                return not set(fault) <= set(setup)
+            found = sheet.diagnose([passes(step["setup"]) for step in sheet.steps])
+            self.assertIn(fault, found["suspects"])
+            self.assertEqual(found["passed"] + found["failed"], sheet.tests)
+            left, after, cost = found["suspects"], (), 0
+            tests = {each["after"]: each for each in found["tests"]}
+            while after in tests:
+                passed = passes(tests[after]["setup"])
+                left = tests[after]["if_it_passes" if passed else "if_it_fails"]
+                cost += tests[after]["cost"]
+                after += (passed,)
+            self.assertIn(fault, left)
+            self.assertLessEqual(cost, found["most_cost"])
+
+    def test_results_of_other_setups_count_and_wrong_ones_are_refused(self):
+        sheet = changeover.plan(list("abcdef"), 3, test_cost=1, change_cost=1)
+        found = sheet.diagnose([(["a", "b"], False), (["a"], True), (("a", "b", "c"), True)])
+        self.assertEqual(found["contradictions"], [(["a", "b"], ["a", "b", "c"])])
+        self.assertEqual(sheet.diagnose([])["suspects"], [])
+        self.assertEqual(sheet.diagnose([None, None, True])["passed"], 1)
+        for wrong in ([1], ["yes"], [True] * 99, [(["a"], 1)], [(["a"],)], [(["z"], True)], [("ab", True)], "ab",
+                      [(["a", "a"], True)]):
+            with self.assertRaises(changeover.BadInput, msg=wrong):
+                sheet.diagnose(wrong)
+        with self.assertRaises(TypeError):
+            sheet.diagnose(7)
+
+
 class Signals(unittest.TestCase):
     """Ctrl-C ends each call, also where Python runs no code of its own."""
 
@@ -212,6 +310,20 @@ class Signals(unittest.TestCase):
         self.interrupt(lambda: changeover.plan(4, 3, pairs=itertools.repeat((1, 2)), **costs))
         self.interrupt(lambda: changeover.plan(4, 3, done=itertools.repeat((1, 2)), **costs))
         self.interrupt(lambda: changeover.load_order(None, 3, pairs=itertools.repeat((0, 1))))
+        sheet = changeover.plan(4, 3, **costs)
+        self.interrupt(lambda: sheet.diagnose(itertools.repeat(([1, 2], True))))
+
+    def test_they_end_a_diagnosis_and_what_was_found_of_ratios_is_kept(self):
+        # A test of two hundred parts failed: what to test next is chosen among thousands of sets, for twenty thousand suspects.
+        sheet = changeover.plan(400, 200, test_cost=1, change_cost=1, time=0)
+        self.interrupt(lambda: sheet.diagnose([False]))
+        before = signal.signal(signal.SIGALRM, signal.default_int_handler)
+        signal.setitimer(signal.ITIMER_REAL, 0.3)
+        try:
+            self.assertTrue(changeover.plan(60, 9, test_cost=1, change_cost=1, time=0).what_if(time=60)["interrupted"])
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.signal(signal.SIGALRM, before)
 
     def test_they_end_what_takes_long_before_a_search(self):
         # Ten of A are wanted, but they are nine kinds of which no two parts can be together: for each two others many choices fail.

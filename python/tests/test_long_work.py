@@ -111,15 +111,48 @@ class Searches(unittest.TestCase):
 
 
 class Ends(unittest.TestCase):
-    def test_python_ends_while_a_search_runs(self):
+    """Python ends while another thread works: that thread says nothing, and nothing breaks."""
+
+    works = {
+        "a search": "changeover.search(40, 5, time=600, progress=lambda said: None)",
+        "plans": "changeover.plan(100, 5, test_cost=1, change_cost=1, time=600, progress=lambda said: None)",
+        "short plans": "changeover.plan(9, 3, test_cost=1, change_cost=1)",
+        "a stream": "[None for blocks in changeover.stream(3001, 20, kind='circular', batch=64)]",
+        "an order": "[None for step in changeover.load_order(20000, 5)]",
+        "all pairs": "changeover.all_pairs(sys.argv[1], 8, 5, lambda a, b, x, y: None, threads=2)",
+        "a function that sleeps": "changeover.search(40, 5, time=600, progress=lambda said: time.sleep(1000))",
+    }
+
+    def test_python_ends_while_another_thread_works(self):
+        with tempfile.TemporaryDirectory() as folder:
+            items = os.path.join(folder, "items")
+            with open(items, "wb") as file:
+                file.write(bytes(8 * 4000))
+            for name, work in self.works.items():
+                with self.subTest(name):
+                    program = (
+                        "import changeover, sys, threading, time\n"
+                        "def go_on():\n"
+                        "    while True:\n"
+                        f"        {work}\n"
+                        "threading.Thread(target=go_on, daemon=True).start()\n"
+                        "time.sleep(0.5)\n"
+                    )
+                    ended = subprocess.run(
+                        [sys.executable, "-c", program, items], capture_output=True, text=True, timeout=60)
+                    self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+
+    def test_what_shall_be_done_at_the_end_still_works(self):
         program = (
-            "import changeover, threading, time\n"
-            "work = lambda: changeover.search(40, 5, time=600, progress=lambda said: None)\n"
-            "threading.Thread(target=work, daemon=True).start()\n"
-            "time.sleep(0.7)\n"
+            "import atexit, changeover\n"
+            "atexit.register(lambda: print(changeover.search(9, 4, time=5).design.b))\n"
+            "import os\n"
+            "if os.fork() == 0:\n"
+            "    raise SystemExit\n"
+            "os.wait()\n"
         )
         ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
-        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        self.assertEqual((ended.returncode, ended.stderr, len(ended.stdout.split())), (0, "", 2))
 
 
 class Catalog(unittest.TestCase):

@@ -7,6 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_sheet.hpp"
+#include "changeover/run/scope.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/prices.hpp"
 #include "run/random.hpp"
@@ -73,6 +74,7 @@ std::vector<std::pair<Suspect, Suspect>> two_that_explain(const Job& job,
                                                           const std::vector<Members>& passed) {
   std::vector<std::pair<Suspect, Suspect>> two;
   for (const Suspect& one : suspects_among(common_parts(job, {failed.front()}), passed)) {
+    stop_if_asked();
     std::vector<Members> others;
     std::copy_if(failed.begin(), failed.end(), std::back_inserter(others),
                  [&](const Members& test) { return !has(test, one); });
@@ -198,6 +200,7 @@ class NextTests {
   // What a test of these parts, of the mounted ones and of what the slots need is worth; nothing if it cannot be.
   Choice judged(const std::vector<Suspect>& left, const Fitting& fitting,
                 const std::vector<Element>& fillers, const Block& chosen) const {
+    stop_if_asked();
     Block setup = job_.mounted;
     setup.insert(setup.end(), chosen.begin(), chosen.end());
     if (setup.size() > job_.room()) {
