@@ -1,6 +1,8 @@
 // changeover catalog: looking up what is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cases.hpp"
 #include "changeover/core/sha256.hpp"
 
@@ -100,6 +102,11 @@ TEST(CatalogVerbs, SayThatTheUsersFileIsNoCatalogAndGoOn) {
     EXPECT_NE(nothing.err.find(left_out), std::string::npos) << words << ": " << nothing.err;
     EXPECT_EQ(nothing.err.find(left_out), nothing.err.rfind(left_out)) << words;
   }
+  expect({{"$changeover draw nosuch.x --catalog mine.db", 4, left_out}}, folder);
+  const Outcome unwritten = run(
+      "$changeover catalog show 26.4.2.circular.65 --catalog mine.db -o nowhere/x", folder.path());
+  EXPECT_EQ(unwritten.code, 4);
+  EXPECT_EQ(std::count(unwritten.err.begin(), unwritten.err.end(), '\n'), 1) << unwritten.err;
 }
 
 }  // namespace

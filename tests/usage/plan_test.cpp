@@ -85,6 +85,7 @@ TEST(Plan, SaysInOneLineWhatIsWrong) {
   spit(folder.file("ab.csv"), "A,B\n");
   spit(folder.file("ax.csv"), "A,X\n");
   spit(folder.file("cd.csv"), "C,D\n");
+  spit(folder.file("all.csv"), "A,B\nA,C\nA,D\nB,C\nB,D\nC,D\n");
   const std::string costs = " costs.csv -k 3 --test-cost 1 ";
   for (const Case& c : std::vector<Case>{
            {"", 2, "either a parts list or --items"},
@@ -110,6 +111,7 @@ TEST(Plan, SaysInOneLineWhatIsWrong) {
            {"twice.csv -k 2 --test-cost 1", 3, "twice.csv:2:1: "},
            {costs + "--never ax.csv", 3, "ax.csv:1:3: "},
            {costs + "--never ab.csv --pairs ab.csv", 3, "must meet and must never"},
+           {costs + "--never all.csv", 3, "all.csv: no two parts can be in one set-up"},
            {costs + "--never ab.csv --mounted A,B", 3, "both stay mounted"},
            {costs + "--never ab.csv --mounted A", 3, "B must never be in one set-up with A"},
            {costs + "--mounted A,B", 3, "no room for both"},

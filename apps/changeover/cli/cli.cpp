@@ -46,13 +46,18 @@ int complain(int code, const std::string& message) {
   return code;
 }
 
-// Runs what makes an answer and delivers it; what goes wrong becomes one line and an exit code.
-int answer(const std::function<Answer()>& make, const std::string& verb) {
+// Runs what makes an answer and delivers it; what goes wrong becomes one line and an exit code. `delivered` is set if nothing did.
+int answer(const std::function<Answer()>& make, const std::string& verb,
+           bool* delivered = nullptr) {
   const auto usage = [&verb](const std::string& message) {
     return complain(exit_code::usage, message + "; see changeover " + as_typed(verb) + " --help");
   };
   try {
-    return deliver(make());
+    const int code = deliver(make());
+    if (delivered != nullptr) {
+      *delivered = true;
+    }
+    return code;
   } catch (const UsageError& fault) {
     return usage(fault.message);
   } catch (const BadOption& fault) {  // the command line said so, not the file
@@ -509,20 +514,18 @@ int Program::run(int argc, char** argv) {
   }
   const auto verb = std::find_if(state_->verbs.begin(), state_->verbs.end(),
                                  [&](const auto& each) { return each->state_->app == &chosen(); });
-  bool made = false;  // an answer, be it that there is no such design
+  bool delivered = false;
   const int code = answer(
       [&] {
         for (const auto& rule : (*verb)->state_->rules) {
           rule();
         }
         check_output(chosen());
-        Answer answer = (*verb)->state_->action();
-        made = true;
-        return answer;
+        return (*verb)->state_->action();
       },
-      chosen().get_name());
-  const bool answered = code <= exit_code::refuted || code >= exit_code::found ||
-                        (made && code == exit_code::missing_resource);
+      chosen().get_name(), &delivered);
+  // What was delivered may be that there is no such design, or nothing was found in time.
+  const bool answered = delivered || code >= exit_code::found;
   if (const std::string problem = answered ? standard_catalog_problem() : ""; !problem.empty()) {
     complain(code, "your own catalog was left out: " + problem);
   }

@@ -299,8 +299,8 @@ Answer run(const DrawRequest& request) {
     throw UsageError{fmt::format("{}: there is no such file; V needs K: changeover draw {} K",
                                  request.what, request.what)};
   }
-  throw MissingResource(
-      fmt::format("{}: there is no such file, and the catalog has no such label", request.what));
+  throw MissingResource(fmt::format(
+      "{}: there is no such file, and the catalog has no such label{}", request.what, left_out()));
 }
 
 // Options that some pictures alone have.

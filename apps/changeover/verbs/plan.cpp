@@ -301,6 +301,10 @@ Asked asked_by(const PlanRequest& request) {
   if (!request.never.empty()) {
     job.never = read_pairs(*open_list(request.never), job.names);
     job.needed = all_pairs_but(job.never);
+    if (request.pairs.empty() && job.needed.size() == 0) {
+      throw BadInput(
+          fmt::format("{}: no two parts can be in one set-up; leave out a pair", request.never));
+    }
   }
   if (!request.pairs.empty()) {
     const auto input = open_list(request.pairs);

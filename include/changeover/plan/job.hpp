@@ -164,7 +164,8 @@ struct Job {
 /// name for each part, and for a part in a slot that is not listed; the job is then as it was.
 void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<Slot> slots);
 
-/// The needed pairs that no set-up can hold, for what the slots need and allow. O(v²) without forbidden pairs. Stopped
+/// The needed pairs that no set-up can hold, for what the slots need and allow; with forbidden pairs, those for which none was
+/// found among 100,000 choices. O(v³) without forbidden pairs. Stopped
 /// if the scope of this thread (run/scope.hpp) wants to stop.
 [[nodiscard]] PairSet cannot_meet(const Job& job);
 
@@ -173,8 +174,8 @@ void drop_needed(Job& job, const PairSet& pairs);
 
 /// Why no list of set-ups can do the job, or why the job is malformed: a line for each reason, at most
 /// ten; none if there is one. The reasons are complete: without one, a set-up for each needed pair, of
-/// this pair, the mounted parts and what the slots need, does the job. With slots and forbidden pairs the
-/// search for such a set-up looks at parts that may join it 2,000,000 times at most. O(v²).
+/// this pair, the mounted parts and what the slots need, does the job. With slots and forbidden pairs such
+/// a set-up is looked for among 100,000 choices. O(v³).
 [[nodiscard]] std::vector<std::string> defects(const Job& job);
 
 /// @throws BadInput with the first of defects() and how many more there are.

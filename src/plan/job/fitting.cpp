@@ -1,20 +1,128 @@
 #include "plan/job/fitting.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_looks = 2'000'000;
+using Parts = std::vector<std::vector<Element>>;
 
-bool holds(std::span<const Element> parts, Element x) {
-  return std::find(parts.begin(), parts.end(), x) != parts.end();
-}
+constexpr std::uint64_t most_choices = 100'000;
+
+// Adds what a set lacks, slot by slot, as long as each slot still has enough parts that may join.
+class Completion {
+ public:
+  // Of each slot the liked parts are tried first, then its members in this order.
+  Completion(const Fitting& fitting, const Parts& enemies, std::span<const Element> liked,
+             const Parts& members)
+      : fitting_(&fitting),
+        enemies_(&enemies),
+        liked_(liked),
+        members_(&members),
+        lacking_(members.size()),
+        free_(members.size()),
+        against_(enemies.size()) {
+    for (std::size_t s = 0; s < members.size(); ++s) {
+      lacking_[s] = fitting.least(s);
+      free_[s] = members[s].size();
+    }
+  }
+
+  void put(Element x) {
+    setup_.push_back(x);
+    const std::size_t s = fitting_->slot(x);
+    if (s < lacking_.size()) {
+      lacking_[s] -= lacking_[s] > 0 ? 1U : 0U;
+    }
+    block(x);
+    for (const Element enemy : (*enemies_)[x]) {
+      block(enemy);
+    }
+  }
+
+  bool complete() { return enough() && choose(0, 0); }
+
+  [[nodiscard]] bool all_tried() const { return choices_ <= most_choices; }
+  [[nodiscard]] Block take() { return std::move(setup_); }
+
+ private:
+  void block(Element x) {
+    const std::size_t s = fitting_->slot(x);
+    if (against_[x]++ == 0 && s < lacking_.size()) {
+      --free_[s];
+    }
+  }
+
+  void unblock(Element x) {
+    const std::size_t s = fitting_->slot(x);
+    if (--against_[x] == 0 && s < lacking_.size()) {
+      ++free_[s];
+    }
+  }
+
+  // Undoes put() of a part that its slot lacked.
+  void take_back(Element x) {
+    setup_.pop_back();
+    ++lacking_[fitting_->slot(x)];
+    unblock(x);
+    for (const Element enemy : (*enemies_)[x]) {
+      unblock(enemy);
+    }
+  }
+
+  [[nodiscard]] bool enough() const {
+    for (std::size_t s = 0; s < lacking_.size(); ++s) {
+      if (free_[s] < lacking_[s]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // What this slot lacks, from number `from` of its parts on, and what the slots after it do.
+  bool choose(std::size_t slot, std::size_t from) {
+    while (slot < lacking_.size() && lacking_[slot] == 0) {
+      ++slot;
+      from = 0;
+    }
+    if (slot == lacking_.size()) {
+      return true;
+    }
+    const std::vector<Element>& members = (*members_)[slot];
+    for (std::size_t i = from; i < liked_.size() + members.size(); ++i) {
+      const Element y = i < liked_.size() ? liked_[i] : members[i - liked_.size()];
+      if (against_[y] > 0 || fitting_->slot(y) != slot) {
+        continue;
+      }
+      if (++choices_ > most_choices) {
+        return false;
+      }
+      put(y);
+      if (enough() && choose(slot, i + 1)) {
+        return true;
+      }
+      take_back(y);
+    }
+    return false;
+  }
+
+  const Fitting* fitting_;
+  const Parts* enemies_;  // by part
+  std::span<const Element> liked_;
+  const Parts* members_;                // by slot
+  std::vector<std::uint64_t> lacking_;  // by slot
+  std::vector<std::uint64_t> free_;     // by slot: parts that may join
+  std::vector<std::uint32_t> against_;  // by part: itself and its enemies in the set-up
+  Block setup_;
+  std::uint64_t choices_ = 0;
+};
 
 }  // namespace
 
 Fitting::Fitting(const Job& job)
-    : job_(&job), forbids_(job.never.size() > 0), members_(job.slots.size()) {
+    : job_(&job), members_(job.slots.size()), enemies_(job.slots.empty() ? 0 : job.parts()) {
   for (const Slot& slot : job.slots) {
     least_.push_back(slot.least);
     most_.push_back(std::min(slot.most, job.room()));
@@ -24,51 +132,22 @@ Fitting::Fitting(const Job& job)
       members_[slot(x)].push_back(x);
     }
   }
-  for (std::vector<Element>& members : members_) {
+  cheap_ = members_;
+  for (std::vector<Element>& members : cheap_) {
     std::stable_sort(members.begin(), members.end(), [&](Element x, Element y) {
       return job.change_costs[x] < job.change_costs[y];
     });
   }
-}
-
-bool Fitting::joins(const Block& setup, Element y) const {
-  return std::none_of(setup.begin(), setup.end(), [&](Element z) {
-    return z == y || (forbids_ && job_->never.contains(y, z));
-  });
-}
-
-// Adds `missing` members of this slot, from number `from` on, and what the slots after it lack. The liked ones
-// are numbered first.
-bool Fitting::choose(Block& setup, std::span<const Element> liked, std::size_t slot,
-                     std::size_t from, std::uint64_t missing, std::uint64_t& looks) const {
-  if (missing == 0) {
-    if (++slot == slots()) {
-      return true;
-    }
-    const auto there = static_cast<std::uint64_t>(std::count_if(
-        setup.begin(), setup.end(), [&](Element x) { return this->slot(x) == slot; }));
-    return choose(setup, liked, slot, 0, least_[slot] - std::min(least_[slot], there), looks);
+  if (has_slots()) {
+    job.never.for_each(std::numeric_limits<std::uint64_t>::max(), [&](Element x, Element y) {
+      enemies_[x].push_back(y);
+      enemies_[y].push_back(x);
+    });
   }
-  const std::vector<Element>& members = members_[slot];
-  for (std::size_t i = from; i < liked.size() + members.size(); ++i) {
-    const Element y = i < liked.size() ? liked[i] : members[i - liked.size()];
-    if (++looks > most_looks) {
-      return false;
-    }
-    const bool mine = i < liked.size() ? this->slot(y) == slot : !holds(liked, y);
-    if (!mine || !joins(setup, y)) {
-      continue;
-    }
-    setup.push_back(y);
-    if (choose(setup, liked, slot, i + 1, missing - 1, looks)) {
-      return true;
-    }
-    setup.pop_back();
-  }
-  return false;
 }
 
-std::optional<Block> Fitting::completed(Block setup, std::span<const Element> liked) const {
+Fitting::Found Fitting::search(Block setup, std::span<const Element> liked,
+                               const std::vector<std::vector<Element>>& order) const {
   std::vector<std::uint64_t> count(slots() + 1, 0);
   for (const Element x : setup) {
     ++count[slot(x)];
@@ -76,19 +155,33 @@ std::optional<Block> Fitting::completed(Block setup, std::span<const Element> li
   std::uint64_t lacking = 0;
   for (std::size_t s = 0; s < slots(); ++s) {
     if (count[s] > most_[s]) {
-      return std::nullopt;
+      return {};
     }
     lacking += least_[s] - std::min(least_[s], count[s]);
   }
   if (setup.size() + lacking > job_->room()) {
-    return std::nullopt;
+    return {};
   }
   if (lacking == 0) {
-    return setup;
+    return {.setup = std::move(setup)};
   }
-  std::uint64_t looks = 0;
-  const std::uint64_t missing = least_[0] - std::min(least_[0], count[0]);
-  return choose(setup, liked, 0, 0, missing, looks) ? std::optional(setup) : std::nullopt;
+  Completion completion(*this, enemies_, liked, order);
+  for (const Element x : setup) {
+    completion.put(x);
+  }
+  if (completion.complete()) {
+    return {.setup = completion.take()};
+  }
+  return {.setup = std::nullopt, .all_tried = completion.all_tried()};
+}
+
+std::optional<Block> Fitting::completed(Block setup, std::span<const Element> liked) const {
+  Found found = search(setup, liked, cheap_);
+  return found.all_tried ? std::move(found.setup) : simplest(std::move(setup)).setup;
+}
+
+Fitting::Found Fitting::simplest(Block setup) const {
+  return search(std::move(setup), {}, members_);
 }
 
 }  // namespace changeover

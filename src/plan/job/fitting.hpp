@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,20 +34,32 @@ class Fitting {
     return slot < slots() ? most_[slot] : job_->room();
   }
 
-  /// The set with as few parts more as its slots need: those of `liked` first, then cheap ones. Nothing if
-  /// that cannot be, or is not found by looking 2,000,000 times at a part that may join; without forbidden pairs, the
-  /// first choice is right. The set must have the mounted parts and no part twice; whether it obeys all else is found out.
+  /// The set with as few parts more as its slots need: those of `liked` first, then cheap ones. Nothing if that cannot be, or
+  /// was not found, nor by simplest(). The set must have the mounted parts and no part twice; whether it obeys all else is
+  /// found out. O(v) a choice.
   [[nodiscard]] std::optional<Block> completed(Block setup, std::span<const Element> liked) const;
 
+  struct Found {
+    std::optional<Block> setup;
+    bool all_tried = true;  ///< otherwise 100,000 choices were: there may be one all the same
+  };
+  /// The same with the parts that come first. This depends on the slots, the forbidden pairs and the room only, so that what is
+  /// found when a job is checked is found in all that is made of it, at other costs and when some pairs have met.
+  /// Without forbidden pairs no choice is wrong.
+  [[nodiscard]] Found simplest(Block setup) const;
+
  private:
-  bool choose(Block& setup, std::span<const Element> liked, std::size_t slot, std::size_t from,
-              std::uint64_t missing, std::uint64_t& looks) const;
-  [[nodiscard]] bool joins(const Block& setup, Element y) const;
+  [[nodiscard]] Found search(Block setup, std::span<const Element> liked,
+                             const std::vector<std::vector<Element>>& order) const;
 
   const Job* job_;
-  bool forbids_;                               // some pairs
   std::vector<std::uint64_t> least_, most_;    // by slot
-  std::vector<std::vector<Element>> members_;  // by slot, the cheapest first
+  std::vector<std::vector<Element>> members_;  // by slot
+  std::vector<std::vector<Element>> cheap_;    // by slot, the cheapest first
+  std::vector<std::vector<Element>> enemies_;  // by part: those that it must not meet
 };
+
+/// The mounted parts of a job and these, each once.
+[[nodiscard]] Block with_mounted(const Job& job, std::initializer_list<Element> parts);
 
 }  // namespace changeover

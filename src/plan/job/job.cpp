@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "io/scan/place.hpp"
+#include "plan/job/fitting.hpp"
 #include "plan/job/plain_text.hpp"
 #include "plan/job/setup_list.hpp"
 #include "plan/job/words.hpp"
@@ -172,8 +173,10 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
           "{} must meet, but beside the {} mounted there is no room for both", pair_name(job, x, y),
           mounted == 1 ? "part that stays" : fmt::format("{} that stay", mounted)));
     } else if (apart.contains(x, y) && !enemy[x] && !enemy[y]) {
-      found.push_back(fmt::format("{} must meet, but no set-up within the slots can hold both",
-                                  pair_name(job, x, y)));
+      const bool all_tried = Fitting(job).simplest(with_mounted(job, {x, y})).all_tried;
+      found.push_back(fmt::format(
+          "{} must meet, but no set-up within the slots {}", pair_name(job, x, y),
+          all_tried ? "can hold both" : "that holds both was found among 100,000 choices"));
     } else {
       for (const Element z : {x, y}) {
         if (enemy[z]) {

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
+#include <initializer_list>
 #include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -45,80 +44,6 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> range_of(std::string_view
   return least && most && !(from.empty() && to.empty()) ? std::optional(std::pair(*least, *most))
                                                         : std::nullopt;
 }
-
-// Whether some set-up within the slots has two parts besides those that stay mounted. What completed one pair completes
-// most others of the same slots: it is tried first.
-class SetupFinder {
- public:
-  explicit SetupFinder(const Job& job)
-      : job_(&job), fitting_(job), mounted_(job.parts()), plain_(job.parts(), true) {
-    for (const Element x : job.mounted) {
-      mounted_[x] = true;
-      plain_[x] = false;
-    }
-    job.never.for_each(all_of_them, [&](Element x, Element y) { plain_[x] = plain_[y] = false; });
-  }
-
-  /// Stopped if the scope of this thread wants to stop.
-  bool holds_both(Element x, Element y) {
-    if (mounted_[x] || mounted_[y]) {
-      return found(x, y).has_value();
-    }
-    Known& known = by_slots_[std::minmax({fitting_.slot(x), fitting_.slot(y)})];
-    // Plain parts of one slot stand for each other.
-    if (known.not_plain && plain_[x] && plain_[y]) {
-      return false;
-    }
-    if (std::ranges::any_of(known.fills, [&](const Block& fill) {
-          return std::ranges::all_of(fill,
-                                     [&](Element z) { return together(x, z) && together(y, z); });
-        })) {
-      return true;
-    }
-    const std::optional<Block> setup = found(x, y);
-    if (!setup) {
-      known.not_plain = known.not_plain || (plain_[x] && plain_[y]);
-      return false;
-    }
-    Block fill;
-    std::ranges::copy_if(*setup, std::back_inserter(fill),
-                         [&](Element z) { return z != x && z != y && !mounted_[z]; });
-    constexpr std::size_t most_fills = 16;
-    if (known.fills.size() == most_fills) {
-      known.fills.pop_back();
-    }
-    known.fills.insert(known.fills.begin(), std::move(fill));
-    return true;
-  }
-
- private:
-  // Of two slots.
-  struct Known {
-    std::vector<Block> fills;  // what completed pairs of them, the latest first
-    bool not_plain = false;    // nothing completes two plain parts
-  };
-
-  [[nodiscard]] bool together(Element x, Element z) const {
-    return x != z && !job_->never.contains(x, z);
-  }
-
-  [[nodiscard]] std::optional<Block> found(Element x, Element y) const {
-    stop_if_asked();
-    Block setup = job_->mounted;
-    for (const Element z : {x, y}) {
-      if (!mounted_[z]) {
-        setup.push_back(z);
-      }
-    }
-    return fitting_.completed(std::move(setup), {});
-  }
-
-  const Job* job_;
-  Fitting fitting_;
-  std::vector<bool> mounted_;
-  std::vector<bool> plain_;  // neither mounted nor in a forbidden pair
-  std::map<std::pair<std::size_t, std::size_t>, Known> by_slots_;
-};
 
 }  // namespace
 
@@ -224,14 +149,25 @@ void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<S
   job.slot_of = std::move(slot_of);
 }
 
+Block with_mounted(const Job& job, std::initializer_list<Element> parts) {
+  Block setup = job.mounted;
+  for (const Element x : parts) {
+    if (std::find(setup.begin(), setup.end(), x) == setup.end()) {
+      setup.push_back(x);
+    }
+  }
+  return setup;
+}
+
 PairSet cannot_meet(const Job& job) {
   PairSet pairs(job.parts());
   if (job.slots.empty()) {
     return pairs;
   }
-  SetupFinder finder(job);
+  const Fitting fitting(job);
   job.needed.for_each(all_of_them, [&](Element x, Element y) {
-    if (!finder.holds_both(x, y)) {
+    stop_if_asked();
+    if (!fitting.simplest(with_mounted(job, {x, y})).setup) {
       pairs.insert(x, y);
     }
   });

@@ -13,12 +13,7 @@ namespace changeover {
 namespace {
 
 bool may_meet(const Job& job, const Fitting& fitting, const Triple& triple) {
-  Block setup = job.mounted;
-  for (const Element x : triple) {
-    if (std::find(setup.begin(), setup.end(), x) == setup.end()) {
-      setup.push_back(x);
-    }
-  }
+  Block setup = with_mounted(job, {triple[0], triple[1], triple[2]});
   for (std::size_t i = 0; i < setup.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (job.never.contains(setup[i], setup[j])) {
@@ -27,7 +22,7 @@ bool may_meet(const Job& job, const Fitting& fitting, const Triple& triple) {
     }
   }
   return setup.size() <= job.room() &&
-         (!fitting.has_slots() || fitting.completed(std::move(setup), {}).has_value());
+         (!fitting.has_slots() || fitting.simplest(std::move(setup)).setup.has_value());
 }
 
 }  // namespace

@@ -154,12 +154,7 @@ class GreedyForTriples {
 
   // A set-up with these three, and what else fits.
   [[nodiscard]] Block around(const Triple& t) const {
-    Block setup = job_->mounted;
-    for (const Element x : t) {
-      if (std::find(setup.begin(), setup.end(), x) == setup.end()) {
-        setup.push_back(x);
-      }
-    }
+    Block setup = with_mounted(*job_, {t[0], t[1], t[2]});
     if (fitting_.has_slots()) {
       return fitting_.completed(setup, bench_).value_or(setup);  // There is one: no defects.
     }

@@ -152,6 +152,47 @@ TEST(Slots, EachPairOfManyIsJudgedAsIfAlone) {
   EXPECT_GT(apart_in_all, 500U);
 }
 
+// Whatever fills the slots of y and x at last stands against what is taken first, so that many choices fail.
+TEST(Slots, WhatAloneCompletesASetUpIsFound) {
+  Job job = make_job(70, 8, units(1), units(1));
+  std::vector<std::string> slots = {"Y", "X", "Y", "Y", "A", "A", "A", "A", "A"};
+  slots.insert(slots.end(), 30, "B");
+  slots.insert(slots.end(), 30, "C");
+  slots.emplace_back("Z");
+  set_slots(job, slots, parse_slots("Y=1, X=1, A=1, B=2, C=2, Z=1"));
+  for (const Element bad : {4U, 5U, 6U}) {
+    for (const Element other : {69U, 0U, 2U}) {
+      job.never.insert(other, bad);
+    }
+  }
+  job.never.insert(2, 7);
+  job.never.insert(3, 8);
+  job.needed = PairSet(70);
+  for (const Element y : {0U, 2U, 3U}) {
+    job.needed.insert(y, 1);
+  }
+  EXPECT_EQ(cannot_meet(job).size(), 0U);
+  EXPECT_TRUE(planned(job, 1'000).sheet.does_the_job());
+}
+
+// Ten of nine kinds, of which no two parts can be together: too many choices fail to look at all.
+TEST(Slots, WhereTooManyChoicesFailThisIsSaid) {
+  Job job = make_job(65, 12, units(1), units(1));
+  std::vector<std::string> slots(63, "A");
+  slots.resize(65);
+  set_slots(job, slots, parse_slots("A=10"));
+  for (Element x = 0; x < 63; ++x) {
+    for (Element y = 0; y < x; ++y) {
+      if (x % 9 == y % 9) {
+        job.never.insert(x, y);
+      }
+    }
+  }
+  job.needed = PairSet(65);
+  job.needed.insert(63, 64);
+  EXPECT_THAT(defects(job), ElementsAre(HasSubstr("found among 100,000 choices")));
+}
+
 TEST(Slots, AJobThatWasCheckedHasTheSamePlan) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const Job job = test::random_job_with_slots(seed, 7);

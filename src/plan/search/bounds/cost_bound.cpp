@@ -158,8 +158,8 @@ Numbers numbers_of(const Job& job) {
   n.room = std::min(n.room, clique_bound(job, n.parts));
   if (job.start.empty() && n.pairs == job.needed.size()) {
     n.first = std::max<std::uint64_t>(n.first, 2);  // Each needed pair is of two parts of F.
-  } else if (job.start.empty()) {
-    n.first = std::max<std::uint64_t>(n.first, 1);
+  } else if (job.start.empty() && !n.parts.empty()) {
+    n.first = std::max<std::uint64_t>(n.first, 1);  // One set-up has all pairs of mounted parts.
   }
   return n;
 }

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <limits>
 
+#include "changeover/core/error.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/search/listener.hpp"
 #include "plan/search/starts/starts.hpp"
@@ -294,15 +295,11 @@ class Greedy {
     const std::uint8_t* const row = missing_with(first_open_);
     const auto other =
         static_cast<Element>(static_cast<const std::uint8_t*>(std::memchr(row, 1, parts_)) - row);
-    Block setup = job_->mounted;
-    for (const Element x : {first_open_, other}) {
-      if (std::find(setup.begin(), setup.end(), x) == setup.end()) {
-        setup.push_back(x);
-      }
+    auto whole = fitting_.completed(with_mounted(*job_, {first_open_, other}), bench_);
+    if (!whole) {
+      throw InternalError("a pair that can meet, for the job was checked, is in no set-up");
     }
-    if (const auto whole = fitting_.completed(setup, bench_)) {
-      setup = *whole;  // There is one: the job has no defects.
-    }
+    Block setup = *std::move(whole);
     // Where one part more fits, set-ups are many; to look at all parts for each of them takes too long for who wants to stop.
     count_slots(setup);
     if (in_haste && most_more(setup.size()) == 1) {

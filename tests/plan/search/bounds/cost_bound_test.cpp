@@ -72,6 +72,26 @@ TEST(CostBound, IsNothingWhenNothingIsLeft) {
   EXPECT_EQ(cost_bound(job).tests, 0U);
 }
 
+TEST(CostBound, OfPairsThatStayMountedIsThatOfOneTest) {
+  for (const std::uint64_t mounted : {2U, 3U, 4U}) {
+    for (const std::uint64_t room : {mounted, mounted + 1}) {
+      Job job = make_job(5, room, units(7), units(2));
+      job.needed = PairSet(5);
+      for (Element x = 0; x < mounted; ++x) {
+        job.mounted.push_back(x);
+        for (Element y = 0; y < x; ++y) {
+          job.needed.insert(x, y);
+        }
+      }
+      const CostBound bound = cost_bound(job);
+      EXPECT_EQ(bound.cost, units(7 + 2 * mounted)) << mounted << ' ' << room;
+      EXPECT_EQ(bound.tests, 1U);
+      EXPECT_EQ(bound.introductions, mounted);
+      EXPECT_EQ(bound.cost.millionths, test::least_cost(job));
+    }
+  }
+}
+
 TEST(CostBound, CountsLargeJobs) {
   const CostBound bound = cost_bound(make_job(1000, 10, units(1), units(1)));
   EXPECT_GT(bound.cost, units(66'000));
