@@ -258,6 +258,10 @@ class RunSheet:
     @property
     def pairs_needed(self) -> int: ...
     @property
+    def triples_tested(self) -> int: ...
+    @property
+    def triples_needed(self) -> int: ...
+    @property
     def cost(self) -> Decimal: ...
     @property
     def lower_bound(self) -> Decimal: ...
@@ -299,6 +303,10 @@ class BenchSheets:
     def pairs_tested(self) -> int: ...
     @property
     def pairs_needed(self) -> int: ...
+    @property
+    def triples_tested(self) -> int: ...
+    @property
+    def triples_needed(self) -> int: ...
     @property
     def lower_bound(self) -> Decimal: ...
     @property
@@ -420,7 +428,7 @@ def plan(
     done: Iterable[Iterable[_Part]] = (),
     budget: _Cost | None = None,
     benches: None = None,
-    objective: Literal["makespan", "cost"] = "makespan",
+    objective: Literal["makespan", "cost"] | None = None,
     time: float | None = None,
     threads: int = 1,
     seed: int = 1,
@@ -446,7 +454,7 @@ def plan(
     done: Iterable[Iterable[_Part]] = (),
     budget: _Cost | None = None,
     benches: int,
-    objective: Literal["makespan", "cost"] = "makespan",
+    objective: Literal["makespan", "cost"] | None = None,
     time: float | None = None,
     threads: int = 1,
     seed: int = 1,

@@ -7,6 +7,7 @@ import functools
 import inspect
 import operator
 import reprlib
+import types
 import typing
 
 
@@ -15,7 +16,7 @@ def signature_of(function, classes: dict[str, type]) -> inspect.Signature:
     line = function.__doc__.split("\n", 1)[0]
     written = ast.parse(f"def {line}: ...").body[0]
     assert isinstance(written, ast.FunctionDef)
-    types = {**vars(typing), "int": int, "str": str, "float": float, "bool": bool, "list": list, "dict": dict,
+    known = {**vars(typing), "int": int, "str": str, "float": float, "bool": bool, "list": list, "dict": dict,
              "object": object, "function": typing.Callable}
 
     def type_of(node):
@@ -26,7 +27,7 @@ def signature_of(function, classes: dict[str, type]) -> inspect.Signature:
             return typing.Optional[inner] if ast.unparse(node.value) == "Optional" else object
         if isinstance(node, ast.Constant):
             return node.value
-        return types.get(node.id, object)
+        return known.get(node.id, object)
 
     empty = inspect.Parameter.empty
 
@@ -132,6 +133,11 @@ def in_one_line(function, classes: dict[str, type], name: str, owner: type = obj
     return call
 
 
+def _not_by_hand(made, *_args, **_kwargs):
+    """Without a constructor there is nothing in it."""
+    raise TypeError(f"{made.__name__} is what functions of changeover return, and is not made by hand")
+
+
 def say_all_in_one_line(module) -> None:
     """Replaces the functions of a module of pybind11, and the methods of its classes."""
     classes = {name: each for name, each in vars(module).items() if isinstance(each, type)}
@@ -141,6 +147,8 @@ def say_all_in_one_line(module) -> None:
         elif inspect.ismodule(each):
             say_all_in_one_line(each)
     for owner, each in classes.items():
+        if isinstance(vars(each).get("__init__"), types.WrapperDescriptorType) and not issubclass(each, BaseException):
+            setattr(each, "__new__", _not_by_hand)
         for name, method in list(vars(each).items()):
             described = (getattr(method, "__doc__", None) or "").startswith(f"{name}(self: ")
             if described and (name == "__init__" or not name.startswith("__")):

@@ -7,7 +7,7 @@ namespace changeover::python {
 namespace py = pybind11;
 
 std::string words_of(const py::handle& value) {
-  const py::str words(value);
+  const py::object words = made_by_python([&] { return PyObject_Str(value.ptr()); });
   Py_ssize_t bytes = 0;
   const char* const text = PyUnicode_AsUTF8AndSize(words.ptr(), &bytes);
   if (text == nullptr) {
@@ -23,6 +23,13 @@ std::string quoted(const std::string& words) {
     --end;  // not within a character
   }
   return "'" + words.substr(0, end) + (end < words.size() ? "…'" : "'");
+}
+
+void require_iterable(const char* argument, const char* holds, const py::handle& value) {
+  if (!py::isinstance<py::iterable>(value)) {
+    throw py::type_error(std::string(argument) + " has " + holds + ", not " +
+                         quoted(words_of(py::repr(value))));
+  }
 }
 
 py::dict dict_of(const char* argument, const py::object& value) {

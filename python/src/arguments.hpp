@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "gil.hpp"
+
 namespace changeover::python {
 
 /// The words of a value, as str() has them. @throws UnicodeEncodeError (a ValueError) for what is no text in UTF-8.
@@ -17,15 +19,25 @@ namespace changeover::python {
 /// @throws BadInput if it is none.
 [[nodiscard]] pybind11::dict dict_of(const char* argument, const pybind11::object& value);
 
-/// Calls `take` with each item, and looks for signals between them: an iterator written in C never does.
+/// Calls `take` with each item, and looks for signals between them: an iterator written in C never does. The code of the caller
+/// that makes items may be where Python ends this thread.
 template <typename Take>
 void for_each(const pybind11::handle& items, const Take& take) {
-  for (const pybind11::handle item : pybind11::iter(items)) {
-    if (PyErr_CheckSignals() != 0) {
+  const pybind11::object iterator = made_by_python([&] { return PyObject_GetIter(items.ptr()); });
+  for (;;) {
+    PyObject* const next = unless_python_ends([&] { return PyIter_Next(iterator.ptr()); });
+    const auto item = pybind11::reinterpret_steal<pybind11::object>(next);
+    if (PyErr_Occurred() != nullptr || PyErr_CheckSignals() != 0) {
       throw pybind11::error_already_set();
+    }
+    if (!item) {
+      return;
     }
     take(item);
   }
 }
+
+/// @throws type_error unless it can be gone through: "pairs has pairs of two parts, not 5".
+void require_iterable(const char* argument, const char* holds, const pybind11::handle& value);
 
 }  // namespace changeover::python

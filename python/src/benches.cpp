@@ -58,6 +58,11 @@ void bind_benches(py::module_& module) {
       .def_property_readonly("pairs_needed",
                              [](const Sheets& self) { return self.plan.pairs_needed; })
       .def_property_readonly(
+          "triples_tested", [](const Sheets& self) { return self.plan.triples_tested; },
+          "Of three parts that must meet, with strength 3.")
+      .def_property_readonly("triples_needed",
+                             [](const Sheets& self) { return self.plan.triples_needed; })
+      .def_property_readonly(
           "lower_bound", [](const Sheets& self) { return decimal(self.plan.bound.cost); },
           "Of the cost of all benches together.")
       .def_property_readonly(

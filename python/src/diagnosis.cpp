@@ -95,7 +95,11 @@ py::dict as_dict(const Job& job, const Diagnosis& found) {
 
 py::dict diagnosis_of(const Sheet& self, const py::iterable& results) {
   const std::vector<TestedSetup> tested = results_of(self, results);
-  return as_dict(self.job, stoppable([&] { return changeover::diagnose(self.job, tested); }));
+  Job job = self.job;
+  if (!tested.empty()) {
+    job.start = tested.back().setup;  // it is on the bench
+  }
+  return as_dict(self.job, stoppable([&] { return changeover::diagnose(job, tested); }));
 }
 
 }  // namespace changeover::python

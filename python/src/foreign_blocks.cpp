@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "arguments.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 #include "io/write/json_writer.hpp"
@@ -121,9 +122,9 @@ std::optional<Table> from_buffer(const py::object& blocks) {
 Design from_iterables(const py::object& blocks, const ReadOptions& options) {
   JsonWriter json;
   json.begin_array();
-  for (const py::handle block : blocks) {
+  for_each(blocks, [&](const py::handle& block) {
     json.begin_array();
-    for (const py::handle element : block) {
+    for_each(block, [&](const py::handle& element) {
       if (py::isinstance<py::str>(element)) {
         json.value(element.cast<std::string>());
       } else {
@@ -133,9 +134,9 @@ Design from_iterables(const py::object& blocks, const ReadOptions& options) {
         }
         json.raw(py::str(number).cast<std::string>());
       }
-    }
+    });
     json.end_array();
-  }
+  });
   json.end_array();
   return read_design(input_from_text(json.take(), "blocks"), options);
 }

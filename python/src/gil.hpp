@@ -23,7 +23,8 @@ namespace changeover::python {
   }
 }
 
-/// What call() returns, unless Python ends this thread in it: then it sleeps.
+/// What call() returns, unless Python ends this thread in it: then it sleeps. Nothing of Python's may be destroyed when call() is
+/// left, so it is one function of Python's C interface.
 template <typename Call>
 std::invoke_result_t<Call> unless_python_ends(Call&& call) {
 #ifdef __GLIBCXX__
@@ -36,6 +37,28 @@ std::invoke_result_t<Call> unless_python_ends(Call&& call) {
   return call();
 #endif
 }
+
+/// A new reference to what a function of Python's C interface returns. @throws error_already_set if it is nothing.
+template <typename Call>
+pybind11::object made_by_python(const Call& call) {
+  PyObject* const made = unless_python_ends(call);
+  if (made == nullptr) {
+    throw pybind11::error_already_set();
+  }
+  return pybind11::reinterpret_steal<pybind11::object>(made);
+}
+
+/// Lets this thread, which Python need not know, run what is Python's, from here to the end of its life.
+class GilHeld {
+ public:
+  GilHeld() : state_(unless_python_ends([] { return PyGILState_Ensure(); })) {}
+  ~GilHeld() { PyGILState_Release(state_); }
+  GilHeld(const GilHeld&) = delete;
+  GilHeld& operator=(const GilHeld&) = delete;
+
+ private:
+  PyGILState_STATE state_;
+};
 
 /// Lets other threads of Python run, from here to the end of its life.
 class GilReleased {

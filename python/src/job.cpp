@@ -8,14 +8,15 @@ namespace changeover::python {
 namespace {
 
 // A string is a sequence of its letters, which nobody means.
-void refuse_string(const char* argument, const py::handle& value) {
+void require_list(const char* argument, const char* holds, const py::handle& value) {
   if (py::isinstance<py::str>(value)) {
     throw BadInput(std::string(argument) + " is a list of parts, not a string");
   }
+  require_iterable(argument, holds, value);
 }
 
-std::vector<Block> setups_named(const Job& job, const char* argument, const py::iterable& setups) {
-  refuse_string(argument, setups);
+std::vector<Block> setups_named(const Job& job, const char* argument, const py::object& setups) {
+  require_list(argument, "set-ups, lists of parts", setups);
   std::vector<Block> all;
   for_each(setups,
            [&](const py::handle& setup) { all.push_back(parts_named(job, argument, setup)); });
@@ -31,8 +32,8 @@ std::pair<Element, Element> pair_named(const Job& job, const char* argument,
   return {two[0], two[1]};
 }
 
-PairSet pairs_named(const Job& job, const char* argument, const py::iterable& pairs) {
-  refuse_string(argument, pairs);
+PairSet pairs_named(const Job& job, const char* argument, const py::object& pairs) {
+  require_list(argument, "pairs of parts", pairs);
   PairSet all(job.parts());
   for_each(pairs, [&](const py::handle& pair) {
     const auto [x, y] = pair_named(job, argument, pair);
@@ -47,7 +48,9 @@ const char* const too_many_or_few = "parts is a number from 2 to 1000, or that m
 Job parts_and_costs(const Asked& asked) {
   const py::object& parts = asked.parts;
   const bool is_number = py::isinstance<py::int_>(parts);
-  refuse_string("parts", parts);
+  if (!is_number) {
+    require_list("parts", "names, or is how many there are", parts);
+  }
   std::vector<std::string> listed;
   std::vector<Amount> costs;
   if (!is_number) {
@@ -219,7 +222,7 @@ Element part_named(const Job& job, const py::handle& part) {
 }
 
 Block parts_named(const Job& job, const char* argument, const py::handle& parts) {
-  refuse_string(argument, parts);
+  require_list(argument, "parts", parts);
   Block all;
   for_each(parts, [&](const py::handle& part) {
     if (all.size() > job.parts()) {

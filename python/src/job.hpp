@@ -34,14 +34,14 @@ struct Asked {
   py::object change_costs;
   std::uint64_t strength = 2;
   py::object pairs;
-  py::iterable never;
+  py::object never;
   py::object slots;
   py::object slot_of;
-  py::iterable mounted;
-  py::iterable start;
-  py::iterable first;
+  py::object mounted;
+  py::object start;
+  py::object first;
   py::object weights;
-  py::iterable done;
+  py::object done;
 };
 
 /// The job, checked, without the pairs of the tests that were done. Ctrl-C ends it. @throws BadInput with the argument and how to

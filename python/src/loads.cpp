@@ -125,14 +125,15 @@ LoadOrder order(std::optional<std::uint64_t> asked_items, std::uint64_t room,
 }
 
 void call(const py::function& compute, const PairWork& pair) {
-  const py::gil_scoped_acquire held;
+  const GilHeld held;
   const auto view = [](const ItemView& item) {
     return py::memoryview::from_memory(item.bytes.data(),
                                        static_cast<py::ssize_t>(item.bytes.size()));
   };
   py::memoryview first = view(pair.first);
   py::memoryview second = view(pair.second);
-  compute(pair.first.item, pair.second.item, first, second);
+  const py::tuple arguments = py::make_tuple(pair.first.item, pair.second.item, first, second);
+  made_by_python([&] { return PyObject_CallObject(compute.ptr(), arguments.ptr()); });
   // The buffers are used again: whoever kept a view is told so by Python, not by wrong numbers.
   first.attr("release")();
   second.attr("release")();
@@ -162,7 +163,7 @@ AllPairsReport run(const std::string& path, std::uint64_t item_bytes, std::uint6
             cancelled = true;
             return;
           }
-          unless_python_ends([&] { call(compute, pair); });
+          call(compute, pair);
         },
         options);
     if (cancelled) {

@@ -1,5 +1,6 @@
 #include "long_work.hpp"
 
+#include <pthread.h>
 #include <pybind11/stl.h>
 #include <unistd.h>
 
@@ -62,10 +63,10 @@ RunControl::Settings settings_of(const LongOptions& options, Shared& shared) {
 // The work of all threads.
 class AllWork {
  public:
-  static AllWork& instance() {
-    static auto* const all = new AllWork;  // never destroyed: threads outlive what is
-    return *all;
-  }
+  static AllWork& instance() { return *all(); }
+
+  // In a forked process there is no work yet, whatever its parent does.
+  static void begin_anew() { all() = new AllWork; }
 
   void begin(RunControl& control) {
     sleep_if_python_ends();
@@ -79,11 +80,16 @@ class AllWork {
     changed_.notify_all();
   }
 
-  // Then only the thread that ends it still works: it runs what others want to be done at the end.
+  // Then threads that nobody waits for do not work any more. The thread that ends Python does, and those that it starts and waits
+  // for: what is registered to be done at the end.
   void sleep_if_python_ends() {
-    std::unique_lock lock(mutex_);
-    if (ender_ && *ender_ != std::this_thread::get_id()) {
-      lock.unlock();
+    {
+      const std::lock_guard lock(mutex_);
+      if (!ender_ || *ender_ == std::this_thread::get_id()) {
+        return;
+      }
+    }
+    if (nobody_waits()) {
       const GilReleased released;
       sleep_for_ever();
     }
@@ -101,6 +107,19 @@ class AllWork {
   }
 
  private:
+  static AllWork*& all() {
+    static auto* work = new AllWork;  // never destroyed: threads outlive what is
+    return work;
+  }
+
+  static bool nobody_waits() {
+    try {
+      return py::module_::import("threading").attr("current_thread")().attr("daemon").cast<bool>();
+    } catch (py::error_already_set&) {
+      return true;
+    }
+  }
+
   std::mutex mutex_;
   std::condition_variable changed_;
   std::set<RunControl*> running_;
@@ -110,11 +129,10 @@ class AllWork {
 }  // namespace
 
 void stop_long_work_at_the_end() {
-  py::module_::import("atexit").attr("register")(py::cpp_function([process = getpid()] {
-    if (getpid() == process) {  // the work of a parent is not there
-      const GilReleased released;
-      AllWork::instance().stop_and_wait();
-    }
+  pthread_atfork(nullptr, nullptr, AllWork::begin_anew);
+  py::module_::import("atexit").attr("register")(py::cpp_function([] {
+    const GilReleased released;
+    AllWork::instance().stop_and_wait();
   }));
 }
 
@@ -140,8 +158,11 @@ void LongWork::run(const std::function<void(RunControl&)>& work) {
   struct EndWithUs {  // whatever is thrown here
     RunControl& control;
     std::thread& worker;
+    pid_t process;
     ~EndWithUs() {
-      if (worker.joinable()) {
+      if (worker.joinable() && process != getpid()) {
+        worker.detach();  // It is the parent's: a callback forked.
+      } else if (worker.joinable()) {
         control.stop(WhyStopped::interrupted);
         worker.join();
       }
@@ -149,7 +170,7 @@ void LongWork::run(const std::function<void(RunControl&)>& work) {
       AllWork::instance().sleep_if_python_ends();
     }
   };
-  const EndWithUs end{control, worker};
+  const EndWithUs end{control, worker, getpid()};
   try {
     worker = std::thread([&] {
       std::exception_ptr fault;
@@ -180,12 +201,20 @@ void LongWork::run(const std::function<void(RunControl&)>& work) {
     }
     try {
       if (latest && !raised && !interrupted_) {
-        unless_python_ends([&] { options_.progress(as_dict(*latest)); });
+        const py::dict said = as_dict(*latest);
+        made_by_python([&] { return PyObject_CallOneArg(options_.progress.ptr(), said.ptr()); });
+        if (end.process != getpid()) {
+          throw MissingResource(
+              "this process was forked by a progress function; the work is its parent's");
+        }
       }
       if (!raised && PyErr_CheckSignals() != 0) {
         throw py::error_already_set();
       }
     } catch (py::error_already_set& signal) {
+      if (end.process != getpid()) {
+        throw;
+      }
       if (options_.keeps_best && signal.matches(PyExc_KeyboardInterrupt)) {
         interrupted_ = true;
       } else {

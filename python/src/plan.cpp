@@ -7,21 +7,25 @@
 namespace changeover::python {
 namespace {
 
-BenchObjective objective_of(const std::string& word) {
-  if (word == "makespan" || word == "cost") {
-    return word == "cost" ? BenchObjective::cost : BenchObjective::makespan;
+BenchObjective objective_of(const std::optional<std::string>& word) {
+  if (word && *word != "makespan" && *word != "cost") {
+    throw BadInput(
+        "objective is 'makespan', what the bench costs that costs most, or 'cost', of all benches");
   }
-  throw BadInput(
-      "objective is 'makespan', what the bench costs that costs most, or 'cost', of all benches");
+  return word == "cost" ? BenchObjective::cost : BenchObjective::makespan;
 }
 
 py::object plan(py::object parts, std::uint64_t at_once, py::object test_cost,
                 py::object change_cost, py::object change_costs, std::uint64_t strength,
-                py::object pairs, py::iterable never, py::object slots, py::object slot_of,
-                py::iterable mounted, py::iterable start, py::iterable first, py::object weights,
-                py::iterable done, const py::object& budget, std::optional<std::uint64_t> benches,
-                const std::string& objective, std::optional<double> time, std::uint64_t threads,
-                std::uint64_t seed, py::object progress) {
+                py::object pairs, py::object never, py::object slots, py::object slot_of,
+                py::object mounted, py::object start, py::object first, py::object weights,
+                py::object done, const py::object& budget, std::optional<std::uint64_t> benches,
+                const std::optional<std::string>& objective, std::optional<double> time,
+                std::uint64_t threads, std::uint64_t seed, py::object progress) {
+  const BenchObjective wanted = objective_of(objective);
+  if (objective && !benches) {
+    throw BadInput("objective is for several benches; give benches");
+  }
   const Job job = job_of({std::move(parts), at_once, std::move(test_cost), std::move(change_cost),
                           std::move(change_costs), strength, std::move(pairs), std::move(never),
                           std::move(slots), std::move(slot_of), std::move(mounted),
@@ -39,7 +43,7 @@ py::object plan(py::object parts, std::uint64_t at_once, py::object test_cost,
                  .keeps_best = true});
   if (benches) {
     Sheets sheets{.job = job, .options = {.benches = *benches, .plan = options}, .plan = {}};
-    sheets.options.objective = objective_of(objective);
+    sheets.options.objective = wanted;
     work.run([&](RunControl& control) {
       sheets.plan = make_bench_plan(sheets.job, sheets.options, control);
     });
@@ -139,6 +143,11 @@ void bind_plan(py::module_& module) {
       .def_property_readonly("pairs_needed",
                              [](const Sheet& self) { return self.plan.sheet.pairs_needed; })
       .def_property_readonly(
+          "triples_tested", [](const Sheet& self) { return self.plan.sheet.triples_tested; },
+          "Of three parts that must meet, with strength 3.")
+      .def_property_readonly("triples_needed",
+                             [](const Sheet& self) { return self.plan.sheet.triples_needed; })
+      .def_property_readonly(
           "cost", [](const Sheet& self) { return decimal(self.plan.sheet.cost); },
           "Exact, a Decimal.")
       .def_property_readonly(
@@ -201,7 +210,7 @@ void bind_plan(py::module_& module) {
       py::arg("mounted") = py::tuple(), py::arg("start") = py::tuple(),
       py::arg("first") = py::tuple(), py::arg("weights") = py::none(),
       py::arg("done") = py::tuple(), py::arg("budget") = py::none(),
-      py::arg("benches") = py::none(), py::arg("objective") = "makespan",
+      py::arg("benches") = py::none(), py::arg("objective") = py::none(),
       py::arg("time") = py::none(), py::arg("threads") = 1, py::arg("seed") = 1,
       py::arg("progress") = py::none(),
       "The cheapest list of tests that was found in which every two parts are mounted together at least once.\n\n"
@@ -213,7 +222,7 @@ void bind_plan(py::module_& module) {
       "set-up has, a number or (least, most), None for no limit, with slot_of, a dict from parts to their slots; parts that "
       "cannot meet then need not. mounted: parts that stay; start: parts that are mounted before the first test; first: "
       "set-ups that must be run first; weights: a dict from pairs to what testing them is worth (others 1); done: tests that "
-      "were done, lists of names. budget: test as much as it pays for. benches: so many side by side, which gives BenchSheets; objective: 'makespan', "
+      "were done, lists of names. budget: test as much as it pays for. benches: so many side by side, which gives BenchSheets; objective: 'makespan' (None), "
       "what the bench costs that costs most is least, or 'cost', of all of them. time: seconds of search; None: a fixed amount of "
       "it.\n\nRaises BadInput with the reason if no list can do it.");
 }

@@ -45,6 +45,18 @@ class Calls(unittest.TestCase):
         self.assertEqual(self.said(changeover.constructions, 1),
                          "constructions(): too many positional arguments; its arguments are none")
 
+    def test_what_is_gone_through_must_be_iterable(self):
+        costs = {"test_cost": 1, "change_cost": 1}
+        for wrong in ({"pairs": 5}, {"never": [5]}, {"first": [True]}, {"pairs": [1.5]}, {"done": [None]}, {"mounted": 7}):
+            argument = next(iter(wrong))
+            self.assertTrue(self.said(changeover.plan, 6, 3, **wrong, **costs).startswith(f"{argument} has "), wrong)
+        self.assertTrue(self.said(changeover.plan, object(), 3, **costs).startswith("parts has "))
+
+    def test_what_functions_return_is_not_made_by_hand(self):
+        for each in (changeover.RunSheet, changeover.BenchSheets, changeover.LoadOrder, changeover.Verdict):
+            self.assertIn("is not made by hand", self.said(each))
+            self.assertIn("is not made by hand", self.said(each.__new__, each))
+
     def test_every_function_and_method_does(self):
         seen = 0
         for owner in (changeover, changeover.catalog, changeover.Design, changeover.Blocks, changeover.Verdict,

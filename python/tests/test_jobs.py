@@ -220,7 +220,7 @@ class Benches(unittest.TestCase):
 
     def test_wrong_ones_are_refused(self):
         for wrong in ({"benches": 0}, {"benches": 65}, {"benches": 2, "objective": "time"}, {"benches": 2, "budget": 5},
-                      {"benches": 2, "start": ["1"]}):
+                      {"benches": 2, "start": ["1"]}, {"benches": 2, "weights": {(1, 2): 3}}, {"objective": "cost"}):
             with self.assertRaises(changeover.BadInput, msg=wrong):
                 changeover.plan(9, 3, test_cost=1, change_cost=1, **wrong)
         with self.assertRaises(TypeError):
@@ -284,12 +284,34 @@ class Diagnoses(unittest.TestCase):
         self.assertEqual(found["contradictions"], [(["a", "b"], ["a", "b", "c"])])
         self.assertEqual(sheet.diagnose([])["suspects"], [])
         self.assertEqual(sheet.diagnose([None, None, True])["passed"], 1)
-        for wrong in ([1], ["yes"], [True] * 99, [(["a"], 1)], [(["a"],)], [(["z"], True)], [("ab", True)], "ab",
+        for wrong in ([1], ["yes"], [([], False)], [("abcd", False)], [(list("abcd"), False)], [True] * 99, [(["a"], 1)], [(["a"],)], [(["z"], True)], [("ab", True)], "ab",
                       [(["a", "a"], True)]):
             with self.assertRaises(changeover.BadInput, msg=wrong):
                 sheet.diagnose(wrong)
         with self.assertRaises(TypeError):
             sheet.diagnose(7)
+
+    def test_the_first_test_comes_after_the_last_that_was_made(self):
+        for more in ({}, {"start": ["1", "2", "3"]}, {"done": [["1", "2", "3"]]}):
+            sheet = changeover.plan(9, 3, test_cost=1, change_cost=5, **more)
+            first = sheet.diagnose([True, True, False])["tests"][0]
+            there = set(sheet.steps[2]["setup"])
+            self.assertEqual(set(first["take_out"]), there - set(first["setup"]))
+            self.assertEqual(set(first["put_in"]), set(first["setup"]) - there)
+            self.assertEqual(first["cost"], 1 + 5 * len(first["put_in"]))
+
+    def test_two_faults_are_said_once(self):
+        sheet = changeover.plan(5, 3, test_cost=1, change_cost=1)
+        two = sheet.diagnose([False, False, False, True])["two"]
+        self.assertGreater(len(two), 0)
+        self.assertEqual(len({frozenset(both) for both in two}), len(two))
+
+    def test_triples_have_neither_ratios_nor_diagnoses(self):
+        sheet = changeover.plan(7, 4, strength=3, test_cost=1, change_cost=1)
+        self.assertEqual((sheet.triples_tested, sheet.triples_needed), (35, 35))
+        for call in (sheet.what_if, lambda: sheet.diagnose([False])):
+            with self.assertRaisesRegex(changeover.BadInput, "triples"):
+                call()
 
 
 class Signals(unittest.TestCase):
@@ -310,6 +332,8 @@ class Signals(unittest.TestCase):
         self.interrupt(lambda: changeover.plan(4, 3, pairs=itertools.repeat((1, 2)), **costs))
         self.interrupt(lambda: changeover.plan(4, 3, done=itertools.repeat((1, 2)), **costs))
         self.interrupt(lambda: changeover.load_order(None, 3, pairs=itertools.repeat((0, 1))))
+        self.interrupt(lambda: changeover.verify(itertools.repeat([1, 2, 3])))
+        self.interrupt(lambda: changeover.verify([itertools.repeat(1)]))
         sheet = changeover.plan(4, 3, **costs)
         self.interrupt(lambda: sheet.diagnose(itertools.repeat(([1, 2], True))))
 

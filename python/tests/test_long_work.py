@@ -120,6 +120,8 @@ class Ends(unittest.TestCase):
         "a stream": "[None for blocks in changeover.stream(3001, 20, kind='circular', batch=64)]",
         "an order": "[None for step in changeover.load_order(20000, 5)]",
         "all pairs": "changeover.all_pairs(sys.argv[1], 8, 5, lambda a, b, x, y: None, threads=2)",
+        "a diagnosis": "sheet.diagnose((['1', '2'], True) for i in itertools.repeat(0))",
+        "strange blocks": "changeover.verify([1, 2, 3] for i in itertools.repeat(0))",
         "a function that sleeps": "changeover.search(40, 5, time=600, progress=lambda said: time.sleep(1000))",
     }
 
@@ -131,7 +133,8 @@ class Ends(unittest.TestCase):
             for name, work in self.works.items():
                 with self.subTest(name):
                     program = (
-                        "import changeover, sys, threading, time\n"
+                        "import changeover, itertools, sys, threading, time\n"
+                        "sheet = changeover.plan(9, 3, test_cost=1, change_cost=5)\n"
                         "def go_on():\n"
                         "    while True:\n"
                         f"        {work}\n"
@@ -153,6 +156,38 @@ class Ends(unittest.TestCase):
         )
         ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
         self.assertEqual((ended.returncode, ended.stderr, len(ended.stdout.split())), (0, "", 2))
+
+    def test_a_thread_that_the_end_waits_for_still_works(self):
+        program = (
+            "import atexit, threading\n"
+            "def work():\n"
+            "    thread = threading.Thread(target=lambda: print(changeover.search(9, 4, time=5).design.b))\n"
+            "    thread.start()\n"
+            "    thread.join()\n"
+            "atexit.register(work)\n"
+            "import changeover\n"
+        )
+        ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+        self.assertEqual((ended.returncode, ended.stderr, len(ended.stdout.split())), (0, "", 1))
+
+    def test_a_progress_function_may_fork(self):
+        for end in ("sys.exit(6)", "return"):
+            program = (
+                "import changeover, os, sys\n"
+                "said = []\n"
+                "def progress(each):\n"
+                "    if not said:\n"
+                "        said.append(each)\n"
+                "        child = os.fork()\n"
+                "        if child == 0:\n"
+                f"            {end}\n"
+                "        print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
+                "print(changeover.plan(30, 5, test_cost=1, change_cost=5, time=0.5, progress=progress).complete)\n"
+            )
+            ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60)
+            self.assertEqual(ended.returncode, 0)
+            self.assertEqual(ended.stdout.split(), ["6" if "exit" in end else "1", "True"])
+            self.assertEqual("forked by a progress function" in ended.stderr, end == "return")
 
 
 class Catalog(unittest.TestCase):

@@ -48,4 +48,10 @@ void refuse_replacing(const Job& job, const std::string& what) {
   }
 }
 
+void refuse_triples(const Job& job, const std::string& what) {
+  if (!job.triples.empty()) {
+    throw BadInput(what + " is not done where triples must meet");
+  }
+}
+
 }  // namespace changeover

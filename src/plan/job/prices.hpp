@@ -20,5 +20,7 @@ enum class Price {
 
 /// @throws BadInput for a job with replace_costs: `what` is not done for it.
 void refuse_replacing(const Job& job, const std::string& what);
+/// @throws BadInput for a job with triples: `what` is not done for it.
+void refuse_triples(const Job& job, const std::string& what);
 
 }  // namespace changeover

@@ -315,6 +315,9 @@ BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunContro
         "plans for several benches begin with empty benches, without a budget and tests that are done "
         "or come first");
   }
+  if (!job.weights.empty()) {
+    throw BadInput("pairs are not weighed in plans for several benches");
+  }
   if (!options.plan.checked) {
     check_in_full(job);
   }

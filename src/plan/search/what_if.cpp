@@ -127,6 +127,7 @@ WhatIf envelope(const Job& job, const std::vector<Candidate>& candidates) {
 WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
                RunControl& control) {
   refuse_replacing(job, "comparing ratios of costs");
+  refuse_triples(job, "comparing ratios of costs");
   if (!job.first.empty()) {
     return what_if_with_first(job, plan, options, control);
   }

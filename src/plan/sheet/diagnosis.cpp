@@ -23,6 +23,11 @@ constexpr std::uint64_t most_tried = 4096;
 using Members = std::vector<bool>;  // by part
 
 Members members_of(const Job& job, const Block& setup) {
+  if (setup.empty() || setup.size() > job.at_once) {
+    throw BadInput(fmt::format("a test that was done has {}; it has 1 to {}",
+                               setup.size() == 1 ? "1 part" : fmt::format("{} parts", setup.size()),
+                               job.at_once));
+  }
   Members members(job.names.size(), false);
   for (const Element x : setup) {
     if (x >= job.parts() || members[x]) {
@@ -82,7 +87,12 @@ std::vector<std::pair<Suspect, Suspect>> two_that_explain(const Job& job,
       if (two.size() == most_of_two) {
         return two;
       }
-      two.emplace_back(one, other);
+      const bool known = std::any_of(two.begin(), two.end(), [&](const auto& both) {
+        return both.first == other && both.second == one;
+      });
+      if (!known) {
+        two.emplace_back(one, other);
+      }
     }
   }
   return two;
@@ -245,6 +255,7 @@ std::string in_words(const Suspect& suspect, const std::vector<std::string>& nam
 
 Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests) {
   refuse_replacing(job, "choosing the next test of a diagnosis");
+  refuse_triples(job, "a diagnosis");
   Job any = job;
   any.needed = PairSet(job.parts());
   any.first.clear();

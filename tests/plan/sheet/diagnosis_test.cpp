@@ -135,6 +135,7 @@ TEST(Diagnosis, TwoFaultsAreFoundOut) {
   const std::pair<Suspect, Suspect> faults{{0, 1}, {4, 5}};
   EXPECT_EQ(std::count(found.two.begin(), found.two.end(), faults), 1);
   for (const auto& [one, other] : found.two) {
+    EXPECT_EQ(std::count(found.two.begin(), found.two.end(), std::pair(other, one)), 0);  // once
     for (const TestedSetup& test : results_of(fano, {{0, 1}, {4, 5}})) {
       EXPECT_EQ(fails(test.setup, one) || fails(test.setup, other), test.failed);
     }
