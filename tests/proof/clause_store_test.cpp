@@ -207,5 +207,23 @@ TEST(ClauseStore, ForgetsWhatAResolventAssumed) {
   EXPECT_FALSE(store.implies_resolvents(Clause{1, 5}, 1));
 }
 
+// Dead clauses are swept away now and then. At each removal, this would take a minute.
+TEST(ClauseStore, IsEmptiedOfManyClauses) {
+  constexpr int many = 60'000;
+  ClauseStore store(std::uint64_t{1} << 26);
+  store.reserve(many + 5);
+  const auto clause = [](int i) { return Clause{i, i + 1, -(i + 2), i + 3, -(i + 4)}; };
+  for (int i = 1; i <= many; ++i) {
+    store.add(clause(i));
+  }
+  EXPECT_TRUE(store.implies(clause(7)));
+  for (int i = 1; i <= many; ++i) {
+    ASSERT_TRUE(store.remove(clause(i))) << i;
+    ASSERT_FALSE(store.remove(clause(i))) << i;
+  }
+  EXPECT_FALSE(store.implies(clause(7)));
+  EXPECT_FALSE(store.contradictory());
+}
+
 }  // namespace
 }  // namespace changeover
