@@ -26,7 +26,11 @@ namespace changeover::python {
 /// What call() returns, unless Python ends this thread in it: then it sleeps. Nothing of Python's may be destroyed when call() is
 /// left, so it is one function of Python's C interface.
 template <typename Call>
-std::invoke_result_t<Call> unless_python_ends(Call&& call) {
+#ifdef __GLIBCXX__
+[[gnu::no_sanitize("undefined")]]  // The reference that is caught refers to nothing.
+#endif
+std::invoke_result_t<Call>
+unless_python_ends(Call&& call) {
 #ifdef __GLIBCXX__
   try {
     return call();
