@@ -114,7 +114,9 @@ class AllWork {
 
   static bool nobody_waits() {
     try {
-      return py::module_::import("threading").attr("current_thread")().attr("daemon").cast<bool>();
+      const py::object current = py::module_::import("threading").attr("current_thread");
+      const py::object thread = made_by_python([&] { return PyObject_CallNoArgs(current.ptr()); });
+      return thread.attr("daemon").cast<bool>();
     } catch (py::error_already_set&) {
       return true;
     }

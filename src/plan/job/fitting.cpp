@@ -184,4 +184,14 @@ Fitting::Found Fitting::simplest(Block setup) const {
   return search(std::move(setup), {}, members_);
 }
 
+Block with_mounted(const Job& job, std::initializer_list<Element> parts) {
+  Block setup = job.mounted;
+  for (const Element x : parts) {
+    if (std::find(setup.begin(), setup.end(), x) == setup.end()) {
+      setup.push_back(x);
+    }
+  }
+  return setup;
+}
+
 }  // namespace changeover

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -147,16 +146,6 @@ void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<S
   }
   job.slots = std::move(slots);
   job.slot_of = std::move(slot_of);
-}
-
-Block with_mounted(const Job& job, std::initializer_list<Element> parts) {
-  Block setup = job.mounted;
-  for (const Element x : parts) {
-    if (std::find(setup.begin(), setup.end(), x) == setup.end()) {
-      setup.push_back(x);
-    }
-  }
-  return setup;
 }
 
 PairSet cannot_meet(const Job& job) {

@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
-
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "cheapest.hpp"
@@ -111,45 +109,6 @@ TEST(Slots, PairsThatCannotMeetAreThoseThatNoSetUpHolds) {
     EXPECT_EQ(defects(job).empty(), apart.size() == 0) << seed;
   }
   EXPECT_GT(apart_in_all, 100U);
-}
-
-// Of one pair by itself nothing is known from others.
-TEST(Slots, EachPairOfManyIsJudgedAsIfAlone) {
-  std::uint64_t apart_in_all = 0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    Random random(seed, 5);
-    const std::uint32_t v = 16 + random.below(20);
-    Job job = make_job(v, 5, units(5), units(1));
-    std::vector<std::string> slots;
-    for (std::uint32_t x = 0; x < v; ++x) {  // P is rare, so that forbidden pairs matter
-      slots.emplace_back(x < 3 ? "P" : std::array{"Q", "R", ""}.at(random.below(3)));
-    }
-    slots.back() = "Q";
-    slots[3] = "R";
-    set_slots(job, slots, parse_slots("P=1..2, Q=1..2, R=0..1"));
-    const std::uint32_t one_in = 2 + random.below(6);
-    for (Element y = 1; y < v; ++y) {
-      for (Element x = 0; x < y; ++x) {
-        if (random.below(one_in) == 0) {
-          job.never.insert(x, y);
-        }
-      }
-    }
-    if (random.one_in_two()) {
-      job.mounted = {v / 2};
-    }
-    job.needed = all_pairs_but(job.never);
-    const PairSet apart = cannot_meet(job);
-    apart_in_all += apart.size();
-    Job alone = job;
-    job.needed.for_each(1'000'000, [&](Element x, Element y) {
-      alone.needed = PairSet(v);
-      alone.needed.insert(x, y);
-      EXPECT_EQ(cannot_meet(alone).size() == 1, apart.contains(x, y))
-          << seed << ' ' << x << ' ' << y;
-    });
-  }
-  EXPECT_GT(apart_in_all, 500U);
 }
 
 // Whatever fills the slots of y and x at last stands against what is taken first, so that many choices fail.
