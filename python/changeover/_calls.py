@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import copyreg
 import functools
 import inspect
 import operator
@@ -138,6 +139,13 @@ def _not_by_hand(made, *_args, **_kwargs):
     raise TypeError(f"{made.__name__} is what functions of changeover return, and is not made by hand")
 
 
+def _reduce(self, _protocol=2):
+    """As Python has it from protocol 2 on; for 0 and 1 it would make an object of pybind11's base, which ends the process."""
+    if not hasattr(type(self), "__setstate__"):
+        raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
+    return copyreg.__newobj__, (type(self),), self.__getstate__()
+
+
 def say_all_in_one_line(module) -> None:
     """Replaces the functions of a module of pybind11, and the methods of its classes."""
     classes = {name: each for name, each in vars(module).items() if isinstance(each, type)}
@@ -147,6 +155,9 @@ def say_all_in_one_line(module) -> None:
         elif inspect.ismodule(each):
             say_all_in_one_line(each)
     for owner, each in classes.items():
+        if not issubclass(each, BaseException):
+            setattr(each, "__reduce_ex__", _reduce)
+            setattr(each, "__reduce__", _reduce)
         if isinstance(vars(each).get("__init__"), types.WrapperDescriptorType) and not issubclass(each, BaseException):
             setattr(each, "__new__", _not_by_hand)
         for name, method in list(vars(each).items()):

@@ -19,6 +19,10 @@ namespace changeover::python {
 
 namespace py = pybind11;
 
+/// Has every method of the module's types refuse an object that was made by __new__ alone, in which there is nothing.
+/// After all have been bound.
+void refuse_empty_objects(const py::module_& module);
+
 void bind_errors(py::module_& module);
 void bind_blocks(py::module_& module);
 void bind_designs(py::module_& module);

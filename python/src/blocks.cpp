@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "arguments.hpp"
 #include "bind.hpp"
 
 namespace changeover::python {
@@ -15,12 +16,21 @@ py::tuple row(const Blocks& blocks, std::size_t index) {
   return elements;
 }
 
-std::size_t place(const Blocks& blocks, py::ssize_t index) {
+std::size_t place(const Blocks& blocks, const py::handle& index) {
+  if (PyIndex_Check(index.ptr()) == 0) {
+    throw py::type_error("blocks have a number or a slice as index, not " +
+                         quoted(words_of(py::repr(index))));
+  }
   const auto count = static_cast<py::ssize_t>(blocks.count);
-  if (index < -count || index >= count) {
+  // A number that is too large for any index is one that is not there.
+  const py::ssize_t at = PyNumber_AsSsize_t(index.ptr(), nullptr);
+  if (at == -1 && PyErr_Occurred() != nullptr) {
+    throw py::error_already_set();
+  }
+  if (at < -count || at >= count) {
     throw py::index_error("there are " + std::to_string(count) + " blocks");
   }
-  return static_cast<std::size_t>(index < 0 ? index + count : index);
+  return static_cast<std::size_t>(at < 0 ? at + count : at);
 }
 
 Blocks part(const Blocks& blocks, const py::slice& slice) {
@@ -84,8 +94,10 @@ void bind_blocks(py::module_& module) {
       })
       .def("__len__", [](const Blocks& self) { return self.count; })
       .def("__getitem__",
-           [](const Blocks& self, py::ssize_t index) { return row(self, place(self, index)); })
-      .def("__getitem__", &part)
+           [](const Blocks& self, const py::object& index) -> py::object {
+             return py::isinstance<py::slice>(index) ? py::cast(part(self, index.cast<py::slice>()))
+                                                     : py::object(row(self, place(self, index)));
+           })
       .def("__iter__", [](const Blocks& self) { return BlockIterator{self}; })
       .def("__eq__", &equal, py::is_operator())
       .def_property_readonly(

@@ -122,11 +122,13 @@ std::optional<Table> from_buffer(const py::object& blocks) {
 Design from_iterables(const py::object& blocks, const ReadOptions& options) {
   JsonWriter json;
   json.begin_array();
-  for_each(blocks, [&](const py::handle& block) {
+  require_ordered("blocks", "lists of elements", blocks);
+  for_each(rows_of(blocks), [&](const py::handle& block) {
+    require_iterable("blocks", "lists of elements", block);
     json.begin_array();
     for_each(block, [&](const py::handle& element) {
       if (py::isinstance<py::str>(element)) {
-        json.value(element.cast<std::string>());
+        json.value(words_of(element));
       } else {
         const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(element.ptr()));
         if (!number) {

@@ -1,24 +1,19 @@
 #include "job.hpp"
 
+#include <algorithm>
+
 #include "arguments.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/io/input.hpp"
 #include "long_work.hpp"
 
 namespace changeover::python {
 namespace {
 
-// A string is a sequence of its letters, which nobody means.
-void require_list(const char* argument, const char* holds, const py::handle& value) {
-  if (py::isinstance<py::str>(value)) {
-    throw BadInput(std::string(argument) + " is a list of parts, not a string");
-  }
-  require_iterable(argument, holds, value);
-}
-
 std::vector<Block> setups_named(const Job& job, const char* argument, const py::object& setups) {
-  require_list(argument, "set-ups, lists of parts", setups);
+  require_ordered(argument, "set-ups, lists of parts", setups);
   std::vector<Block> all;
-  for_each(setups,
+  for_each(rows_of(setups),
            [&](const py::handle& setup) { all.push_back(parts_named(job, argument, setup)); });
   return all;
 }
@@ -33,9 +28,9 @@ std::pair<Element, Element> pair_named(const Job& job, const char* argument,
 }
 
 PairSet pairs_named(const Job& job, const char* argument, const py::object& pairs) {
-  require_list(argument, "pairs of parts", pairs);
+  require_iterable(argument, "pairs of parts", pairs);
   PairSet all(job.parts());
-  for_each(pairs, [&](const py::handle& pair) {
+  for_each(rows_of(pairs), [&](const py::handle& pair) {
     const auto [x, y] = pair_named(job, argument, pair);
     all.insert(x, y);
   });
@@ -44,52 +39,94 @@ PairSet pairs_named(const Job& job, const char* argument, const py::object& pair
 
 const char* const too_many_or_few = "parts is a number from 2 to 1000, or that many names";
 
-// The parts, by number, by name, or by name with their costs.
-Job parts_and_costs(const Asked& asked) {
+// What is said of parts, each by name.
+struct Listed {
+  std::vector<std::string> names;
+  std::vector<std::optional<Amount>> costs;  // by part; empty where none has one
+  std::vector<std::string> slots;            // by part; empty where none has one
+};
+
+// A table of columns is read as a file of it would be: the same headers, the same refusals.
+Listed listed_in_columns(const py::object& given) {
+  py::object frame = given;
+  const py::object index = frame.attr("index");
+  if (words_of(py::type::of(index).attr("__name__")) != "RangeIndex") {
+    frame = frame.attr("rename_axis")(
+        index.attr("name").is_none() ? py::str("name") : py::object(index.attr("name")));
+    frame = frame.attr("reset_index")();  // The names are beside the columns.
+  }
+  const py::object text = py::module_::import("io").attr("StringIO")();
+  const py::object writer = py::module_::import("csv").attr("writer")(text);
+  writer.attr("writerow")(frame.attr("columns"));
+  for_each(rows_of(frame), [&](const py::handle& row) {
+    py::list fields;
+    for_each(row, [&](const py::handle& field) {
+      const bool is_missing =
+          field.is_none() || words_of(field) == "nan" || words_of(field) == "<NA>";
+      fields.append(is_missing ? py::object(py::str(""))
+                               : py::reinterpret_borrow<py::object>(field));
+    });
+    writer.attr("writerow")(fields);
+  });
+  const auto input = input_from_text(words_of(text.attr("getvalue")()), "parts");
+  PartList list = read_parts(*input, Header::given);
+  return {std::move(list.names), std::move(list.change_costs), std::move(list.slots)};
+}
+
+Listed listed_one_by_one(const py::object& parts) {
+  Listed listed;
+  const auto take = [&](const py::handle& part) {
+    if (listed.names.size() == max_parts) {
+      throw BadInput(too_many_or_few);
+    }
+    listed.names.push_back(words_of(part));
+  };
+  if (leads_from_keys(parts)) {
+    // Read as it is now: to read it runs code of the caller, which may change it.
+    for_each(py::list(parts.attr("items")()), [&](const py::handle& item) {
+      const auto [part, cost] = item.cast<std::pair<py::object, py::object>>();
+      take(part);
+      listed.costs.emplace_back(amount_of(cost));
+    });
+  } else {
+    require_ordered("parts", "names, or is how many there are", parts);
+    for_each(parts, take);
+  }
+  if (const auto twice = py::set(py::cast(listed.names)); twice.size() != listed.names.size()) {
+    throw BadInput("two parts have the same name");
+  }
+  return listed;
+}
+
+// The parts, by number, by name, or by name with their costs. Their slots go to `slots`, where a table has them.
+Job parts_and_costs(const Asked& asked, std::vector<std::string>& slots) {
   const py::object& parts = asked.parts;
   const bool is_number = py::isinstance<py::int_>(parts);
-  if (!is_number) {
-    require_list("parts", "names, or is how many there are", parts);
-  }
-  std::vector<std::string> listed;
-  std::vector<Amount> costs;
-  if (!is_number) {
-    const auto take = [&](const py::handle& part) {
-      if (listed.size() == max_parts) {
-        throw BadInput(too_many_or_few);
-      }
-      listed.push_back(words_of(part));
-    };
-    if (py::isinstance<py::dict>(parts)) {
-      for (const auto& [part, cost] : dict_of("parts", parts)) {
-        take(part);
-        costs.push_back(amount_of(cost));
-      }
-    } else {
-      for_each(parts, take);
-    }
-    if (const auto twice = py::set(py::cast(listed)); twice.size() != listed.size()) {
-      throw BadInput("two parts have the same name");
-    }
-  }
+  Listed listed = is_number              ? Listed()
+                  : is_data_frame(parts) ? listed_in_columns(parts)
+                                         : listed_one_by_one(parts);
   if (is_number && !(parts >= py::int_(2) && parts <= py::int_(max_parts))) {
     throw BadInput(too_many_or_few);
   }
-  const std::uint64_t count = is_number ? parts.cast<std::uint64_t>() : listed.size();
+  const std::uint64_t count = is_number ? parts.cast<std::uint64_t>() : listed.names.size();
   if (count < 2) {
     throw BadInput("a pair needs two parts");
   }
-  if (asked.change_cost.is_none() && asked.change_costs.is_none() && costs.empty()) {
+  const bool all_have_costs =
+      !listed.costs.empty() &&
+      std::ranges::all_of(listed.costs, [](const auto& cost) { return cost.has_value(); });
+  if (asked.change_cost.is_none() && asked.change_costs.is_none() && !all_have_costs) {
     throw BadInput("give change_cost, or parts as a dict from names to their change costs");
   }
   Job job = make_job(count, asked.at_once, amount_of(asked.test_cost),
                      asked.change_cost.is_none() ? Amount{} : amount_of(asked.change_cost));
-  if (!listed.empty()) {
-    job.names = listed;
+  if (!listed.names.empty()) {
+    job.names = std::move(listed.names);
   }
-  for (std::size_t i = 0; i < costs.size(); ++i) {
-    job.change_costs[i] = costs[i];
+  for (std::size_t i = 0; i < listed.costs.size(); ++i) {
+    job.change_costs[i] = listed.costs[i].value_or(job.change_costs[i]);
   }
+  slots = std::move(listed.slots);
   return job;
 }
 
@@ -142,12 +179,12 @@ Slot slot_of(std::string name, const py::handle& room) {
 }
 
 // slots: how many parts of each; slot_of: which part is in which.
-void take_slots(const Asked& asked, Job& job) {
+void take_slots(const Asked& asked, std::vector<std::string> of_parts, Job& job) {
   std::vector<Slot> slots;
   for (const auto& [name, room] : dict_of("slots", asked.slots)) {
     slots.push_back(slot_of(words_of(name), room));
   }
-  std::vector<std::string> of_parts(job.parts());
+  of_parts.resize(job.parts());
   if (!asked.slot_of.is_none()) {
     for (const auto& [part, slot] : dict_of("slot_of", asked.slot_of)) {
       of_parts[part_named(job, part)] = words_of(slot);
@@ -222,7 +259,7 @@ Element part_named(const Job& job, const py::handle& part) {
 }
 
 Block parts_named(const Job& job, const char* argument, const py::handle& parts) {
-  require_list(argument, "parts", parts);
+  require_iterable(argument, "parts", parts);
   Block all;
   for_each(parts, [&](const py::handle& part) {
     if (all.size() > job.parts()) {
@@ -234,16 +271,23 @@ Block parts_named(const Job& job, const char* argument, const py::handle& parts)
 }
 
 Job job_of(const Asked& asked) {
-  Job job = parts_and_costs(asked);
+  std::vector<std::string> slots_of_parts;
+  Job job = parts_and_costs(asked, slots_of_parts);
   if (!asked.change_costs.is_none()) {
     take_change_costs(asked.change_costs, job);
   }
-  if (asked.slots.is_none() != asked.slot_of.is_none()) {
+  const bool has_column = !slots_of_parts.empty();
+  if (has_column && !asked.slot_of.is_none()) {
+    throw BadInput("parts has a column slot, and slot_of says the same; give one of them");
+  }
+  if (asked.slots.is_none() == (has_column || !asked.slot_of.is_none())) {
     throw BadInput(
-        "slots and slot_of come together: how many parts a slot has, and which parts are in it");
+        has_column
+            ? "parts has a column slot; give slots, how many parts each has, or leave the column out"
+            : "slots and slot_of come together: how many parts a slot has, and which parts are in it");
   }
   if (!asked.slots.is_none()) {
-    take_slots(asked, job);
+    take_slots(asked, std::move(slots_of_parts), job);
   }
   job.mounted = parts_named(job, "mounted", asked.mounted);
   job.start = parts_named(job, "start", asked.start);

@@ -9,6 +9,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/scope.hpp"
 #include "gil.hpp"
+#include "item_memory.hpp"
 #include "long_work.hpp"
 
 namespace changeover::python {
@@ -54,7 +55,9 @@ WantedPairs wanted_by(std::optional<std::uint64_t> items, const py::object& pair
   }
   std::vector<ItemPair> listed;
   std::uint64_t most = 0;
-  for_each(pairs, [&](const py::handle& row) {
+  require_iterable("pairs", "rows of two items", pairs);
+  for_each(rows_of(pairs), [&](const py::handle& row) {
+    require_iterable("pairs", "rows of two items", row);
     Element ends[2] = {};
     std::size_t count = 0;
     for_each(row, [&](const py::handle& end) {
@@ -124,19 +127,28 @@ LoadOrder order(std::optional<std::uint64_t> asked_items, std::uint64_t room,
   return std::move(*found);
 }
 
+// Says which pair compute() was given: as a note of the exception, where Python has notes (3.11).
+void note_pair(py::error_already_set& fault, const PairWork& pair) {
+  if (py::hasattr(fault.value(), "add_note")) {
+    const auto note =
+        py::str("compute({}, {}) raised this").format(pair.first.item, pair.second.item);
+    fault.value().attr("add_note")(note);
+  }
+}
+
 void call(const py::function& compute, const PairWork& pair) {
   const GilHeld held;
-  const auto view = [](const ItemView& item) {
-    return py::memoryview::from_memory(item.bytes.data(),
-                                       static_cast<py::ssize_t>(item.bytes.size()));
-  };
-  py::memoryview first = view(pair.first);
-  py::memoryview second = view(pair.second);
+  const py::object first = view_of(pair.first);
+  const py::object second = view_of(pair.second);
   const py::tuple arguments = py::make_tuple(pair.first.item, pair.second.item, first, second);
-  made_by_python([&] { return PyObject_CallObject(compute.ptr(), arguments.ptr()); });
-  // The buffers are used again: whoever kept a view is told so by Python, not by wrong numbers.
-  first.attr("release")();
-  second.attr("release")();
+  try {
+    made_by_python([&] { return PyObject_CallObject(compute.ptr(), arguments.ptr()); });
+  } catch (py::error_already_set& fault) {
+    note_pair(fault, pair);
+    throw;
+  }
+  end_view(first);
+  end_view(second);
 }
 
 AllPairsReport run(const std::string& path, std::uint64_t item_bytes, std::uint64_t room,
@@ -230,7 +242,8 @@ void bind_loads(py::module_& module) {
       py::arg("journal") = "",
       "Runs an all-pairs job over a file of items of item_bytes each, never more than `room` of them in memory.\n\n"
       "compute(i, j, first, second) is called once for each pair i < j and for each item with itself (i = j), with read-only "
-      "memoryviews that end with the call. With a journal a job that was ended goes on where it was. What compute "
+      "memoryviews that end with the call; what is made of them (slices, arrays) stays as it is, and keeps the item in "
+      "memory beyond the room. With a journal a job that was ended goes on where it was. What compute "
       "raises ends the job. Raises BadInput, MissingResource.");
 }
 

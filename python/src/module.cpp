@@ -16,4 +16,5 @@ PYBIND11_MODULE(_core, module) {
   bind_benches(module);
   bind_plan(module);
   bind_loads(module);
+  refuse_empty_objects(module);
 }

@@ -1,6 +1,8 @@
 """Calls that fit no function."""
 
+import copy
 import inspect
+import pickle
 import os
 import pickle
 import tempfile
@@ -56,6 +58,42 @@ class Calls(unittest.TestCase):
         for each in (changeover.RunSheet, changeover.BenchSheets, changeover.LoadOrder, changeover.Verdict):
             self.assertIn("is not made by hand", self.said(each))
             self.assertIn("is not made by hand", self.said(each.__new__, each))
+
+    def test_items_and_blocks_that_cannot_be(self):
+        design = changeover.design(9, 3)
+        for wrong, fault in (("a", TypeError), (1.5, TypeError), (None, TypeError), (10**30, IndexError), (-10**30, IndexError),
+                             (design.b, IndexError), (-design.b - 1, IndexError)):
+            with self.subTest(wrong=wrong), self.assertRaises(fault) as caught:
+                design.blocks[wrong]
+            self.assertNotIn("\n", str(caught.exception))
+        self.assertEqual(design.blocks[-1], design.blocks[design.b - 1])
+        self.assertEqual(design.blocks[1:3].tolist(), design.blocks.tolist()[1:3])
+        for wrong in ([["\ud800", "a"], ["a", "b"]], ["abc", "abd"], [b"abc", b"abd"], {(1, 2, 3): 0}, {(1, 2, 3)}, [{1: 2, 3: 4}]):
+            with self.subTest(wrong=wrong), self.assertRaises((TypeError, ValueError)) as caught:
+                changeover.Design(wrong)
+            self.assertNotIn("\n", str(caught.exception))
+
+    def test_objects_in_which_there_is_nothing_are_refused(self):
+        looks = (repr, copy.copy, copy.deepcopy, memoryview, len, iter, lambda it: it == it, lambda it: it[0],
+                 lambda it: it.__reduce_ex__(1), lambda it: it.__reduce_ex__(2), pickle.dumps)
+        types = [each for module in (changeover, changeover._core, changeover.catalog) for each in vars(module).values()
+                 if isinstance(each, type) and not issubclass(each, BaseException)]
+        self.assertIn(changeover.Design, types)
+        for each in set(types):
+            try:
+                nothing = each.__new__(each)
+            except TypeError as fault:
+                self.assertIn("is not made by hand", str(fault))
+                continue
+            for name, what in vars(each).items():
+                if isinstance(what, property) or type(what).__name__ == "pybind11_static_property":
+                    with self.subTest(each=each, name=name), self.assertRaisesRegex(TypeError, "nothing in it"):
+                        getattr(nothing, name)
+            for look in looks:
+                try:
+                    look(nothing)
+                except TypeError as fault:
+                    self.assertNotIn("\n", str(fault))
 
     def test_every_function_and_method_does(self):
         seen = 0

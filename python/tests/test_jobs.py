@@ -92,8 +92,6 @@ class Plans(unittest.TestCase):
             ({"pairs": []}, "no pair has to meet"),
             ({"pairs": [("a", "a")]}, "pairs is pairs of two parts"),
             ({"pairs": [("a", "b", "c")]}, "pairs is pairs of two parts"),
-            ({"pairs": "ab"}, "pairs is a list of parts, not a string"),
-            ({"mounted": "a"}, "mounted is a list of parts, not a string"),
             ({"mounted": ["z"]}, "no part is called 'z'"),
             ({"strength": 4}, "strength is 2"),
             ({"strength": 3, "pairs": [("a", "b")]}, "strength 2 only"),
@@ -119,6 +117,60 @@ class Plans(unittest.TestCase):
         for wrong in ({"mounted": ["\ud800"]}, {"budget": "\ud800"}):
             with self.subTest(wrong=wrong), self.assertRaises(UnicodeEncodeError):
                 self.plan("a b c d".split(), 3, **wrong)
+
+    def test_what_does_not_hold_what_is_meant_is_refused(self):
+        pair = {"a", "b"}
+        for name in ("pairs", "never", "first", "done", "mounted", "start"):
+            for wrong in ("ab", b"ab", bytearray(b"ab"), {("a", "b"): 1}, 5):
+                with self.subTest(name=name, wrong=wrong), self.assertRaisesRegex(TypeError, f"^{name} has .*not .*$"):
+                    self.plan("a b c d".split(), 3, **{name: wrong})
+        for name in ("pairs", "never", "first", "done"):
+            for wrong in ("ab", b"ab", {"a": 1, "b": 2}):
+                with self.subTest(name=name, wrong=[wrong]), self.assertRaisesRegex(TypeError, f"^{name} has .*not .*$"):
+                    self.plan("a b c d".split(), 3, **{name: [wrong]})
+        for wrong in ("abcd", b"abcd", {"a", "b", "c"}, 5.5):
+            with self.subTest(parts=wrong), self.assertRaisesRegex(TypeError, "^parts has names"):
+                self.plan(wrong, 3)
+        with self.assertRaisesRegex(TypeError, "a set has none"):
+            self.plan("a b c d".split(), 3, first={("a", "b", "c")})
+        # A pair and a set-up have no order, and neither have pairs.
+        self.assertEqual(self.plan("a b c".split(), 2, never=[pair]).cost, self.plan("a b c".split(), 2, never={("b", "a")}).cost)
+        self.assertEqual(len(self.plan((name for name in "abc"), 2, pairs=(pair for _ in range(2))).steps), 1)
+
+    def test_columns_are_read_as_a_file_of_them_would_be(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        names, costs, slots = ["lens a", "b,c", 'd"e', "f"], ["1", "2.50", "3", "4"], ["x", "x", "y", ""]
+        plan = lambda parts, **more: changeover.plan(parts, 2, test_cost=10, **more).to_csv()
+        wanted = plan(dict(zip(names, costs)))
+        frame = pandas.DataFrame({"part": names, "cost": [1, 2.5, 3, 4]})
+        self.assertEqual(plan(frame), wanted)
+        self.assertEqual(plan(frame.set_index("part")), wanted)
+        self.assertEqual(plan(frame.set_index("part").rename_axis(None)), wanted)
+        self.assertEqual(plan(frame.set_index("part")["cost"]), wanted)
+        self.assertEqual(plan(frame[["cost", "part"]]), wanted)
+        self.assertEqual(plan(frame[["part"]], change_cost=3), plan(names, change_cost=3))
+        gaps = pandas.DataFrame({"part": names, "cost": [1, None, 3, 4]})
+        self.assertEqual(plan(gaps, change_cost="2.5"), wanted)
+        with self.assertRaisesRegex(changeover.BadInput, "give change_cost"):
+            plan(gaps)
+        in_slots = frame.assign(slot=slots)
+        room = {"x": 1, "y": (0, 1)}
+        by_dicts = plan(dict(zip(names, costs)), slots=room, slot_of=dict(zip(names, slots[:3])))
+        self.assertEqual(plan(in_slots, slots=room), by_dicts)
+        for more in ({}, {"slots": room, "slot_of": {"f": "x"}}):
+            with self.subTest(more=more), self.assertRaisesRegex(changeover.BadInput, "^parts has a column slot"):
+                plan(in_slots, **more)
+        with self.assertRaisesRegex(changeover.BadInput, "same name|twice"):
+            plan(pandas.Series([1, 2, 3], index=["a", "b", "a"]))
+        pairs = pandas.DataFrame({"first": ["f"], "second": ["b,c"]})
+        self.assertEqual(plan(frame, never=pairs), plan(frame, never=[("f", "b,c")]))
+        edges = pandas.DataFrame({"i": [0, 1, 2], "j": [1, 2, 3]})
+        self.assertEqual(changeover.load_order(4, 2, pairs=edges).loads, changeover.load_order(4, 2, pairs=edges.to_numpy()).loads)
+        blocks = pandas.DataFrame([[0, 1, 2], [0, 1, 3]])
+        self.assertEqual(changeover.Design(blocks, change=1), changeover.Design([[0, 1, 2], [0, 1, 3]], change=1))
 
     def test_a_dict_that_changes_while_it_is_read_is_read_as_it_was(self):
         class Part:
@@ -286,7 +338,7 @@ class Diagnoses(unittest.TestCase):
         self.assertEqual(sheet.diagnose([None, None, True])["passed"], 1)
         for wrong in ([1], ["yes"], [([], False)], [("abcd", False)], [(list("abcd"), False)], [True] * 99, [(["a"], 1)], [(["a"],)], [(["z"], True)], [("ab", True)], "ab",
                       [(["a", "a"], True)]):
-            with self.assertRaises(changeover.BadInput, msg=wrong):
+            with self.assertRaises((changeover.BadInput, TypeError), msg=wrong):
                 sheet.diagnose(wrong)
         with self.assertRaises(TypeError):
             sheet.diagnose(7)

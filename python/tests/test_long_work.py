@@ -284,10 +284,52 @@ class Loads(unittest.TestCase):
             def fails(i, j, first, second):
                 raise ArithmeticError("no")
 
-            with self.assertRaisesRegex(ArithmeticError, "no"):
+            with self.assertRaisesRegex(ArithmeticError, "no") as caught:
                 changeover.all_pairs(path, 64, 5, fails)
+            if hasattr(caught.exception, "__notes__"):
+                self.assertEqual(len(caught.exception.__notes__), 1)
+                self.assertRegex(caught.exception.__notes__[0], r"^compute\(\d+, \d+\) raised this$")
             with self.assertRaises(changeover.MissingResource):
                 changeover.all_pairs(path + "x", 64, 5, compute)
+
+    def test_what_is_made_of_views_outlives_the_call(self):
+        try:
+            import numpy as np
+        except ImportError:
+            np = None
+        data = os.urandom(64 * 60)
+        item = lambda i: data[64 * i : 64 * i + 64]
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "items")
+            with open(path, "wb") as file:
+                file.write(data)
+            kept = []
+
+            def compute(i, j, first, second):
+                kept.append((item(i)[:16], first[:16]))
+                kept.append((item(j)[::-1], memoryview(second)[::-1]))
+                kept.append((item(i), first.cast("H")))
+                if np is not None:
+                    kept.append((item(j), np.frombuffer(second, np.uint8)))
+
+            report = changeover.all_pairs(path, 64, 4, compute, threads=2)
+            self.assertEqual(report.pairs, 60 * 61 // 2)
+            self.assertEqual(sum(bytes(view) != wanted for wanted, view in kept), 0)
+            with self.assertRaises(TypeError):
+                kept[0][1][0] = 1  # read-only
+            # A fault keeps its views, too.
+            faults = []
+
+            def fails(i, j, first, second):
+                faults.append((item(i), first[:]))
+                raise ArithmeticError
+
+            with self.assertRaises(ArithmeticError):
+                changeover.all_pairs(path, 64, 4, fails)
+            self.assertTrue(all(bytes(view) == wanted for wanted, view in faults))
+            exporter = type(kept[0][1].obj)
+            with self.assertRaises(TypeError):
+                exporter()
 
     def test_a_gram_matrix_out_of_core(self):
         try:

@@ -142,6 +142,33 @@ mkdir full && printf 'mine' >full/mine
 run 60 "$CHANGEOVER" "${small[@]}" full
 attacks=$((attacks + 1))
 [[ $code == 4 && $(cat full/mine) == mine && $(ls -A full) == mine ]] || fault "export into a folder with other things: exit code $code"
+# Over an earlier export: what is not as that wrote it is refused at every depth, and stays.
+listing() { (cd site && find . -printf '%p %y %s %l\n' | sort && find . -type f -exec sha256sum {} + | sort); }
+first_cell=$(find site/data/cell -type f | head -n 1)
+for put in 'mkdir -p site/data/cell/mine; echo a >site/data/cell/mine/a' 'echo mine >site/data/mine.json' 'mkdir site/data/empty' \
+  'mkfifo site/data/pipe' 'ln -s /etc/passwd site/data/link' 'ln -s cell site/data/cells' 'rm site/index.html; mkdir site/index.html' \
+  'echo more >>site/index.html' "rm '$first_cell'; ln -s /etc/passwd '$first_cell'" "rm '$first_cell'; mkfifo '$first_cell'" \
+  'echo "changeover 0.1.0" >site/.changeover-explorer' 'rm site/.changeover-explorer' \
+  'rm site/.changeover-explorer; ln -s /etc/passwd site/.changeover-explorer'; do
+  cp -a site good-site
+  eval "$put"
+  kept=$(listing)
+  run 120 "$CHANGEOVER" "${small[@]}" site
+  attacks=$((attacks + 1))
+  [[ $code == 4 && $said == *'--export site: '* ]] || fault "export over what is not its own ($put): exit code $code $said"
+  [[ $(listing) == "$kept" ]] || fault "export over what is not its own changed it: $put"
+  rm -rf site && mv good-site site
+done
+# A file that is gone is no loss, and what is named like a site that was left is somebody's.
+rm "$first_cell"
+cp -a site site.new-abcdef
+echo mine >site.new-abcdef/mine
+kept=$(find site.new-abcdef -type f -exec sha256sum {} + | sort)
+run 120 "$CHANGEOVER" "${small[@]}" site
+attacks=$((attacks + 1))
+[[ $code == 0 && -s $first_cell ]] || fault "export over an earlier one: exit code $code $said"
+[[ $(find site.new-abcdef -type f -exec sha256sum {} + | sort) == "$kept" ]] || fault 'export took a folder that is not its own'
+rm -rf site.new-abcdef
 before=$(cat site/data/config.json site/index.html)
 for ((round = 0; round < 3 * rounds; ++round)); do
   env --default-signal=INT "$CHANGEOVER" serve --assets pages --k 3..8 --v 5..60 --export site >"$out" 2>"$err" </dev/null &

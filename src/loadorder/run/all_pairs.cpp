@@ -252,11 +252,11 @@ class Job {
     for (std::size_t i = 0; i < step_.step.load.size(); ++i) {
       const Element x = step_.step.load[i];
       const bool is_last = i + 1 == step_.step.load.size();
-      const std::span<const std::byte> bytes = reader.wait(x);
+      const ItemView arrived = reader.wait(x);
       const std::size_t end = is_last ? step_.before : step_.arrival_end[i];
       // An item with itself goes first: it may be the longest task.
       const std::size_t alone = step_.is_new[i] ? 1 : 0;
-      compute(reader, pool, from, end, alone, {x, bytes});
+      compute(reader, pool, from, end, alone, arrived);
       from = end;
     }
     if (cancelled()) {
@@ -284,7 +284,7 @@ class Job {
         compute_({step_.step.number, self, self});
       } else {
         const auto& [x, y] = step_.pairs[from + task - alone];
-        compute_({step_.step.number, {x, reader.bytes(x)}, {y, reader.bytes(y)}});
+        compute_({step_.step.number, reader.view(x), reader.view(y)});
       }
     });
     pairs_ += end - from + alone;

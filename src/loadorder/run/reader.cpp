@@ -1,6 +1,8 @@
 #include "loadorder/run/reader.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdlib>
 #include <new>
 
 #include "changeover/core/error.hpp"
@@ -17,15 +19,19 @@ Reader::Reader(ItemSource& source, std::uint64_t items, std::uint64_t room, unsi
       slots_(static_cast<std::size_t>(room)),
       where_(static_cast<std::size_t>(items), 0) {
   for (std::uint32_t i = 0; i < slots_.size(); ++i) {
-    slots_[i].buffer.reset(
-        static_cast<std::byte*>(std::aligned_alloc(buffer_alignment, capacity_)));
-    if (!slots_[i].buffer) {
-      throw std::bad_alloc();
-    }
+    allocate(slots_[i]);
     free_.push_back(i);
   }
   start_threads(
       threads_, std::max(1U, threads), [this](unsigned) { serve(); }, [this] { close(); });
+}
+
+void Reader::allocate(Slot& slot) const {
+  slot.place = static_cast<std::byte*>(std::aligned_alloc(buffer_alignment, capacity_));
+  if (slot.place == nullptr) {
+    throw std::bad_alloc();
+  }
+  slot.buffer.reset(slot.place, [](std::byte* memory) { std::free(memory); });
 }
 
 void Reader::close() {
@@ -58,7 +64,7 @@ void Reader::serve() {
     // Nobody else touches a slot that is on its way.
     Slot& slot = slots_[index];
     try {
-      slot.bytes = source_->read(slot.item, {slot.buffer.get(), capacity_});
+      slot.bytes = source_->read(slot.item, {slot.place, capacity_});
     } catch (...) {
       slot.fault = std::current_exception();
     }
@@ -75,8 +81,13 @@ void Reader::request(Element item) {
     throw InternalError("an item is to be loaded when every buffer is taken");
   }
   const std::uint32_t index = free_.back();
-  free_.pop_back();
   Slot& slot = slots_[index];
+  if (slot.buffer.use_count() > 1) {
+    allocate(slot);  // The bytes of the item before are kept elsewhere, and stay as they are.
+  } else {
+    std::atomic_thread_fence(std::memory_order_acquire);  // They were read before they were let go.
+  }
+  free_.pop_back();
   slot.item = item;
   slot.bytes = {};
   slot.fault = nullptr;
@@ -91,7 +102,7 @@ void Reader::request(Element item) {
   wanted_.notify_one();
 }
 
-std::span<const std::byte> Reader::wait(Element item) {
+ItemView Reader::wait(Element item) {
   const auto start = std::chrono::steady_clock::now();
   Slot& slot = slots_[where_[item]];
   {
@@ -103,7 +114,7 @@ std::span<const std::byte> Reader::wait(Element item) {
     std::rethrow_exception(slot.fault);
   }
   bytes_read_ += slot.bytes.size();
-  return slot.bytes;
+  return view(item);
 }
 
 void Reader::release(Element item) { free_.push_back(where_[item]); }

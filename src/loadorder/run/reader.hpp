@@ -5,7 +5,6 @@
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <deque>
 #include <exception>
 #include <memory>
@@ -32,11 +31,12 @@ class Reader {
   void request(Element item);
 
   /// Waits until an item that was requested is there. @throws what reading it has thrown.
-  std::span<const std::byte> wait(Element item);
+  ItemView wait(Element item);
 
-  /// The bytes of an item that was waited for.
-  [[nodiscard]] std::span<const std::byte> bytes(Element item) const {
-    return slots_[where_[item]].bytes;
+  /// An item that was waited for.
+  [[nodiscard]] ItemView view(Element item) const {
+    const Slot& slot = slots_[where_[item]];
+    return {item, slot.bytes, &slot.buffer};
   }
 
   /// Gives the buffer of an item back that was waited for.
@@ -48,17 +48,16 @@ class Reader {
   [[nodiscard]] std::chrono::duration<double> waited() const { return waited_; }
 
  private:
-  struct Free {
-    void operator()(std::byte* memory) const { std::free(memory); }
-  };
   struct Slot {
-    std::unique_ptr<std::byte[], Free> buffer;
+    std::shared_ptr<const std::byte> buffer;
+    std::byte* place = nullptr;  // the same memory, to be written to
     Element item = 0;
     bool ready = false;
     std::span<const std::byte> bytes;
     std::exception_ptr fault;
   };
 
+  void allocate(Slot& slot) const;
   void close();
   void serve();
 

@@ -1,21 +1,13 @@
 #include "serve/export/site.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
 #include <map>
 #include <mutex>
 #include <set>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "answer/catalog/completeness.hpp"
@@ -28,234 +20,15 @@
 #include "changeover/core/version.hpp"
 #include "changeover/draw/heatmap.hpp"
 #include "changeover/run/scope.hpp"
-#include "core/printable.hpp"
-#include "io/file/left_behind.hpp"
 #include "io/write/json_writer.hpp"
 #include "run/threads.hpp"
 #include "serve/api/about.hpp"
 #include "serve/api/cells.hpp"
 #include "serve/api/selection.hpp"
+#include "serve/export/workshop.hpp"
 
 namespace changeover::serve {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr const char* marker = ".changeover-explorer";
-// In a folder that an export works in, and in an old site that it removes: may be removed by whoever finds it unlocked. A site
-// that somebody wants to keep has none, whatever its name is.
-constexpr const char* unfinished = ".changeover-unfinished";
-
-// What is at the top of a site.
-bool is_of_a_site(const std::string& name) {
-  static const std::set<std::string> ours{marker,   unfinished, "index.html",
-                                          "assets", "data",     "sources.sha256"};
-  return ours.contains(name);
-}
-
-[[noreturn]] void cannot(const std::string& what, const fs::path& path, int why) {
-  throw MissingResource(
-      fmt::format("cannot {} {}: {}", what, printable(path.string()), std::strerror(why)));
-}
-
-// A descriptor of a folder, which may be locked by it; -1 if there is none.
-class OpenFolder {
- public:
-  OpenFolder() = default;
-  explicit OpenFolder(const fs::path& path)
-      : descriptor_(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC)) {}
-  ~OpenFolder() {
-    if (descriptor_ >= 0) {
-      ::close(descriptor_);
-    }
-  }
-  OpenFolder(OpenFolder&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  OpenFolder& operator=(OpenFolder&& other) noexcept {
-    std::swap(descriptor_, other.descriptor_);
-    return *this;
-  }
-  OpenFolder(const OpenFolder&) = delete;
-  OpenFolder& operator=(const OpenFolder&) = delete;
-  [[nodiscard]] int descriptor() const { return descriptor_; }
-
- private:
-  int descriptor_ = -1;
-};
-
-constexpr std::string_view before_random = ".new-";
-constexpr std::size_t random_letters = 6;  // of mkdtemp
-
-// Removes a folder, its mark last: it can be killed.
-void remove_marked(const fs::path& folder) {
-  std::error_code fault;
-  std::vector<fs::path> found;
-  for (fs::directory_iterator at(folder, fault), end; !fault && at != end; at.increment(fault)) {
-    if (at->path().filename() != unfinished) {
-      found.push_back(at->path());
-    }
-  }
-  for (const fs::path& path : found) {
-    fs::remove_all(path, fault);
-  }
-  fs::remove_all(folder, fault);
-}
-
-// Removes what exports to `place` left that were killed. Whoever makes a site has its folder locked, as the temporaries of files
-// are (io/file/left_behind.hpp).
-void remove_left_behind(const fs::path& place) {
-  const std::string front = place.filename().string() + std::string(before_random);
-  std::vector<fs::path> found;
-  std::error_code fault;
-  for (fs::directory_iterator at(place.parent_path(), fault), end; !fault && at != end;
-       at.increment(fault)) {
-    const std::string name = at->path().filename().string();
-    if (name.starts_with(front) && name.size() == front.size() + random_letters) {
-      found.push_back(at->path());
-    }
-  }
-  for (const fs::path& path : found) {
-    const OpenFolder folder(path);
-    if (folder.descriptor() < 0 || ::flock(folder.descriptor(), LOCK_EX | LOCK_NB) != 0) {
-      continue;
-    }
-    bool nothing_else = true;
-    bool empty = true;
-    for (fs::directory_iterator at(path, fault), end; !fault && at != end; at.increment(fault)) {
-      nothing_else = nothing_else && is_of_a_site(at->path().filename().string());
-      empty = false;
-    }
-    std::error_code none;
-    const bool marked = fs::is_regular_file(fs::symlink_status(path / unfinished, none));
-    if (!fault && nothing_else && (marked || empty)) {
-      remove_marked(path);
-    }
-  }
-}
-
-// A folder beside the place of the site, which goes away unless it is put there.
-class Workshop {
- public:
-  explicit Workshop(const std::string& place) : place_(fs::absolute(place).lexically_normal()) {
-    if (!place_.has_filename()) {
-      place_ = place_.parent_path();
-    }
-    std::error_code fault;
-    const fs::file_status status = fs::status(place_, fault);
-    there_ = fs::exists(status);
-    if (there_ && !fs::is_directory(status)) {
-      throw MissingResource(
-          fmt::format("--export {}: it is no folder; name a new one", printable(place)));
-    }
-    if (there_) {
-      place_ = fs::canonical(place_);
-    }
-    if (there_ && !fs::is_empty(place_) && !fs::exists(place_ / marker)) {
-      throw MissingResource(
-          fmt::format("--export {}: the folder holds other things; name a new one, or an empty one",
-                      printable(place)));
-    }
-    if (there_) {
-      refuse_what_was_added(place);
-    }
-    remove_left_behind(place_);
-    do {
-      std::string pattern =
-          fmt::format("{}{}{}", place_.string(), before_random, std::string(random_letters, 'X'));
-      if (::mkdtemp(pattern.data()) == nullptr) {
-        cannot("make a folder beside", place_, errno);
-      }
-      work_ = pattern;
-      folder_ = OpenFolder(work_);
-      if (folder_.descriptor() < 0 && errno != ENOENT) {
-        cannot("open", work_, errno);
-      }
-      // Another export may have taken it for one that was left.
-    } while (folder_.descriptor() < 0 || !claim_temporary(folder_.descriptor(), work_.string()));
-    constexpr auto as_folders_are = fs::perms::owner_all | fs::perms::group_read |
-                                    fs::perms::group_exec | fs::perms::others_read |
-                                    fs::perms::others_exec;
-    fs::permissions(work_, as_folders_are);
-    mark(work_);
-  }
-  // An earlier export is replaced whole; what others put beside it would be gone.
-  void refuse_what_was_added(const std::string& place) const {
-    for (const fs::directory_entry& entry : fs::directory_iterator(place_)) {
-      if (const std::string added = entry.path().filename().string(); !is_of_a_site(added)) {
-        throw MissingResource(fmt::format(
-            "--export {}: {} there is not of an earlier export and would be lost; export to a new "
-            "folder and copy it",
-            printable(place), printable(added)));
-      }
-    }
-  }
-
-  ~Workshop() { remove_marked(work_); }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-
-  void write(const std::string& name, std::string_view bytes) {
-    const fs::path path = work_ / name;
-    std::error_code fault;
-    fs::create_directories(path.parent_path(), fault);
-    constexpr mode_t as_files_are = 0644;
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, as_files_are);
-    if (file < 0) {
-      cannot("write", path, errno);
-    }
-    for (std::string_view rest = bytes; !rest.empty();) {
-      const ssize_t wrote = ::write(file, rest.data(), rest.size());
-      if (wrote < 0 && errno != EINTR) {
-        const int why = errno;
-        ::close(file);
-        cannot("write", path, why);
-      }
-      rest.remove_prefix(wrote > 0 ? static_cast<std::size_t>(wrote) : 0);
-    }
-    if (::close(file) != 0) {
-      cannot("write", path, errno);
-    }
-    const std::scoped_lock lock(mutex_);
-    ++files_;
-    bytes_ += bytes.size();
-  }
-
-  // The old site, if there was one, is in the workshop afterwards.
-  void put_in_place() {
-    if (::syncfs(folder_.descriptor()) != 0) {
-      cannot("write", work_, errno);
-    }
-    const unsigned how = there_ ? RENAME_EXCHANGE : RENAME_NOREPLACE;
-    if (::renameat2(AT_FDCWD, work_.c_str(), AT_FDCWD, place_.c_str(), how) != 0) {
-      cannot("put the site at", place_, errno);
-    }
-    std::error_code ignored;
-    fs::remove(place_ / unfinished, ignored);
-    if (there_) {
-      mark(work_);
-    }
-  }
-
-  [[nodiscard]] std::uint64_t files() const { return files_; }
-  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-
- private:
-  static void mark(const fs::path& folder) {
-    constexpr mode_t as_files_are = 0644;
-    const int file = ::open((folder / unfinished).c_str(),
-                            O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, as_files_are);
-    if (file >= 0) {
-      ::close(file);
-    }  // Then it stays if it is killed.
-  }
-
-  fs::path place_;
-  fs::path work_;
-  OpenFolder folder_;  // of it, locked
-  bool there_ = false;
-  std::mutex mutex_;
-  std::uint64_t files_ = 0;
-  std::uint64_t bytes_ = 0;
-};
 
 // The page says where its data are, and asks for nothing from elsewhere wherever it is put.
 std::string static_index(std::string page) {
@@ -386,7 +159,6 @@ SiteSummary export_site(const std::string& folder, const SiteRange& range, const
     cli::check_table({.k = range.k, .v = range.v, .change = change});
   }
   Workshop workshop(folder);
-  workshop.write(marker, fmt::format("changeover {}\n", version));
   for (const std::string& path : pages.paths()) {
     const auto page = pages.find(path);
     if (page && path != "index.html") {
