@@ -371,7 +371,7 @@ void Verb::only_with(const std::vector<std::string>& names,
                               enumerated(others) + " only");
   state_->refuse(
       names, [state = state_.get(), others] { return !state->any_given(others); },
-      "is for " + enumerated(others) + "; give both");
+      "is for " + enumerated(others) + (others.size() == 1 ? "; give both" : "; give one of them"));
 }
 
 void Verb::never_with(const std::vector<std::string>& names,
