@@ -22,7 +22,7 @@ Block in_order(Block setup) {
 }
 
 void note_unread(const DoneRequest& request, DoneAnswer& answer) {
-  if (answer.unread == 0) {
+  if (answer.unread == 0 || request.for_diagnosis) {
     return;
   }
   const UnreadResult& one = answer.first_unread.front();

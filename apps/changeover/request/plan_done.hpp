@@ -15,7 +15,8 @@ struct DoneRequest {
   std::string path;                    ///< of the list
   std::optional<std::uint64_t> first;  ///< how many of its tests were done, if that was said
   FailedTests failed = FailedTests::again;
-  std::string first_tests;  ///< what the set-ups that come first were read from
+  bool for_diagnosis = false;  ///< no note says what is planned
+  std::string first_tests;     ///< what the set-ups that come first were read from
 };
 
 /// What a list of tests that were done leaves.

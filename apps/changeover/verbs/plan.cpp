@@ -10,6 +10,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/plan/sheet_formats.hpp"
 #include "cli/terminal.hpp"
+#include "io/scan/place.hpp"
 #include "request/inputs.hpp"
 #include "request/plan_done.hpp"
 #include "request/run_request.hpp"
@@ -266,6 +267,7 @@ Asked asked_by(const PlanRequest& request) {
         take_done({.path = request.done,
                    .first = request.done_first,
                    .failed = request.trust_failed ? FailedTests::trusted : FailedTests::again,
+                   .for_diagnosis = request.diagnose,
                    .first_tests = request.first},
                   job);
     asked.notes.insert(asked.notes.end(), asked.done.notes.begin(), asked.done.notes.end());
@@ -307,11 +309,13 @@ std::string what_if_text(const Job& job, const WhatIf& answer, const std::string
 Answer diagnosis(const PlanRequest& request, const Asked& asked) {
   const DoneAnswer& done = asked.done;
   if (done.results.empty()) {
-    throw BadInput(done.unread == 0
-                       ? fmt::format("{}: no result says pass or fail; fill in the column result",
-                                     request.done)
-                       : fmt::format("{}: no result says pass or fail, as here; write pass or fail",
-                                     done.first_unread.front().place));
+    throw BadInput(
+        done.unread == 0
+            ? fmt::format("{}: no result says pass or fail; fill in the column result",
+                          request.done)
+            : fmt::format(
+                  "{}: no result says pass or fail; {} is not understood; write pass or fail",
+                  done.first_unread.front().place, shown(done.first_unread.front().text)));
   }
   Diagnosis found = diagnose(asked.job, done.results);
   found.unread = done.unread;

@@ -45,7 +45,7 @@ void write(JsonWriter& json, const Job& job, const std::vector<Suspect>& suspect
 std::string what_is_suspect(const Job& job, const Diagnosis& found) {
   const std::string all = found.unread == 0 ? "all results" : "all results that are understood";
   if (found.failed == 0 && found.unread > 0) {
-    return "No result that is understood says that a test failed; what the others say is open.\n";
+    return "No test failed as far as results are understood; one that is not may be a failure.\n";
   }
   if (found.failed == 0) {
     return "No test failed: nothing is suspect.\n";
