@@ -48,7 +48,8 @@ void diagnosed(const Job& job, const DoneList& done) {
   std::vector<TestedSetup> tests;
   for (std::size_t i = 0; i < done.setups.size(); ++i) {
     const TestResult result = result_of(done.results[i]);
-    if (result != TestResult::none && !done.lacks[i] && !done.setups[i].empty()) {
+    if ((result == TestResult::pass || result == TestResult::fail) && !done.lacks[i] &&
+        !done.setups[i].empty()) {
       tests.push_back({done.setups[i], result == TestResult::fail});
     }
   }

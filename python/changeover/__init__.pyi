@@ -258,6 +258,8 @@ class RunSheet:
     @property
     def pairs_needed(self) -> int: ...
     @property
+    def met_only_in_failed(self) -> int: ...
+    @property
     def triples_tested(self) -> int: ...
     @property
     def triples_needed(self) -> int: ...
@@ -281,7 +283,7 @@ class RunSheet:
         seed: int = 1,
         progress: _Progress | None = None,
     ) -> dict[str, Any]: ...
-    def diagnose(self, results: Iterable[bool | None | tuple[Iterable[_Part], bool]]) -> dict[str, Any]: ...
+    def diagnose(self, results: Iterable[bool | str | None | tuple[Iterable[_Part], bool | str]]) -> dict[str, Any]: ...
     def to_csv(self) -> str: ...
     def to_html(self) -> str: ...
     def __len__(self) -> int: ...
@@ -425,7 +427,8 @@ def plan(
     start: Iterable[_Part] = (),
     first: Iterable[Iterable[_Part]] = (),
     weights: Mapping[_Pair, _Cost] | None = None,
-    done: Iterable[Iterable[_Part]] = (),
+    done: Iterable[Iterable[_Part] | tuple[Iterable[_Part], bool | str | None] | dict[str, Any]] = (),
+    trust_failed: bool = False,
     budget: _Cost | None = None,
     benches: None = None,
     objective: Literal["makespan", "cost"] | None = None,
@@ -451,7 +454,8 @@ def plan(
     start: Iterable[_Part] = (),
     first: Iterable[Iterable[_Part]] = (),
     weights: Mapping[_Pair, _Cost] | None = None,
-    done: Iterable[Iterable[_Part]] = (),
+    done: Iterable[Iterable[_Part] | tuple[Iterable[_Part], bool | str | None] | dict[str, Any]] = (),
+    trust_failed: bool = False,
     budget: _Cost | None = None,
     benches: int,
     objective: Literal["makespan", "cost"] | None = None,

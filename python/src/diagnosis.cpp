@@ -8,35 +8,48 @@
 namespace changeover::python {
 namespace {
 
-// True or False for the next set-up of the sheet, None for no result, or a set-up of its own with its result.
-std::vector<TestedSetup> results_of(const Sheet& self, const py::iterable& results) {
+// What results say, and the texts that are not understood, each with its place in them.
+struct Results {
+  std::vector<TestedSetup> tests;
+  py::list unread;
+};
+
+// True, False or a text for the next set-up of the sheet, None for no result, or a set-up of its own with its result.
+Results results_of(const Sheet& self, const py::iterable& results) {
   const char* const wanted =
-      "results has True (passed), False (failed) or None for each of the first tests, or (set-up, passed)";
-  const auto passed = [&](const py::handle& result) {
-    if (!py::isinstance<py::bool_>(result)) {
-      throw BadInput(wanted);
-    }
-    return result.cast<bool>();
-  };
+      "results has True (passed), False (failed), None or a text for each of the first tests, or (set-up, result)";
+  if (py::isinstance<py::str>(results)) {
+    throw BadInput(wanted);
+  }
   const std::vector<RunStep>& steps = self.plan.sheet.steps;
   std::size_t next = 0;
-  std::vector<TestedSetup> all;
+  std::size_t place = 0;
+  Results all;
+  const auto add = [&](const Block& setup, const py::handle& result, bool may_be_none) {
+    const auto said = result_named(result);
+    if (!said || (result.is_none() && !may_be_none)) {
+      throw BadInput(wanted);
+    }
+    if (*said == TestResult::pass || *said == TestResult::fail) {
+      all.tests.push_back({setup, *said == TestResult::fail});
+    } else if (*said == TestResult::unread) {
+      all.unread.append(py::make_tuple(place, result));
+    }
+    ++place;
+  };
   for_each(results, [&](const py::handle& result) {
     if (py::isinstance<py::tuple>(result)) {
       const auto two = py::reinterpret_borrow<py::tuple>(result);
       if (two.size() != 2) {
         throw BadInput(wanted);
       }
-      all.push_back({parts_named(self.job, "results", two[0]), !passed(two[1])});
+      add(parts_named(self.job, "results", two[0]), two[1], false);
       return;
     }
     if (next == steps.size()) {
       throw BadInput("results has more than the sheet has tests");
     }
-    const Block& setup = steps[next++].setup;
-    if (!result.is_none()) {
-      all.push_back({setup, !passed(result)});
-    }
+    add(steps[next++].setup, result, true);
   });
   return all;
 }
@@ -94,12 +107,15 @@ py::dict as_dict(const Job& job, const Diagnosis& found) {
 }  // namespace
 
 py::dict diagnosis_of(const Sheet& self, const py::iterable& results) {
-  const std::vector<TestedSetup> tested = results_of(self, results);
+  const Results all = results_of(self, results);
+  const std::vector<TestedSetup>& tested = all.tests;
   Job job = self.job;
   if (!tested.empty()) {
     job.start = tested.back().setup;  // it is on the bench
   }
-  return as_dict(self.job, stoppable([&] { return changeover::diagnose(job, tested); }));
+  py::dict found = as_dict(self.job, stoppable([&] { return changeover::diagnose(job, tested); }));
+  found["unread"] = all.unread;
+  return found;
 }
 
 }  // namespace changeover::python

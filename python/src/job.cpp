@@ -1,6 +1,9 @@
 #include "job.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <unordered_map>
 
 #include "arguments.hpp"
 #include "changeover/core/error.hpp"
@@ -10,17 +13,91 @@
 namespace changeover::python {
 namespace {
 
-std::vector<Block> setups_named(const Job& job, const char* argument, const py::object& setups) {
-  require_ordered(argument, "set-ups, lists of parts", setups);
-  std::vector<Block> all;
-  for_each(rows_of(setups),
-           [&](const py::handle& setup) { all.push_back(parts_named(job, argument, setup)); });
+// Parts by name, found at once.
+class PartNames {
+ public:
+  explicit PartNames(const Job& job) : parts_(job.parts()) {
+    for (std::size_t i = 0; i < job.names.size(); ++i) {
+      by_name_.emplace(job.names[i], static_cast<Element>(i));
+    }
+  }
+
+  [[nodiscard]] std::uint64_t parts() const { return parts_; }
+  [[nodiscard]] Element named(const py::handle& part) const {
+    const std::string text = words_of(part);
+    const auto found = by_name_.find(text);
+    if (found == by_name_.end()) {
+      throw BadInput("no part is called " + quoted(text));
+    }
+    return found->second;
+  }
+
+ private:
+  std::uint64_t parts_;
+  std::unordered_map<std::string, Element> by_name_;
+};
+
+Block parts_named(const PartNames& names, const char* argument, const py::handle& parts) {
+  require_iterable(argument, "parts", parts);
+  Block all;
+  for_each(parts, [&](const py::handle& part) {
+    if (all.size() > names.parts()) {
+      throw BadInput(std::string(argument) + " names more parts than there are");
+    }
+    all.push_back(names.named(part));
+  });
   return all;
 }
 
-std::pair<Element, Element> pair_named(const Job& job, const char* argument,
+std::vector<Block> setups_named(const Job& job, const char* argument, const py::object& setups) {
+  require_ordered(argument, "set-ups, lists of parts", setups);
+  const PartNames names(job);
+  std::vector<Block> all;
+  for_each(rows_of(setups),
+           [&](const py::handle& setup) { all.push_back(parts_named(names, argument, setup)); });
+  return all;
+}
+
+// Set-ups, each a list of parts, alone or with its result: (set-up, result) or {"parts": …, "result": …}.
+std::vector<DoneTest> done_tests(const Job& job, const py::object& tests) {
+  const char* const wanted =
+      "done has set-ups, lists of parts, each alone or as (set-up, result), where result is True, False, None or a text";
+  require_iterable("done", "set-ups, lists of parts", tests);
+  const PartNames names(job);
+  const auto with_result = [&](const py::handle& setup, const py::handle& result) {
+    const auto said = result_named(result);
+    if (!said) {
+      throw BadInput(wanted);
+    }
+    return DoneTest{parts_named(names, "done", setup), *said};
+  };
+  std::vector<DoneTest> all;
+  for_each(rows_of(tests), [&](const py::handle& test) {
+    if (py::isinstance<py::dict>(test)) {
+      const auto both = py::reinterpret_borrow<py::dict>(test);
+      const bool has_result = both.contains("result");
+      if (!both.contains("parts") || both.size() != (has_result ? 2U : 1U)) {
+        throw BadInput(R"(done has dicts with "parts" and "result" only)");
+      }
+      const py::object parts = both["parts"];
+      const py::object result = has_result ? py::object(both["result"]) : py::none();
+      all.push_back(with_result(parts, result));
+      return;
+    }
+    const bool may_be_two = py::isinstance<py::tuple>(test) && py::len(test) == 2;
+    const auto two = may_be_two ? py::reinterpret_borrow<py::tuple>(test) : py::tuple();
+    const bool is_two =
+        may_be_two && (py::isinstance<py::list>(two[0]) || py::isinstance<py::tuple>(two[0]) ||
+                       py::isinstance<py::set>(two[0]));
+    all.push_back(is_two ? with_result(two[0], two[1])
+                         : DoneTest{parts_named(names, "done", test), TestResult::done});
+  });
+  return all;
+}
+
+std::pair<Element, Element> pair_named(const PartNames& names, const char* argument,
                                        const py::handle& pair) {
-  const Block two = parts_named(job, argument, pair);
+  const Block two = parts_named(names, argument, pair);
   if (two.size() != 2 || two[0] == two[1]) {
     throw BadInput(std::string(argument) + " is pairs of two parts");
   }
@@ -29,9 +106,10 @@ std::pair<Element, Element> pair_named(const Job& job, const char* argument,
 
 PairSet pairs_named(const Job& job, const char* argument, const py::object& pairs) {
   require_iterable(argument, "pairs of parts", pairs);
+  const PartNames names(job);
   PairSet all(job.parts());
   for_each(rows_of(pairs), [&](const py::handle& pair) {
-    const auto [x, y] = pair_named(job, argument, pair);
+    const auto [x, y] = pair_named(names, argument, pair);
     all.insert(x, y);
   });
   return all;
@@ -133,10 +211,11 @@ Job parts_and_costs(const Asked& asked, std::vector<std::string>& slots) {
 // What a change costs by what is replaced: a dict from (out, in) to costs, for every two parts.
 void take_change_costs(const py::object& change_costs, Job& job) {
   const std::uint64_t v = job.parts();
+  const PartNames names(job);
   std::vector<bool> given(v * v);
   job.replace_costs.assign(v * v, Amount{});
   for (const auto& [pair, cost] : dict_of("change_costs", change_costs)) {
-    const auto [out, in] = pair_named(job, "change_costs", pair);
+    const auto [out, in] = pair_named(names, "change_costs", pair);
     job.replace_costs[out * v + in] = amount_of(cost);
     given[out * v + in] = true;
   }
@@ -186,16 +265,18 @@ void take_slots(const Asked& asked, std::vector<std::string> of_parts, Job& job)
   }
   of_parts.resize(job.parts());
   if (!asked.slot_of.is_none()) {
+    const PartNames names(job);
     for (const auto& [part, slot] : dict_of("slot_of", asked.slot_of)) {
-      of_parts[part_named(job, part)] = words_of(slot);
+      of_parts[names.named(part)] = words_of(slot);
     }
   }
   set_slots(job, of_parts, std::move(slots));
 }
 
 void take_weights(const py::object& weights, Job& job) {
+  const PartNames names(job);
   for (const auto& [pair, weight] : dict_of("weights", weights)) {
-    const auto [x, y] = pair_named(job, "weights", pair);
+    const auto [x, y] = pair_named(names, "weights", pair);
     job.weights.set(x, y, amount_of(weight));
   }
 }
@@ -248,26 +329,21 @@ std::vector<std::string> names(const Job& job, const Block& parts) {
   return all;
 }
 
-Element part_named(const Job& job, const py::handle& part) {
-  const std::string text = words_of(part);
-  for (std::size_t i = 0; i < job.names.size(); ++i) {
-    if (job.names[i] == text) {
-      return static_cast<Element>(i);
-    }
-  }
-  throw BadInput("no part is called " + quoted(text));
-}
+Element part_named(const Job& job, const py::handle& part) { return PartNames(job).named(part); }
 
 Block parts_named(const Job& job, const char* argument, const py::handle& parts) {
-  require_iterable(argument, "parts", parts);
-  Block all;
-  for_each(parts, [&](const py::handle& part) {
-    if (all.size() > job.parts()) {
-      throw BadInput(std::string(argument) + " names more parts than there are");
-    }
-    all.push_back(part_named(job, part));
-  });
-  return all;
+  return parts_named(PartNames(job), argument, parts);
+}
+
+std::optional<TestResult> result_named(const py::handle& result) {
+  if (result.is_none()) {
+    return TestResult::none;
+  }
+  if (py::isinstance<py::bool_>(result)) {
+    return result.cast<bool>() ? TestResult::pass : TestResult::fail;
+  }
+  return py::isinstance<py::str>(result) ? std::optional(result_of(words_of(result)))
+                                         : std::nullopt;
 }
 
 Job job_of(const Asked& asked) {
@@ -297,8 +373,11 @@ Job job_of(const Asked& asked) {
     take_weights(asked.weights, job);
   }
   stoppable([&] { return check(job), true; });
-  if (const auto setups = setups_named(job, "done", asked.done); !setups.empty()) {
-    stoppable([&] { return mark_done(job, setups), true; });
+  if (const auto tests = done_tests(job, asked.done); !tests.empty()) {
+    stoppable([&] {
+      mark_tested(job, tests, asked.trust_failed ? FailedTests::trusted : FailedTests::again);
+      return true;
+    });
   }
   return job;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,7 +43,12 @@ struct Asked {
   py::object first;
   py::object weights;
   py::object done;
+  bool trust_failed = false;
 };
+
+/// What True (passed), False (failed), None (nothing is known) or a text such as "FAILED - hang" says of a test; nothing for
+/// anything else.
+[[nodiscard]] std::optional<TestResult> result_named(const py::handle& result);
 
 /// The job, checked, without the pairs of the tests that were done. Ctrl-C ends it. @throws BadInput with the argument and how to
 /// mend it; as check().

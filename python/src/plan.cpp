@@ -19,17 +19,19 @@ py::object plan(py::object parts, std::uint64_t at_once, py::object test_cost,
                 py::object change_cost, py::object change_costs, std::uint64_t strength,
                 py::object pairs, py::object never, py::object slots, py::object slot_of,
                 py::object mounted, py::object start, py::object first, py::object weights,
-                py::object done, const py::object& budget, std::optional<std::uint64_t> benches,
-                const std::optional<std::string>& objective, std::optional<double> time,
-                std::uint64_t threads, std::uint64_t seed, py::object progress) {
+                py::object done, bool trust_failed, const py::object& budget,
+                std::optional<std::uint64_t> benches, const std::optional<std::string>& objective,
+                std::optional<double> time, std::uint64_t threads, std::uint64_t seed,
+                py::object progress) {
   const BenchObjective wanted = objective_of(objective);
   if (objective && !benches) {
     throw BadInput("objective is for several benches; give benches");
   }
-  const Job job = job_of({std::move(parts), at_once, std::move(test_cost), std::move(change_cost),
-                          std::move(change_costs), strength, std::move(pairs), std::move(never),
-                          std::move(slots), std::move(slot_of), std::move(mounted),
-                          std::move(start), std::move(first), std::move(weights), std::move(done)});
+  const Job job =
+      job_of({std::move(parts), at_once, std::move(test_cost), std::move(change_cost),
+              std::move(change_costs), strength, std::move(pairs), std::move(never),
+              std::move(slots), std::move(slot_of), std::move(mounted), std::move(start),
+              std::move(first), std::move(weights), std::move(done), trust_failed});
   PlanOptions options;
   options.until_stopped = time.has_value();
   options.checked = true;  // by job_of()
@@ -140,6 +142,9 @@ void bind_plan(py::module_& module) {
       .def_property_readonly(
           "pairs_tested", [](const Sheet& self) { return self.plan.sheet.pairs_tested; },
           "Of the pairs that must meet.")
+      .def_property_readonly(
+          "met_only_in_failed", [](const Sheet& self) { return self.job.met_only_in_failed; },
+          "Pairs (triples with strength 3) that met only in tests that failed or whose result is not understood.")
       .def_property_readonly("pairs_needed",
                              [](const Sheet& self) { return self.plan.sheet.pairs_needed; })
       .def_property_readonly(
@@ -186,9 +191,9 @@ void bind_plan(py::module_& module) {
       .def(
           "diagnose", &diagnosis_of, py::arg("results"),
           "Which one fault explains the results, and which tests tell apart what is left.\n\n"
-          "results: for each of the first tests of the sheet True if it passed, False if it failed, None if nothing is known; or "
-          "tuples (set-up, passed) for tests of other set-ups.\n\n"
-          "A dict: passed, failed; suspects, each a tuple of one part or of two that do not work together; two, pairs of suspects "
+          "results: for each of the first tests of the sheet True if it passed, False if it failed, None if nothing is known, or a "
+          "text such as 'FAILED - hang'; or tuples (set-up, result) for tests of other set-ups.\n\n"
+          "A dict: passed, failed; unread, the texts that are not understood, each with its place in results; suspects, each a tuple of one part or of two that do not work together; two, pairs of suspects "
           "that explain all together where none does alone; contradictions, (what failed, what passed though it had all of it); "
           "tests, a tree of dicts with after (results so far, True for passed), setup, take_out, put_in, cost, if_it_fails and "
           "if_it_passes (suspects); most_cost, of the tests that are made. Raises BadInput for other results.")
@@ -209,10 +214,10 @@ void bind_plan(py::module_& module) {
       py::arg("slots") = py::none(), py::arg("slot_of") = py::none(),
       py::arg("mounted") = py::tuple(), py::arg("start") = py::tuple(),
       py::arg("first") = py::tuple(), py::arg("weights") = py::none(),
-      py::arg("done") = py::tuple(), py::arg("budget") = py::none(),
-      py::arg("benches") = py::none(), py::arg("objective") = py::none(),
-      py::arg("time") = py::none(), py::arg("threads") = 1, py::arg("seed") = 1,
-      py::arg("progress") = py::none(),
+      py::arg("done") = py::tuple(), py::arg("trust_failed") = false,
+      py::arg("budget") = py::none(), py::arg("benches") = py::none(),
+      py::arg("objective") = py::none(), py::arg("time") = py::none(), py::arg("threads") = 1,
+      py::arg("seed") = 1, py::arg("progress") = py::none(),
       "The cheapest list of tests that was found in which every two parts are mounted together at least once.\n\n"
       "parts: how many, a list of names, or a dict from names to what it costs to mount them; at_once of them fit. "
       "Costs are numbers, Decimals or strings, and exact.\n\n"
@@ -222,7 +227,9 @@ void bind_plan(py::module_& module) {
       "set-up has, a number or (least, most), None for no limit, with slot_of, a dict from parts to their slots; parts that "
       "cannot meet then need not. mounted: parts that stay; start: parts that are mounted before the first test; first: "
       "set-ups that must be run first; weights: a dict from pairs to what testing them is worth (others 1); done: tests that "
-      "were done, lists of names. budget: test as much as it pays for. benches: so many side by side, which gives BenchSheets; objective: 'makespan' (None), "
+      "were done, lists of names, each alone or as (names, result), where result is True (passed), False (failed), None or a text "
+      "such as 'FAILED - hang'. Pairs that met only in tests that failed, or whose text is not understood, are needed again, unless "
+      "trust_failed. budget: test as much as it pays for. benches: so many side by side, which gives BenchSheets; objective: 'makespan' (None), "
       "what the bench costs that costs most is least, or 'cost', of all of them. time: seconds of search; None: a fixed amount of "
       "it.\n\nRaises BadInput with the reason if no list can do it.");
 }

@@ -126,6 +126,8 @@ class Plans(unittest.TestCase):
                     self.plan("a b c d".split(), 3, **{name: wrong})
         for name in ("pairs", "never", "first", "done"):
             for wrong in ("ab", b"ab", {"a": 1, "b": 2}):
+                if name == "done" and isinstance(wrong, dict):
+                    continue  # a test with its result, or a BadInput
                 with self.subTest(name=name, wrong=[wrong]), self.assertRaisesRegex(TypeError, f"^{name} has .*not .*$"):
                     self.plan("a b c d".split(), 3, **{name: [wrong]})
         for wrong in ("abcd", b"abcd", {"a", "b", "c"}, 5.5):
@@ -336,12 +338,37 @@ class Diagnoses(unittest.TestCase):
         self.assertEqual(found["contradictions"], [(["a", "b"], ["a", "b", "c"])])
         self.assertEqual(sheet.diagnose([])["suspects"], [])
         self.assertEqual(sheet.diagnose([None, None, True])["passed"], 1)
-        for wrong in ([1], ["yes"], [([], False)], [("abcd", False)], [(list("abcd"), False)], [True] * 99, [(["a"], 1)], [(["a"],)], [(["z"], True)], [("ab", True)], "ab",
+        for wrong in ([1], [b"pass"], [([], False)], [("abcd", False)], [(list("abcd"), False)], [True] * 99, [(["a"], 1)], [(["a"],)], [(["z"], True)], [("ab", True)], "ab",
                       [(["a", "a"], True)]):
             with self.assertRaises((changeover.BadInput, TypeError), msg=wrong):
                 sheet.diagnose(wrong)
         with self.assertRaises(TypeError):
             sheet.diagnose(7)
+
+    def test_texts_are_read_and_what_is_not_understood_is_named(self):
+        sheet = changeover.plan(9, 3, test_cost=1, change_cost=5)
+        found = sheet.diagnose(["passed", None, "FAILED - hang", "hot", "skipped", (["1", "2"], "n.i.O.")])
+        self.assertEqual((found["passed"], found["failed"]), (1, 2))
+        self.assertEqual(found["unread"], [(3, "hot")])
+        self.assertEqual(sheet.diagnose([True])["unread"], [])
+
+    def test_what_met_only_in_failed_tests_is_needed_again(self):
+        def planned(*done, **more):
+            return changeover.plan(4, 3, test_cost=1, change_cost=1, done=done, **more)
+
+        for failed in (False, "FAILED - hang", "hot"):
+            for test in (([1, 2, 3], failed), ((1, 2, 3), failed), {"parts": [1, 2, 3], "result": failed}):
+                sheet = planned([1, 4], test)
+                self.assertEqual((sheet.pairs_needed, sheet.met_only_in_failed), (5, 3))
+                trusting = planned([1, 4], test, trust_failed=True)
+                self.assertEqual((trusting.pairs_needed, trusting.met_only_in_failed), (2, 3))
+        for passed in (True, None, "ok", "done"):
+            self.assertEqual(planned(([1, 2, 3], passed)).pairs_needed, 3)
+        self.assertEqual(planned(([1, 2, 3], "blocked")).pairs_needed, 6)
+        self.assertEqual(planned((1, 2), (3, 4)).pairs_needed, 4)
+        for wrong in (([1, 2], 3), {"parts": [1, 2], "results": True}, {"result": True}, {"parts": [1, 2], "result": 7}):
+            with self.assertRaises(changeover.BadInput, msg=wrong):
+                planned(wrong)
 
     def test_the_first_test_comes_after_the_last_that_was_made(self):
         for more in ({}, {"start": ["1", "2", "3"]}, {"done": [["1", "2", "3"]]}):

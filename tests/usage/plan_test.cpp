@@ -337,7 +337,7 @@ TEST(Plan, GoesOnWhenPartsDieOrComeAndResultsAreFilledIn) {
            "sheet.csv: no longer in the parts list, and left out: E"},
           {"sed -e '2s/$/fail/' -e '3s/$/pass/' -e '4s/$/fail: leak/' sheet.csv > smoke.csv && "
            "$changeover plan died.csv -k 3 --test-cost 4 --done smoke.csv --diagnose",
-           0, "smoke.csv: 1 result says neither pass nor fail, first 'fail: leak'"},
+           0, "smoke.csv: 1 test failed with a part that is gone"},
           {plan("came.csv --done sheet.csv --done-first 2"), 0, "after 2 tests done"},
           {"sed -e '2s/$/pass/' -e '3s/$/smoke/' sheet.csv > filled.csv && " +
                plan("parts.csv --done filled.csv"),
@@ -347,6 +347,58 @@ TEST(Plan, GoesOnWhenPartsDieOrComeAndResultsAreFilledIn) {
           {plan("parts.csv --done sheet.csv"), 0, "nothing is left to test"},
           {"sed 's/,A,/,a,/' sheet.csv > slip.csv; " + plan("parts.csv --done slip.csv"), 3,
            "did you mean 'A'?"}},
+         folder);
+}
+
+TEST(Plan, TestsAgainWhatMetOnlyInFailedTests) {
+  const TemporaryFolder folder;
+  spit(folder.file("sheet.csv"),
+       "step,slot_1,slot_2,slot_3,result\n1,1,2,3,pass\n2,3,4,5,FAILED - hang\n3,1,4,6,hot\n"
+       "4,2,4,5,skipped\n5,2,5,6,\n");
+  const auto plan = [](const std::string& rest) {
+    return "$changeover plan --items 6 -k 3 --test-cost 4 --change-cost 1 --done sheet.csv" + fast +
+           rest;
+  };
+  // 15 pairs, of which the first test has three.
+  const std::string six = "6 pairs met only in tests that failed or whose result is not understood";
+  expect({{plan(""), 0, six + ": they are needed again"},
+          {plan(""), 0, "12 of 12 needed pairs tested"},
+          {plan(""), 0, "after 3 tests done"},
+          {plan(""), 0, "sheet.csv: 1 test was not run, by the column result, and is not done"},
+          {plan(""), 0, "sheet.csv:4:9: the result 'hot' is not understood"},
+          {plan(" --trust-failed"), 0, six + ": they count as tested"},
+          {plan(" --trust-failed"), 0, "6 of 6 needed pairs tested"},
+          {plan(" --json"), 0, R"("met_only_in_failed":6,"trust_failed":false)"},
+          {plan(" --budget 12"), 0, "of 12 needed pairs tested"},
+          {plan(" --what-if"), 0, six},
+          {plan(" --what-if --json"), 0, R"("met_only_in_failed":6)"},
+          {plan(" --what-if --format markdown"), 0, "- " + six},
+          {plan(" --strength 3"), 0, "2 triples met only in tests that failed"},
+          {plan(" --strength 3"), 0, "19 of 19 needed triples tested"},
+          {plan(" --strength 3 --trust-failed"), 0, "17 of 17 needed triples tested"},
+          {plan(" --done-first 2"), 0, "3 pairs met only in tests that failed"},
+          {"$changeover plan --items 6 -k 3 --test-cost 4 --change-cost 1 --trust-failed", 2,
+           "--trust-failed is for --done; give both"}},
+         folder);
+}
+
+// The end in seconds against one in minutes: every row was once held against all pairs and all other rows.
+TEST(Plan, ReadsALongListOfTests) {
+  const TemporaryFolder folder;
+  std::string rows = "slot_1,slot_2,slot_3,slot_4,slot_5,result\n";
+  constexpr unsigned count = 300'000;
+  for (unsigned i = 0; i < count; ++i) {
+    const unsigned first = i * 7 % 900;
+    const unsigned step = 1 + i / 900 % 24;
+    for (unsigned j = 0; j < 5; ++j) {
+      rows += std::to_string(1 + first + j * step) + ",";
+    }
+    rows += i < 100 ? "pass\n" : i < 200 ? "fail\n" : "\n";
+  }
+  spit(folder.file("done.csv"), rows);
+  expect({{"timeout 120 $changeover plan --items 1000 -k 5 --test-cost 1 --change-cost 1 --quiet "
+           "--time 2s --done done.csv -o plan.txt && cat plan.txt",
+           0, "after 200 tests done"}},
          folder);
 }
 
@@ -366,8 +418,19 @@ TEST(Plan, SaysWhatMayBeBroken) {
        {plan("--done sheet.csv --diagnose -o d.txt") + " && cat d.txt", 0, "Tests that tell them"},
        {"sed s/FAIL/pass/ sheet.csv > p.csv && " + plan("--done p.csv --diagnose"), 0,
         "No test failed"},
+       {"sed 's/ok$/FAILED - hang/' sheet.csv > h.csv && " + plan("--done h.csv --diagnose"), 0,
+        "1 passed, 2 failed"},
+       {"sed 's/FAIL/hot/' sheet.csv > u.csv && " + plan("--done u.csv --diagnose"), 0,
+        "u.csv:3:17: the result 'hot' is not understood; write pass or fail"},
+       {plan("--done u.csv --diagnose"), 0, "2 passed, 0 failed, 1 not understood"},
+       {plan("--done u.csv --diagnose | grep -c 'nothing is suspect\\|trust-failed' || true"), 0,
+        "0\n"},
+       {plan("--done u.csv --diagnose --json"), 0,
+        R"("unread":1,"first_unread":[{"place":"u.csv:3:17","result":"hot"}])"},
+       {plan("--done sheet.csv --diagnose --trust-failed"), 2,
+        "--trust-failed has no meaning with --diagnose"},
        {"sed 's/pass$\\|FAIL$\\|ok$/hot/' sheet.csv > n.csv; " + plan("--done n.csv --diagnose"), 3,
-        "n.csv: no result says pass or fail"},
+        "n.csv:2:17: no result says pass or fail; 'hot' is not understood"},
        {plan("--diagnose"), 2, "--diagnose is for --done"},
        {plan("--done sheet.csv --diagnose --format csv"), 2, "--diagnose has no meaning with"},
        {plan("--done sheet.csv --diagnose --what-if"), 2,

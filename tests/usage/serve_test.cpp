@@ -85,7 +85,7 @@ TEST(Serve, ExportsWhatItWouldAnswer) {
   EXPECT_EQ(run("ls -d site.new-*", folder.path()).out, "");
   // What somebody put beside it is not deleted.
   spit(folder.file("site/CNAME"), "designs.example");
-  expect({{site, 4, "CNAME there is not of an earlier export"}}, folder);
+  expect({{site, 4, "CNAME is not of the earlier export"}}, folder);
   EXPECT_EQ(slurp(folder.file("site/CNAME")), "designs.example");
 }
 
@@ -95,7 +95,7 @@ TEST(Serve, ExportsClearWhatAKilledOneLeft) {
   spit(folder.file("pages/index.html"), "<html><head></head></html>");
   const std::string killed =
       "$changeover serve --assets pages --export site --k 3..8 --v 4..200 -m 2 >/dev/null 2>&1 & "
-      "p=$!; while [ ! -e \"$(echo site.new-*)\"/.changeover-explorer ] && kill -0 $p; do sleep 0.01; done; "
+      "p=$!; while [ ! -e \"$(echo site.new-*)\"/data/config.json ] && kill -0 $p; do sleep 0.01; done; "
       "kill -KILL $p; wait $p; ls -d site.new-* | wc -l";
   ASSERT_EQ(run(killed, folder.path()).out, "1\n");
   const auto make = [&](const std::string& name, const std::string& file) {

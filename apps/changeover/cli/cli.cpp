@@ -151,9 +151,9 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
 }
 
 // "--order, --extend and --repair".
-std::string enumerated(const std::vector<std::string>& names) {
+std::string enumerated(const std::vector<std::string>& names, const std::string& last = "and") {
   const std::string but_last = joined({names.begin(), names.end() - 1}, ", ");
-  return but_last + (but_last.empty() ? "" : " and ") + names.back();
+  return but_last + (but_last.empty() ? "" : " " + last + " ") + names.back();
 }
 
 // "--change", "-m", … of an option; nothing for a positional.
@@ -371,7 +371,8 @@ void Verb::only_with(const std::vector<std::string>& names,
                               enumerated(others) + " only");
   state_->refuse(
       names, [state = state_.get(), others] { return !state->any_given(others); },
-      "is for " + enumerated(others) + "; give both");
+      "is for " + enumerated(others, "or") +
+          (others.size() == 1 ? "; give both" : "; give one of them"));
 }
 
 void Verb::never_with(const std::vector<std::string>& names,

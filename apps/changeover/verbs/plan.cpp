@@ -10,7 +10,9 @@
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/plan/sheet_formats.hpp"
 #include "cli/terminal.hpp"
+#include "io/scan/place.hpp"
 #include "request/inputs.hpp"
+#include "request/plan_done.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 
@@ -46,6 +48,7 @@ struct PlanRequest {
   bool compact = false;
   bool what_if = false;
   bool diagnose = false;
+  bool trust_failed = false;
   bool header = false;
   bool no_header = false;
   RunRequest run;
@@ -73,8 +76,7 @@ std::optional<Amount> amount(const std::string& option, const std::string& text)
 struct Asked {
   Job job;
   std::vector<std::string> notes;
-  std::vector<Block> rest;           // of the plan under way
-  std::vector<TestedSetup> results;  // that say pass or fail
+  DoneAnswer done;
 };
 
 // The parts and what they cost.
@@ -114,7 +116,7 @@ Asked parts_of(const PlanRequest& request) {
       if (job.parts() < 2) {
         throw BadInput("a pair needs two parts");
       }
-      return Asked{std::move(job), {}, {}, {}};
+      return Asked{std::move(job), {}, {}};
     });
   }
   const auto input = open_list(request.parts);
@@ -149,85 +151,11 @@ Asked parts_of(const PlanRequest& request) {
                                   : read_slots(*open_list(request.slots));
     set_slots(job, list.slots, std::move(slots));
   }
-  Asked asked{std::move(job), {}, {}, {}};
+  Asked asked{std::move(job), {}, {}};
   if (!list.note.empty()) {
     asked.notes.push_back(list.note);
   }
   return asked;
-}
-
-// Takes the tests that were done off the job: the first ones if their number is given, else those with a
-// result if any has one, else all.
-void take_done(const PlanRequest& request, Asked& asked) {
-  if (request.done.empty()) {
-    return;
-  }
-  Job& job = asked.job;
-  const auto input = open_list(request.done);
-  const DoneList list = read_done(*input, job.names, job.at_once);
-  const std::size_t all = list.setups.size();
-  if (request.done_first.value_or(0) > all) {
-    throw UsageError{fmt::format("--done-first {}: {} has {}", *request.done_first, input->name(),
-                                 count_of(all, "set-up"))};
-  }
-  std::vector<Block> done;
-  std::uint64_t failed_with_gone = 0;
-  std::uint64_t unread = 0;
-  std::string first_unread;
-  for (std::size_t i = 0; i < all; ++i) {
-    const bool is_done = request.done_first   ? i < *request.done_first
-                         : list.has_results() ? !list.results[i].empty()
-                                              : true;
-    (is_done ? done : asked.rest).push_back(list.setups[i]);
-    const TestResult result = result_of(list.results[i]);
-    if (is_done && result == TestResult::fail && list.lacks[i]) {
-      ++failed_with_gone;  // what is gone may be to blame: nobody else is
-    } else if (is_done && result != TestResult::none) {
-      asked.results.push_back({list.setups[i], result == TestResult::fail});
-    } else if (is_done && !list.results[i].empty() && unread++ == 0) {
-      first_unread = list.results[i];
-    }
-  }
-  if (failed_with_gone > 0) {
-    asked.notes.push_back(fmt::format(
-        "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} out",
-        input->name(), count_of(failed_with_gone, "test"), failed_with_gone == 1 ? "it" : "them"));
-  }
-  if (unread > 0) {
-    asked.notes.push_back(fmt::format(
-        "{}: {} neither pass nor fail, first '{}': a diagnosis leaves {} out", input->name(),
-        unread == 1 ? "1 result says" : fmt::format("{} results say", unread), first_unread,
-        unread == 1 ? "it" : "them"));
-  }
-  if (!list.gone.empty()) {
-    std::string names;
-    for (const std::string& name : list.gone) {
-      names += (names.empty() ? "" : ", ") + name;
-    }
-    asked.notes.push_back(
-        fmt::format("{}: no longer in the parts list, and left out: {}", input->name(), names));
-  }
-  if (!request.done_first && list.has_results() && done.size() < all) {
-    asked.notes.push_back(fmt::format("{}: {} of {} tests have a result and are done",
-                                      input->name(), done.size(), all));
-  }
-  // Those of the first tests that were done are not to be run again.
-  const std::size_t first = job.first.size();
-  for (Block setup : done) {
-    std::sort(setup.begin(), setup.end());
-    const auto found = std::find_if(job.first.begin(), job.first.end(), [&](Block other) {
-      std::sort(other.begin(), other.end());
-      return other == setup;
-    });
-    if (found != job.first.end()) {
-      job.first.erase(found);
-    }
-  }
-  if (job.first.size() < first) {
-    asked.notes.push_back(fmt::format("{}: {} of {} done already", request.first,
-                                      first - job.first.size(), count_of(first, "set-up")));
-  }
-  mark_done(job, done);
 }
 
 // Pairs that the slots keep apart need not meet; this is said.
@@ -334,7 +262,16 @@ Asked asked_by(const PlanRequest& request) {
     take_priorities(request, asked);
   }
   check(job);
-  take_done(request, asked);
+  if (!request.done.empty()) {
+    asked.done =
+        take_done({.path = request.done,
+                   .first = request.done_first,
+                   .failed = request.trust_failed ? FailedTests::trusted : FailedTests::again,
+                   .for_diagnosis = request.diagnose,
+                   .first_tests = request.first},
+                  job);
+    asked.notes.insert(asked.notes.end(), asked.done.notes.begin(), asked.done.notes.end());
+  }
   return asked;
 }
 
@@ -370,11 +307,19 @@ std::string what_if_text(const Job& job, const WhatIf& answer, const std::string
 
 // Which faults the results leave, and what to test next.
 Answer diagnosis(const PlanRequest& request, const Asked& asked) {
-  if (asked.results.empty()) {
+  const DoneAnswer& done = asked.done;
+  if (done.results.empty()) {
     throw BadInput(
-        fmt::format("{}: no result says pass or fail; fill in the column result", request.done));
+        done.unread == 0
+            ? fmt::format("{}: no result says pass or fail; fill in the column result",
+                          request.done)
+            : fmt::format(
+                  "{}: no result says pass or fail; {} is not understood; write pass or fail",
+                  done.first_unread.front().place, shown(done.first_unread.front().text)));
   }
-  Diagnosis found = diagnose(asked.job, asked.results);
+  Diagnosis found = diagnose(asked.job, done.results);
+  found.unread = done.unread;
+  found.first_unread = done.first_unread;
   found.notes = asked.notes;
   return {.output = request.output,
           .write = [asked, found, json = request.output.json()](OutputFile& out) {
@@ -441,7 +386,7 @@ Answer run(const PlanRequest& request) {
   const Asked asked = asked_of(request);
   const Job& job = asked.job;
   options.steps = request.steps.value_or(0);
-  options.rest = asked.rest;
+  options.rest = asked.done.rest;
   options.checked = true;  // by asked_of()
   if (request.diagnose) {
     return diagnosis(request, asked);
@@ -463,8 +408,9 @@ Answer run(const PlanRequest& request) {
   std::optional<std::string> shortage = plan.shortage;
   Answer answer;
   if (request.what_if) {
-    const WhatIf ranges = what_if(job, plan, options, running->control());
+    WhatIf ranges = what_if(job, plan, options, running->control());
     shortage = ranges.shortage;
+    ranges.notes = notes;
     answer = text_answer(what_if_text(job, ranges, output.format()), output);
   } else {
     const auto write = [asked, notes, plan, options, title = request.title,
@@ -520,6 +466,9 @@ void add_plan(Program& program) {
   verb.option("--done", request.done, "FILE",
               "tests already done, a set-up a line or a run sheet (CSV, .xlsx): plan the rest");
   verb.option("--done-first", request.done_first, "N", "only the first N of them were done");
+  verb.flag(
+      "--trust-failed", request.trust_failed,
+      "pairs that met only in tests that did not pass count as tested, and are not needed again");
   verb.option("--benches", request.benches, "N",
               "on N benches side by side, each with parts of its own");
   verb.choice("--objective", request.objective, {"makespan", "cost"},
@@ -542,9 +491,9 @@ void add_plan(Program& program) {
                    "--shuffle", "--compact"},
                   {"--benches"});
   verb.never_with({"--priority", "--shuffle", "--what-if", "--diagnose"}, {"--change-costs"});
-  verb.only_with({"--done-first", "--diagnose"}, {"--done"});
+  verb.only_with({"--done-first", "--diagnose", "--trust-failed"}, {"--done"});
   verb.never_with({"--what-if", "--budget", "--title", "--steps", "--compact", "--shuffle",
-                   "--first", "--priority"},
+                   "--first", "--priority", "--trust-failed"},
                   {"--diagnose"});
   verb.never_with({"--compact", "--shuffle"}, {"--what-if"});
   verb.never_with({"--title", "--budget", "--priority"}, {"--what-if"});

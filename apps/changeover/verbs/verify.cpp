@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <string>
 
 #include "answer/answer.hpp"
 #include "answer/design/judgement.hpp"
 #include "changeover/io/input.hpp"
+#include "changeover/io/tables.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
@@ -119,8 +122,10 @@ void add_elements(const Verdict& verdict, const Labels& labels, std::string& tex
   text += fmt::format("{:>12} {:>12} {:>12} {:>12}\n", "element", "i_x", "r_x", "e_x");
   for (std::size_t x = 0; x < verdict.elements.size(); ++x) {
     const ElementCount& count = verdict.elements[x];
-    text += fmt::format("{:>12} {:>12} {:>12} {:>12}\n", element(static_cast<Element>(x), labels),
-                        count.introductions, count.blocks, count.excess);
+    const std::string name = element(static_cast<Element>(x), labels);
+    constexpr std::size_t width = 12;
+    text += std::string(width - std::min(width, display_width(name)), ' ') + name +
+            fmt::format(" {:>12} {:>12} {:>12}\n", count.introductions, count.blocks, count.excess);
   }
 }
 

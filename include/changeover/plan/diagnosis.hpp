@@ -26,6 +26,7 @@
 
 namespace changeover {
 
+/// A test that was done and told whether it passed.
 struct TestedSetup {
   Block setup;
   bool failed = false;
@@ -53,6 +54,12 @@ struct NextTest {
   std::vector<Suspect> if_it_passes;
 };
 
+/// What was written as the result of a test and says neither.
+struct UnreadResult {
+  std::string place;  ///< "sheet.csv:4:9"
+  std::string text;
+};
+
 struct Diagnosis {
   std::uint64_t passed = 0;
   std::uint64_t failed = 0;
@@ -61,8 +68,10 @@ struct Diagnosis {
       two;  ///< if there is none: two that do together, at most 100
   std::vector<std::pair<Block, Block>>
       contradictions;  ///< what failed, and what passed though it had all of it; at most 10
-  std::vector<NextTest> tests;  ///< a test before those that come after it; at most 1000
-  Amount most_cost;             ///< of the tests that are made, whatever the results
+  std::vector<NextTest> tests;             ///< a test before those that come after it; at most 1000
+  Amount most_cost;                        ///< of the tests that are made, whatever the results
+  std::uint64_t unread = 0;                ///< results that say neither; diagnose() leaves it at 0
+  std::vector<UnreadResult> first_unread;  ///< the first of them; diagnose() leaves it empty
   std::vector<std::string>
       notes;  ///< what was not taken into account, a line each; diagnose() leaves it empty
 };
@@ -75,7 +84,7 @@ struct Diagnosis {
 /// For a terminal of so many columns.
 [[nodiscard]] std::string diagnosis_as_table(const Job& job, const Diagnosis& found,
                                              std::size_t width);
-/// One line: format "changeover-diagnosis/1", passed, failed, suspects [[part] or [part, part]], two [[suspect, suspect]], contradictions [{failed, passed}],
+/// One line: format "changeover-diagnosis/1", passed, failed, unread, first_unread [{place, result}], suspects [[part] or [part, part]], two [[suspect, suspect]], contradictions [{failed, passed}],
 /// tests [{after ["fail" or "pass"], set_up, take_out, put_in, cost, if_it_fails, if_it_passes}], most_cost.
 [[nodiscard]] std::string diagnosis_as_json(const Job& job, const Diagnosis& found);
 

@@ -127,6 +127,9 @@ struct Job {
   Block mounted;  ///< parts that are in every set-up
   Block start;    ///< parts that are mounted before the first test
   std::uint64_t tests_done = 0;  ///< tests before the first; only for numbering
+  std::uint64_t met_only_in_failed =
+      0;  ///< what had to meet and did so only in tests that did not pass, see mark_tested(); only to be said
+  bool trust_failed = false;  ///< whether these count as tested; only to be said
   PairWeights
       weights;  ///< of needed pairs: which are to meet early, or at all if the budget is small
   std::vector<Triple> triples;  ///< three parts that must meet in one set-up; increasing, each once
@@ -186,6 +189,40 @@ void check(const Job& job);
 /// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once · v/64). Stopped
 /// if the scope of this thread (run/scope.hpp) wants to stop; the job is then as it was.
 void mark_done(Job& job, const std::vector<Block>& setups);
+
+/// What the result of a test says.
+enum class TestResult {
+  none,     ///< nothing was written
+  pass,     ///< all pairs of the set-up work together
+  fail,     ///< something does not
+  done,     ///< the test was run, and that is all: "done"
+  not_run,  ///< it was not: "skipped", "blocked", "n/a"
+  unread    ///< anything else: "smelled of smoke", "12.5"
+};
+
+/// What is said by what people write: by the first word, in any case, in the languages of docs/plan.md ("FAILED - hang",
+/// "n.i.O.", "réussi", "不合格", "✓"). A word of success that is taken back later ("ok, but hot"), a number and a letter x
+/// are unread. O(length).
+[[nodiscard]] TestResult result_of(std::string_view result);
+
+/// A test that was done.
+struct DoneTest {
+  Block setup;
+  TestResult result = TestResult::done;
+};
+
+/// What comes of pairs that met only in tests that did not pass.
+enum class FailedTests {
+  again,   ///< they are still needed
+  trusted  ///< they count as tested
+};
+
+/// As mark_done(), by results: what meets in a test that passed, that was done or of which no result is known (`none`) is
+/// needed no more; what meets only in tests that failed, or whose result is unread, is needed still, unless these are
+/// trusted. How much that is stands then in Job::met_only_in_failed: triples if these must meet, else pairs. Tests that
+/// were not run say nothing. @throws and complexity as mark_done().
+void mark_tested(Job& job, const std::vector<DoneTest>& tests,
+                 FailedTests failed = FailedTests::again);
 
 /// The most parts of a job in which triples have to meet.
 inline constexpr std::uint64_t max_parts_of_triples = 100;
@@ -288,6 +325,8 @@ struct DoneList {
   std::vector<std::string> gone;     ///< names on a run sheet that no part has any more, each once
   std::vector<bool> lacks;           ///< by set-up: some of its parts are gone
   std::vector<std::uint64_t> lines;  ///< by set-up: where it stands
+  std::vector<std::string>
+      unread;  ///< by set-up: the place of its result if that is unread, else ""
 
   [[nodiscard]] bool has_results() const;
 };
@@ -297,13 +336,6 @@ struct DoneList {
 /// is refused. @throws as read_setups().
 [[nodiscard]] DoneList read_done(Input& input, const std::vector<std::string>& names,
                                  std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
-
-/// What a result says.
-enum class TestResult { none, pass, fail };
-
-/// pass, passed, ok, p, yes, good for a pass and fail, failed, nok, f, no, bad for a failure, in any case; any other
-/// text says neither.
-[[nodiscard]] TestResult result_of(std::string_view result);
 
 /// Slots with the least and the most parts of each, `slot,least,most` a row; a header of these words is taken for
 /// one, an empty field for no limit. @throws BadInput for other rows and repeated slots; MissingResource if

@@ -139,6 +139,8 @@ struct WhatIf {
   std::vector<Range> ranges;
   std::optional<Ratio> asked;           ///< where the job stands; nothing if its tests cost nothing
   std::optional<std::string> shortage;  ///< as in RunPlan
+  std::vector<std::string>
+      notes;  ///< what else is to be said of the job, a line each; what_if() leaves it empty
 };
 
 /// The envelope of some candidates, without any search. O(n log n).

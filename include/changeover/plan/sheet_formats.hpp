@@ -22,7 +22,7 @@
 // like, and so are costs of more than 15 digits; other numbers are numbers. read_setups() and read_done() read it back.
 // JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot (or null; with slots only)}], at_once,
 // slots [{name, least, most}], test_cost, mounted,
-// start, first [[part]], tests_done, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
+// start, first [[part]], tests_done, met_only_in_failed, trust_failed, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
 // tests, changes, reason}, budget (or null), triples_needed, triples_tested, weight {needed, tested, most (or null)} (or null), steps [{step, take_out, put_in, set_up, new_pairs [[a,b]], cost,
 // cost_so_far, weight_so_far (where pairs are weighed)}], candidates [{name, how, tests, changes, cost, pairs_tested,
 // triples_tested, weight}], notes [text]. If costs depend on what is replaced, also replace_costs [[number, or null where a part meets

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "changeover/plan/job.hpp"
 #include "io/scan/place.hpp"
@@ -63,16 +65,18 @@ Job after_first(const Job& job) {
   }
   Job rest = job;
   rest.first.clear();
-  PairSet met(job.parts());
+  Meetings met(job.parts(), !job.triples.empty());
   for (const Block& setup : job.first) {
-    for (std::size_t i = 0; i < setup.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        met.insert(setup[i], setup[j]);
-      }
-    }
+    met.add(job, setup);
   }
-  drop_needed(rest, met);
-  drop_met_triples(rest, job.first);
+  PairSet pairs(job.parts());
+  job.needed.for_each(std::numeric_limits<std::uint64_t>::max(), [&](Element x, Element y) {
+    if (!met.met(x, y)) {
+      pairs.insert(x, y);
+    }
+  });
+  rest.needed = std::move(pairs);
+  drop_met_triples(rest, met);
   rest.start = job.first.back();
   return rest;
 }

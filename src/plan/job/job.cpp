@@ -7,7 +7,6 @@
 #include <unordered_set>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/plain_text.hpp"
@@ -236,48 +235,6 @@ void check(const Job& job) {
   throw BadInput(found.size() == 1
                      ? found.front()
                      : fmt::format("{} (and {} more like this)", found.front(), found.size() - 1));
-}
-
-void mark_done(Job& job, const std::vector<Block>& setups) {
-  // For each part a row of bits: with whom it was.
-  const std::size_t words = (job.names.size() + 63) / 64;
-  std::vector<std::uint64_t> met(words * job.names.size(), 0);
-  std::vector<std::uint64_t> together(words);
-  for (const Block& setup : setups) {
-    stop_if_asked();
-    if (setup.size() > job.at_once) {
-      throw BadInput(fmt::format("a test that was done has {} parts, but only {} fit at once",
-                                 setup.size(), job.at_once));
-    }
-    together.assign(words, 0);
-    for (const Element x : setup) {
-      if (x >= job.parts()) {
-        throw BadInput(fmt::format("a test that was done names part {} of {}", std::uint64_t{x} + 1,
-                                   job.parts()));
-      }
-      if ((together[x / 64] >> (x % 64) & 1) != 0) {
-        throw BadInput(fmt::format("a test that was done has {} twice", job.names[x]));
-      }
-      together[x / 64] |= std::uint64_t{1} << (x % 64);
-    }
-    for (const Element x : setup) {
-      for (std::size_t w = 0; w < words; ++w) {
-        met[x * words + w] |= together[w];
-      }
-    }
-  }
-  PairSet rest(job.parts());
-  job.needed.for_each(all_of_them, [&](Element x, Element y) {
-    if ((met[x * words + y / 64] >> (y % 64) & 1) == 0) {
-      rest.insert(x, y);
-    }
-  });
-  job.needed = std::move(rest);
-  drop_met_triples(job, setups);
-  job.tests_done += setups.size();
-  if (job.start.empty() && !setups.empty()) {
-    job.start = setups.back();
-  }
 }
 
 }  // namespace changeover

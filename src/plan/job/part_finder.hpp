@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "changeover/core/block.hpp"
@@ -24,6 +25,7 @@ class PartFinder {
   explicit PartFinder(const std::vector<std::string>& names) : names_(&names) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       by_name_.emplace(names[i], static_cast<Element>(i));
+      in_small_letters_.insert(lower(names[i]));
     }
   }
 
@@ -59,8 +61,7 @@ class PartFinder {
 
   [[nodiscard]] bool is_name(const std::string& word) const { return by_name_.count(word) != 0; }
   [[nodiscard]] bool is_name_in_any_case(const std::string& word) const {
-    return std::any_of(names_->begin(), names_->end(),
-                       [&](const std::string& name) { return lower(name) == lower(word); });
+    return in_small_letters_.count(lower(word)) != 0;
   }
   [[nodiscard]] std::size_t size() const { return names_->size(); }
 
@@ -88,6 +89,7 @@ class PartFinder {
  private:
   const std::vector<std::string>* names_;
   std::unordered_map<std::string, Element> by_name_;
+  std::unordered_set<std::string> in_small_letters_;
 };
 
 /// The parts of some fields, none twice; says which field is at fault. `find` takes its text.

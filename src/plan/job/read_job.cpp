@@ -296,6 +296,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
   const bool names_only = forgiving && finder.has_number_as_name();
   SetupColumns columns;
   Row header;
+  std::unordered_set<std::string> gone;
   bool first = true;
   const auto find = [&](const std::string& word) { return finder.find(word); };
   // A text may have the apostrophe of csv_cell(); a cell of a workbook is what it says.
@@ -308,12 +309,17 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
   const auto leave_out_gone = [&](Row& parts) {
     const std::size_t left_out = std::erase_if(parts, [&](const Field& field) {
       const std::string name = text_of(field.text);
-      const bool is_gone =
-          forgiving && !name.empty() && !find_cell(field.text) && !finder.is_name_in_any_case(name);
-      if (is_gone && std::find(list.gone.begin(), list.gone.end(), name) == list.gone.end()) {
+      if (!forgiving || name.empty() || find_cell(field.text)) {
+        return false;
+      }
+      if (gone.count(name) == 0) {
+        if (finder.is_name_in_any_case(name)) {
+          return false;
+        }
+        gone.insert(name);
         list.gone.push_back(name);
       }
-      return is_gone;
+      return true;
     });
     list.lacks.back() = left_out > 0;
   };
@@ -337,8 +343,13 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
     list.results.emplace_back();
     list.lacks.push_back(false);
     list.lines.push_back(row.front().line);
+    list.unread.emplace_back();
     if (columns.result && *columns.result < row.size()) {
-      list.results.back() = text_of(row[*columns.result].text);
+      const Field& result = row[*columns.result];
+      list.results.back() = text_of(result.text);
+      if (result_of(list.results.back()) == TestResult::unread) {
+        list.unread.back() = reader.place(result);
+      }
     }
     if (!columns.header) {
       if (row.size() == 1 && !finder.find(row.front().text)) {
@@ -396,15 +407,6 @@ DoneList read_done(Input& input, const std::vector<std::string>& names, std::uin
 bool DoneList::has_results() const {
   return std::any_of(results.begin(), results.end(),
                      [](const std::string& result) { return !result.empty(); });
-}
-
-TestResult result_of(std::string_view result) {
-  constexpr std::array<std::string_view, 6> pass{"pass", "passed", "ok", "p", "yes", "good"};
-  constexpr std::array<std::string_view, 6> fail{"fail", "failed", "nok", "f", "no", "bad"};
-  const std::string word = lower(result);
-  return std::find(pass.begin(), pass.end(), word) != pass.end()   ? TestResult::pass
-         : std::find(fail.begin(), fail.end(), word) != fail.end() ? TestResult::fail
-                                                                   : TestResult::none;
 }
 
 Block parse_parts(std::string_view text, const std::vector<std::string>& names) {

@@ -108,10 +108,12 @@ void RowReader::fail(std::size_t offset, std::string_view what) const {
 }
 
 void RowReader::fail(const Field& field, std::string_view what) const {
-  if (sheet_) {
-    throw BadInput(fmt::format("{}: {}", sheet_->place(field.offset, field.line), what));
-  }
-  changeover::fail(lines_.name(), {field.line, field.offset + 1}, what);
+  throw BadInput(fmt::format("{}: {}", place(field), what));
+}
+
+std::string RowReader::place(const Field& field) const {
+  return sheet_ ? sheet_->place(field.offset, field.line)
+                : fmt::format("{}:{}:{}", lines_.name(), field.line, field.offset + 1);
 }
 
 RowReader::RowReader(Input& input) : input_(input, mark_bytes), lines_(input_, longest_line) {

@@ -62,6 +62,9 @@ class RowReader {
   /// @throws BadInput with the place of this field, of whatever row.
   [[noreturn]] void fail(const Field& field, std::string_view what) const;
 
+  /// Where this field stands, of whatever row: "list.csv:3:7", "book.xlsx:Run!D3".
+  [[nodiscard]] std::string place(const Field& field) const;
+
   /// What splits the rows: ',', ';' or a tab; a comma as long as no row needs any.
   [[nodiscard]] char separator() const { return separator_ == '\0' ? ',' : separator_; }
 

@@ -1,8 +1,11 @@
 // Lists of set-ups with the lines where they stand, and what is wrong with one.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "changeover/plan/job.hpp"
 
@@ -16,7 +19,33 @@ namespace changeover {
 /// Why no list may hold this set-up, whose parts are parts of the job, none twice: without a place. Nothing if one may.
 [[nodiscard]] std::optional<std::string> setup_defect(const Job& job, const Block& setup);
 
-/// Takes out the triples that some of these set-ups hold; needed are then the pairs of the others. Nothing without triples.
-void drop_met_triples(Job& job, const std::vector<Block>& setups);
+/// Which pairs and, if asked for, which triples of parts were in one set-up. A set-up costs O(k · v/64), with triples
+/// O(k² · v/64), so that a long list is read in the time that its pairs take.
+class Meetings {
+ public:
+  Meetings(std::uint64_t parts, bool triples);
+
+  /// @throws BadInput for more parts than at_once, a part twice or none of the parts; nothing is then added.
+  void add(const Job& job, const Block& setup);
+  [[nodiscard]] bool met(Element x, Element y) const { return has(pairs_, x, y); }
+  [[nodiscard]] bool met(const Triple& t) const {
+    return has(triples_, t[0] * parts_ + t[1], t[2]);
+  }
+
+ private:
+  using Bits = std::vector<std::uint64_t>;
+  [[nodiscard]] bool has(const Bits& bits, std::size_t row, Element column) const {
+    return (bits[row * words_ + column / 64] >> (column % 64) & 1U) != 0;
+  }
+
+  std::size_t parts_;
+  std::size_t words_;
+  Bits together_;  // of the last set-up
+  Bits pairs_;     // for each part a row: with whom it was
+  Bits triples_;   // for each two parts, x at x · parts + y, a row: with whom they were
+};
+
+/// Takes out the triples that have met; needed are then the pairs of the others. Nothing without triples.
+void drop_met_triples(Job& job, const Meetings& meetings);
 
 }  // namespace changeover

@@ -57,19 +57,11 @@ std::uint64_t need_triples(Job& job) {
   return apart;
 }
 
-void drop_met_triples(Job& job, const std::vector<Block>& setups) {
+void drop_met_triples(Job& job, const Meetings& meetings) {
   if (job.triples.empty()) {
     return;
   }
-  std::vector<bool> there(max_parts);
-  for (const Block& setup : setups) {
-    std::fill(there.begin(), there.end(), false);
-    for (const Element x : setup) {
-      there.at(x) = true;
-    }
-    std::erase_if(job.triples,
-                  [&](const Triple& t) { return there[t[0]] && there[t[1]] && there[t[2]]; });
-  }
+  std::erase_if(job.triples, [&](const Triple& t) { return meetings.met(t); });
   job.needed = PairSet(job.parts());
   for (const Triple& t : job.triples) {
     job.needed.insert(t[0], t[1]);

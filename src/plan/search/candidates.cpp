@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "plan/job/setup_list.hpp"
 
 namespace changeover {
 namespace {
@@ -34,6 +35,22 @@ void verify_as_design(const Job& job, const RunSheet& sheet) {
   if (!verify(design).valid()) {
     throw InternalError("the verifier rejects a plan that was counted as complete");
   }
+}
+
+// Whether a list may hold this set-up.
+bool is_sound(const Job& job, const Block& setup) {
+  std::vector<bool> seen(job.names.size());
+  for (const Element x : setup) {
+    if (x >= job.parts()) {
+      throw BadInput(
+          fmt::format("a set-up names part {} of {}", std::uint64_t{x} + 1, job.parts()));
+    }
+    if (seen[x]) {
+      return false;
+    }
+    seen[x] = true;
+  }
+  return !setup_defect(job, setup);
 }
 
 }  // namespace
@@ -63,10 +80,22 @@ Candidate counted_complete(const Job& job, const Start& start) {
 std::vector<Block> sound_rest(const Job& job, const PlanOptions& options) {
   std::vector<Block> rest;
   for (const Block& setup : options.rest) {
-    if (run_sheet(job, {setup}).faults.empty()) {
+    if (is_sound(job, setup)) {
       rest.push_back(setup);
     }
   }
+  // With more tests than there is to meet, some bring nothing. Without them a list costs no more, unless costs depend on
+  // what is replaced.
+  const std::uint64_t most = job.triples.empty() ? job.needed.size() : job.triples.size();
+  if (rest.size() <= most || job.replaces()) {
+    return rest;
+  }
+  const std::vector<RunStep> steps = run_sheet(job, rest).steps;
+  std::size_t next = 0;
+  std::erase_if(rest, [&](const Block&) {
+    const RunStep& step = steps[next++];
+    return step.new_pairs.empty() && step.new_triples.empty();
+  });
   return rest;
 }
 

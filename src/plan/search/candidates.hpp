@@ -16,7 +16,8 @@ namespace changeover {
 /// The same for a list that must do the job. @throws InternalError if it leaves anything untested.
 [[nodiscard]] Candidate counted_complete(const Job& job, const Start& start);
 
-/// The set-ups of the plan under way (PlanOptions::rest) that break no constraint.
+/// The set-ups of the plan under way (PlanOptions::rest) that break no constraint; of more than there is to meet, those that
+/// bring something new. O(tests · at_once²), besides one count of the list.
 [[nodiscard]] std::vector<Block> sound_rest(const Job& job, const PlanOptions& options);
 
 /// Orders of candidates: the cheapest first; those that test the most weight, triples or pairs first.

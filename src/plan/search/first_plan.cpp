@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -89,14 +90,14 @@ RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& 
     }
     left.budget = *options.budget - spent;
   }
-  for (const Block& setup : job.first) {  // Going on with a sheet, they are the first of its rest.
-    const auto found = std::find_if(left.rest.begin(), left.rest.end(), [&](const Block& other) {
-      return in_order(other) == in_order(setup);
-    });
-    if (found != left.rest.end()) {
-      left.rest.erase(found);
-    }
+  std::map<Block, std::uint64_t> first;  // Going on with a sheet, they are the first of its rest.
+  for (const Block& setup : job.first) {
+    ++first[in_order(setup)];
   }
+  std::erase_if(left.rest, [&](const Block& setup) {
+    const auto found = first.find(in_order(setup));
+    return found != first.end() && found->second > 0 && found->second-- > 0;
+  });
   RunPlan plan = plan_of_checked(rest, left, control);
   for (Candidate& candidate : plan.candidates) {
     candidate = with_first(job, std::move(candidate));

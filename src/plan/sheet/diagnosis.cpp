@@ -10,6 +10,7 @@
 #include "changeover/run/scope.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/prices.hpp"
+#include "plan/job/setup_list.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -43,12 +44,10 @@ bool has(const Members& members, const Suspect& suspect) {
 }
 
 // Parts and pairs out of these parts that none of the tests that passed has.
-std::vector<Suspect> suspects_among(const std::vector<Element>& parts,
-                                    const std::vector<Members>& passed) {
+std::vector<Suspect> suspects_among(const std::vector<Element>& parts, const Meetings& passed) {
   std::vector<Suspect> suspects;
   const auto add = [&](const Suspect& suspect) {
-    if (std::none_of(passed.begin(), passed.end(),
-                     [&](const Members& test) { return has(test, suspect); })) {
+    if (!passed.met(suspect.one, suspect.other.value_or(suspect.one))) {
       suspects.push_back(suspect);
     }
   };
@@ -76,7 +75,7 @@ std::vector<Element> common_parts(const Job& job, const std::vector<Members>& te
 
 std::vector<std::pair<Suspect, Suspect>> two_that_explain(const Job& job,
                                                           const std::vector<Members>& failed,
-                                                          const std::vector<Members>& passed) {
+                                                          const Meetings& passed) {
   std::vector<std::pair<Suspect, Suspect>> two;
   for (const Suspect& one : suspects_among(common_parts(job, {failed.front()}), passed)) {
     stop_if_asked();
@@ -96,6 +95,47 @@ std::vector<std::pair<Suspect, Suspect>> two_that_explain(const Job& job,
     }
   }
   return two;
+}
+
+// What failed, and what passed though it had all of it. Only where all pairs of a set-up that failed met in tests that
+// passed is one looked for: among those with its rarest part.
+std::vector<std::pair<Block, Block>> contradictions_in(const Job& job,
+                                                       const std::vector<TestedSetup>& tests,
+                                                       const Meetings& passed) {
+  constexpr std::size_t enough = 10;
+  std::vector<std::vector<std::size_t>> with(job.names.size());  // by part: what passed
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    for (const Element x : tests[i].failed ? Block() : tests[i].setup) {
+      with[x].push_back(i);
+    }
+  }
+  std::vector<std::pair<Block, Block>> found;
+  for (const TestedSetup& bad : tests) {
+    stop_if_asked();
+    const Block& setup = bad.setup;
+    const bool all_met = bad.failed && std::all_of(setup.begin(), setup.end(), [&](Element x) {
+                           return std::all_of(setup.begin(), setup.end(),
+                                              [&](Element y) { return passed.met(x, y); });
+                         });
+    if (!all_met) {
+      continue;
+    }
+    const Element rarest = *std::min_element(setup.begin(), setup.end(), [&](Element x, Element y) {
+      return with[x].size() < with[y].size();
+    });
+    for (const std::size_t i : with[rarest]) {
+      const Block& good = tests[i].setup;
+      if (std::all_of(setup.begin(), setup.end(), [&](Element x) {
+            return std::find(good.begin(), good.end(), x) != good.end();
+          })) {
+        found.emplace_back(setup, good);
+        if (found.size() == enough) {
+          return found;
+        }
+      }
+    }
+  }
+  return found;
 }
 
 class NextTests {
@@ -261,27 +301,23 @@ Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests) {
   any.first.clear();
   check(any);
   Diagnosis found;
-  std::vector<Members> passed;
+  Meetings passed(job.parts(), false);
   std::vector<Members> failed;
   for (const TestedSetup& test : tests) {
-    (test.failed ? failed : passed).push_back(members_of(job, test.setup));
+    stop_if_asked();
+    Members members = members_of(job, test.setup);
+    if (test.failed) {
+      failed.push_back(std::move(members));
+    } else {
+      passed.add(job, test.setup);
+      ++found.passed;
+    }
   }
-  found.passed = passed.size();
   found.failed = failed.size();
   if (failed.empty()) {
     return found;
   }
-  for (const TestedSetup& bad : tests) {
-    for (const TestedSetup& good : tests) {
-      constexpr std::size_t enough = 10;
-      const bool all_there = std::all_of(bad.setup.begin(), bad.setup.end(), [&](Element x) {
-        return std::find(good.setup.begin(), good.setup.end(), x) != good.setup.end();
-      });
-      if (bad.failed && !good.failed && all_there && found.contradictions.size() < enough) {
-        found.contradictions.emplace_back(bad.setup, good.setup);
-      }
-    }
-  }
+  found.contradictions = contradictions_in(job, tests, passed);
   found.suspects = suspects_among(common_parts(job, failed), passed);
   if (found.suspects.empty()) {
     found.two = two_that_explain(job, failed, passed);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "changeover/plan/diagnosis.hpp"
+#include "io/scan/place.hpp"
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/layout.hpp"
 #include "plan/sheet/sheet_words.hpp"
@@ -42,13 +43,17 @@ void write(JsonWriter& json, const Job& job, const std::vector<Suspect>& suspect
 }
 
 std::string what_is_suspect(const Job& job, const Diagnosis& found) {
+  const std::string all = found.unread == 0 ? "all results" : "all results that are understood";
+  if (found.failed == 0 && found.unread > 0) {
+    return "No test failed as far as results are understood; one that is not may be a failure.\n";
+  }
   if (found.failed == 0) {
     return "No test failed: nothing is suspect.\n";
   }
   if (!found.suspects.empty()) {
     std::string text = found.suspects.size() == 1
-                           ? "One fault alone explains all results:\n"
-                           : fmt::format("One fault may explain all results, one of these {}:\n",
+                           ? fmt::format("One fault alone explains {}:\n", all)
+                           : fmt::format("One fault may explain {}, one of these {}:\n", all,
                                          found.suspects.size());
     for (const Suspect& suspect : found.suspects) {
       text +=
@@ -69,7 +74,7 @@ std::string what_is_suspect(const Job& job, const Diagnosis& found) {
            contradictions;
   }
   std::string text =
-      "No part and no pair alone explains all results: there are two faults at least.\n";
+      fmt::format("No part and no pair alone explains {}: there are two faults at least.\n", all);
   if (found.two.empty()) {
     return text + "Nor do two parts or pairs: there are three at least, or a result is wrong.\n";
   }
@@ -85,9 +90,18 @@ std::string what_is_suspect(const Job& job, const Diagnosis& found) {
 std::string diagnosis_as_table(const Job& job, const Diagnosis& found, std::size_t width) {
   const Money money(job);
   std::string text =
-      fmt::format("Diagnosis of {}: {} passed, {} failed\n",
-                  count_of(found.passed + found.failed, "test"), found.passed, found.failed) +
+      fmt::format("Diagnosis of {}: {} passed, {} failed{}\n",
+                  count_of(found.passed + found.failed + found.unread, "test"), found.passed,
+                  found.failed,
+                  found.unread == 0 ? "" : fmt::format(", {} not understood", found.unread)) +
       what_is_suspect(job, found);
+  for (const UnreadResult& each : found.first_unread) {
+    text += fmt::format("{}: the result {} is not understood; write pass or fail\n", each.place,
+                        shown(each.text));
+  }
+  if (found.unread > found.first_unread.size()) {
+    text += fmt::format("and {} more\n", found.unread - found.first_unread.size());
+  }
   for (const std::string& note : found.notes) {
     text += "note: " + note + "\n";
   }
@@ -122,7 +136,11 @@ std::string diagnosis_as_json(const Job& job, const Diagnosis& found) {
   JsonWriter json;
   json.begin_object().key("format").value("changeover-diagnosis/1");
   json.key("passed").value(found.passed).key("failed").value(found.failed);
-  json.key("notes").begin_array();
+  json.key("unread").value(found.unread).key("first_unread").begin_array();
+  for (const UnreadResult& each : found.first_unread) {
+    json.begin_object().key("place").value(each.place).key("result").value(each.text).end_object();
+  }
+  json.end_array().key("notes").begin_array();
   for (const std::string& note : found.notes) {
     json.value(note);
   }

@@ -2,21 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
-#include <string_view>
 
-#include "core/utf8.hpp"
+#include "changeover/io/tables.hpp"
 
 namespace changeover {
 namespace {
-
-std::size_t columns_of(std::string_view text) {
-  std::size_t count = 0;
-  while (!text.empty()) {
-    text.remove_prefix(first_code_point(text).bytes);
-    ++count;
-  }
-  return count;
-}
 
 // The lines of a cell that are no longer than `width`, unless a word is.
 std::vector<std::string> lines_of(const Cell& cell, std::size_t width) {
@@ -24,7 +14,7 @@ std::vector<std::string> lines_of(const Cell& cell, std::size_t width) {
   std::size_t columns = 0;  // of the last line
   for (std::size_t i = 0; i < cell.size(); ++i) {
     const std::string word = cell[i] + (i + 1 < cell.size() ? "," : "");
-    const std::size_t more = columns_of(word);
+    const std::size_t more = display_width(word);
     if (!lines.empty() && columns + 1 + more <= width) {
       lines.back() += " " + word;
       columns += 1 + more;
@@ -43,14 +33,14 @@ std::string laid_out(std::vector<Column> columns, const std::vector<std::vector<
   constexpr std::size_t gap = 2;
   std::vector<std::size_t> least;
   for (std::size_t c = 0; c < columns.size(); ++c) {
-    least.push_back(columns_of(columns[c].head));
+    least.push_back(display_width(columns[c].head));
     columns[c].width = least.back();
     for (const std::vector<Cell>& row : rows) {
       for (const std::string& line : lines_of(row[c], std::string::npos / 2)) {
-        columns[c].width = std::max(columns[c].width, columns_of(line));
+        columns[c].width = std::max(columns[c].width, display_width(line));
       }
       for (const std::string& word : row[c]) {
-        least[c] = std::max(least[c], columns_of(word) + (row[c].size() > 1 ? 1 : 0));
+        least[c] = std::max(least[c], display_width(word) + (row[c].size() > 1 ? 1 : 0));
       }
     }
   }
@@ -76,7 +66,7 @@ std::string laid_out(std::vector<Column> columns, const std::vector<std::vector<
   const auto write = [&](const std::vector<std::string>& cells) {
     std::string line;
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      const std::string pad(columns[c].width - std::min(columns[c].width, columns_of(cells[c])),
+      const std::string pad(columns[c].width - std::min(columns[c].width, display_width(cells[c])),
                             ' ');
       line += (c == 0 ? "" : std::string(gap, ' ')) +
               (columns[c].right ? pad + cells[c] : cells[c] + pad);

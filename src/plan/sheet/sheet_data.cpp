@@ -120,6 +120,8 @@ std::string sheet_as_json(const SheetDocument& document) {
     json.value(names_of(job, setup));
   }
   json.end_array().key("tests_done").value(job.tests_done);
+  json.key("met_only_in_failed").value(job.met_only_in_failed);
+  json.key("trust_failed").value(job.trust_failed);
   json.key("tests").value(sheet.steps.size()).key("changes").value(sheet.changes);
   json.key("cost").raw(money(sheet.cost)).key("pairs_needed").value(sheet.pairs_needed);
   json.key("pairs_tested").value(sheet.pairs_tested);
@@ -239,16 +241,21 @@ std::string what_if_as_json(const Job& job, const WhatIf& answer) {
     write_candidate(json, money, range.plan);
     json.end_object();
   }
-  json.end_array().end_object();
+  json.end_array().key("met_only_in_failed").value(job.met_only_in_failed);
+  json.key("trust_failed").value(job.trust_failed).key("notes").value(answer.notes).end_object();
   return json.take() + "\n";
 }
 
-std::string what_if_as_markdown(const Job&, const WhatIf& answer) {
+std::string what_if_as_markdown(const Job& job, const WhatIf& answer) {
   std::string text = "| from | to | tests | changes | plan |\n|---:|---:|---:|---:|:---|\n";
   for (const WhatIf::Range& range : answer.ranges) {
     text += fmt::format("| {} | {} | {} | {} | {} |\n", range.from ? range.from->to_string() : "0",
                         range.to ? range.to->to_string() : "any", range.plan.tests(),
                         range.plan.changes, range.plan.name);
+  }
+  const std::vector<std::string> notes = what_if_notes(job, answer);
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    text += (i == 0 ? "\n- " : "- ") + markdown(notes[i]) + "\n";
   }
   return text;
 }

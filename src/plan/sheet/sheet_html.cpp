@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "changeover/io/tables.hpp"
 #include "plan/sheet/sheet_html.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
@@ -109,7 +110,7 @@ constexpr std::string_view style = R"(
 bool has_long_names(const Job& job) {
   constexpr std::size_t long_name = 8;
   return std::any_of(job.names.begin(), job.names.end(),
-                     [](const std::string& name) { return name.size() > long_name; });
+                     [](const std::string& name) { return display_width(name) > long_name; });
 }
 
 // A list of parts; the marked ones are bold. The style puts dots between them where they stand side by side.
@@ -119,7 +120,7 @@ std::string list(const Job& job, const Block& parts, const Block& marked) {
   for (const Element x : parts) {
     const bool bold = std::find(marked.begin(), marked.end(), x) != marked.end();
     text += fmt::format("{}<span class=\"part{}{}\">{}</span>", text.empty() ? "" : " ",
-                        bold ? " in" : "", job.names[x].size() > wide_name ? " wide" : "",
+                        bold ? " in" : "", display_width(job.names[x]) > wide_name ? " wide" : "",
                         html_text(job.names[x]));
   }
   return text;

@@ -96,6 +96,9 @@ std::string what_if_as_table(const Job& job, const WhatIf& answer) {
         answer.asked->to_string());
   }
   text += job.needed.size() == 0 ? "Nothing is left to test.\n" : "";
+  for (const std::string& line : what_if_notes(job, answer)) {
+    text += line + "\n";
+  }
   return text;
 }
 

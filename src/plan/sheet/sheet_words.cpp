@@ -70,6 +70,16 @@ std::string weight_line(const Job& job, const RunPlan& plan, const Money& money)
   return fmt::format("{}; half of it {}, nine tenths {}", met, reached(half), reached(most));
 }
 
+// What met only in tests that did not pass.
+std::string failed_line(const Job& job) {
+  const bool one = job.met_only_in_failed == 1;
+  return fmt::format("{} met only in tests that failed or whose result is not understood: {} {}",
+                     count_of(job.met_only_in_failed, job.triples.empty() ? "pair" : "triple"),
+                     one ? "it" : "they",
+                     job.trust_failed ? (one ? "counts as tested" : "count as tested")
+                                      : (one ? "is needed again" : "are needed again"));
+}
+
 }  // namespace
 
 Money::Money(const Job& job, std::optional<Amount> budget) {
@@ -81,6 +91,15 @@ Money::Money(const Job& job, std::optional<Amount> budget) {
     decimals_ = std::max(decimals_, decimals_needed(cost));
   }
   decimals_ = std::max(decimals_, decimals_needed(budget.value_or(Amount{})));
+}
+
+std::vector<std::string> what_if_notes(const Job& job, const WhatIf& answer) {
+  std::vector<std::string> lines;
+  if (job.met_only_in_failed > 0) {
+    lines.push_back(failed_line(job));
+  }
+  lines.insert(lines.end(), answer.notes.begin(), answer.notes.end());
+  return lines;
 }
 
 std::vector<std::string> names_of(const Job& job, const Block& parts) {
@@ -136,6 +155,9 @@ std::vector<std::string> summary(const SheetDocument& document) {
                   triples ? sheet.triples_tested : sheet.pairs_tested,
                   triples ? count_of(sheet.triples_needed, "needed triple")
                           : count_of(sheet.pairs_needed, "needed pair"))};
+  if (job.met_only_in_failed > 0) {
+    lines.push_back(failed_line(job));
+  }
   if (job.tests_done > 0) {
     lines.front() += fmt::format(", after {} done", count_of(job.tests_done, "test"));
   }

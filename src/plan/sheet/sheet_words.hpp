@@ -33,6 +33,9 @@ class Money {
 /// "17 tests, 20 changes, cost 117", and what is to be said of the budget and the bound, a line each.
 [[nodiscard]] std::vector<std::string> summary(const SheetDocument& document);
 
+/// What is to be said beside the ranges of ratios, a line each.
+[[nodiscard]] std::vector<std::string> what_if_notes(const Job& job, const WhatIf& answer);
+
 /// "pairs", or "triples" where these have to meet.
 [[nodiscard]] std::string what_meets(const Job& job);
 

@@ -14,6 +14,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
+#include "changeover/io/tables.hpp"
 #include "core/utf8.hpp"
 #include "io/workbook/cell_text.hpp"
 #include "plan/sheet/sheet_words.hpp"
@@ -49,13 +50,6 @@ void check(lxw_error error) {
     throw MissingResource(fmt::format("cannot make the workbook: {}; make room for temporary files",
                                       lxw_strerror(error)));
   }
-}
-
-// How many letters a text has, about.
-std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
-  }));
 }
 
 class Workbook {
@@ -173,7 +167,7 @@ class SheetWriter {
   // A column is as wide as what is written with this.
   void wide_text(lxw_row_t row, std::size_t column, const std::string& words, lxw_format* format) {
     text(row, column, words, format);
-    widen(column, letters(words));
+    widen(column, display_width(words));
   }
 
   // A line over the first seven columns, as high as it needs.
@@ -183,8 +177,9 @@ class SheetWriter {
     constexpr double height = 15;
     check(worksheet_merge_range(sheet_, row, 0, row, last, with_escapes(words).c_str(),
                                 book_->wrapped));
-    check(worksheet_set_row(
-        sheet_, row, height * static_cast<double>(1 + letters(words) / letters_a_line), nullptr));
+    check(worksheet_set_row(sheet_, row,
+                            height * static_cast<double>(1 + display_width(words) / letters_a_line),
+                            nullptr));
   }
 
   void count(lxw_row_t row, std::size_t column, std::uint64_t number) {

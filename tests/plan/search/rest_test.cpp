@@ -111,13 +111,11 @@ TEST(ReadDone, NoNumberBecomesAnotherPart) {
   EXPECT_THAT(read_done(*input_from_text(sheet), {"a", "b", "c"}).setups, ElementsAre(Block{0, 2}));
 }
 
-TEST(Results, AreReadInAnyCase) {
-  EXPECT_EQ(result_of("PASS"), TestResult::pass);
-  EXPECT_EQ(result_of("ok"), TestResult::pass);
-  EXPECT_EQ(result_of("Failed"), TestResult::fail);
-  EXPECT_EQ(result_of("nok"), TestResult::fail);
-  EXPECT_EQ(result_of(""), TestResult::none);
-  EXPECT_EQ(result_of("smelled of smoke"), TestResult::none);
+TEST(ReadDone, AResultThatIsNotUnderstoodHasItsPlace) {
+  const DoneList list = read_done(
+      *input_from_text("step,slot_1,slot_2,result\n1,a,b,pass\n2,b,c,hot\n3,a,c,\n", "d.csv"),
+      {"a", "b", "c"});
+  EXPECT_THAT(list.unread, ElementsAre("", "d.csv:3:7", ""));
 }
 
 }  // namespace

@@ -166,6 +166,19 @@ TEST(Diagnosis, SaysSo) {
   EXPECT_THROW((void)diagnose(job, {{{0, 9}, true}}), BadInput);
 }
 
+TEST(Diagnosis, IsOpenWhereResultsAreNotUnderstood) {
+  const Job job = make_job(5, 3, Amount{1}, Amount{1});
+  Diagnosis found = diagnose(job, {{{0, 1}, false}});
+  found.unread = 2;
+  found.first_unread = {{"s.csv:3:4", "hot"}};
+  const std::string text = diagnosis_as_table(job, found, 80);
+  EXPECT_THAT(text, testing::Not(testing::HasSubstr("nothing is suspect")));
+  EXPECT_THAT(text,
+              testing::HasSubstr("Diagnosis of 3 tests: 1 passed, 0 failed, 2 not understood"));
+  EXPECT_THAT(text, testing::HasSubstr("s.csv:3:4: the result 'hot' is not understood"));
+  EXPECT_THAT(text, testing::HasSubstr("and 1 more"));
+}
+
 TEST(Diagnosis, OfManySuspects) {
   const Job job = make_job(40, 20, units(2), units(1));
   Block half;

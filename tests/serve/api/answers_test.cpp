@@ -249,6 +249,20 @@ TEST_F(Answers, PlanIsCountedAndComplete) {
   EXPECT_EQ(rest["cost"], 5);
 }
 
+TEST_F(Answers, PlansTestAgainWhatMetOnlyInFailedTests) {
+  const auto rest = [&](const std::string& more) {
+    return json_of(post("/api/plan",
+                        R"({"parts":4,"at_once":2,"done":[["1","2"],{"parts":["1","3"],"result":)"
+                        R"("FAILED - hang"},{"parts":["2","3"],"result":"skipped"}])" +
+                            more + "}",
+                        "application/json"));
+  };
+  const auto again = rest("");
+  EXPECT_EQ(again["met_only_in_failed"], 1) << again;
+  EXPECT_EQ(again["tests"].size(), 2U + 5U);
+  EXPECT_EQ(rest(R"(,"trust_failed":true)")["tests"].size(), 2U + 4U);
+}
+
 TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
   const auto order = json_of(post(
       "/api/loadorder", R"({"items":64,"room":16,"bytes_per_item":1000})", "application/json"));

@@ -88,6 +88,17 @@ std::optional<double> JsonBody::seconds(const std::string& name) {
   return value->get<double>();
 }
 
+std::optional<bool> JsonBody::boolean(const std::string& name) {
+  const nlohmann::json* const value = find(name);
+  if (value == nullptr) {
+    return std::nullopt;
+  }
+  if (!value->is_boolean()) {
+    refuse_type(name, "true or false");
+  }
+  return value->get<bool>();
+}
+
 std::optional<std::string> JsonBody::text(const std::string& name) {
   const nlohmann::json* const value = find(name);
   if (value == nullptr) {

@@ -31,6 +31,7 @@ class JsonBody {
   /// An amount in decimal: a number or a string, as it is written.
   [[nodiscard]] std::optional<std::string> decimal(const std::string& name);
   [[nodiscard]] std::optional<double> seconds(const std::string& name);
+  [[nodiscard]] std::optional<bool> boolean(const std::string& name);
   [[nodiscard]] std::optional<std::string> text(const std::string& name);
 
   /// @throws Refusal 422 if there are members that nobody asked for.

@@ -22,7 +22,8 @@ using Names = std::map<std::string, Element>;
 
 struct Asked {
   Job job;
-  std::vector<Block> done;
+  std::vector<DoneTest> done;
+  FailedTests failed = FailedTests::again;
   std::optional<double> seconds;
 };
 
@@ -90,9 +91,40 @@ Job read_parts(JsonBody& body) {
   return job;
 }
 
+// The parts of a test that was done, or these with what came of it.
+DoneTest read_done_test(const nlohmann::json& test, const Names& names, const std::string& where) {
+  const auto wrong = [&] {
+    return Refusal{
+        422, where + ": write [\"a\",\"b\",…] or {\"parts\":[…],\"result\":\"pass\" or \"fail\"}"};
+  };
+  DoneTest done;
+  const nlohmann::json* parts = &test;
+  if (test.is_object()) {
+    for (const auto& [key, value] : test.items()) {
+      const bool is_result = key == "result" && (value.is_string() || value.is_null());
+      if (key != "parts" && !is_result) {
+        throw wrong();
+      }
+      if (is_result && value.is_string()) {
+        done.result = result_of(value.get<std::string>());
+      }
+    }
+    const auto found = test.find("parts");
+    if (found == test.end()) {
+      throw wrong();
+    }
+    parts = &*found;
+  }
+  for (const nlohmann::json& part : array_of(*parts, where)) {
+    done.setup.push_back(part_of(part, names, where));
+  }
+  return done;
+}
+
 Asked asked_of(const Request& request) {
   JsonBody body(request.body);
-  Asked asked{.job = read_parts(body), .done = {}, .seconds = body.seconds("seconds")};
+  Asked asked{
+      .job = read_parts(body), .done = {}, .failed = {}, .seconds = body.seconds("seconds")};
   Job& job = asked.job;
   constexpr std::uint64_t fewest = 2;
   if (job.parts() < fewest || job.at_once < fewest) {
@@ -123,13 +155,19 @@ Asked asked_of(const Request& request) {
     job.needed = needed;
   }
   if (const nlohmann::json* const done = body.find("done")) {
+    std::size_t left_out = 0;  // that were not run
     for (const nlohmann::json& test : array_of(*done, "done")) {
-      Block setup;
-      for (const nlohmann::json& part : array_of(test, "done")) {
-        setup.push_back(part_of(part, names, "done"));
+      DoneTest each =
+          read_done_test(test, names, fmt::format("done[{}]", asked.done.size() + left_out));
+      if (each.result == TestResult::not_run) {
+        ++left_out;
+      } else {
+        asked.done.push_back(std::move(each));
       }
-      asked.done.push_back(std::move(setup));
     }
+  }
+  if (body.boolean("trust_failed").value_or(false)) {
+    asked.failed = FailedTests::trusted;
   }
   body.finish();
   return asked;
@@ -143,12 +181,13 @@ std::vector<std::string> names_of(const Job& job, const Block& parts) {
   return names;
 }
 
-void write_tests(JsonWriter& json, const Job& job, const std::vector<Block>& done,
+void write_tests(JsonWriter& json, const Job& job, const std::vector<DoneTest>& done,
                  const RunSheet& sheet) {
   std::uint64_t number = 0;
   json.key("tests").begin_array();
-  for (const Block& setup : done) {
-    json.begin_object().key("number").value(++number).key("parts").value(names_of(job, setup));
+  for (const DoneTest& test : done) {
+    json.begin_object().key("number").value(++number);
+    json.key("parts").value(names_of(job, test.setup));
     json.key("out").begin_array().end_array().key("in").begin_array().end_array();
     json.key("cost").value(0U).key("changes").value(0U).key("done").value(true).end_object();
   }
@@ -180,7 +219,7 @@ Response plan(const Explorer& explorer, const Request& request) {
   Job& job = asked.job;
   try {
     check(job);
-    mark_done(job, asked.done);
+    mark_tested(job, asked.done, asked.failed);
   } catch (const BadInput& fault) {
     throw Refusal{422, fault.what()};
   }
@@ -203,6 +242,7 @@ Response plan(const Explorer& explorer, const Request& request) {
   json.key("cost").raw(to_string(sheet.cost)).key("changes").value(sheet.changes);
   json.key("bound").raw(to_string(found.bound.cost)).key("reason").value(found.bound.reason);
   json.key("cheapest").value(found.proved_cheapest());
+  json.key("met_only_in_failed").value(job.met_only_in_failed);
   write_alternatives(json, job, found);
   // The sheet was counted by code that shares nothing with what made it.
   json.key("verified").value(sheet.does_the_job());

@@ -1,0 +1,129 @@
+#include "request/plan_done.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "answer/answer.hpp"
+#include "changeover/core/error.hpp"
+#include "io/scan/place.hpp"
+#include "request/inputs.hpp"
+
+namespace changeover::cli {
+namespace {
+
+constexpr std::size_t few = 10;
+
+Block in_order(Block setup) {
+  std::sort(setup.begin(), setup.end());
+  return setup;
+}
+
+void note_unread(const DoneRequest& request, DoneAnswer& answer) {
+  if (answer.unread == 0 || request.for_diagnosis) {
+    return;
+  }
+  const UnreadResult& one = answer.first_unread.front();
+  answer.notes.push_back(fmt::format(
+      "{}: the result {} is not understood{}; its pairs {}; write pass or fail", one.place,
+      shown(one.text),
+      answer.unread == 1 ? "" : fmt::format(", nor are {} others", answer.unread - 1),
+      request.failed == FailedTests::trusted ? "count as tested, by --trust-failed"
+                                             : "count as tested only with --trust-failed"));
+}
+
+void note_gone(const std::string& name, const std::vector<std::string>& gone,
+               std::vector<std::string>& notes) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min(few, gone.size()); ++i) {
+    names += (i == 0 ? "" : ", ") + gone[i];
+  }
+  if (gone.size() > few) {
+    names += fmt::format(" and {} more", gone.size() - few);
+  }
+  if (!gone.empty()) {
+    notes.push_back(fmt::format("{}: no longer in the parts list, and left out: {}", name, names));
+  }
+}
+
+// Those of the first tests that were done are not to be run again.
+void drop_first(const std::vector<DoneTest>& done, Job& job) {
+  std::map<Block, std::vector<std::size_t>> places;  // of each set-up, the last one first
+  for (std::size_t i = job.first.size(); i-- > 0;) {
+    places[in_order(job.first[i])].push_back(i);
+  }
+  std::vector<bool> is_done(job.first.size());
+  for (const DoneTest& test : done) {
+    const auto found = places.find(in_order(test.setup));
+    if (found != places.end() && !found->second.empty()) {
+      is_done[found->second.back()] = true;
+      found->second.pop_back();
+    }
+  }
+  std::size_t next = 0;
+  std::erase_if(job.first, [&](const Block&) { return is_done[next++]; });
+}
+
+}  // namespace
+
+DoneAnswer take_done(const DoneRequest& request, Job& job) {
+  const auto input = open_list(request.path);
+  const DoneList list = read_done(*input, job.names, job.at_once);
+  const std::size_t all = list.setups.size();
+  if (request.first.value_or(0) > all) {
+    throw UsageError{fmt::format("--done-first {}: {} has {}", *request.first, input->name(),
+                                 count_of(all, "set-up"))};
+  }
+  DoneAnswer answer;
+  const bool has_results = list.has_results();
+  std::vector<DoneTest> done;
+  std::uint64_t failed_with_gone = 0;
+  std::uint64_t not_run = 0;
+  for (std::size_t i = 0; i < all; ++i) {
+    const TestResult result = result_of(list.results[i]);
+    const bool counts =
+        request.first ? i < *request.first : !has_results || result != TestResult::none;
+    if (!counts || result == TestResult::not_run) {
+      not_run += counts ? 1U : 0U;
+      answer.rest.push_back(list.setups[i]);
+      continue;
+    }
+    done.push_back({list.setups[i], result});
+    if (result == TestResult::fail && list.lacks[i]) {
+      ++failed_with_gone;  // what is gone may be to blame: nothing else is
+    } else if (result == TestResult::pass || result == TestResult::fail) {
+      answer.results.push_back({list.setups[i], result == TestResult::fail});
+    } else if (result == TestResult::unread && answer.unread++ < few) {
+      answer.first_unread.push_back({list.unread[i], list.results[i]});
+    }
+  }
+  if (failed_with_gone > 0) {
+    answer.notes.push_back(fmt::format(
+        "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} out",
+        input->name(), count_of(failed_with_gone, "test"), failed_with_gone == 1 ? "it" : "them"));
+  }
+  note_unread(request, answer);
+  note_gone(input->name(), list.gone, answer.notes);
+  if (not_run > 0) {
+    answer.notes.push_back(
+        fmt::format("{}: {} not run, by the column result, and {} not done", input->name(),
+                    not_run == 1 ? "1 test was" : fmt::format("{} tests were", not_run),
+                    not_run == 1 ? "is" : "are"));
+  }
+  if (!request.first && has_results && done.size() < all) {
+    answer.notes.push_back(fmt::format("{}: {} of {} tests have a result and are done",
+                                       input->name(), done.size(), all));
+  }
+  const std::size_t first = job.first.size();
+  drop_first(done, job);
+  if (job.first.size() < first) {
+    answer.notes.push_back(fmt::format("{}: {} of {} done already", request.first_tests,
+                                       first - job.first.size(), count_of(first, "set-up")));
+  }
+  mark_tested(job, done, request.failed);
+  return answer;
+}
+
+}  // namespace changeover::cli

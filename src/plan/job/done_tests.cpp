@@ -1,0 +1,113 @@
+// Tests that were done: what they leave to be tested.
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/job.hpp"
+#include "changeover/run/scope.hpp"
+#include "plan/job/setup_list.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
+
+bool is_in_doubt(TestResult result) {
+  return result == TestResult::fail || result == TestResult::unread;
+}
+
+}  // namespace
+
+Meetings::Meetings(std::uint64_t parts, bool triples)
+    : parts_(static_cast<std::size_t>(parts)),
+      words_((parts_ + 63) / 64),
+      together_(words_),
+      pairs_(parts_ * words_),
+      triples_(triples ? parts_ * parts_ * words_ : 0) {}
+
+void Meetings::add(const Job& job, const Block& setup) {
+  if (setup.size() > job.at_once) {
+    throw BadInput(fmt::format("a test that was done has {} parts, but only {} fit at once",
+                               setup.size(), job.at_once));
+  }
+  together_.assign(words_, 0);
+  for (const Element x : setup) {
+    if (x >= parts_) {
+      throw BadInput(
+          fmt::format("a test that was done names part {} of {}", std::uint64_t{x} + 1, parts_));
+    }
+    if (has(together_, 0, x)) {
+      throw BadInput(fmt::format("a test that was done has {} twice", job.names[x]));
+    }
+    together_[x / 64] |= std::uint64_t{1} << (x % 64);
+  }
+  const auto join = [&](Bits& bits, std::size_t row) {
+    for (std::size_t w = 0; w < words_; ++w) {
+      bits[row * words_ + w] |= together_[w];
+    }
+  };
+  for (const Element x : setup) {
+    join(pairs_, x);
+    for (std::size_t i = 0; !triples_.empty() && i < setup.size(); ++i) {
+      join(triples_, x * parts_ + setup[i]);
+    }
+  }
+}
+
+void mark_done(Job& job, const std::vector<Block>& setups) {
+  std::vector<DoneTest> tests;
+  tests.reserve(setups.size());
+  for (const Block& setup : setups) {
+    tests.push_back({setup, TestResult::done});
+  }
+  mark_tested(job, tests);
+}
+
+void mark_tested(Job& job, const std::vector<DoneTest>& tests, FailedTests failed) {
+  const bool triples = !job.triples.empty();
+  const bool trusted = failed == FailedTests::trusted;
+  Meetings sure(job.parts(), triples);
+  Meetings in_doubt(job.parts(), triples);
+  const DoneTest* last = nullptr;
+  std::uint64_t count = 0;
+  for (const DoneTest& test : tests) {
+    stop_if_asked();
+    if (test.result == TestResult::not_run) {
+      continue;
+    }
+    (is_in_doubt(test.result) ? in_doubt : sure).add(job, test.setup);
+    last = &test;
+    ++count;
+  }
+  std::uint64_t only_in_failed = 0;
+  PairSet rest(job.parts());
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    if (sure.met(x, y)) {
+      return;
+    }
+    const bool doubtful = in_doubt.met(x, y);
+    only_in_failed += doubtful && !triples ? 1U : 0U;
+    if (!doubtful || !trusted) {
+      rest.insert(x, y);
+    }
+  });
+  job.needed = std::move(rest);
+  drop_met_triples(job, sure);
+  for (const Triple& t : job.triples) {
+    only_in_failed += in_doubt.met(t) ? 1U : 0U;
+  }
+  if (trusted) {
+    drop_met_triples(job, in_doubt);
+  }
+  job.met_only_in_failed += only_in_failed;
+  job.trust_failed = trusted;
+  job.tests_done += count;
+  if (job.start.empty() && last != nullptr) {
+    job.start = last->setup;
+  }
+}
+
+}  // namespace changeover
