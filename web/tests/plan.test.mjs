@@ -70,6 +70,25 @@ test('parts are pasted from a spreadsheet, headings passed over', async () => {
   assert.equal(await sheetRows(page).count(), 6);
 });
 
+test('columns that the page does not use, and files that are no text, are refused by name', async () => {
+  const page = await explorer.open('#/plan');
+  const give = (name, text) =>
+    page.getByLabel('A file with a list of parts').setInputFiles({ name, mimeType: 'text/csv', buffer: Buffer.from(text) });
+  const refused = (words) => page.getByRole('alert').getByText(words).waitFor();
+  await give('slots.csv', 'part,cost,slot\nDebian,4,OS\nFedora,2,OS\nChrome,1,browser\n');
+  await refused('the column “slot” is not used on this page');
+  await look(page, 'plan-refused');
+  await give('bare.csv', 'Debian,4,OS\nFedora,2,OS\n');
+  await refused('column 3 is not used on this page');
+  await give('book.xlsx', 'PK\u0003\u0004\u0014\u0000\u0006\u0000');
+  await refused('this file is not text');
+  assert.equal(await nameOf(page, 1).inputValue(), '');
+  await give('good.csv', 'cost,part\n4,Debian\n2,Fedora\n1,Chrome\n');
+  await nameOf(page, 3).waitFor();
+  assert.equal(await nameOf(page, 1).inputValue(), 'Debian');
+  assert.equal(await page.getByRole('textbox', { name: 'Cost of putting in part 1', exact: true }).inputValue(), '4');
+});
+
 test('a list comes from a CSV file; pairs that need not meet are left out', async () => {
   const page = await explorer.open('#/plan');
   await page

@@ -56,6 +56,26 @@ TEST(HardTimes, WhoSendsTooSlowlyIsLetGo) {
   EXPECT_EQ(get(own.port(), "/api/search").status, 200);
 }
 
+// Clients that announced much, sent little and went hold no place until their time is up.
+TEST(HardTimes, WhoIsGoneIsNoticed) {
+  serve::ExplorerSettings settings;
+  settings.deadlines.body = std::chrono::hours(1);
+  const OwnServer own(settings);
+  const std::string host = "Host: 127.0.0.1:" + std::to_string(own.port()) + "\r\n";
+  for (int i = 0; i < 600; ++i) {
+    Connection connection(own.port());
+    connection.send("POST /api/verify HTTP/1.1\r\n" + host + "Content-Length: 60000000\r\n\r\n" +
+                    std::string(100, '0'));
+  }
+  EXPECT_TRUE(eventually([&] { return own.server->connections() == 0; }));
+  EXPECT_EQ(get(own.port(), "/api/search").status, 200);
+  // Who has sent all and says no more is answered.
+  Connection patient(own.port());
+  patient.send("POST /api/verify HTTP/1.1\r\n" + host + "Content-Length: 6\r\n\r\n0 1 2\n");
+  patient.end();
+  EXPECT_EQ(patient.reply().status, 200);
+}
+
 TEST(HardTimes, WhoNeverReadsIsLetGo) {
   const OwnServer own(impatient());
   Connection connection(own.port());

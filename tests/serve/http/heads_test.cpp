@@ -49,6 +49,58 @@ TEST_F(Heads, CookiesOfAnyNumberAreAnswered) {
   }
 }
 
+// What the library cuts at a zero byte would be judged as another head than was sent.
+TEST_F(Heads, ZeroBytesAreRefusedWhereverTheyAre) {
+  const std::string zero(1, '\0');
+  const std::string address = "127.0.0.1:" + std::to_string(port());
+  const auto ask = [](const std::string& first, const std::string& lines) {
+    return reply_to(first, lines).status;
+  };
+  EXPECT_EQ(ask("GET /api/about HTTP/1.1", host() + "X-A: ab\r\n"), 200);
+  EXPECT_EQ(ask("GET /api/about HTTP/1.1", host() + "X-A: a" + zero + "b\r\n"), 400);
+  EXPECT_EQ(ask("GET /api/about HTTP/1.1", host() + "X-A: a" + zero + "\r\n"), 400);
+  EXPECT_EQ(ask("GET /api/about HTTP/1.1", host() + "X-A" + zero + ": a\r\n"), 400);
+  EXPECT_EQ(ask("GET /api/about HTTP/1.1", "Host: " + address + zero + ".evil\r\n"), 400);
+  EXPECT_EQ(ask("GET /api/about HTTP/1.1", "Host: " + address + zero + "\r\n"), 400);
+  EXPECT_EQ(ask("GET /api/ab" + zero + "out HTTP/1.1", host()), 400);
+  EXPECT_EQ(ask("GET /api/about" + zero + " HTTP/1.1", host()), 400);
+  EXPECT_EQ(ask("GET /api/bounds?v=9&k=3" + zero + " HTTP/1.1", host()), 400);
+  EXPECT_EQ(ask("GE" + zero + "T /api/about HTTP/1.1", host()), 400);
+  EXPECT_EQ(ask("GET /api/about HTTP/1" + zero + ".1", host()), 400);
+}
+
+// Where the body ends cannot be known, so nothing behind it is taken for a request.
+TEST_F(Heads, TwoLengthsEndTheConnection) {
+  for (const char* const second : {"18", "5"}) {
+    Connection connection(port());
+    connection.send("POST /api/verify HTTP/1.1\r\n" + host() +
+                    "Content-Length: 18\r\nContent-Length: " + second +
+                    "\r\n\r\n0 1 2\n0 1 3\n0 2 3\nGET /api/about HTTP/1.1\r\n" + host() + "\r\n");
+    while (connection.read_more()) {
+    }
+    EXPECT_THAT(connection.text(), HasSubstr("HTTP/1.1 400"));
+    EXPECT_THAT(connection.text(), HasSubstr("content-length is there twice"));
+    EXPECT_EQ(connection.text().find("HTTP/1.1 200"), std::string::npos);
+  }
+}
+
+TEST_F(Heads, AFormIsNoFile) {
+  const auto post = [](const std::string& type, const std::string& body) {
+    Connection connection(port());
+    connection.send("POST /api/verify HTTP/1.1\r\n" + host() + type +
+                    "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body);
+    return connection.reply().status;
+  };
+  const std::string form = "Content-Type: application/x-www-form-urlencoded; charset=utf-8\r\n";
+  const std::string design = "0 1 2\n0 1 3\n0 2 3\n1 2 3\n";
+  EXPECT_EQ(post("", design), 200);
+  EXPECT_EQ(post(form, design), 200);  // curl --data-binary says that it is one
+  EXPECT_EQ(post(form, "# v=4 k=3\n" + design), 200);
+  EXPECT_EQ(post(form, "text=0+1+2%0A0+1+3"), 415);
+  EXPECT_EQ(post(form, "v=4&k=3"), 415);
+  EXPECT_EQ(post("Content-Type: multipart/form-data; boundary=x\r\n", design), 415);
+}
+
 TEST_F(Heads, LinesOfAnyNumberAndLengthAreAnswered) {
   for (const int count : {300, 370, 390, 400, 440, 450, 480, 500, 550, 600, 700, 900, 3000}) {
     EXPECT_EQ(with(times(count, "X: y\r\n")).status, count <= 370 ? 200 : 431) << count;

@@ -63,13 +63,22 @@ bool Deadlines::is_late(const Open& open, Clock::time_point now) const {
   return false;
 }
 
+// Whether all that came was read, and no more will come: libmicrohttpd does not look while it waits for the rest of a body.
+static bool has_gone(int socket) {
+  char byte = 0;
+  return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
+}
+
 void Deadlines::run() {
   constexpr std::chrono::milliseconds between_looks{200};
   std::unique_lock lock(mutex_);
   while (!ending_.wait_for(lock, between_looks, [this] { return ended_; })) {
     const Clock::time_point now = Clock::now();
     for (auto& [socket, open] : open_) {
-      if (is_late(open, now)) {
+      if (open.stage == Stage::body && has_gone(socket)) {
+        ::shutdown(socket, SHUT_RDWR);
+        open = {Stage::answer, now};
+      } else if (is_late(open, now)) {
         if (open.stage == Stage::body || (open.stage == Stage::head && open.begun)) {
           static_cast<void>(
               ::send(socket, timed_out_.data(), timed_out_.size(), MSG_DONTWAIT | MSG_NOSIGNAL));

@@ -37,6 +37,18 @@ std::size_t declared_length(const Request& request) {
   return length;
 }
 
+static constexpr const char* no_form = "send the file itself as the body, not a form";
+
+void refuse_form(const Route& route, const Request& request) {
+  const std::string type = lower_case(std::string(request.header("content-type")));
+  const std::string_view body = request.body;
+  const std::size_t end = body.find_first_of("= \t\r\n");
+  if (route.body == Body::any && type.starts_with("application/x-www-form-urlencoded") &&
+      end != std::string::npos && body[end] == '=') {
+    throw Refusal{415, no_form};
+  }
+}
+
 static void check_body(const Route& route, const Request& request) {
   const std::size_t length = declared_length(request);
   if (request.headers.contains("transfer-encoding") ||
@@ -59,9 +71,8 @@ static void check_body(const Route& route, const Request& request) {
   if (route.body == Body::json && type != "application/json") {
     throw Refusal{415, "send JSON, with the header Content-Type: application/json"};
   }
-  // Programs that send a file seldom say what it is, and many say that it is a form: the bytes tell. A form of several parts is none.
   if (route.body == Body::any && type.starts_with("multipart/")) {
-    throw Refusal{415, "send the file itself as the body and no form of several parts"};
+    throw Refusal{415, no_form};
   }
 }
 

@@ -55,7 +55,8 @@ struct Exchange {
   Request request = {};
   const Route* route = nullptr;
   std::optional<Response> response = {};
-  std::size_t expected = 0;  // bytes of the body
+  std::size_t head_bytes = 0;  // of the head, as far as libmicrohttpd hands it out
+  std::size_t expected = 0;    // bytes of the body
   std::size_t held = 0;
   bool begun = false;
   bool dispatched = false;
@@ -176,7 +177,7 @@ struct Server::State::Calls {
   }
 
   static MHD_Result access(void* cls, MHD_Connection* /*connection*/, const char* url,
-                           const char* method, const char* /*version*/, const char* upload,
+                           const char* method, const char* version, const char* upload,
                            std::size_t* upload_size, void** context) {
     auto* const state = static_cast<Server::State*>(cls);
     Exchange* const exchange = static_cast<Exchange*>(*context);
@@ -187,6 +188,9 @@ struct Server::State::Calls {
       if (!exchange->begun) {
         state->heads.remove(*exchange);
         exchange->request.path = url[0] == '/' ? url + 1 : url;
+        exchange->head_bytes = std::string_view(method).size() + exchange->target.size() +
+                               std::string_view(version).size() +
+                               std::string_view("  \r\n\r\n").size();
       }
       return state->handle(*exchange, method, upload, upload_size);
     } catch (const std::exception& fault) {
@@ -227,7 +231,14 @@ struct Server::State::Calls {
 
   static MHD_Result header(void* cls, MHD_ValueKind /*kind*/, const char* key, std::size_t key_size,
                            const char* value, std::size_t value_size) {
-    auto& request = *static_cast<Request*>(cls);
+    auto& exchange = *static_cast<Exchange*>(cls);
+    Request& request = exchange.request;
+    // Both are where they were read, with a colon and blanks between them.
+    const auto apart =
+        reinterpret_cast<std::uintptr_t>(value) - reinterpret_cast<std::uintptr_t>(key);
+    constexpr std::size_t usual = std::string_view(": ").size();
+    exchange.head_bytes += value_size + std::string_view("\r\n").size() +
+                           (apart > key_size && apart < bytes_of_a_head ? apart : key_size + usual);
     const std::string name = lower_case({key, key_size});
     std::string text(value, value_size);
     text.erase(text.find_last_not_of(" \t") + 1);
@@ -330,6 +341,10 @@ std::optional<Refusal> Server::State::head_defect(const Exchange& exchange) {
     return Refusal{431,
                    fmt::format("the head of the request has more than {} bytes", bytes_of_a_head)};
   }
+  // libmicrohttpd cuts at a zero byte: the guards would judge another head than was sent.
+  if (head != nullptr && head->header_size > exchange.head_bytes) {
+    return Refusal{400, "the head of the request has zero bytes, or blanks in its first line"};
+  }
   constexpr auto all =
       static_cast<MHD_ValueKind>(MHD_HEADER_KIND | MHD_COOKIE_KIND | MHD_GET_ARGUMENT_KIND);
   const int fields = MHD_get_connection_values(exchange.connection, all, nullptr, nullptr);
@@ -347,7 +362,7 @@ void Server::State::begin(Exchange& exchange, const char* method) {
   Request& request = exchange.request;
   request.method = method;
   MHD_get_connection_values_n(exchange.connection, MHD_HEADER_KIND, &State::Calls::header,
-                              &request);
+                              &exchange);
   MHD_get_connection_values_n(exchange.connection, MHD_GET_ARGUMENT_KIND, &State::Calls::parameter,
                               &request);
   if (const auto defect = head_defect(exchange)) {
@@ -358,6 +373,11 @@ void Server::State::begin(Exchange& exchange, const char* method) {
     check(exchange);
   } catch (const Refusal& refusal) {
     exchange.response = refused(refusal);
+    if (std::ranges::find(request.repeated, "content-length") != request.repeated.end()) {
+      // Where the next request begins cannot be known.
+      refuse_at_once(exchange, refusal);
+      return;
+    }
     if (refusal.status == 405) {
       exchange.response->headers.emplace_back("Allow", settings.router->allowed(request.path));
     }
@@ -398,6 +418,7 @@ Response Server::State::answer(const Exchange& exchange) const {
     if (stopping) {
       throw Refusal{503, "the server is stopping"};
     }
+    refuse_form(*exchange.route, exchange.request);
     return exchange.route->answer(exchange.request);
   } catch (const Refusal& refusal) {
     return refused(refusal);

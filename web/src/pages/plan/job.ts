@@ -157,16 +157,45 @@ export function cells(text: string): string[][] {
   return rows;
 }
 
-/** Parts of a pasted table: names in the first column, costs in the second if there is one. A first row of headings is passed over. */
+/** What headings this page understands, as the command line does; every other column is refused by its name. */
+const headings = {
+  name: /^(name|part|component|item|device|module)s?$/i,
+  cost: /^((change|swap|set-?up|mounting)[ _-]?)?(cost|price)s?$/i,
+};
+
+/**
+ * Parts of a pasted table or a file: a name and, if there is one, a cost; with or without a first row of headings.
+ * @throws Error for bytes that are no text, and for columns that this page does not use: nothing is dropped.
+ */
 export function partsOf(text: string): Part[] {
+  if (text.startsWith('PK\u0003\u0004') || /[\u0000-\u0008\u000e-\u001f\ufffd]/.test(text)) {
+    throw new Error('this file is not text: in the spreadsheet, save the list as CSV, or give the file to “changeover plan”');
+  }
   const rows = cells(text);
   const numeric = (cell: string | undefined) => /^[\d.,]+$/.test(cell ?? '');
-  const first = rows[0];
+  const first = rows[0] ?? [];
   const heads =
-    first &&
-    ((rows.length > 1 && first.length > 1 && !numeric(first[1]) && first[1] !== '' && numeric(rows[1]![1])) ||
-      /^(part|name|component)s?$/i.test(first[0]!));
-  return (heads ? rows.slice(1) : rows).map(([name = '', cost = '']) => ({ name, cost: cost === '' ? null : decimal(cost, name) }));
+    headings.name.test(first[0] ?? '') ||
+    first.some((cell) => headings.cost.test(cell)) ||
+    (rows.length > 1 && first.length > 1 && !numeric(first[1]) && first[1] !== '' && numeric(rows[1]![1]));
+  const list = heads ? rows.slice(1) : rows;
+  const find = (heading: RegExp, otherwise: number) => {
+    const found = heads ? first.findIndex((cell) => heading.test(cell)) : -1;
+    return found < 0 ? otherwise : found;
+  };
+  const name = find(headings.name, 0);
+  const cost = find(headings.cost, name === 0 && !(heads && first.length > 2) ? 1 : -1);
+  for (let column = 0; column < Math.max(first.length, ...list.map((row) => row.length)); ++column) {
+    if (column !== name && column !== cost && list.some((row) => (row[column] ?? '') !== '')) {
+      const which = heads && first[column] ? `the column “${first[column]}”` : `column ${column + 1}`;
+      throw new Error(`${which} is not used on this page: take it out of the list, or give the file to “changeover plan”`);
+    }
+  }
+  return list.map((row) => {
+    const each = row[name] ?? '';
+    const price = row[cost] ?? '';
+    return { name: each, cost: price === '' ? null : decimal(price, each) };
+  });
 }
 
 function listed(job: Job): [string, string][] {
