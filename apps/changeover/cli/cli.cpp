@@ -517,10 +517,10 @@ int Program::run(int argc, char** argv) {
   bool delivered = false;
   const int code = answer(
       [&] {
+        check_output(chosen());
         for (const auto& rule : (*verb)->state_->rules) {
           rule();
         }
-        check_output(chosen());
         return (*verb)->state_->action();
       },
       chosen().get_name(), &delivered);

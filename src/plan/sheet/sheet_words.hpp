@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "changeover/plan/benches.hpp"
 #include "changeover/plan/sheet_formats.hpp"
 #include "plan/job/words.hpp"
 
@@ -32,6 +33,9 @@ class Money {
 
 /// "17 tests, 20 changes, cost 117", and what is to be said of the budget and the bound, a line each.
 [[nodiscard]] std::vector<std::string> summary(const SheetDocument& document);
+
+/// The same of several benches.
+[[nodiscard]] std::vector<std::string> bench_summary(const BenchDocument& document);
 
 /// "pairs", or "triples" where these have to meet.
 [[nodiscard]] std::string what_meets(const Job& job);
