@@ -9,8 +9,8 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "io/scan/place.hpp"
+#include "io/scan/plain_text.hpp"
 #include "plan/job/fitting.hpp"
-#include "plan/job/plain_text.hpp"
 #include "plan/job/setup_list.hpp"
 #include "plan/job/words.hpp"
 
@@ -278,6 +278,11 @@ void mark_done(Job& job, const std::vector<Block>& setups) {
   if (job.start.empty() && !setups.empty()) {
     job.start = setups.back();
   }
+}
+
+std::optional<std::string> text_defect(std::string_view text) {
+  auto defect = first_defect(text, false);
+  return defect ? std::optional(std::move(defect->what)) : std::nullopt;
 }
 
 }  // namespace changeover

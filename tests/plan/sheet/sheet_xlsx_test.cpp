@@ -2,7 +2,7 @@
 
 #include "changeover/plan/benches.hpp"
 #include "changeover/plan/sheet_formats.hpp"
-#include "plan/job/rows.hpp"
+#include "io/scan/row_reader.hpp"
 #include "zip_files.hpp"
 
 namespace changeover {
