@@ -255,10 +255,11 @@ void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFi
 
 void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, OutputFile& out) {
   const SplitFacts& facts = split.facts();
-  const LoadOrderFacts& whole = split.order().facts();
+  LoadOrderFacts whole = split.order().facts();
+  whole.explanation = facts.explanation;  // Groups of items have small orders, which were read.
+  whole.certificate = facts.certificate;
   const double gap =
       static_cast<double>(facts.makespan) / static_cast<double>(facts.makespan_bound.loads) - 1;
-  // Groups of items have small orders, which were read.
   Audit audit(whole, facts.loads, request.run.seed.value_or(1));
   const Work work(request, whole.wanted, facts.items, facts.room);
   Work::Streams streams;

@@ -296,9 +296,9 @@ TEST(ReadParts, NamesThatLookTheSameAreRefused) {
 }
 
 TEST(Pairs, MayHaveBlanksBetweenThemAndQuotesAroundThem) {
-  const std::vector<std::string> names{"Pump A", "Valve", "x, y", "5"};
+  const std::vector<std::string> bench{"Pump A", "Valve", "x, y", "5"};
   const auto pairs = [&](const std::string& text) {
-    return read_pairs(*input_from_text(text, "pairs.csv"), names);
+    return read_pairs(*input_from_text(text, "pairs.csv"), bench);
   };
   for (const std::string text : {"Pump A,Valve\n", "\"Pump A\";\"Valve\"\n", "\"Pump A\" Valve\n",
                                  "Valve \"Pump A\"\n", "1 2\n", "2\t1\n"}) {
@@ -306,7 +306,7 @@ TEST(Pairs, MayHaveBlanksBetweenThemAndQuotesAroundThem) {
   }
   EXPECT_TRUE(pairs("\"x, y\" 5\n1 2\n").contains(2, 3));
   EXPECT_TRUE(pairs("Valve \"x, y\"\n").contains(1, 2));
-  EXPECT_TRUE(read_priorities(*input_from_text("1 2 2.5\n\"Pump A\" 5 7\n"), names).weighs(0, 3));
+  EXPECT_TRUE(read_priorities(*input_from_text("1 2 2.5\n\"Pump A\" 5 7\n"), bench).weighs(0, 3));
   const auto says = [&](const std::string& text) -> std::string {
     try {
       pairs(text);
