@@ -203,7 +203,10 @@ bool RowReader::next_line() {
       break;
   }
   if (lines_.bytes() > options_.most_bytes) {
-    fail(0, "more than 1 GiB; give a list without repetitions");
+    constexpr unsigned gib = 30;
+    const bool is_large = options_.most_bytes >> gib != 0;
+    fail(0, fmt::format("more than {} {}; give a list without repetitions",
+                        options_.most_bytes >> (is_large ? gib : 20U), is_large ? "GiB" : "MiB"));
   }
   return true;
 }
