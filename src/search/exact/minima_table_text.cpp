@@ -219,7 +219,11 @@ void write_minima(const std::vector<MinimaRow>& rows, Sink& sink) {
 }
 
 std::vector<MinimaRow> read_minima(Input& input) {
-  RowReader lines(input, {.most_bytes = std::uint64_t{1} << 26});
+  constexpr std::size_t most_bytes = std::size_t{1} << 26;
+  const auto text = input_from_text(
+      read_to_end(input, most_bytes, "no table of minima is as long; name another file"),
+      input.name());
+  RowReader lines(*text);
   if (!lines.next_line()) {
     return {};
   }
