@@ -8,6 +8,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "changeover/run/scope.hpp"
+#include "io/scan/row_reader.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz {
@@ -71,7 +72,8 @@ const Target target("pairs", [](const std::string& bytes) {
   std::string text;
   std::string numbers;
   for (const auto& [x, y] : pairs) {
-    (is_number(x) && is_number(y) ? numbers : text) += x + "\t" + y + "\n";
+    (is_number(x) && is_number(y) ? numbers : text) +=
+        quoted_among_blanks(x) + "\t" + quoted_among_blanks(y) + "\n";
   }
   text += text + numbers;  // twice, so that the first line is no header
   if (!text.empty()) {

@@ -1,21 +1,13 @@
 // The verb draw from outside: whose pictures, in which form, and what it refuses.
-#include <expat.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "cases.hpp"
+#include "written_files.hpp"
 
 namespace changeover::test {
 namespace {
-
-bool is_xml(const std::string& text) {
-  XML_Parser parser = XML_ParserCreate("UTF-8");
-  const bool good =
-      XML_Parse(parser, text.data(), static_cast<int>(text.size()), 1) == XML_STATUS_OK;
-  XML_ParserFree(parser);
-  return good;
-}
 
 class Draw : public testing::Test {
  protected:
@@ -25,7 +17,7 @@ class Draw : public testing::Test {
     spit(folder.file("bad.txt"),
          "# changeover design v=6 k=4 change=2 kind=linear\n∞_s <b> c d\ne f c d\ne f ∞_s d\n");
     spit(folder.file("ragged.txt"), "0 1 2 3\n4 5 2\n");
-    spit(folder.file("old.svg"), "precious\n");
+    spit(folder.file("old.dat"), "precious\n");
   }
   const TemporaryFolder folder;
 };
@@ -96,8 +88,8 @@ TEST_F(Draw, WhatItCannotDoIsSaidInOneLine) {
        {"$changeover draw good.txt --to 4", 2, "--to 4: there are only 3 blocks"},
        {"$changeover draw good.txt --picture circle --to 4", 2, "--to 4: there are only 3 blocks"},
        {"$changeover draw good.txt -o x.xyz", 2,
-        "x.xyz: which format is that? there are .svg, .tex, .tikz, .pdf, .png; or name it by --format"},
-       {"$changeover draw good.txt -o 20.5.2.linear", 2, "which format is that?"},
+        "x.xyz: unknown file extension '.xyz'; use .svg, .tex, .pdf or .png, or add --format"},
+       {"$changeover draw good.txt -o 20.5.2.linear", 2, "unknown file extension '.linear'"},
        {"$changeover draw 8000 4", 2, "draw a part of them with --from and --to"},
        {"$changeover draw 8000 4 --picture stays", 2, "draw a part of them with --from and --to"},
        {"$changeover draw 1009 8 --picture coverage", 2, "at most 500 elements"},
@@ -109,9 +101,9 @@ TEST_F(Draw, WhatItCannotDoIsSaidInOneLine) {
        {"$changeover draw good.txt -o nowhere/x.svg", 4, "nowhere"},
        {"$changeover draw 300 5 --format tikz", 2, "draw a part"},
        {"PATH=/nowhere $changeover draw good.txt --format pdf", 4, "librsvg2-bin"},
-       {"PATH=/nowhere $changeover draw good.txt -o old.svg --format png", 4, "librsvg2-bin"}},
+       {"PATH=/nowhere $changeover draw good.txt -o old.dat --format png", 4, "librsvg2-bin"}},
       folder);
-  EXPECT_EQ(slurp(folder.file("old.svg")), "precious\n");
+  EXPECT_EQ(slurp(folder.file("old.dat")), "precious\n");
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "x.xyz"));
 }
 
@@ -138,13 +130,13 @@ TEST_F(Draw, WhatTheConverterWritesIsNoPictureBeforeItWasLookedAt) {
       spit(folder.path() / "tools" / "rsvg-convert", "#!/bin/sh\n" + does + "\n");
       const Outcome outcome =
           run("chmod +x tools/rsvg-convert; PATH=$PWD/tools:$PATH "
-              "$changeover draw good.txt -o old.svg --format " +
+              "$changeover draw good.txt -o old.dat --format " +
                   format,
               folder.path());
       EXPECT_EQ(outcome.code, 4) << outcome.err;
       EXPECT_NE(outcome.err.find(words), std::string::npos) << does << ": " << outcome.err;
       EXPECT_LT(outcome.err.size(), 2000U) << does;
-      EXPECT_EQ(slurp(folder.file("old.svg")), "precious\n");
+      EXPECT_EQ(slurp(folder.file("old.dat")), "precious\n");
     }
   }
 }

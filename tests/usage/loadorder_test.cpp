@@ -163,6 +163,7 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
   spit(folder.file("edges"), "0 1\n1 2\n0 2\n2 3\n");
   spit(folder.file("named.csv"), "left,right\n");
   spit(folder.file("formula.txt"), "=1 @x\n");
+  spit(folder.file("photos.csv"), "\"cam 0/x.JPG\",\"c, \"\"d\"\"\"\n");
   for (const Case& each : std::vector<Case>{
            {"--items 64 --room 16", 0, "over the lower bound 144"},
            {"--items 12 --room 4", 0, "the fewest possible"},
@@ -209,6 +210,12 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--pairs edges --room 3 --json", 0, "\"wanted_pairs\":4"},
            {"--pairs named.csv --room 2", 0, "load left right"},
            {"--pairs formula.txt --room 2 --format csv", 0, "1,'=1 @x,"},
+           {"--pairs photos.csv --room 2", 0, "load \"cam 0/x.JPG\" \"c, \"\"d\"\"\"\n"},
+           {"--pairs photos.csv --room 2 --new-pairs", 0, "\"cam 0/x.JPG\"|\"c, \"\"d\"\"\"\n"},
+           {"--pairs photos.csv --room 2 --json", 0, "[\"cam 0/x.JPG\",\"c, \\\"d\\\"\"]"},
+           {"--pairs photos.csv --room 2 --format csv", 0,
+            "\n1,\"\"\"cam 0/x.JPG\"\" \"\"c, \"\"\"\"d\"\"\"\"\"\"\","},
+           {"--pairs photos.csv:Cams --room 2", 3, "photos.csv: not a workbook"},
            {"--pairs named.csv --room 2 --json", 0, "\"load\":[\"left\",\"right\"]"},
            {"--pairs edges --room 3 --prefetch", 0, "all 4 pairs computed once"},
            {"--pairs edges --room 3 --workers 2", 0, "worker 1 step"},
@@ -226,7 +233,15 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 24 --room 6 --new-pairs --shuffle --seed 3", 0, "new pairs"},
            {"--items 9 --room 4 --new-pairs --workers 2 --json", 0, "\"new_pairs\":[["},
            {"--pairs named.csv --room 2 --new-pairs --ordered", 0, "right|left"},
-           {"--items 9 --room 4 --self", 2, "--self is for --new-pairs"},
+           {"--items 9 --room 4 --self", 2,
+            "--self is for --new-pairs or --write-back; give one of them, too"},
+           {"--items 1024 --room 512 --workers 16", 0,
+            "streamed: Of 6 groups of at most 171 items"},
+           {"--items 1024 --room 512 --workers 16", 0, "every step read, all 523776 pairs met\n"},
+           {"--items 1024 --room 512 --workers 16 --json", 0,
+            "\"verified\":\"every step read, all 523776 pairs met\""},
+           {"--items 100000 --room 50000 --workers 3 --json | head -n 1", 0,
+            "\"verified\":\"of groups of items: every step read, all 6 pairs met\""},
            {"--items 9 --room 4 --new-pairs --prefetch", 2, "exclude each other"},
            {"--pairs edges", 2, "--room C is required"},
            {"--pairs edges --room 1", 2, "at least 2"},
@@ -240,8 +255,8 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 9000000 --room 8000000 --new-pairs", 4, "a step of --new-pairs with --room"},
            {"--items 4 --against 4 --room 3 --time 1s", 2, "--time"},
            {"--pairs edges --room 3 -o edges", 2, "the same file as the list of pairs"},
-           {"--pairs edges --room 3 --items 3", 3, "edges:4: item 3, but --items 3"},
-           {"--pairs old --room 3", 3, "old:1: one item stands alone"},
+           {"--pairs edges --room 3 --items 3", 3, "edges:4:3: item 3, but --items 3"},
+           {"--pairs old --room 3", 3, "old:1:1: one item stands alone"},
            {"--pairs absent --room 3", 4, "absent: cannot read"},
            {"--items 0 --room 4", 2, "at least 1 item"},
            {"--items 9 --room 1", 2, "at least 2"},

@@ -20,8 +20,9 @@ Answer text_answer(std::string text, const OutputRequest& output, int code) {
 
 Answer no_design(const OutputRequest& output, int code, const std::string& words,
                  const std::string& json) {
-  Answer answer = text_answer((output.json() ? json : words) + "\n", output, code);
-  if (!output.json()) {
+  const bool document = output.json() && output.is_asked_for();
+  Answer answer = text_answer((document ? json : words) + "\n", output, code);
+  if (!document) {
     answer.output.path.clear();
   }
   return answer;

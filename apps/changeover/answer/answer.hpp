@@ -10,9 +10,9 @@
 // the current folder, or if that fails too, to standard output; one line on stderr says where it is, and the verb
 // ends with exit code 4.
 //
-// Where no design is to be had, one rule holds for all verbs: the JSON document goes where the answer was to go,
-// whatever it says; words go to standard output even where a FILE was named, for they never replace a file of
-// designs (no_design()).
+// Where no design is to be had, one rule holds for all verbs: the JSON document that --json asks for goes where the
+// answer was to go, whatever it says; words go to standard output even where a FILE was named, for they never replace a
+// file of designs (no_design()). The name of FILE alone, design.json, asks for a design and for no such document.
 #pragma once
 
 #include <cstdint>

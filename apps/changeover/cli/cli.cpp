@@ -151,9 +151,9 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
 }
 
 // "--order, --extend and --repair".
-std::string enumerated(const std::vector<std::string>& names, const std::string& last = "and") {
+std::string enumerated(const std::vector<std::string>& names, const std::string& last = " and ") {
   const std::string but_last = joined({names.begin(), names.end() - 1}, ", ");
-  return but_last + (but_last.empty() ? "" : " " + last + " ") + names.back();
+  return but_last + (but_last.empty() ? "" : last) + names.back();
 }
 
 // "--change", "-m", … of an option; nothing for a positional.
@@ -368,11 +368,11 @@ void Verb::exclude(const std::vector<std::string>& names) {
 void Verb::only_with(const std::vector<std::string>& names,
                      const std::vector<std::string>& others) {
   state_->sentences.push_back(enumerated(names) + (names.size() == 1 ? " is" : " are") + " for " +
-                              enumerated(others) + " only");
+                              enumerated(others, " or ") + " only");
   state_->refuse(
       names, [state = state_.get(), others] { return !state->any_given(others); },
-      "is for " + enumerated(others, "or") +
-          (others.size() == 1 ? "; give both" : "; give one of them"));
+      "is for " + enumerated(others, " or ") +
+          (others.size() == 1 ? "; give both" : "; give one of them, too"));
 }
 
 void Verb::never_with(const std::vector<std::string>& names,
@@ -518,10 +518,10 @@ int Program::run(int argc, char** argv) {
   bool delivered = false;
   const int code = answer(
       [&] {
+        check_output(chosen());
         for (const auto& rule : (*verb)->state_->rules) {
           rule();
         }
-        check_output(chosen());
         return (*verb)->state_->action();
       },
       chosen().get_name(), &delivered);

@@ -1,8 +1,12 @@
 // In which form an answer is wanted, and where.
+//
+// The end of FILE's name says the format, in small letters or large, in every verb: design.json, sheet.xlsx, circle.tex.
+// --format and --json come before it, but must not contradict it: a file never holds something else than its name
+// says. .txt may hold every format that is text. An ending that says nothing (.dat) needs --format; a name without an
+// ending, and standard output, have the verb's default.
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "cli/cli.hpp"
@@ -17,15 +21,16 @@ struct OutputRequest {
   /// Must live as long as the verb. The first word is the default. --json is for "json", or for "jsonl" if that is a word.
   void add_to(Verb& verb, const std::vector<std::string>& formats);
 
-  /// If no format is chosen, the end of FILE's name says it, in small letters or large: ".tex" means "tikz", for instance. A
-  /// rule of the verb refuses an ending that is none of these; a name without one says nothing. ".xlsx" means "xlsx" by itself.
-  void guess_by_name(std::vector<std::pair<std::string, std::string>> endings);
+  /// [-o FILE] alone, for what has one format: a name that ends must end so.
+  void add_file_to(Verb& verb, const std::vector<std::string>& endings);
 
-  /// These words are no text for a terminal: they are refused there.
-  void set_binary(std::vector<std::string> words) { binary_ = std::move(words); }
-
-  /// The chosen format, or what FILE's name says, or the default. A rule of the verb refuses --json and --format that contradict each other.
-  [[nodiscard]] const std::string& format() const;
+  /// The format, as said above. A rule of the verb has asked for it before the verb runs.
+  /// @throws UsageError for an ending that the verb cannot write, and for a format that contradicts the ending or --json.
+  [[nodiscard]] std::string format() const;
+  /// Whether FILE's name says nothing else than this format; standard output has no name.
+  [[nodiscard]] bool name_allows(const std::string& word) const;
+  /// By --format or --json, not by FILE's name or as the default.
+  [[nodiscard]] bool is_asked_for() const { return json_ || !asked_.empty(); }
   [[nodiscard]] bool json() const { return format() == "json"; }
 
   /// @throws UsageError if the format is none of `formats`, in which alone `option` means something.
@@ -37,10 +42,7 @@ struct OutputRequest {
  private:
   std::string asked_;  // --format
   bool json_ = false;
-  std::vector<std::pair<std::string, std::string>> endings_;
-  bool knows_all_endings_ = false;
-  std::vector<std::string> binary_;
-  std::string usual_;
+  std::vector<std::string> formats_;  // the default first
   std::string json_word_ = "json";
 };
 

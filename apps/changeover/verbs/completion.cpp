@@ -24,8 +24,7 @@ void add_completion(Program& program) {
   auto [verb, request] = program.add("completion", "print a completion script for a shell", run);
   request.program = &program;
   verb.choice("SHELL", request.shell, shell_names(), "the shell: bash, zsh or fish");
-  verb.option("-o,--output", request.output.path, "FILE",
-              "write to FILE instead of standard output");
+  request.output.add_file_to(verb, {".bash", ".zsh", ".fish", ".sh", ".txt"});
   verb.examples({"source <(changeover completion bash)", "source <(changeover completion zsh)",
                  "changeover completion fish | source"});
 }

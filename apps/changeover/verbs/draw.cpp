@@ -69,7 +69,7 @@ unsigned zoom_of(const Picture& picture, const std::string& format) {
 }
 
 Answer answer_of(const Picture& picture, const DrawRequest& request) {
-  const std::string& format = request.output.format();
+  const std::string format = request.output.format();
   const Theme theme = theme_from_string(request.theme).value();
   if (format == "tikz") {
     if (const std::size_t marks = mark_count(picture); marks > most_marks_of_tikz) {
@@ -355,9 +355,6 @@ void add_draw(Program& program) {
   verb.choice("--theme", request.theme, {"light", "dark"}, "the ground (default light)");
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"svg", "tikz", "pdf", "png"});
-  request.output.guess_by_name(
-      {{".svg", "svg"}, {".tex", "tikz"}, {".tikz", "tikz"}, {".pdf", "pdf"}, {".png", "png"}});
-  request.output.set_binary({"pdf", "png"});
   verb.require([&request = request] { require_meaning(request); });
   verb.examples({"changeover draw mine.json -o mine.svg             blocks as columns",
                  "changeover draw 20 5 --picture stays -o stays.pdf",

@@ -98,7 +98,7 @@ Answer run(const FactorizeRequest& request) {
   const Factors found = request.near
                             ? near_factors(order)
                             : factors(order, factorization_kind_from_string(request.kind).value());
-  const std::string& format = request.output.format();
+  const std::string format = request.output.format();
   if (format == "svg" || format == "tikz") {
     constexpr std::uint64_t most_drawn = 40;
     if (request.near || order > most_drawn) {

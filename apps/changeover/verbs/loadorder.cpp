@@ -255,10 +255,11 @@ void write_one(const LoadOrderRequest& request, const LoadOrder& order, OutputFi
 
 void write_workers(const LoadOrderRequest& request, const WorkerSplit& split, OutputFile& out) {
   const SplitFacts& facts = split.facts();
-  const LoadOrderFacts& whole = split.order().facts();
+  LoadOrderFacts whole = split.order().facts();
+  whole.explanation = facts.explanation;  // Groups of items have small orders, which were read.
+  whole.certificate = facts.certificate;
   const double gap =
       static_cast<double>(facts.makespan) / static_cast<double>(facts.makespan_bound.loads) - 1;
-  // Groups of items have small orders, which were read.
   Audit audit(whole, facts.loads, request.run.seed.value_or(1));
   const Work work(request, whole.wanted, facts.items, facts.room);
   Work::Streams streams;
@@ -501,8 +502,9 @@ void add_loadorder(Program& program) {
       program.add("loadorder", "an order of loads that brings all pairs of items together", run);
   verb.option("--items", request.items, "P", "items, e.g. partitions of a file");
   verb.option("--room", request.room, "C", "how many are in memory at once");
-  verb.option("--pairs", request.pairs, "FILE",
-              "only the pairs listed there, two items a line; \"-\": standard input");
+  verb.option(
+      "--pairs", request.pairs, "FILE",
+      "only the pairs listed there, two items per line (text, CSV, .xlsx); \"-\": standard input");
   verb.option("--against", request.against, "B", "each of the P items with each of B others");
   verb.option("--done-items", request.done_items, "N", "the pairs of the first N items are done");
   verb.option("--fast-room", request.fast_room, "C",
@@ -541,7 +543,7 @@ void add_loadorder(Program& program) {
   verb.exclude({"--pairs", "--against", "--done-items"});
   verb.never_with({"--time"}, {"--against", "--done-items"});
   verb.require([&request = request] {
-    check_inputs(request.output, {{"the list of pairs", request.pairs}});
+    check_inputs(request.output, {{"the list of pairs", list_file(request.pairs)}});
   });
   verb.only_with({"--threads", "--memory"}, {"--time"});
   verb.examples({"changeover loadorder --items 64 --room 16",

@@ -63,8 +63,7 @@ void add_manual(Program& program) {
   verb.positional("VERB", request.verb,
                   "as it is typed: design, or catalog show (default: the program's page)", false);
   verb.option("--into", request.into, "DIR", "write every page into DIR");
-  verb.option("-o,--output", request.output.path, "FILE",
-              "write to FILE instead of standard output");
+  request.output.add_file_to(verb, {".1", ".man", ".txt"});
   verb.exclude({"--into", "--output"});
   verb.exclude({"--into", "VERB"});
   verb.examples({"changeover manual design | man -l -", "changeover manual catalog show -o show.1",

@@ -340,6 +340,7 @@ Answer on_benches(const PlanRequest& request, const Asked& asked, const PlanOpti
     document.notes = asked.notes;
     document.title = title.empty() ? document.title : title;
     out.write(format == "csv"        ? benches_as_csv(document)
+              : format == "xlsx"     ? benches_as_xlsx(document)
               : format == "json"     ? benches_as_json(document)
               : format == "markdown" ? benches_as_markdown(document)
               : format == "html"     ? benches_as_html(document)
@@ -521,7 +522,7 @@ void add_plan(Program& program) {
   });
   verb.examples(
       {"changeover plan --items 9 --at-once 3 --test-cost 1 --change-cost 5",
-       "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --format html -o sheet.html",
+       "changeover plan bench_parts.csv -k 5 --test-cost 12.50 -o sheet.html",
        "changeover plan parts.xlsx:Costs -k 5 --test-cost 12.50 -o run.xlsx",
        "changeover plan server.csv -k 8 --test-cost 5 --slot CPU=1,PSU=1,disk=2..4",
        "changeover plan bench_parts.csv -k 5 --test-cost 12.50 --budget 600 --start 1,2,3",

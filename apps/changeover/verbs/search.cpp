@@ -141,6 +141,9 @@ AnySearch chosen(const SearchOptions& given) {
     return RepairSearch{shared, given.repair_file, given.asked.reading()};
   }
   const Parameters p = given.asked.of_one_kind(given.base_blocks ? Kind::circular : Kind::linear);
+  if (const auto defect = format_defect(p, 1, given.output.format())) {
+    throw UsageError{*defect};  // However few blocks are found.
+  }
   if (given.blocks == 0) {
     throw UsageError{"--blocks 0: a design has at least one block"};
   }

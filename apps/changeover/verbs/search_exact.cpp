@@ -268,8 +268,9 @@ Answer answer_of(const ExactSearch& request, const MinimumResult& result) {
   if (find && !request.output.json()) {
     return show_find(*find, request, code);
   }
-  return no_design(request.output, code, fmt::format("{}", fmt::join(lines, "\n")),
-                   to_json(result, find, settled));
+  const std::string json = to_json(result, find, settled);
+  return find ? text_answer(json + "\n", request.output, code)
+              : no_design(request.output, code, fmt::format("{}", fmt::join(lines, "\n")), json);
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ std::string summary(const Cells& cells) {
 Answer run(const TableRequest& request) {
   const TableRange range = table_range(request.k, request.v, request.change);
   const PlannedTable table = plan_table(range);
-  const std::string& format = request.output.format();
+  const std::string format = request.output.format();
   Cells all;
   std::string text;
   for (const Kind kind : kinds_of(request.kind)) {

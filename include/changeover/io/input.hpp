@@ -52,6 +52,12 @@ class Input {
 /// @throws MissingResource with one line if it is missing, unreadable or a directory.
 [[nodiscard]] std::unique_ptr<Input> open_input(const std::string& path);
 
+/// Opens a list as open_input() does, or one sheet of a workbook: "parts.xlsx:Costs" is the sheet Costs of parts.xlsx if
+/// there is no file of the whole name. @throws as open_input(); who reads it, if there is no such sheet.
+[[nodiscard]] std::unique_ptr<Input> open_list(const std::string& path);
+/// The file of it: "parts.xlsx".
+[[nodiscard]] std::string list_file(const std::string& path);
+
 /// A string as input.
 [[nodiscard]] std::unique_ptr<Input> input_from_text(std::string text, std::string name = "<text>");
 

@@ -7,13 +7,15 @@
 //     matching.contains(3, 12)                 // true
 //     matching.count()                         // 240
 //
-// A file of pairs has two items a line, separated by blanks, a comma, a semicolon or tabs; empty lines and
-// lines that begin with # or % are skipped, and so is a first line of two words over lines of numbers. If all are whole
-// numbers below 10⁷ they are the numbers of the items, from 0. Otherwise they are names, of up to 255 bytes without
-// blanks, and items are numbered as they first occur. A pair may come twice and either way round; an item
-// with itself has to be loaded and needs nobody else. Items that do not occur are not loaded. Refused are numbers that are
-// written in another way than whole numbers before them ("01", "1.0"), two names of one number, and names with characters
-// that nobody sees.
+// A file of pairs has two items per line, separated by a comma, a semicolon, a tab or blanks; an item in double quotes may hold
+// any of them, with quotes doubled ("cam 0/x.JPG","b"), and without quotes an item between commas, semicolons or tabs may
+// hold blanks. Empty lines and lines that begin with # or % are skipped, and so is a first line of two words over lines
+// of numbers. A workbook (.xlsx) is read, too: its first sheet, or the one that open_list() (io/input.hpp) names. If all
+// items are whole numbers below 10⁷ they are the numbers of the items, from 0. Otherwise they are names, of up to 255
+// bytes, and items are numbered as they first occur. A pair may come twice and either way round; an item with itself has
+// to be loaded and needs no other item. Items that do not occur are not loaded. Refused are numbers that are written in
+// another way than whole numbers before them ("01", "1.0"), two names of one number, two numbers between
+// separators (0 1,2), and names with invisible characters or a '|'.
 //
 // Memory: 8 bytes a pair and 8 an item, and 16 a pair while a file is read.
 #pragma once
@@ -79,8 +81,8 @@ struct PairFileOptions {
   std::optional<std::uint64_t> items = {};  ///< there are so many, numbered from 0 or named
 };
 
-/// Reads a file as described above, or standard input for "-". @throws BadInput with the line, what is wrong and
-/// how to mend it; MissingResource if it cannot be read.
+/// Reads a file as described above, or standard input for "-". @throws BadInput with line and column, what is wrong
+/// and how to mend it; MissingResource if it cannot be read.
 [[nodiscard]] std::shared_ptr<const PairGraph> read_pairs(const std::string& path,
                                                           const PairFileOptions& options = {});
 [[nodiscard]] std::shared_ptr<const PairGraph> read_pairs(Input& input,

@@ -48,7 +48,8 @@ struct SplitFacts {
   std::uint64_t loads = 0;       ///< of all workers
   std::uint64_t makespan = 0;    ///< of the busiest one
   LoadBound makespan_bound;      ///< no split has a smaller makespan
-  std::string certificate;       ///< one line: how it was verified
+  std::string explanation;       ///< how the common order is made; says so if it is one of groups
+  std::string certificate;       ///< one line: how it was verified; counts pairs of items, or says of what
   std::vector<WorkerFacts> workers;
 };
 
@@ -65,6 +66,8 @@ class WorkerSplit {
 
  private:
   friend WorkerSplit split_order(LoadOrder, std::uint64_t, std::uint64_t, std::uint64_t);
+  friend WorkerSplit split_load_order(std::uint64_t, std::uint64_t, std::uint64_t,
+                                      const LoadOrderOptions&);
   friend WorkerSplit split_load_order(const WantedPairs&, std::uint64_t, std::uint64_t,
                                       const LoadOrderOptions&);
   WorkerSplit(SplitFacts facts, LoadOrder order);

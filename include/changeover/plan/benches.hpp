@@ -108,5 +108,9 @@ struct BenchDocument {
 [[nodiscard]] std::string benches_as_markdown(const BenchDocument& document);
 /// A page to print, each bench on a sheet of paper of its own.
 [[nodiscard]] std::string benches_as_html(const BenchDocument& document);
+/// The bytes of a workbook: a sheet per bench, `Bench 1`, `Bench 2`, …, as sheet_as_xlsx() writes one, then `Plan` and
+/// `Parts`; the same for the same document. read_setups() and read_done() (plan/job.hpp) read the sheet of a bench back.
+/// @throws MissingResource if there is no room for temporary files.
+[[nodiscard]] std::string benches_as_xlsx(const BenchDocument& document);
 
 }  // namespace changeover

@@ -259,23 +259,17 @@ std::uint64_t need_triples(Job& job);
 //     which those for names, costs and slots are found by their words. What is a header is decided by
 //     src/plan/job/part_columns.hpp; a first row that may be a header or a part is refused. Between
 //     semicolons or tabs a cost may have a decimal comma, if no cost of the list has a point.
-//   - Pairs: two parts a row. A first row of two words that head columns and are no parts is a header.
+//   - Pairs: two parts a row, or with blanks between them if that is no part. A first row of two words that head columns and are no parts is a header.
 //   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/sheet_formats.hpp) is taken too: its
 //     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, its column result, and
 //     its rows in their order.
-// Each of them may be a sheet of a workbook (.xlsx) instead, known by its content: the first sheet, or open_list() names
+// Each of them may be a sheet of a workbook (.xlsx) instead, known by its content: the first sheet, or open_list() (io/input.hpp) names
 // one. Its cells are what they say, so no row is a comment and no name needs quotes; a number is taken in full, a formula
 // for the value that the file holds, line ends within a cell for blanks; what stands right of the columns that the header names says nothing. Places are then `parts.xlsx:Costs!B3`.
 //
 // Lists are UTF-8; control characters and those that turn the direction of writing around are refused.
 // They are read a line at a time: at most 16 MiB a line, 1 GiB and 4,194,304 rows in all.
 // A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`.
-
-/// Opens a list as open_input() does, or one sheet of a workbook: "parts.xlsx:Costs" is the sheet Costs of parts.xlsx if
-/// there is no file of the whole name. @throws as open_input(); the readers below if there is no such sheet.
-[[nodiscard]] std::unique_ptr<Input> open_list(const std::string& path);
-/// The file of it: "parts.xlsx".
-[[nodiscard]] std::string list_file(const std::string& path);
 
 /// Whether a parts list has a header.
 enum class Header { guessed, given, none };

@@ -6,150 +6,35 @@
 #include <array>
 #include <cctype>
 #include <optional>
-#include <unordered_set>
+#include <span>
 
 #include "io/read/collector.hpp"
 #include "io/read/declared.hpp"
 #include "io/scan/place.hpp"
+#include "io/scan/row_reader.hpp"
 #include "io/scan/token_table.hpp"
 #include "io/write/csv_cell.hpp"
 
 namespace changeover {
 namespace {
 
-struct Field {
-  std::string text;  // without quotes and the blanks around it
-  std::size_t offset = 0;
-};
-
-// Splits text into records of fields.
-class Records {
+// Bytes in memory, which are read twice if a place in them is to be found.
+class BytesInput final : public Input {
  public:
-  Records(std::string_view text, const std::string& name) : text_(text), name_(&name) {
-    separator_ = find_separator();
-  }
+  BytesInput(std::string_view bytes, const std::string& name) : Input(name), rest_(bytes) {}
 
-  // The next record that is not blank or a comment; false at the end.
-  bool next(std::vector<Field>& fields) {
-    for (;;) {
-      if (at_ >= text_.size()) {
-        return false;
-      }
-      count_ = 0;
-      if (text_[at_] == '#') {
-        at_ = std::min(text_.find('\n', at_), text_.size() - 1) + 1;
-        continue;
-      }
-      read(fields);
-      fields.resize(count_);
-      if (std::any_of(fields.begin(), fields.end(),
-                      [](const Field& field) { return !field.text.empty(); })) {
-        return true;
-      }
-    }
+  std::size_t read(std::span<char> buffer) override {
+    const std::size_t count = std::min(buffer.size(), rest_.size());
+    std::copy_n(rest_.data(), count, buffer.data());
+    rest_.remove_prefix(count);
+    return count;
   }
-
-  [[noreturn]] void fail(std::size_t offset, std::string_view what) const {
-    changeover::fail(*name_, place(offset), what);
-  }
-  Place place(std::size_t offset) const { return place_of(text_, offset); }
-  std::size_t here() const { return at_; }
 
  private:
-  char find_separator() const {
-    std::size_t start = 0;
-    while (start < text_.size() && text_[start] == '#') {
-      start = std::min(text_.find('\n', start), text_.size() - 1) + 1;
-    }
-    const std::size_t found = text_.find_first_of(",;\n", start);
-    return found != std::string_view::npos && text_[found] == ';' ? ';' : ',';
-  }
-
-  // Reads fields up to the line end and takes that, too.
-  void read(std::vector<Field>& fields) {
-    for (;;) {
-      if (count_ == fields.size()) {
-        fields.emplace_back();
-      }
-      Field& field = fields[count_++];
-      field.text.clear();
-      skip_blanks();
-      field.offset = at_;
-      if (at_ < text_.size() && text_[at_] == '"') {
-        read_quoted(field);
-      } else {
-        read_plain(field);
-      }
-      skip_blanks();
-      if (at_ >= text_.size()) {
-        return;
-      }
-      const char c = text_[at_++];
-      if (c == separator_) {
-        continue;
-      }
-      if (c == '\n') {
-        return;
-      }
-      if (c == '\r' && (at_ == text_.size() || text_[at_] == '\n')) {
-        at_ += at_ < text_.size() ? 1U : 0U;
-        return;
-      }
-      fail(at_ - 1, c == '\r' ? "carriage return inside a line; end lines with LF or CR LF"
-                              : "text after a closing quote; double each quote within quotes");
-    }
-  }
-
-  void skip_blanks() {
-    while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) {
-      ++at_;
-    }
-  }
-
-  void read_plain(Field& field) {
-    while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' &&
-           text_[at_] != '\r') {
-      take(field);
-    }
-    const std::size_t last = field.text.find_last_not_of(" \t");
-    field.text.resize(last == std::string::npos ? 0 : last + 1);
-  }
-
-  void read_quoted(Field& field) {
-    for (++at_;;) {
-      if (at_ >= text_.size()) {
-        fail(field.offset, "a quote is opened and not closed; close it");
-      }
-      if (text_[at_] == '"') {
-        ++at_;
-        if (at_ >= text_.size() || text_[at_] != '"') {
-          return;
-        }
-      }
-      take(field);
-    }
-  }
-
-  void take(Field& field) {
-    const auto byte = static_cast<unsigned char>(text_[at_]);
-    if ((byte < 0x20 && byte != '\t') || byte == 0x7f) {
-      fail(at_, byte == '\n' || byte == '\r'
-                    ? std::string("a line end within quotes; close them before it")
-                    : control_byte_defect(text_[at_]));
-    }
-    if (field.text.size() > max_token_bytes) {
-      fail(field.offset,
-           fmt::format("a field of more than {} bytes; use shorter names", max_token_bytes));
-    }
-    field.text += text_[at_++];
-  }
-
-  std::string_view text_;
-  const std::string* name_;
-  char separator_ = ',';
-  std::size_t at_ = 0;
-  std::size_t count_ = 0;
+  std::string_view rest_;
 };
+
+Place place_of_field(const Field& field) { return {field.line, field.offset + 1}; }
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -176,7 +61,7 @@ constexpr std::array<std::string_view, 6> constants = {"v",    "k",        "chan
 class Columns {
  public:
   // Learns them from the first record; false if that is no list of names.
-  bool learn(const std::vector<Field>& fields, const Records& records) {
+  bool learn(const Row& fields, const RowReader& rows) {
     bool names = false;
     for (const Field& field : fields) {
       const std::string name = lower(field.text);
@@ -195,40 +80,42 @@ class Columns {
         std::optional<std::size_t>& column =
             constant_columns_[static_cast<std::size_t>(constant - constants.begin())];
         if (column) {
-          records.fail(fields[i].offset, fmt::format("two columns {}; remove one", name));
+          rows.fail(fields[i], fmt::format("two columns {}; remove one", name));
         }
         column = i;
       }
     }
     if (elements_.empty()) {
-      records.fail(fields[0].offset,
-                   "no columns element_1, element_2, …; name those with elements");
+      rows.fail(fields[0], "no columns element_1, element_2, …; name those with elements");
     }
     named_ = true;
     return true;
   }
 
   // Adds the elements of a record to the block.
-  void add_elements(const std::vector<Field>& fields, const Records& records,
-                    Collector& collector) const {
+  void add_elements(const Row& fields, const RowReader& rows, Collector& collector) const {
     for (std::size_t i = 0; i < (named_ ? elements_.size() : fields.size()); ++i) {
       const std::size_t column = named_ ? elements_[i] : i;
       if (column >= fields.size() || fields[column].text.empty()) {
         continue;
       }
       const Field& field = fields[column];
+      if (field.text.size() > max_token_bytes) {
+        rows.fail(field,
+                  fmt::format("a field of more than {} bytes; use shorter names", max_token_bytes));
+      }
       const std::string_view word = csv_text(field.text);
       auto defect = word_defect(word);
       defect = defect ? defect : collector.add(word);
       if (defect) {
-        records.fail(field.offset, *defect);
+        rows.fail(field, *defect);
       }
     }
   }
 
   // Compares what the record says of the whole design with what the first one said.
-  void check_constants(const std::vector<Field>& fields, const Records& records, ReadOptions& found,
-                       bool& labels, std::optional<std::size_t>& place) {
+  void check_constants(const Row& fields, const RowReader& rows, ReadOptions& found, bool& labels,
+                       std::optional<Place>& place) {
     for (std::size_t i = 0; i < constants.size(); ++i) {
       const auto column = constant_columns_[i];
       if (!column || *column >= fields.size() || fields[*column].text.empty()) {
@@ -237,34 +124,34 @@ class Columns {
       const Field& field = fields[*column];
       if (!said_[i].empty()) {
         if (field.text != said_[i]) {
-          records.fail(field.offset, fmt::format("{} is {} here and {} in the rows before; make "
-                                                 "them equal",
-                                                 constants[i], shown(field.text), shown(said_[i])));
+          rows.fail(field, fmt::format("{} is {} here and {} in the rows before; make "
+                                       "them equal",
+                                       constants[i], shown(field.text), shown(said_[i])));
         }
         continue;
       }
       said_[i] = field.text;
-      place = place.value_or(field.offset);
+      place = place.value_or(place_of_field(field));
       if (constants[i] == "elements") {
         if (field.text != "labels" && field.text != "numbers") {
-          records.fail(field.offset, "the column elements says neither labels nor numbers");
+          rows.fail(field, "the column elements says neither labels nor numbers");
         }
         labels = field.text == "labels";
       } else if (const auto defect = declare(found, constants[i], field.text)) {
-        records.fail(field.offset, *defect);
+        rows.fail(field, *defect);
       }
     }
   }
 
-  // The offset of element `which` (from 0) of a record.
-  std::size_t offset_of(const std::vector<Field>& fields, std::uint64_t which) const {
+  // The place of element `which` (from 0) of a row.
+  Place place_of(const Row& fields, std::uint64_t which) const {
     for (std::size_t i = 0; i < (named_ ? elements_.size() : fields.size()); ++i) {
       const std::size_t column = named_ ? elements_[i] : i;
       if (column < fields.size() && !fields[column].text.empty() && which-- == 0) {
-        return fields[column].offset;
+        return place_of_field(fields[column]);
       }
     }
-    return fields[0].offset;
+    return place_of_field(fields[0]);
   }
 
  private:
@@ -278,43 +165,52 @@ class Columns {
 
 Design read_csv(Input& input, const ReadOptions& options) {
   const std::string bytes = read_to_end(input);
-  const std::string_view text = without_byte_order_mark(bytes);
-  Records records(text, input.name());
-  if (const auto defect = table_defect(text.substr(0, 1U << 16))) {
-    records.fail(0, *defect);
+  if (const auto defect = table_defect(without_byte_order_mark(bytes).substr(0, 1U << 16))) {
+    fail(input.name(), {}, *defect);
   }
+  BytesInput text(bytes, input.name());
+  RowReader rows(text, RowOptions::of_any_length());
+  const auto next_of = [](RowReader& reader, Row& row) {
+    while (reader.next_line()) {
+      if (reader.split(row)) {
+        return true;
+      }
+    }
+    return false;
+  };
   Columns columns;
-  std::vector<Field> fields;
-  bool more = records.next(fields);
-  const bool header = more && columns.learn(fields, records);
-  more = header ? records.next(fields) : more;
+  Row fields;
+  bool more = next_of(rows, fields);
+  const bool header = more && columns.learn(fields, rows);
+  more = header ? next_of(rows, fields) : more;
 
   Collector collector;
   ReadOptions found;
   bool labels = false;
   std::size_t k = 0;
-  std::optional<std::size_t> place;
-  for (; more; more = records.next(fields)) {
-    columns.check_constants(fields, records, found, labels, place);
-    columns.add_elements(fields, records, collector);
+  std::optional<Place> place;
+  for (; more; more = next_of(rows, fields)) {
+    columns.check_constants(fields, rows, found, labels, place);
+    columns.add_elements(fields, rows, collector);
     k = k != 0 ? k : collector.block_size();
     if (const auto defect = collector.end_block()) {
-      records.fail(fields.back().offset, *defect);
+      rows.fail(fields.back(), *defect);
     }
   }
   Collector::Context context{.name = input.name(),
                              .declared = merged(input.name(), options, found),
                              .labels = std::nullopt,
                              .labels_place = {},
-                             .place = records.place(place.value_or(0)),
+                             .place = place.value_or(Place()),
                              .named = labels,
                              .place_of_word = [&](std::uint64_t word) {
-                               Records again(text, input.name());
-                               std::vector<Field> row;
+                               BytesInput again(bytes, input.name());
+                               RowReader reader(again, RowOptions::of_any_length());
+                               Row row;
                                for (std::uint64_t i = 0; i <= word / k + (header ? 1 : 0); ++i) {
-                                 again.next(row);
+                                 static_cast<void>(next_of(reader, row));
                                }
-                               return again.place(columns.offset_of(row, word % k));
+                               return columns.place_of(row, word % k);
                              }};
   return collector.finish(context);
 }

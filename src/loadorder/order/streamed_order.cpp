@@ -221,7 +221,9 @@ std::string StreamedShape::explain() const {
   }
   const std::uint64_t n = room - 1;
   if (c == 0) {
-    return fmt::format("Hold {} items while all others pass, drop them, repeat on the rest.", n);
+    return n == 1 ? std::string("Hold 1 item while all others pass, drop it, repeat on the rest.")
+                  : fmt::format(
+                        "Hold {} items while all others pass, drop them, repeat on the rest.", n);
   }
   std::string text;
   if (rounds > 0) {

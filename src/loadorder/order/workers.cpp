@@ -206,7 +206,13 @@ LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uin
 }
 
 WorkerSplit::WorkerSplit(SplitFacts facts, LoadOrder order)
-    : facts_(std::move(facts)), order_(std::move(order)) {}
+    : facts_(std::move(facts)), order_(std::move(order)) {
+  facts_.explanation = order_.facts().explanation;
+  if (facts_.groups < facts_.items) {
+    facts_.explanation = fmt::format("Of {} groups of at most {} items: {}", facts_.groups,
+                                     ceil_div(facts_.items, facts_.groups), facts_.explanation);
+  }
+}
 
 std::unique_ptr<StepSource> WorkerSplit::stream(std::uint64_t worker) const {
   if (worker >= facts_.workers.size()) {
@@ -232,7 +238,7 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
   facts.group_room = whole.room;
   facts.makespan_bound = whole.wanted.are_all() ? makespan_lower_bound(items, room, workers)
                                                 : makespan_lower_bound(whole.wanted, room, workers);
-  facts.certificate = whole.certificate;
+  facts.certificate = (whole.items < items ? "of groups of items: " : "") + whole.certificate;
   facts.workers.resize(static_cast<std::size_t>(workers));
   // Blocks are full and steps alike, unless items are grouped: then sizes differ by one.
   const std::uint64_t first_loads = std::min(whole.room, whole.items);
@@ -300,6 +306,7 @@ WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room, std::uint6
   WorkerSplit split = split_order(std::move(order), items, room, workers);
   if (items <= max_elements_in_memory && split.order().facts().every_step_read) {
     verify_split(split);
+    split.facts_.certificate = fmt::format("every step read, all {} pairs met", binomial(items, 2));
   }
   return split;
 }

@@ -204,6 +204,7 @@ std::uint64_t Closing::close(Element x, std::uint64_t limit) {
   }
   // What is needed for this pair only passes first.
   std::stable_partition(missing_.begin(), missing_.end(), [&](Element y) { return open_[y] == 1; });
+  work_ += missing_.size();
   for (std::size_t i = 0; i < missing_.size() && loads <= limit; ++i) {
     make_room(x);
     load(missing_[i]);
@@ -266,6 +267,7 @@ std::uint64_t Closing::trial(const Window& window, std::uint64_t limit) {
   std::uint64_t loads = 0;
   trying_ = true;
   for (std::size_t i = window.begin; i < window.sight && loads <= limit; ++i) {
+    ++work_;  // What is closed already costs a look.
     loads += close(order_[i], limit - loads);
   }
   trying_ = false;
@@ -282,6 +284,9 @@ void Closing::anneal(const Window& window, std::uint64_t work, Random& random,
   const std::uint64_t start = work_;
   std::uint64_t now = trial(window, no_limit);
   take_back(before);
+  if (now == 0) {
+    return;  // All of it is closed.
+  }
   std::uint64_t best = now;
   std::vector<Element> best_order(order_.begin() + static_cast<std::ptrdiff_t>(window.begin),
                                   order_.begin() + static_cast<std::ptrdiff_t>(window.end));
@@ -312,6 +317,7 @@ void Closing::anneal(const Window& window, std::uint64_t work, Random& random,
     }
     const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
     const auto move = [&](std::size_t a, std::size_t b) {
+      work_ += std::max(a, b) - std::min(a, b) + length;
       if (a < b) {
         std::rotate(at(a), at(a + length), at(b + length));
       } else {

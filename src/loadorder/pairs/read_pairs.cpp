@@ -5,22 +5,30 @@
 #include <charconv>
 #include <unordered_map>
 
-#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "core/utf8.hpp"
-#include "io/scan/input_lines.hpp"
+#include "io/scan/row_reader.hpp"
 
 namespace changeover {
 namespace {
 
 constexpr std::size_t longest_name = 255;
-constexpr std::size_t longest_line = 65'536;
+
+// Items with anything between them. Lists are long: a row is not kept.
+RowOptions row_options() {
+  RowOptions options = RowOptions::of_any_length();
+  options.any_separator = options.blanks = options.percent_too = true;
+  options.longest_line = 65'536;
+  options.too_long = "a line of more than 65536 bytes; give two items a line";
+  return options;
+}
 
 bool separates(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';'; }
 
 /// A plain decimal below `most_items`.
-std::optional<Element> item_number(std::string_view word) {
+std::optional<Element> item_number(const Field& field) {
+  const std::string_view word = field.text;
   Element number = 0;
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, number);
@@ -51,6 +59,21 @@ std::optional<std::string> as_number(std::string_view word) {
     number += part;
   }
   return negative && number != "0" ? '-' + number : number;
+}
+
+/// "0 1": whoever wrote it meant two items, and not one of this name.
+bool are_numbers(std::string_view text) {
+  if (text.find(' ') == std::string_view::npos) {
+    return false;
+  }
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    if (!word.empty() && !as_number(word)) {
+      return false;
+    }
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+  }
+  return true;
 }
 
 /// A character that nobody sees and that makes another name of a name, as in "U+200B"; nothing if there is none. `word`
@@ -138,31 +161,28 @@ class Pieces {
 class PairReader {
  public:
   PairReader(Input& input, const PairFileOptions& options)
-      : lines_(input, longest_line), options_(options) {
+      : rows_(input, row_options()), name_(input.name()), options_(options) {
     if (options_.items && (*options_.items == 0 || *options_.items > most_items)) {
       throw BadInput(fmt::format("{} items: give 1 to {}", *options_.items, most_items));
     }
   }
 
   std::shared_ptr<const PairGraph> read() {
-    for (auto next = lines_.next(); next != InputLines::Next::end; next = lines_.next()) {
-      if (next == InputLines::Next::too_long) {
-        fail("a line of more than 65536 bytes; give two items a line");
-      }
+    while (rows_.next_line()) {
       if (!named_ && seen_any_ && first_line_.empty()) {
-        if (const auto pair = plain_pair(lines_.line())) {
+        const auto pair = plain_pair(rows_.line());
+        if (pair && std::max(pair->first, pair->second) < options_.items.value_or(most_items)) {
           add_numbers(pair->first, pair->second);
           continue;
         }
       }
-      std::array<std::string_view, 2> words;
-      if (split(lines_.line(), words)) {
-        take(words);
+      if (rows_.split(row_) && items_of_row()) {
+        take();
       }
     }
     settle_first_line(false);
     if (pairs_.empty()) {
-      throw BadInput(lines_.name() + ": no pair is listed; give two items a line");
+      throw BadInput(name_ + ": no pair is listed; give two items a line");
     }
     const std::uint64_t items = options_.items && names_.empty() ? *options_.items
                                 : names_.empty()                 ? std::uint64_t{largest_} + 1
@@ -178,46 +198,38 @@ class PairReader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw BadInput(fmt::format("{}:{}: {}", lines_.name(), lines_.number(), what));
+  // Leaves the two items of a row in it; false for a row without any.
+  bool items_of_row() {
+    std::erase_if(row_, [](const Field& field) { return field.text.empty(); });
+    if (row_.size() == 1 && !row_.front().in_quotes) {
+      row_ = at_blanks(row_.front(), rows_);
+    }
+    if (row_.size() > 2) {
+      rows_.fail(row_[2], "more than two items; give two a line, and names with blanks in quotes");
+    }
+    if (row_.size() == 1) {
+      rows_.fail(row_[0], "one item stands alone; give two a line");
+    }
+    for (const Field& field : row_) {
+      if (!field.in_quotes && are_numbers(field.text)) {
+        rows_.fail(field, fmt::format("'{}' is more than one number; give two items a line, or put "
+                                      "it in quotes if it is a name",
+                                      field.text));
+      }
+    }
+    return !row_.empty();
   }
 
-  // False for a line without items.
-  bool split(std::string_view line, std::array<std::string_view, 2>& words) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < line.size();) {
-      if (separates(line[i])) {
-        ++i;
-        continue;
-      }
-      if (count == 0 && (line[i] == '#' || line[i] == '%')) {
-        return false;
-      }
-      std::size_t end = i;
-      while (end < line.size() && !separates(line[end])) {
-        ++end;
-      }
-      if (count == 2) {
-        fail("more than two items; give two a line, and names without blanks");
-      }
-      words[count++] = line.substr(i, end - i);
-      i = end;
-    }
-    if (count == 1) {
-      fail("one item stands alone; give two a line");
-    }
-    return count == 2;
-  }
-
-  void take(const std::array<std::string_view, 2>& words) {
-    const auto x = item_number(words[0]);
-    const auto y = item_number(words[1]);
+  void take() {
+    const auto x = item_number(row_[0]);
+    const auto y = item_number(row_[1]);
     const bool numbers = x && y;
-    if (!seen_any_ && !as_number(words[0]) && !as_number(words[1])) {  // perhaps names of columns
+    if (!seen_any_ && !as_number(row_[0].text) &&
+        !as_number(row_[1].text)) {  // perhaps names of columns
       seen_any_ = true;
-      first_line_ = {std::string(words[0]), std::string(words[1])};
-      for (const std::string& word : first_line_) {
-        check_name(word);
+      first_line_ = row_;
+      for (const Field& field : first_line_) {
+        check_name(field);
       }
       return;
     }
@@ -225,32 +237,36 @@ class PairReader {
     settle_first_line(numbers);
     if (named_ || !numbers) {
       if (!named_ && !pairs_.empty()) {
-        for (const std::string_view word : words) {
-          if (const auto number = as_number(word); number && *number != word) {
-            fail(fmt::format(
-                "'{}' is not written like the whole numbers before it; write {}, or begin all "
-                "items with a letter if they are names",
-                word, *number));
+        for (const Field& field : row_) {
+          if (const auto number = as_number(field.text); number && *number != field.text) {
+            rows_.fail(field,
+                       fmt::format("'{}' is not written like the whole numbers before it; write "
+                                   "{}, or begin all items with a letter if they are names",
+                                   field.text, *number));
           }
         }
       }
       become_named();
-      const Element a = item_called(words[0]);
-      const Element b = item_called(words[1]);
-      pairs_.add(a, b);
+      add_named(row_);
       return;
+    }
+    for (const auto& [item, field] : {std::pair(*x, &row_[0]), std::pair(*y, &row_[1])}) {
+      if (options_.items && item >= *options_.items) {
+        rows_.fail(*field, fmt::format("item {}, but --items {} numbers them from 0 to {}", item,
+                                       *options_.items, *options_.items - 1));
+      }
     }
     add_numbers(*x, *y);
   }
 
+  void add_named(const Row& row) {
+    const Element a = item_called(row[0]);
+    const Element b = item_called(row[1]);
+    pairs_.add(a, b);
+  }
+
   void add_numbers(Element x, Element y) {
-    for (const Element z : {x, y}) {
-      if (options_.items && z >= *options_.items) {
-        fail(fmt::format("item {}, but --items {} numbers them from 0 to {}", z, *options_.items,
-                         *options_.items - 1));
-      }
-      largest_ = std::max(largest_, z);
-    }
+    largest_ = std::max({largest_, x, y});
     pairs_.add(x, y);
   }
 
@@ -259,13 +275,11 @@ class PairReader {
     if (first_line_.empty()) {
       return;
     }
-    const std::vector<std::string> words = std::move(first_line_);
+    const Row row = std::move(first_line_);
     first_line_.clear();
     if (!numbers_follow) {
       become_named();
-      const Element a = item_called(words[0]);
-      const Element b = item_called(words[1]);
-      pairs_.add(a, b);
+      add_named(row);
     }
   }
 
@@ -275,55 +289,61 @@ class PairReader {
       return;
     }
     named_ = true;
+    Field number;
     pairs_.each([&](Element& x, Element& y) {
-      x = item_called(std::to_string(x));
-      y = item_called(std::to_string(y));
+      for (Element* const item : {&x, &y}) {
+        number.text = std::to_string(*item);
+        *item = item_called(number);
+      }
     });
   }
 
-  void check_name(std::string_view word) {
+  void check_name(const Field& field) {
+    const std::string& word = field.text;
     if (word.size() > longest_name) {
-      fail("a name of more than 255 bytes; shorten it");
-    }
-    if (const auto defect = label_defect(word)) {
-      fail(fmt::format("the name '{}': {}", word, *defect));
+      rows_.fail(field, "a name of more than 255 bytes; shorten it");
     }
     if (const auto character = invisible_character(word)) {
-      fail(fmt::format("the name '{}' has a character that cannot be seen, {}; remove it", word,
-                       *character));
+      rows_.fail(field, fmt::format("the name '{}' has a character that cannot be seen, {}; "
+                                    "remove it",
+                                    word, *character));
     }
     if (word.find('|') != std::string_view::npos) {
-      fail(fmt::format(
-          "the name '{}' has a '|', which stands between the names of a pair; rename it", word));
+      rows_.fail(field, fmt::format("the name '{}' has a '|', which stands between the names of a "
+                                    "pair; rename it",
+                                    word));
     }
   }
 
-  Element item_called(std::string_view word) {
-    const auto [found, is_new] =
-        numbers_.try_emplace(std::string(word), static_cast<Element>(names_.size()));
+  Element item_called(const Field& field) {
+    const std::string& word = field.text;
+    const auto [found, is_new] = numbers_.try_emplace(word, static_cast<Element>(names_.size()));
     if (is_new) {
-      check_name(word);
+      check_name(field);
       if (const auto number = as_number(word)) {
         const auto [other, first] = written_.try_emplace(*number, word);
         if (!first) {
-          fail(fmt::format("'{}' and '{}' are one number and two names; write it in one way",
-                           other->second, word));
+          rows_.fail(field,
+                     fmt::format("'{}' and '{}' are one number and two names; write it in one way",
+                                 other->second, word));
         }
       }
       if (names_.size() == options_.items.value_or(most_items)) {
-        fail(fmt::format("'{}' is one name more than {} items", word, names_.size()));
+        rows_.fail(field, fmt::format("'{}' is one name more than {} items", word, names_.size()));
       }
-      names_.emplace_back(word);
+      names_.push_back(word);
     }
     return found->second;
   }
 
-  InputLines lines_;
+  RowReader rows_;
+  std::string name_;
   PairFileOptions options_;
+  Row row_;
   Pieces pairs_;
   bool seen_any_ = false;
   bool named_ = false;
-  std::vector<std::string> first_line_;
+  Row first_line_;
   Element largest_ = 0;
   std::vector<std::string> names_;
   std::unordered_map<std::string, Element> numbers_;
@@ -338,7 +358,7 @@ std::shared_ptr<const PairGraph> read_pairs(Input& input, const PairFileOptions&
 
 std::shared_ptr<const PairGraph> read_pairs(const std::string& path,
                                             const PairFileOptions& options) {
-  return read_pairs(*open_input(path), options);
+  return read_pairs(*open_list(path), options);
 }
 
 }  // namespace changeover

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "changeover/plan/job.hpp"
+#include "io/scan/row_reader.hpp"
 #include "plan/job/cost_reader.hpp"
 #include "plan/job/part_finder.hpp"
-#include "plan/job/rows.hpp"
 
 namespace changeover {
 namespace {

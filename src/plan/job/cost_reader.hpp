@@ -9,7 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "io/scan/place.hpp"
-#include "plan/job/rows.hpp"
+#include "io/scan/row_reader.hpp"
 
 namespace changeover {
 

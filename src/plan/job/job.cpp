@@ -8,8 +8,8 @@
 
 #include "changeover/core/error.hpp"
 #include "io/scan/place.hpp"
+#include "io/scan/plain_text.hpp"
 #include "plan/job/fitting.hpp"
-#include "plan/job/plain_text.hpp"
 #include "plan/job/setup_list.hpp"
 #include "plan/job/words.hpp"
 
@@ -235,6 +235,11 @@ void check(const Job& job) {
   throw BadInput(found.size() == 1
                      ? found.front()
                      : fmt::format("{} (and {} more like this)", found.front(), found.size() - 1));
+}
+
+std::optional<std::string> text_defect(std::string_view text) {
+  auto defect = first_defect(text, false);
+  return defect ? std::optional(std::move(defect->what)) : std::nullopt;
 }
 
 }  // namespace changeover

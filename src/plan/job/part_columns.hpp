@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
-#include "plan/job/rows.hpp"
+#include "io/scan/row_reader.hpp"
 
 namespace changeover {
 

@@ -14,8 +14,8 @@
 
 #include "changeover/core/block.hpp"
 #include "io/scan/place.hpp"
+#include "io/scan/row_reader.hpp"
 #include "plan/job/part_columns.hpp"
-#include "plan/job/rows.hpp"
 
 namespace changeover {
 

@@ -11,12 +11,12 @@
 
 #include "changeover/core/error.hpp"
 #include "io/scan/place.hpp"
+#include "io/scan/plain_text.hpp"
+#include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
 #include "plan/job/cost_reader.hpp"
 #include "plan/job/part_columns.hpp"
 #include "plan/job/part_finder.hpp"
-#include "plan/job/plain_text.hpp"
-#include "plan/job/rows.hpp"
 #include "plan/job/setup_list.hpp"
 
 namespace changeover {
@@ -24,20 +24,12 @@ namespace {
 
 constexpr std::size_t longest_name = 255;
 
-// A row of numbers with blanks between them and no comma: "1 2 3".
-Row at_blanks(const Field& field) {
-  Row row;
-  for (std::size_t at = 0; at < field.text.size();) {
-    const std::size_t start = field.text.find_first_not_of(" \t", at);
-    if (start == std::string::npos) {
-      break;
-    }
-    at = std::min(field.text.find_first_of(" \t", start), field.text.size());
-    row.push_back({.text = field.text.substr(start, at - start),
-                   .offset = field.offset + start,
-                   .line = field.line});
+// Parts with blanks between them and no separator ("1 2 3") come as one field; a part whose name has blanks does, too.
+void split_at_blanks(Row& row, const PartFinder& finder, const RowReader& reader) {
+  if (row.size() == 1 && (!row.front().in_quotes || reader.is_workbook()) &&
+      !finder.find(row.front().text)) {
+    row = at_blanks(row.front(), reader);
   }
-  return row;
 }
 
 // Which fields of the rows hold a set-up.
@@ -213,12 +205,13 @@ PartList read_parts(Input& input, Header header) {
 }
 
 PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
-  RowReader reader(input);
+  RowReader reader(input, {.blanks = true});
   const PartFinder finder(names);
   PairSet pairs(names.size());
   bool first = true;
   while (auto row = reader.next()) {
     finder.restore_blanks(*row);
+    split_at_blanks(*row, finder, reader);
     if (std::exchange(first, false) && heads_pairs(*row, finder)) {
       continue;
     }
@@ -236,7 +229,7 @@ PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
 }
 
 PairWeights read_priorities(Input& input, const std::vector<std::string>& names) {
-  RowReader reader(input);
+  RowReader reader(input, {.blanks = true});
   const PartFinder finder(names);
   PairWeights weights;
   std::set<std::uint64_t> seen;
@@ -252,8 +245,9 @@ PairWeights read_priorities(Input& input, const std::vector<std::string>& names)
     }
   };
   bool first = true;
-  while (const auto row = reader.next()) {
+  while (auto row = reader.next()) {
     constexpr std::size_t fields = 3;
+    split_at_blanks(*row, finder, reader);
     if (row->size() != fields) {
       reader.fail(row->front(), "no pair with its weight; write A,B,5, a pair a line");
     }
@@ -352,9 +346,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
       }
     }
     if (!columns.header) {
-      if (row.size() == 1 && !finder.find(row.front().text)) {
-        row = at_blanks(row.front());
-      }
+      split_at_blanks(row, finder, reader);
       setups.push_back(find_parts(finder, row, find, fail));
     } else if (!columns.slots.empty()) {
       Row slots;

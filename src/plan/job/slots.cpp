@@ -12,9 +12,9 @@
 #include "changeover/plan/job.hpp"
 #include "changeover/run/scope.hpp"
 #include "io/scan/place.hpp"
+#include "io/scan/row_reader.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/part_columns.hpp"
-#include "plan/job/rows.hpp"
 
 namespace changeover {
 namespace {

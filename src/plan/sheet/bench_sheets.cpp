@@ -18,7 +18,13 @@ std::string bench_line(const Money& money, std::size_t bench, const RunSheet& sh
                      count_of(sheet.changes, "change"), money(sheet.cost));
 }
 
-std::vector<std::string> summary(const BenchDocument& document) {
+Cell one(const std::string& word) { return {word}; }
+
+std::string plain_list(const Job& job, const Block& parts) { return joined(names_of(job, parts)); }
+
+}  // namespace
+
+std::vector<std::string> bench_summary(const BenchDocument& document) {
   const Job& job = *document.job;
   const BenchPlan& plan = *document.plan;
   const Money money(job);
@@ -52,18 +58,12 @@ std::vector<std::string> summary(const BenchDocument& document) {
   return lines;
 }
 
-Cell one(const std::string& word) { return {word}; }
-
-std::string plain_list(const Job& job, const Block& parts) { return joined(names_of(job, parts)); }
-
-}  // namespace
-
 std::string benches_as_table(const BenchDocument& document, std::size_t width) {
   const Job& job = *document.job;
   const BenchPlan& plan = *document.plan;
   const Money money(job);
   std::string text = document.title + "\n";
-  for (const std::string& line : summary(document)) {
+  for (const std::string& line : bench_summary(document)) {
     text += line + "\n";
   }
   text += mounted_line(job);
@@ -196,7 +196,7 @@ std::string benches_as_html(const BenchDocument& document) {
   const BenchPlan& plan = *document.plan;
   const Money money(job);
   std::string body;
-  for (const std::string& line : summary(document)) {
+  for (const std::string& line : bench_summary(document)) {
     body += "<p class=\"small\">" + html_text(line) + "</p>\n";
   }
   body +=
@@ -226,7 +226,7 @@ std::string benches_as_markdown(const BenchDocument& document) {
   const BenchPlan& plan = *document.plan;
   const Money money(job);
   std::string text = "# " + markdown(document.title) + "\n\n";
-  for (const std::string& line : summary(document)) {
+  for (const std::string& line : bench_summary(document)) {
     text += "- " + markdown(line) + "\n";
   }
   if (!job.mounted.empty()) {

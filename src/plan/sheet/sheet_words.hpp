@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "changeover/plan/benches.hpp"
 #include "changeover/plan/sheet_formats.hpp"
 #include "plan/job/words.hpp"
 
@@ -35,6 +36,9 @@ class Money {
 
 /// What is to be said beside the ranges of ratios, a line each.
 [[nodiscard]] std::vector<std::string> what_if_notes(const Job& job, const WhatIf& answer);
+
+/// The same of several benches.
+[[nodiscard]] std::vector<std::string> bench_summary(const BenchDocument& document);
 
 /// "pairs", or "triples" where these have to meet.
 [[nodiscard]] std::string what_meets(const Job& job);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <initializer_list>
 #include <new>
 #include <string>
 #include <vector>
@@ -262,16 +263,17 @@ void offer_results(lxw_worksheet* sheet, std::size_t column, std::size_t rows) {
                                         &choice));
 }
 
-void write_steps(Workbook& book, const SheetDocument& document, unsigned decimals) {
+void write_steps(Workbook& book, const std::string& name, const SheetDocument& document,
+                 unsigned decimals) {
   const Job& job = *document.job;
   const RunSheet& sheet = document.plan->sheet;
   const Money money(job, document.budget);
   const SlotColumns slots(job, sheet);
-  SheetWriter writer(book, "Run sheet", decimals);
+  SheetWriter writer(book, name.c_str(), decimals);
   std::vector<std::string> heads{"step", "take_out", "put_in"};
   heads.insert(heads.end(), slots.heads().begin(), slots.heads().end());
   const std::size_t numbers = heads.size();
-  heads.insert(heads.end(), {"new_pairs", "cost", "cost_so_far", "result", "notes"});
+  heads.insert(heads.end(), {"new_" + what_meets(job), "cost", "cost_so_far", "result", "notes"});
   for (std::size_t column = 0; column < heads.size(); ++column) {
     writer.wide_text(0, column, heads[column], book.head);
   }
@@ -289,7 +291,7 @@ void write_steps(Workbook& book, const SheetDocument& document, unsigned decimal
       }
       ++column;
     }
-    writer.count(row, numbers, step.new_pairs.size());
+    writer.count(row, numbers, new_here(job, step));
     writer.money(row, numbers + 1, step.cost, money(step.cost));
     writer.money(row, numbers + 2, step.cost_so_far, money(step.cost_so_far));
   }
@@ -367,9 +369,47 @@ void write_plan(Workbook& book, const SheetDocument& document, unsigned decimals
   writer.print_set_up(document.title, true, false);
 }
 
-void write_parts(Workbook& book, const SheetDocument& document, unsigned decimals) {
-  const Job& job = *document.job;
-  const Money money(job, document.budget);
+void write_bench_plan(Workbook& book, const BenchDocument& document, unsigned decimals) {
+  const BenchPlan& plan = *document.plan;
+  const Money money(*document.job);
+  SheetWriter writer(book, "Plan", decimals);
+  lxw_row_t row = 0;
+  writer.text(row++, 0, document.title, book.title);
+  for (const std::string& line : bench_summary(document)) {
+    writer.paragraph(++row, line);
+  }
+  if (!document.job->mounted.empty()) {
+    writer.paragraph(++row, mounted_line(*document.job));
+  }
+  const auto table = [&](std::initializer_list<const char*> heads) {
+    row += 2;
+    std::size_t column = 0;
+    for (const char* head : heads) {
+      writer.wide_text(row, column++, head, book.head);
+    }
+  };
+  table({"bench", "tests", "changes", "cost"});
+  for (std::size_t bench = 0; bench < plan.sheets.size(); ++bench) {
+    const RunSheet& sheet = plan.sheets[bench];
+    writer.wide_text(++row, 0, fmt::format("Bench {}", bench + 1), book.text);
+    writer.count(row, 1, sheet.steps.size());
+    writer.count(row, 2, sheet.changes);
+    writer.money(row, 3, sheet.cost, money(sheet.cost));
+  }
+  table({"plan", "tests", "changes", "largest", "together", "how"});
+  for (const BenchCandidate& candidate : plan.candidates) {
+    writer.wide_text(++row, 0, candidate.name, book.text);
+    writer.count(row, 1, candidate.tests);
+    writer.count(row, 2, candidate.changes);
+    writer.money(row, 3, candidate.largest, money(candidate.largest));
+    writer.money(row, 4, candidate.cost, money(candidate.cost));
+    writer.wide_text(row, 5, candidate.how, book.text);
+  }
+  writer.print_set_up(document.title, true, false);
+}
+
+void write_parts(Workbook& book, const Job& job, const Money& money, const std::string& title) {
+  const unsigned decimals = money.decimals();
   SheetWriter writer(book, "Parts", decimals);
   writer.wide_text(0, 0, "part", book.head);
   writer.wide_text(0, 1, "change_cost", book.head);
@@ -384,7 +424,7 @@ void write_parts(Workbook& book, const SheetDocument& document, unsigned decimal
       writer.wide_text(row, 2, job.slots[job.slot_of[i]].name, book.text);
     }
   }
-  writer.print_set_up(document.title, false, true);
+  writer.print_set_up(title, false, true);
   if (!job.names.empty()) {
     check(worksheet_ignore_errors(writer.sheet(), LXW_IGNORE_NUMBER_STORED_AS_TEXT,
                                   fmt::format("A2:A{}", job.names.size() + 1).c_str()));
@@ -394,12 +434,30 @@ void write_parts(Workbook& book, const SheetDocument& document, unsigned decimal
 }  // namespace
 
 std::string sheet_as_xlsx(const SheetDocument& document) {
-  const unsigned decimals = Money(*document.job, document.budget).decimals();
+  const Money money(*document.job, document.budget);
   Workbook book;
   book.describe(document.title);
-  write_steps(book, document, decimals);
-  write_plan(book, document, decimals);
-  write_parts(book, document, decimals);
+  write_steps(book, "Run sheet", document, money.decimals());
+  write_plan(book, document, money.decimals());
+  write_parts(book, *document.job, money, document.title);
+  return book.bytes();
+}
+
+std::string benches_as_xlsx(const BenchDocument& document) {
+  const Money money(*document.job);
+  Workbook book;
+  book.describe(document.title);
+  for (std::size_t bench = 0; bench < document.plan->sheets.size(); ++bench) {
+    const std::string name = fmt::format("Bench {}", bench + 1);
+    RunPlan one;
+    one.sheet = document.plan->sheets[bench];
+    write_steps(
+        book, name,
+        {.job = document.job, .plan = &one, .title = fmt::format("{}: {}", document.title, name)},
+        money.decimals());
+  }
+  write_bench_plan(book, document, money.decimals());
+  write_parts(book, *document.job, money, document.title);
   return book.bytes();
 }
 

@@ -11,8 +11,9 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/search/minima_table.hpp"
-#include "core/lines.hpp"
 #include "core/printable.hpp"
+#include "io/scan/row_reader.hpp"
+#include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover {
@@ -22,20 +23,16 @@ constexpr std::string_view head =
     "strength,change,kind,k,v,on_paper,lower,upper,by,seconds,solve_seconds,check_seconds,"
     "proof_bytes,proof_steps,limit";
 
-class RowReader {
+// One row, cell by cell.
+class MinimaCells {
  public:
-  RowReader(const std::string& name, std::size_t line, std::string_view text)
-      : name_(name), line_(line), text_(text) {}
+  MinimaCells(const std::string& name, const Row& row) : name_(name), row_(row) {}
 
   std::string_view cell() {
-    if (done_) {
+    if (next_ == row_.size()) {
       fail("the row is too short");
     }
-    const std::size_t comma = text_.find(',');
-    const std::string_view cell = text_.substr(0, comma);
-    done_ = comma == std::string_view::npos;
-    text_.remove_prefix(done_ ? text_.size() : comma + 1);
-    return cell;
+    return row_[next_++].text;
   }
 
   template <typename Number>
@@ -51,24 +48,23 @@ class RowReader {
   }
 
   void end() const {
-    if (!done_) {
+    if (next_ < row_.size()) {
       fail("the row is too long");
     }
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw BadInput(
-        fmt::format("{}:{}: {}; remove the row, it will be filled in again", name_, line_, what));
+    throw BadInput(fmt::format("{}:{}: {}; remove the row, it will be filled in again", name_,
+                               row_.front().line, what));
   }
 
  private:
   const std::string& name_;
-  std::size_t line_;
-  std::string_view text_;
-  bool done_ = false;
+  const Row& row_;
+  std::size_t next_ = 0;
 };
 
-MinimaRow row_from(RowReader& reader) {
+MinimaRow row_from(MinimaCells& reader) {
   MinimaRow row;
   Parameters& p = row.parameters;
   p.strength = reader.number<std::uint32_t>();
@@ -85,7 +81,7 @@ MinimaRow row_from(RowReader& reader) {
   if (const auto upper = reader.number<std::uint64_t>(); upper != 0) {
     row.upper = upper;
   }
-  row.by = reader.cell();
+  row.by = csv_text(reader.cell());
   row.seconds = reader.number<double>();
   row.solve_seconds = reader.number<double>();
   row.check_seconds = reader.number<double>();
@@ -217,29 +213,31 @@ void write_minima(const std::vector<MinimaRow>& rows, Sink& sink) {
     const Parameters& p = row.parameters;
     sink.write(fmt::format("{},{},{},{},{},{},{},{},{},{:.2f},{:.2f},{:.2f},{},{},{}\n", p.strength,
                            p.change, to_string(p.kind), p.k, p.v, row.start, row.lower,
-                           row.upper.value_or(0), row.by, row.seconds, row.solve_seconds,
+                           row.upper.value_or(0), csv_cell(row.by), row.seconds, row.solve_seconds,
                            row.check_seconds, row.proof_bytes, row.proof_steps, row.limit));
   }
 }
 
 std::vector<MinimaRow> read_minima(Input& input) {
   constexpr std::size_t most_bytes = std::size_t{1} << 26;
-  const std::string text =
-      read_to_end(input, most_bytes, "no table of minima is as long; name another file");
+  const auto text = input_from_text(
+      read_to_end(input, most_bytes, "no table of minima is as long; name another file"),
+      input.name());
+  RowReader lines(*text);
+  if (!lines.next_line()) {
+    return {};
+  }
+  if (lines.line() != head) {
+    throw BadInput(fmt::format("{}:1: expected the line '{}'", input.name(), head));
+  }
   const auto place = [](const MinimaRow& row) {
     const Parameters& p = row.parameters;
     return std::tuple(p.strength, p.change, p.kind, p.k, p.v);
   };
   std::vector<MinimaRow> rows;
   std::set<decltype(place(rows.front()))> places;
-  for (Lines lines(text); lines.next();) {
-    RowReader reader(input.name(), lines.number(), lines.line());
-    if (lines.number() == 1) {
-      if (lines.line() != head) {
-        throw BadInput(fmt::format("{}:1: expected the line '{}'", input.name(), head));
-      }
-      continue;
-    }
+  while (const auto cells = lines.next()) {
+    MinimaCells reader(input.name(), *cells);
     MinimaRow row = row_from(reader);
     if (const std::string wrong = defect(row); !wrong.empty()) {
       reader.fail(wrong);

@@ -32,6 +32,10 @@ TEST(Workers, TogetherBringEveryPairTogetherWithinTheirRoom) {
         EXPECT_EQ(all.missing(), 0U) << items << " " << room << " " << workers;
         EXPECT_EQ(loads, facts.loads);
         EXPECT_EQ(makespan, facts.makespan);
+        EXPECT_EQ(facts.certificate,
+                  "every step read, all " + std::to_string(items * (items - 1) / 2) + " pairs met");
+        EXPECT_EQ(facts.explanation.starts_with("Of " + std::to_string(facts.groups) + " groups"),
+                  facts.groups < items);
         EXPECT_GE(makespan, facts.makespan_bound.loads) << items << " " << room << " " << workers;
       }
     }

@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "damage.hpp"
+#include "io/scan/row_reader.hpp"
 
 namespace changeover::test {
 namespace {
@@ -31,7 +32,8 @@ List some_list() {
   for (std::uint64_t i = 0; i < 8; ++i) {
     const std::string number = std::to_string(some_number(i < 4 ? 9 : 99));
     words.push_back(named && i % 3 != 1
-                        ? *rc::gen::element<std::string>("x", "Pump-", "é", "漢", "-e", "a.") +
+                        ? *rc::gen::element<std::string>("x", "Pump-", "é", "漢", "-e", "a.",
+                                                         "cam 0/", "a, b\"", "#", "%") +
                               std::to_string(i)
                         : number);
   }
@@ -49,13 +51,14 @@ List some_list() {
     const bool first = list.pairs.empty() && named;
     const std::string x = first ? words[0] : *rc::gen::elementOf(words);
     const std::string y = first ? words[2] : *rc::gen::elementOf(words);
-    list.text += *rc::gen::element<std::string>("", "", " ", "# 1 2\n", "\n", "% x\n") + x +
-                 blank() + y + *rc::gen::element<std::string>("\n", "\n", "\r\n", " \n");
+    list.text += *rc::gen::element<std::string>("", "", " ", "# 1 2\n", "\n", "% x\n") +
+                 quoted_among_blanks(x) + blank() + quoted_among_blanks(y) +
+                 *rc::gen::element<std::string>("\n", "\n", "\r\n", " \n");
     occurs(x);
     occurs(y);
     list.pairs.insert(in_order(x, y));
     if (first) {  // Words over numbers alone would be the names of columns.
-      list.text += y + " " + x + "\n";
+      list.text += quoted_among_blanks(y) + " " + quoted_among_blanks(x) + "\n";
     }
   }
   return list;
@@ -104,8 +107,7 @@ std::string written(const Pairs& pairs) {
     const bool number = (x + y).find_first_not_of("0123456789") == std::string::npos &&
                         x.size() < 8 && y.size() < 8 && (x == "0" || x[0] != '0') &&
                         (y == "0" || y[0] != '0');
-    const bool turned = x.starts_with('%');  // At the beginning of a line it would be a comment.
-    (number ? rest : beginning) += (turned ? y : x) + "\t" + (turned ? x : y) + "\n";
+    (number ? rest : beginning) += quoted_among_blanks(x) + "\t" + quoted_among_blanks(y) + "\n";
   }
   return beginning + beginning + rest;
 }

@@ -34,7 +34,7 @@ TEST(ReadPairs, AByteOrderMarkIsNoPartOfAnItem) {
 
 TEST(ReadPairs, ANameMayNotLookLikeAPair) {
   EXPECT_EQ(fault("a b\na|b c\n"),
-            "f:2: the name 'a|b' has a '|', which stands between the names of a pair; rename it");
+            "f:2:1: the name 'a|b' has a '|', which stands between the names of a pair; rename it");
 }
 
 TEST(ReadPairs, NumbersAreItemsAndEachPairCountsOnce) {
@@ -69,13 +69,13 @@ TEST(ReadPairs, WordsOverNumbersAreColumns) {
 TEST(ReadPairs, ANumberIsWrittenInOneWay) {
   const std::string mend = "is not written like the whole numbers before it; write 1, or begin";
   for (const std::string word : {"01", "1.0", "+1", "1.", "0001.000"}) {
-    EXPECT_THAT(fault("0 1\n2 " + word + "\n"), HasSubstr("f:2: '" + word + "' " + mend));
+    EXPECT_THAT(fault("0 1\n2 " + word + "\n"), HasSubstr("f:2:3: '" + word + "' " + mend));
   }
-  EXPECT_THAT(fault("0 1\n2 -1\n2 00\n"), HasSubstr("f:3: '0' and '00' are one number"));
+  EXPECT_THAT(fault("0 1\n2 -1\n2 00\n"), HasSubstr("f:3:3: '0' and '00' are one number"));
   EXPECT_THAT(fault("0 1\n2 1.50\n"), HasSubstr("write 1.5, or"));
   EXPECT_EQ(fault("01 02\n1 2\n"),
-            "f:2: '01' and '1' are one number and two names; write it in one way");
-  EXPECT_THAT(fault("a 1\nb 1.0\n"), HasSubstr("f:2: '1' and '1.0' are one number"));
+            "f:2:1: '01' and '1' are one number and two names; write it in one way");
+  EXPECT_THAT(fault("a 1\nb 1.0\n"), HasSubstr("f:2:3: '1' and '1.0' are one number"));
   // Names of equally many digits, large numbers, dates: none of them is another one.
   EXPECT_THAT(read("001 002\n002 100\n")->names(), ElementsAre("001", "002", "100"));
   EXPECT_THAT(read("1 10000000\n")->names(), ElementsAre("1", "10000000"));
@@ -85,7 +85,7 @@ TEST(ReadPairs, ANumberIsWrittenInOneWay) {
 
 TEST(ReadPairs, ANameHasNoCharacterThatIsNotSeen) {
   const std::string sharp =
-      "f:2: the name 'b\xE2\x80\x8B' has a character that cannot be seen, U+200B; remove it";
+      "f:2:3: the name 'b\xE2\x80\x8B' has a character that cannot be seen, U+200B; remove it";
   EXPECT_EQ(fault("a b\na b\xE2\x80\x8B\n"), sharp);
   EXPECT_THAT(fault("a b\xC2\xA0\n"), HasSubstr("U+00A0"));
   EXPECT_THAT(fault("a \xF3\xA0\x84\x80z\n"), HasSubstr("U+E0100"));
@@ -98,21 +98,47 @@ TEST(ReadPairs, LinesAreReadTheSameHoweverTheyAreWritten) {
   const auto other = read("# first\n0  1\n9999999\t12 \n;12,0\n 7;7\r\n");
   EXPECT_EQ(WantedPairs::listed(plain).hash(), WantedPairs::listed(other).hash());
   EXPECT_EQ(plain->items(), 10'000'000U);
-  EXPECT_THAT(fault("0 1\n0 10000000\n1\n"), HasSubstr("f:3: one item"));
-  EXPECT_THAT(fault("0 1\n5 9\n", {.items = 9}), HasSubstr("f:2: item 9, but --items 9"));
+  EXPECT_THAT(fault("0 1\n0 10000000\n1\n"), HasSubstr("f:3:1: one item"));
+  EXPECT_THAT(fault("0 1\n5 9\n", {.items = 9}), HasSubstr("f:2:3: item 9, but --items 9"));
+}
+
+TEST(ReadPairs, AreCsvIfTheyAreWrittenSo) {
+  const std::vector<std::string> names{"cam 0/x.JPG", "b"};
+  for (const std::string text :
+       {"\"cam 0/x.JPG\",\"b\"\n", "cam 0/x.JPG,b\n", "cam 0/x.JPG;b\n", "cam 0/x.JPG\tb\n",
+        "\"cam 0/x.JPG\" b\n", "\"cam 0/x.JPG\"\tb \r\n", " \"cam 0/x.JPG\" , b ,\n",
+        "\xEF\xBB\xBF\"cam 0/x.JPG\",b\n"}) {
+    EXPECT_EQ(read(text)->names(), names) << text;
+    EXPECT_EQ(read("# a comment\n" + text.substr(text[0] == '\xEF' ? 3 : 0))->names(), names)
+        << text;
+  }
+  EXPECT_THAT(read("b \"say \"\"x, y\"\"\"\n")->names(), ElementsAre("b", "say \"x, y\""));
+  EXPECT_THAT(read("\"#1\",\"%\"\n")->names(), ElementsAre("#1", "%"));
+  EXPECT_THAT(read("5\" disk,b\n")->names(), ElementsAre("5\" disk", "b"));
+  EXPECT_TRUE(read("from,to\n\"0\",\"1\"\n\"2\";\"0\"\n")->names().empty());
+  EXPECT_THAT(read("\"0 1\",2\n")->names(), ElementsAre("0 1", "2"));
+  EXPECT_EQ(
+      fault("0 1\t2\n"),
+      "f:1:1: '0 1' is more than one number; give two items a line, or put it in quotes if it is a "
+      "name");
+  EXPECT_THAT(fault("a,b\n0 1,0.5\n"), HasSubstr("f:2:1: '0 1' is more than one number"));
+  EXPECT_THAT(fault("a,b\n\"c,d\n"), HasSubstr("f:2:1: a quote is opened and not closed"));
+  EXPECT_THAT(fault("a,b\n\"c\"d,e\n"), HasSubstr("f:2:4: text after a closing quote"));
+  EXPECT_THAT(fault("a,b\n\"\",e\n"), HasSubstr("f:2:4: one item stands alone"));
+  EXPECT_THAT(fault("a,b\ncam 0 x\n"), HasSubstr("f:2:7: more than two items"));
 }
 
 TEST(ReadPairs, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(fault(""), HasSubstr("f: no pair is listed"));
   EXPECT_THAT(fault("# 1 2\n"), HasSubstr("no pair is listed"));
-  EXPECT_THAT(fault("0 1\n2\n"), HasSubstr("f:2: one item stands alone"));
-  EXPECT_THAT(fault("0 1 0.5\n"), HasSubstr("f:1: more than two items"));
-  EXPECT_THAT(fault("0 1\n0 9\n", {.items = 9}), HasSubstr("f:2: item 9, but --items 9"));
-  EXPECT_THAT(fault("a b\nc d\n", {.items = 3}), HasSubstr("f:2: 'd' is one name more"));
-  EXPECT_THAT(fault("a b\na \x01z\n"), HasSubstr("f:2: the name"));
-  EXPECT_THAT(fault("a " + std::string(300, 'b')), HasSubstr("f:1: a name of more than 255"));
+  EXPECT_THAT(fault("0 1\n2\n"), HasSubstr("f:2:1: one item stands alone"));
+  EXPECT_THAT(fault("0 1 0.5\n"), HasSubstr("f:1:5: more than two items"));
+  EXPECT_THAT(fault("0 1\n0 9\n", {.items = 9}), HasSubstr("f:2:3: item 9, but --items 9"));
+  EXPECT_THAT(fault("a b\nc d\n", {.items = 3}), HasSubstr("f:2:3: 'd' is one name more"));
+  EXPECT_THAT(fault("a b\na \x01z\n"), HasSubstr("f:2:3: control byte 0x01"));
+  EXPECT_THAT(fault("a " + std::string(300, 'b')), HasSubstr("f:1:3: a name of more than 255"));
   EXPECT_THAT(fault("0 1", {.items = 0}), HasSubstr("give 1 to"));
-  EXPECT_THAT(fault("0 1\n" + std::string(3 << 20, 'x')), HasSubstr("f:2: a line of more"));
+  EXPECT_THAT(fault("0 1\n" + std::string(3 << 20, 'x')), HasSubstr("f:2:1: a line of more"));
   EXPECT_THROW(PairGraph(2, std::vector<ItemPair>{{0, 2}}), BadInput);
   EXPECT_THROW(PairGraph(2, std::vector<ItemPair>{{0, 1}}, {"a"}), BadInput);
   EXPECT_THROW(read_pairs("no/such/file"), MissingResource);

@@ -295,5 +295,30 @@ TEST(ReadParts, NamesThatLookTheSameAreRefused) {
   EXPECT_THROW(check(job), BadInput);
 }
 
+TEST(Pairs, MayHaveBlanksBetweenThemAndQuotesAroundThem) {
+  const std::vector<std::string> bench{"Pump A", "Valve", "x, y", "5"};
+  const auto pairs = [&](const std::string& text) {
+    return read_pairs(*input_from_text(text, "pairs.csv"), bench);
+  };
+  for (const std::string text : {"Pump A,Valve\n", "\"Pump A\";\"Valve\"\n", "\"Pump A\" Valve\n",
+                                 "Valve \"Pump A\"\n", "1 2\n", "2\t1\n"}) {
+    EXPECT_TRUE(pairs(text).contains(0, 1)) << text;
+  }
+  EXPECT_TRUE(pairs("\"x, y\" 5\n1 2\n").contains(2, 3));
+  EXPECT_TRUE(pairs("Valve \"x, y\"\n").contains(1, 2));
+  EXPECT_TRUE(read_priorities(*input_from_text("1 2 2.5\n\"Pump A\" 5 7\n"), bench).weighs(0, 3));
+  const auto says = [&](const std::string& text) -> std::string {
+    try {
+      pairs(text);
+    } catch (const BadInput& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(says("1 2\n1 9\n"), StartsWith("pairs.csv:2:3: there is no part '9'"));
+  EXPECT_THAT(says("Pump A\n"), StartsWith("pairs.csv:1:1: one part stands here"));
+  EXPECT_THAT(says("\"Pump A\"x Valve\n"), StartsWith("pairs.csv:1:9: text after a closing quote"));
+}
+
 }  // namespace
 }  // namespace changeover

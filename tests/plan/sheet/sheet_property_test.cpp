@@ -9,7 +9,7 @@
 #include "changeover/plan/sheet_formats.hpp"
 #include "damage.hpp"
 #include "io/write/csv_cell.hpp"
-#include "plan/job/rows.hpp"
+#include "io/scan/row_reader.hpp"
 #include "random_jobs.hpp"
 #include "some_names.hpp"
 

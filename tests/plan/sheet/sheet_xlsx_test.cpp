@@ -1,7 +1,8 @@
 #include <gmock/gmock.h>
 
+#include "changeover/plan/benches.hpp"
 #include "changeover/plan/sheet_formats.hpp"
-#include "plan/job/rows.hpp"
+#include "io/scan/row_reader.hpp"
 #include "zip_files.hpp"
 
 namespace changeover {
@@ -86,6 +87,26 @@ TEST_F(SheetXlsx, LongTitlesAndNoTest) {
   plan.sheet = run_sheet(job, {});
   plan.bound = CostBound{};
   EXPECT_TRUE(read_setups(*sheet("Run sheet"), job.names).empty());
+}
+
+// Every bench can be read back as if its sheet were the only one; what a bench did is done.
+TEST_F(SheetXlsx, SeveralBenchesHaveASheetEach) {
+  job.change_costs[3] = parse_amount("3");
+  BenchPlan benches;
+  static_cast<BenchCount&>(benches) = count_benches(job, {{{0, 1, 2}, {0, 1, 3}}, {}, {{2, 3}}});
+  benches.bound = cost_bound(job);
+  benches.candidates.emplace_back().name = "by hand";
+  const std::string bytes = benches_as_xlsx({.job = &job, .plan = &benches});
+  EXPECT_EQ(bytes, benches_as_xlsx({.job = &job, .plan = &benches}));
+  const auto named = [&](const std::string& name) {
+    return std::make_unique<SheetInput>(input_from_text(bytes, "f.xlsx"), name);
+  };
+  EXPECT_EQ(read_setups(*named("Bench 1"), job.names), (std::vector<Block>{{0, 1, 2}, {0, 1, 3}}));
+  EXPECT_EQ(read_setups(*named("Bench 2"), job.names), std::vector<Block>());
+  EXPECT_EQ(read_setups(*named("Bench 3"), job.names), (std::vector<Block>{{2, 3}}));
+  EXPECT_EQ(read_parts(*named("Parts")).names.size(), 4U);
+  EXPECT_THAT(unzipped(bytes)["xl/sharedStrings.xml"], HasSubstr("by hand"));
+  EXPECT_EQ(unzipped(bytes).count("xl/worksheets/sheet6.xml"), 0U);
 }
 
 }  // namespace

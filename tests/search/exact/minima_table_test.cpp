@@ -88,6 +88,12 @@ TEST(MinimaTable, RefusesRowsThatAreNone) {
   EXPECT_THAT(refusal(head + "2,1,linear,4,9x,1,1,1,x,0,0,0,0,0,0\n"), HasSubstr("'9x'"));
   const std::string good = "2,1,linear,4,9,11,12,13,cut,0.50,0,0,0,0,0\n";
   EXPECT_EQ(refusal(head + good), "");
+  EXPECT_EQ(refusal(""), "");
+  std::string quoted = good;
+  quoted.replace(quoted.find("cut"), 3, "\"cut, \"\"twice\"\"\"");
+  const auto rows = read_minima(*input_from_text(head + quoted));
+  EXPECT_EQ(rows.at(0).by, "cut, \"twice\"");
+  EXPECT_EQ(read_minima(*input_from_text(as_csv(rows))), rows);
   EXPECT_THAT(refusal(head + good + good),
               HasSubstr("a.csv:3: linear SCCD(9,4) stands here twice"));
   for (const auto& [from, to] :
@@ -100,7 +106,7 @@ TEST(MinimaTable, RefusesRowsThatAreNone) {
                                                         {"cut", "\x1b[2J"}}) {
     std::string bad = good;
     bad.replace(bad.find(from), from.size(), to);
-    EXPECT_THAT(refusal(head + bad), HasSubstr("a.csv:2: ")) << bad;
+    EXPECT_THAT(refusal(head + bad), HasSubstr("a.csv:2:")) << bad;
   }
 }
 

@@ -106,13 +106,21 @@ const std::vector<std::string>& formats_of_marks() {
 
 Answer show_design(std::shared_ptr<BlockSource> source, Exhibit exhibit,
                    const OutputRequest& output, int code) {
+  Answer answer{.code = code, .output = output};
   std::string format = output.format();
   if (const auto b = source->block_count()) {
     const auto defect = format_defect(source->parameters(), *b, format);
     if (defect && !output.precious) {
       throw UsageError{*defect};
     }
-    format = defect ? "text" : format;  // What a search found is not lost for its size.
+    if (defect) {  // What a search found is not lost for its size, nor in a file of another format.
+      format = "text";
+      if (!output.name_allows(format)) {
+        answer.output.path += ".txt";
+        answer.fault = std::make_exception_ptr(MissingResource(
+            fmt::format("{}; the design was written as text to {}", *defect, answer.output.path)));
+      }
+    }
   }
   const auto write = [source, exhibit = std::move(exhibit), format,
                       begun = false](OutputFile& out) mutable {
@@ -126,7 +134,8 @@ Answer show_design(std::shared_ptr<BlockSource> source, Exhibit exhibit,
       write_design(*source, exhibit, format, out);
     }
   };
-  return {.code = code, .output = output, .write = write};
+  answer.write = write;
+  return answer;
 }
 
 Answer show_design(const Design& design, Exhibit exhibit, const OutputRequest& output, int code) {
@@ -140,7 +149,7 @@ Answer show_design(const Design& design, Exhibit exhibit, const OutputRequest& o
 }
 
 bool can_be_judged_while_written(const OutputRequest& output) {
-  const std::string& format = output.format();
+  const std::string format = output.format();
   const bool to_file = !output.path.empty() && output.path != "-";
   return format == "text" || format == "json" || (format == "csv" && to_file);
 }

@@ -42,7 +42,8 @@ void write_design(BlockSource& source, const Exhibit& exhibit, const std::string
 [[nodiscard]] const std::vector<std::string>& formats_of_marks();
 
 /// The design that `source` streams, in the format that was asked for. One that is too large for the format is
-/// written as text if a search found it (OutputRequest::precious).
+/// written as text if a search found it (OutputRequest::precious); if FILE's name says otherwise, to FILE.txt, and the
+/// fault of the answer says so.
 /// @throws UsageError with the defect of the format otherwise.
 [[nodiscard]] Answer show_design(std::shared_ptr<BlockSource> source, Exhibit exhibit,
                                  const OutputRequest& output, int code = exit_code::done);

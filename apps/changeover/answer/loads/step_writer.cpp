@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 
@@ -67,7 +68,7 @@ void StepWriter::add(Element item) {
   } else if (json_) {
     append_json_string(text_, (*names_)[item]);
   } else {
-    text_ += (*names_)[item];
+    text_ += quoted_among_blanks((*names_)[item]);
   }
 }
 

@@ -171,7 +171,7 @@ Response load_order(const Request& request) {
   JsonWriter json;
   json.begin_object().key("loads").value(loads).key("lower_bound").value(bound.loads);
   json.key("reason").value(bound.reason).key("method").value(facts.method);
-  json.key("explanation").value(facts.explanation);
+  json.key("explanation").value(split ? split->facts().explanation : facts.explanation);
   json.key("bytes").value(checked_multiply(loads, asked.bytes_per_item));
   json.key("bytes_bound").value(checked_multiply(bound.loads, asked.bytes_per_item));
   json.key("step_count").value(steps).key("steps").begin_array();

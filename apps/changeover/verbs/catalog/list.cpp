@@ -21,7 +21,7 @@ Answer run(const ListRequest& request) {
   std::uint64_t count = 0;
   JsonWriter json;
   json.begin_array();
-  const std::string& format = request.output.format();
+  const std::string format = request.output.format();
   if (format == "csv") {
     text = "label,v,k,change,kind,strength,b,lower_bound,status,construction,date\n";
   }

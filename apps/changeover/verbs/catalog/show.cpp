@@ -97,7 +97,7 @@ Answer run(const ShowRequest& request) {
     return no_design(request.output, exit_code::missing_resource, words,
                      request.output.json() ? "[]" : "");
   }
-  const std::string& format = request.output.format();
+  const std::string format = request.output.format();
   if (format == "json") {
     JsonWriter json;
     json.begin_array();

@@ -96,7 +96,6 @@ class Ledger {
 };
 
 Answer run(const AuditRequest& request) {
-  check_kept(request.output.path, {"--resume", request.resume});
   const Catalog& catalog = request.catalog.open();
   const CatalogFilter filter = request.filter.filter();
   const auto running = std::make_shared<Running>(request.run, request.output);
@@ -143,6 +142,9 @@ void add_catalog_verify(Program& program) {
   request.filter.add_to(verb, FilterRequest::Unless::best_is_asked_for);
   verb.option("--resume", request.resume, "FILE", "keep there what is done, and go on from it");
   request.catalog.add_to(verb);
+  verb.require([&request = request] {
+    check_kept(request.output.path, {"--resume", request.resume});
+  });
   request.output.add_to(verb, {"text", "json"});
   request.run.add_limits_to(verb, "", request.output);
   verb.examples({"changeover catalog verify --threads 2 --resume done.txt",

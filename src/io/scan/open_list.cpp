@@ -5,8 +5,8 @@
 #include <string>
 #include <system_error>
 
-#include "changeover/plan/job.hpp"
-#include "plan/job/rows.hpp"
+#include "changeover/io/input.hpp"
+#include "io/scan/row_reader.hpp"
 
 namespace changeover {
 namespace {

@@ -41,21 +41,55 @@ class SheetInput final : public Input {
   std::string sheet_;
 };
 
-/// Reads an input row by row; it holds a line at a time, so that endless inputs end with a fault. An input that begins
-/// like a workbook is one: its first sheet is read, or that of a SheetInput. Every row of a sheet has at least as many
-/// fields as the first one, and no row of it is a comment.
+/// How the rows of a list are told apart.
+struct RowOptions {
+  bool any_separator = false;  ///< commas, semicolons and tabs all separate, in every row anew
+  bool blanks = false;         ///< a row without any of them may be one at_blanks()
+  bool percent_too =
+      false;  ///< a row that begins with % is a comment, too, and blanks may come before it
+  std::size_t longest_line = std::size_t{1} << 24;
+  std::string_view too_long = "a line of more than 16 MiB; this is no list";
+  std::uint64_t most_rows = std::uint64_t{1} << 22;
+  std::uint64_t most_bytes = std::uint64_t{1} << 30;
+
+  /// No limits of rows and bytes: for what is not held in memory as rows.
+  [[nodiscard]] static RowOptions of_any_length() {
+    RowOptions options;
+    options.most_rows = options.most_bytes = ~std::uint64_t{0};
+    return options;
+  }
+};
+
+/// Reads an input row by row: the only reader of CSV, for lists and for designs. It holds a line at a time, so that endless
+/// inputs end with a fault. An input that begins like a workbook is one: its first sheet is read, or that of a
+/// SheetInput. Every row of a sheet has at least as many fields as the first one, and no row of it is a comment.
+///
+///     RowReader rows(input);
+///     while (rows.next_line()) {
+///       if (quick(rows.line())) continue;   // what needs no fields
+///       if (rows.split(row)) …              // the fields of this line
+///     }
 class RowReader {
  public:
   /// The input must outlive this. @throws MissingResource if reading fails; BadInput for a workbook that cannot be
   /// read.
-  explicit RowReader(Input& input);
+  explicit RowReader(Input& input, const RowOptions& options = {});
 
   /// The next row but comments and blank ones; nothing at the end. Rows are split at what comes first outside
-  /// quotes in the first row that has it: a comma, a semicolon, or a tab with text on both sides.
-  /// @throws BadInput with a place for what is no plain text, quotes that do not match and lines or lists
+  /// quotes in the first row that has it: a comma, a semicolon, or a tab with text on both sides; otherwise as the options
+  /// say. @throws BadInput with a place for what is no plain text, quotes that do not match and lines or lists
   /// beyond all measure; MissingResource if reading fails; Stopped if the scope of this thread
   /// (run/scope.hpp) wants to stop.
   [[nodiscard]] std::optional<Row> next();
+
+  /// The same in two steps, into a row that is used again. Goes to the next line, or row of the sheet; false at the end.
+  [[nodiscard]] bool next_line();
+  /// The line as it stands there; empty in a workbook.
+  [[nodiscard]] std::string_view line() const {
+    return sheet_ ? std::string_view() : lines_.line();
+  }
+  /// Its fields; false if it is a comment or blank.
+  [[nodiscard]] bool split(Row& row);
 
   /// @throws BadInput with the place of this offset in the line of the last row.
   [[noreturn]] void fail(std::size_t offset, std::string_view what) const;
@@ -72,20 +106,23 @@ class RowReader {
   [[nodiscard]] bool is_workbook() const { return sheet_.has_value(); }
 
  private:
-  /// Goes to the next line; false at the end of the input.
-  bool next_line();
-
   /// The next row of the sheet that is not blank.
   std::optional<Row> next_of_sheet();
 
+  RowOptions options_;
   PeekedInput input_;
   InputLines lines_;
   std::optional<WorkbookSheet> sheet_;
-  std::uint64_t sheet_row_ = 1;  // the last one
+  std::optional<Row> of_sheet_;  // the last one that next_line() found
+  std::uint64_t sheet_row_ = 1;  // its number
   std::size_t width_ = 0;        // of the first row of the sheet
   std::uint64_t rows_ = 0;
   char separator_ = '\0';  // not known yet
 };
+
+/// A row that came as one field, split at blanks instead; quotes hold a field with blanks together. Without empty fields.
+/// @throws BadInput through the reader.
+[[nodiscard]] Row at_blanks(const Field& field, const RowReader& reader);
 
 /// One row at commas. @throws BadInput without a place.
 [[nodiscard]] Row split_row(std::string_view line);
@@ -93,5 +130,8 @@ class RowReader {
 /// A field as it must be written so that it is read as it is: quoted if it holds commas, semicolons,
 /// quotes or outer blanks, or begins with #.
 [[nodiscard]] std::string quoted(std::string_view field);
+
+/// The same for a field among blanks: quoted if it holds a blank, too, or begins with %.
+[[nodiscard]] std::string quoted_among_blanks(std::string_view field);
 
 }  // namespace changeover

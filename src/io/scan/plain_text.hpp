@@ -1,4 +1,4 @@
-// Which texts can stand on a run sheet.
+// Which texts can stand in a list.
 #pragma once
 
 #include <cstddef>

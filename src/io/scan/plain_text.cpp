@@ -1,4 +1,4 @@
-#include "plan/job/plain_text.hpp"
+#include "io/scan/plain_text.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "changeover/plan/job.hpp"
 #include "core/utf8.hpp"
 
 namespace changeover {
@@ -44,6 +43,9 @@ std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
       }
       ++at;
       continue;
+    }
+    if (byte == '\r') {
+      return TextDefect{at, "carriage return inside a line; end lines with LF or CR LF"};
     }
     if (byte < 0x20 || byte == 0x7f) {
       return TextDefect{at,
@@ -86,11 +88,6 @@ std::string visible(std::string_view name) {
   const std::size_t first = std::min(seen.find_first_not_of(' '), seen.size());
   const std::size_t last = seen.find_last_not_of(' ');
   return last == std::string::npos ? "" : seen.substr(first, last + 1 - first);
-}
-
-std::optional<std::string> text_defect(std::string_view text) {
-  auto defect = first_defect(text, false);
-  return defect ? std::optional(std::move(defect->what)) : std::nullopt;
 }
 
 }  // namespace changeover
