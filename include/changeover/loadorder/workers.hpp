@@ -50,6 +50,7 @@ struct SplitFacts {
   LoadBound makespan_bound;      ///< no split has a smaller makespan
   std::string explanation;       ///< how the common order is made; says so if it is one of groups
   std::string certificate;       ///< one line: how it was verified; counts pairs of items, or says of what
+  bool cut_by_loads = false;  ///< shares have even loads; otherwise even numbers of steps
   std::vector<WorkerFacts> workers;
 };
 

@@ -106,6 +106,81 @@ Grouping cost(std::uint64_t groups, std::uint64_t room, std::uint64_t size, std:
           size * (busy * room + change * (steps - busy))};
 }
 
+// What the steps of an order of groups hold and load, in items.
+class StepSizes {
+ public:
+  StepSizes(const LoadOrder& order, std::uint64_t items) {
+    const LoadOrderFacts& whole = order.facts();
+    const auto size = [&](const std::vector<Element>& groups) {
+      std::uint64_t sum = 0;
+      for (const Element group : groups) {
+        sum += (group + std::uint64_t{1}) * items / whole.items - group * items / whole.items;
+      }
+      return sum;
+    };
+    held_.reserve(static_cast<std::size_t>(whole.steps));
+    loaded_.reserve(static_cast<std::size_t>(whole.steps) + 1);
+    loaded_.push_back(0);
+    std::uint64_t held = 0;
+    const auto steps = order.stream();
+    for (LoadStep step; steps->next(step);) {
+      stop_if_asked();
+      const std::uint64_t loads = size(step.load);
+      held += loads - size(step.evict);
+      held_.push_back(static_cast<std::uint32_t>(held));
+      loaded_.push_back(loaded_.back() + loads);
+    }
+  }
+
+  [[nodiscard]] std::uint64_t steps() const { return held_.size(); }
+  /// The loads of a worker whose share begins with step `first`, counted from 0: what is in memory then, and all after it.
+  [[nodiscard]] std::uint64_t loads(std::uint64_t first, std::uint64_t count) const {
+    return held_[first] + loaded_[first + count] - loaded_[first + 1];
+  }
+  /// The most steps from `first` on with at most so many loads.
+  [[nodiscard]] std::uint64_t fitting(std::uint64_t first, std::uint64_t most) const {
+    if (held_[first] > most) {
+      return 0;
+    }
+    const auto begin = loaded_.begin() + static_cast<std::ptrdiff_t>(first + 1);
+    const std::uint64_t left = most - held_[first] + *begin;
+    return static_cast<std::uint64_t>(std::upper_bound(begin, loaded_.end(), left) - begin);
+  }
+
+  /// The number of steps of each share, as many shares as needed, so that none has more than `most` loads; nothing if a step
+  /// alone has more.
+  [[nodiscard]] std::vector<std::uint64_t> shares(std::uint64_t most) const {
+    std::vector<std::uint64_t> counts;
+    for (std::uint64_t first = 0; first < steps();) {
+      const std::uint64_t count = fitting(first, most);
+      if (count == 0) {
+        return {};
+      }
+      counts.push_back(count);
+      first += count;
+    }
+    return counts;
+  }
+
+  /// Shares for so many workers whose largest has as few loads as can be: with contiguous shares, by bisection.
+  [[nodiscard]] std::vector<std::uint64_t> best_shares(std::uint64_t workers) const {
+    std::uint64_t low = 1;
+    std::uint64_t high = loaded_.back();
+    const auto fits = [&](const std::vector<std::uint64_t>& counts) {
+      return !counts.empty() && counts.size() <= workers;
+    };
+    while (low < high) {
+      const std::uint64_t middle = low + (high - low) / 2;
+      fits(shares(middle)) ? high = middle : low = middle + 1;
+    }
+    return shares(high);
+  }
+
+ private:
+  std::vector<std::uint32_t> held_;    // after each step
+  std::vector<std::uint64_t> loaded_;  // before each step
+};
+
 void verify_split(const WorkerSplit& split) {
   const SplitFacts& facts = split.facts();
   LoadCheckOptions options;
@@ -246,14 +321,26 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
       whole.steps > 1 ? (whole.loads - first_loads) / (whole.steps - 1) : 0;
   const bool alike = whole.items == items && whole.wanted.are_all() &&
                      whole.loads == first_loads + change * (whole.steps - 1);
+  // Shares of equal numbers of steps, unless steps differ: then shares whose loads are even.
+  constexpr std::uint64_t most_steps_cut = 10'000'000;
+  std::vector<std::uint64_t> counts;
+  std::optional<StepSizes> sizes;
+  if (!alike && whole.steps <= most_steps_cut) {
+    sizes.emplace(order, items);
+    counts = sizes->best_shares(workers);
+    facts.cut_by_loads = workers > 1;
+  }
   std::uint64_t next = 1;
   for (std::uint64_t w = 0; w < workers; ++w) {
     WorkerFacts& worker = facts.workers[static_cast<std::size_t>(w)];
-    worker.steps = whole.steps / workers + (w < whole.steps % workers ? 1 : 0);
+    worker.steps = sizes ? (w < counts.size() ? counts[static_cast<std::size_t>(w)] : 0)
+                         : whole.steps / workers + (w < whole.steps % workers ? 1 : 0);
     worker.first_step = worker.steps > 0 ? next : 0;
     next += worker.steps;
     if (worker.steps > 0 && alike) {
       worker.loads = first_loads + change * (worker.steps - 1);
+    } else if (worker.steps > 0 && sizes) {
+      worker.loads = sizes->loads(worker.first_step - 1, worker.steps);
     } else if (worker.steps > 0) {
       Stretch stretch(order.stream(), worker.first_step, worker.steps, items, whole.items);
       for (LoadStep step; stretch.next(step);) {
@@ -321,6 +408,23 @@ WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room, std:
     if (blocks && blocks->makespan() < split.facts().makespan) {
       auto [facts, order] = split_of_blocks(std::move(*blocks), split);
       split = WorkerSplit(std::move(facts), std::move(order));
+    }
+  }
+  if (workers > 1 && wanted.items() <= max_elements_in_memory) {
+    // Who brings all pairs together brings these together.
+    LoadOrderOptions quick = options;
+    quick.improve = nullptr;
+    const auto all =
+        std::make_shared<const WorkerSplit>(split_load_order(wanted.items(), room, workers, quick));
+    if (all->facts().makespan < split.facts().makespan) {
+      SplitFacts facts = all->facts();
+      facts.makespan_bound = split.facts().makespan_bound;
+      LoadOrderFacts whole = all->order().facts();
+      whole.wanted = wanted;
+      whole.bound = split.order().facts().bound;
+      whole.explanation = "An order for all pairs. " + whole.explanation;
+      split = WorkerSplit(std::move(facts),
+                          LoadOrder(std::move(whole), [all] { return all->order().stream(); }));
     }
   }
   if (split.order().facts().every_step_read) {

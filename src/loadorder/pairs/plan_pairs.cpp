@@ -285,9 +285,36 @@ void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts) {
                                  : fmt::format("every step read, all {} wanted pairs met", pairs);
 }
 
+// What brings all pairs together brings these together: nothing if it has as many loads, or its bound.
+std::optional<LoadOrder> order_for_all_pairs(const LoadOrderFacts& facts, std::uint64_t loads,
+                                             const LoadOrderOptions& options) {
+  if (load_lower_bound(facts.items, facts.room).loads >= loads) {
+    return std::nullopt;
+  }
+  LoadOrderOptions quick = options;
+  quick.improve = nullptr;
+  const auto all =
+      std::make_shared<const LoadOrder>(plan_load_order(facts.items, facts.room, quick));
+  if (all->facts().loads >= loads) {
+    return std::nullopt;
+  }
+  LoadOrderFacts its = all->facts();
+  its.wanted = facts.wanted;
+  its.bound = facts.bound;
+  its.explanation = "An order for all pairs. " + its.explanation;
+  LoadOrder::Maker maker = [all] { return all->stream(); };
+  if (its.every_step_read) {
+    verify(maker, its);
+  }
+  return LoadOrder(std::move(its), std::move(maker));
+}
+
 LoadOrder order_of_groups(LoadOrderFacts facts, const LoadOrderOptions& options) {
   constexpr std::uint64_t most_steps_read = 100'000'000;
   HeldShape shape = best_held_shape(facts.wanted, facts.room);
+  if (auto all = order_for_all_pairs(facts, shape.loads, options)) {
+    return std::move(*all);
+  }
   facts.loads = shape.loads;
   facts.steps = shape.steps;
   facts.method = "held groups";

@@ -42,7 +42,7 @@ std::uint64_t hash_of(const LoadOrder& order) {
 /// What tells jobs apart, all shares of a job having the same: what is computed of which data, in
 /// which steps, and where results go.
 std::vector<JournalField> fields_of(const ItemSource& source, const LoadOrder& order,
-                                    const std::string& fingerprint,
+                                    const std::string& fingerprint, bool cut_by_loads,
                                     const AllPairsOptions& options) {
   const LoadOrderFacts& facts = order.facts();
   return {
@@ -55,7 +55,7 @@ std::vector<JournalField> fields_of(const ItemSource& source, const LoadOrder& o
        fmt::format("{} items, room {}, steps {:016x}{}", facts.items, facts.room, hash_of(order),
                    facts.wanted.are_all() ? std::string()
                                           : fmt::format(", pairs {:016x}", facts.wanted.hash()))},
-      {"shares", fmt::format("{}", options.share.of)}};
+      {"shares", fmt::format("{}{}", options.share.of, cut_by_loads ? ", even in loads" : "")}};
 }
 
 class Job {
@@ -117,7 +117,8 @@ class Job {
 
   // First everything that can speak against the job, and only then what changes files.
   void claim_results(std::optional<Journal>& journal, const std::string& fingerprint) {
-    std::vector<JournalField> fields = fields_of(source_, split_.order(), fingerprint, options_);
+    std::vector<JournalField> fields =
+        fields_of(source_, split_.order(), fingerprint, split_.facts().cut_by_loads, options_);
     Sha256 job;
     for (const JournalField& field : fields) {
       job.add(field.value);

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <numeric>
+
 #include "changeover/core/error.hpp"
+#include "changeover/loadorder/load_check.hpp"
 #include "loadorder_support.hpp"
 
 namespace changeover::test {
@@ -39,6 +43,77 @@ TEST(Workers, TogetherBringEveryPairTogetherWithinTheirRoom) {
         EXPECT_GE(makespan, facts.makespan_bound.loads) << items << " " << room << " " << workers;
       }
     }
+  }
+}
+
+// The larger question, all pairs, is an answer to each smaller one.
+TEST(Workers, AreNeverWorseThanForTheLargerQuestion) {
+  for (std::uint64_t items = 3; items <= 26; items += items < 10 ? 1 : 4) {
+    for (const std::uint64_t room : {2U, 3U, 5U, 8U}) {
+      for (std::uint64_t workers = 1; workers <= 5; ++workers) {
+        const std::uint64_t all = split_load_order(items, room, workers).facts().makespan;
+        for (std::uint64_t done = 1; done < items; done += 1 + items / 6) {
+          const WantedPairs wanted = WantedPairs::beyond(done, items);
+          const WorkerSplit split = split_load_order(wanted, room, workers);
+          const SplitFacts& facts = split.facts();
+          EXPECT_LE(facts.makespan, all) << items << " " << room << " " << workers << " " << done;
+          EXPECT_GE(facts.makespan, facts.makespan_bound.loads);
+          LoadCheckOptions options;
+          options.wanted = wanted;
+          LoadCheck check(items, room, options);
+          std::uint64_t makespan = 0;
+          for (std::uint64_t w = 0; w < workers; ++w) {
+            check.start_over();
+            std::uint64_t loads = 0;
+            LoadStep step;
+            for (const auto steps = split.stream(w); steps->next(step);) {
+              check.read(step);
+              loads += step.load.size();
+            }
+            EXPECT_EQ(loads, facts.workers[static_cast<std::size_t>(w)].loads);
+            makespan = std::max(makespan, loads);
+          }
+          EXPECT_TRUE(check.finish().valid()) << check.finish().fault;
+          EXPECT_EQ(makespan, facts.makespan);
+        }
+      }
+    }
+  }
+  EXPECT_LE(split_load_order(WantedPairs::beyond(512, 1024), 64, 16).facts().makespan,
+            split_load_order(1024, 64, 16).facts().makespan);
+}
+
+// No other cut of the same order into stretches has a smaller makespan.
+TEST(Workers, StretchesOfUnlikeStepsAreCutByLoads) {
+  const WantedPairs wanted = WantedPairs::between(4, 9);
+  const LoadOrder order = plan_load_order(wanted, 4);
+  std::vector<std::uint64_t> held;
+  std::vector<std::uint64_t> loaded;
+  LoadStep step;
+  for (const auto steps = order.stream(); steps->next(step);) {
+    held.push_back((held.empty() ? 0 : held.back()) + step.load.size() - step.evict.size());
+    loaded.push_back(step.load.size());
+  }
+  const std::size_t n = held.size();
+  ASSERT_LT(n, 60U);
+  const auto loads = [&](std::size_t from, std::size_t to) {
+    return std::accumulate(loaded.begin() + static_cast<std::ptrdiff_t>(from + 1),
+                           loaded.begin() + static_cast<std::ptrdiff_t>(to), held[from]);
+  };
+  for (std::uint64_t workers = 1; workers <= 4; ++workers) {
+    // The least largest share of the steps from `from` on.
+    const std::function<std::uint64_t(std::size_t, std::uint64_t)> least =
+        [&](std::size_t from, std::uint64_t left) -> std::uint64_t {
+      std::uint64_t best = loads(from, n);
+      for (std::size_t to = from + 1; to < n && left > 1; ++to) {
+        best = std::min(best, std::max(loads(from, to), least(to, left - 1)));
+      }
+      return best;
+    };
+    const LoadOrderFacts facts = order.facts();
+    const WorkerSplit split = split_order(LoadOrder(facts, [&order] { return order.stream(); }),
+                                          wanted.items(), 4, workers);
+    EXPECT_EQ(split.facts().makespan, least(0, workers)) << workers;
   }
 }
 

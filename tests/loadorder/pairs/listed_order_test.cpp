@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <numeric>
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
@@ -10,6 +12,7 @@
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/scope.hpp"
+#include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
 #include "pairs_support.hpp"
 
@@ -217,6 +220,54 @@ TEST(PairBounds, CountPairsOneLoadAfterAnother) {
       EXPECT_EQ(most_pairs(loads, room), pairs);
       EXPECT_EQ(most_pairs(least_loads(pairs, room), room) >= pairs, true);
       EXPECT_LE(least_loads(pairs, room), loads);
+    }
+  }
+}
+
+// Each look at an order costs work, also where all that a look sees is closed: otherwise a search of so much work
+// would have no end. Counted, not timed.
+TEST(ListedOrder, ASearchLooksNoMoreOftenThanItsWorkAllows) {
+  using Pairs = std::vector<ItemPair>;
+  constexpr Element n = 600;
+  Pairs hubs_first, hubs_last, star, grid, path, cliques, likes;
+  for (Element i = 0; i < n; ++i) {
+    for (Element h = 0; h < 5; ++h) {
+      hubs_first.emplace_back(h, 5 + i);
+      hubs_last.emplace_back(i, n + h);
+    }
+    star.emplace_back(0, i + 1);
+    path.emplace_back(i, i + 1);
+    for (Element j = i + 1; j < n && j / 6 == i / 6; ++j) {
+      cliques.emplace_back(i, j);
+    }
+    if (i % 24 != 23) {
+      grid.emplace_back(i, i + 1);
+    }
+    if (i + 24 < n) {
+      grid.emplace_back(i, i + 24);
+    }
+    likes.emplace_back(i % 3 == 0 ? i / 2 : i % 7, i + 7);
+  }
+  for (const Pairs& pairs : {hubs_first, hubs_last, star, grid, path, cliques, likes}) {
+    Element items = 0;
+    for (const auto& [x, y] : pairs) {
+      items = std::max(items, y + 1);
+    }
+    const PairGraph graph(items, pairs);
+    for (const std::uint64_t room : {2U, 4U, 30U}) {
+      for (const bool backwards : {false, true}) {
+        std::vector<Element> order(items);
+        std::iota(order.begin(), order.end(), 0U);
+        if (backwards) {
+          std::ranges::reverse(order);
+        }
+        Closing closing(graph, room, order);
+        Random random(1);
+        constexpr std::uint64_t work = 3'000'000;
+        std::uint64_t looks = 0;
+        closing.improve(work, random, [&] { return ++looks > work; });
+        EXPECT_LE(looks, work / 4) << pairs.size() << " pairs, room " << room;
+      }
     }
   }
 }
