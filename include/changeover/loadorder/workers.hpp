@@ -49,10 +49,13 @@ struct SplitFacts {
   std::uint64_t makespan = 0;    ///< of the busiest one
   LoadBound makespan_bound;      ///< no split has a smaller makespan
   std::string explanation;       ///< how the common order is made; says so if it is one of groups
-  std::string certificate;       ///< one line: how it was verified; counts pairs of items, or says of what
+  std::string
+      certificate;  ///< one line: how it was verified; counts pairs of items, or says of what
   bool cut_by_loads = false;  ///< shares have even loads; otherwise even numbers of steps
   std::vector<WorkerFacts> workers;
 };
+
+class OrderRelay;
 
 class WorkerSplit {
  public:
@@ -61,8 +64,8 @@ class WorkerSplit {
   /// The order of groups that was cut.
   [[nodiscard]] const LoadOrder& order() const { return order_; }
 
-  /// The steps of a worker, 0 ≤ worker < W. Steps of the order before its own are skipped by reading them.
-  /// @throws BadInput if there is no such worker.
+  /// The steps of a worker, 0 ≤ worker < W. Steps of the order before its own are skipped by reading them, once for
+  /// all workers if these are read in their order, each stream to its end. @throws BadInput if there is no such worker.
   [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
 
  private:
@@ -75,6 +78,7 @@ class WorkerSplit {
 
   SplitFacts facts_;
   LoadOrder order_;
+  std::shared_ptr<OrderRelay> relay_;
 };
 
 /// The makespan that no split goes below. @throws as load_lower_bound(), BadInput if workers = 0.

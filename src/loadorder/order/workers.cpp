@@ -12,22 +12,65 @@
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "loadorder/order/order_relay.hpp"
 #include "loadorder/order/streamed_order.hpp"
 #include "loadorder/pairs/held_blocks.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
 
 namespace changeover {
+
+bool OrderRelay::Place::next(LoadStep& next_step) {
+  if (!order->next(next_step)) {
+    return false;
+  }
+  ++step;
+  for (const Element x : next_step.evict) {
+    present[x] = false;
+  }
+  for (const Element x : next_step.load) {
+    present[x] = true;
+  }
+  return true;
+}
+
+OrderRelay::Place OrderRelay::take(const LoadOrder& order, std::uint64_t before) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (left_.order && left_.step < before) {
+      return std::exchange(left_, {});
+    }
+  }
+  return {order.stream(), 0, std::vector<bool>(static_cast<std::size_t>(order.facts().items))};
+}
+
+void OrderRelay::give(Place place) {
+  const std::scoped_lock lock(mutex_);
+  left_ = std::move(place);
+}
+
 namespace {
 
 /// Steps `first` to `first + count − 1` of an order of groups, as steps of items.
 class Stretch final : public StepSource {
  public:
-  Stretch(std::unique_ptr<StepSource> order, std::uint64_t first, std::uint64_t count,
-          std::uint64_t items, std::uint64_t groups)
-      : order_(std::move(order)), first_(first), count_(count), items_(items), groups_(groups) {}
+  Stretch(std::shared_ptr<OrderRelay> relay, const LoadOrder& order, std::uint64_t first,
+          std::uint64_t count, std::uint64_t items)
+      : relay_(std::move(relay)),
+        at_(count == 0 ? OrderRelay::Place() : relay_->take(order, first)),
+        first_(first),
+        count_(count),
+        items_(items),
+        groups_(order.facts().items) {}
+  ~Stretch() override {
+    if (done_ == count_ && at_.order) {
+      relay_->give(std::move(at_));
+    }
+  }
+  Stretch(const Stretch&) = delete;
+  Stretch& operator=(const Stretch&) = delete;
 
   bool next(LoadStep& step) override {
-    if (done_ == count_ || !(done_ == 0 ? start() : order_->next(inner_))) {
+    if (done_ == count_ || !(done_ == 0 ? start() : at_.next(inner_))) {
       return false;
     }
     step.number = ++done_;
@@ -45,22 +88,15 @@ class Stretch final : public StepSource {
  private:
   // The first step loads what is in memory then.
   bool start() {
-    std::vector<bool> present(static_cast<std::size_t>(groups_), false);
-    for (std::uint64_t i = 0; i < first_; ++i) {
-      if (!order_->next(inner_)) {
+    while (at_.step < first_) {
+      if (!at_.next(inner_)) {
         return false;
-      }
-      for (const Element x : inner_.evict) {
-        present[x] = false;
-      }
-      for (const Element x : inner_.load) {
-        present[x] = true;
       }
     }
     inner_.evict.clear();
     inner_.load.clear();
     for (Element x = 0; x < groups_; ++x) {
-      if (present[x]) {
+      if (at_.present[x]) {
         inner_.load.push_back(x);
       }
     }
@@ -75,7 +111,8 @@ class Stretch final : public StepSource {
     }
   }
 
-  std::unique_ptr<StepSource> order_;
+  std::shared_ptr<OrderRelay> relay_;
+  OrderRelay::Place at_;
   std::uint64_t first_, count_, items_, groups_;
   std::uint64_t done_ = 0;
   LoadStep inner_;
@@ -281,7 +318,7 @@ LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uin
 }
 
 WorkerSplit::WorkerSplit(SplitFacts facts, LoadOrder order)
-    : facts_(std::move(facts)), order_(std::move(order)) {
+    : facts_(std::move(facts)), order_(std::move(order)), relay_(std::make_shared<OrderRelay>()) {
   facts_.explanation = order_.facts().explanation;
   if (facts_.groups < facts_.items) {
     facts_.explanation = fmt::format("Of {} groups of at most {} items: {}", facts_.groups,
@@ -295,8 +332,7 @@ std::unique_ptr<StepSource> WorkerSplit::stream(std::uint64_t worker) const {
         fmt::format("worker {} of {}: they are numbered from 0", worker, facts_.workers.size()));
   }
   const WorkerFacts& facts = facts_.workers[static_cast<std::size_t>(worker)];
-  return std::make_unique<Stretch>(order_.stream(), facts.first_step, facts.steps, facts_.items,
-                                   facts_.groups);
+  return std::make_unique<Stretch>(relay_, order_, facts.first_step, facts.steps, facts_.items);
 }
 
 WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
@@ -330,6 +366,7 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
     counts = sizes->best_shares(workers);
     facts.cut_by_loads = workers > 1;
   }
+  const auto relay = std::make_shared<OrderRelay>();
   std::uint64_t next = 1;
   for (std::uint64_t w = 0; w < workers; ++w) {
     WorkerFacts& worker = facts.workers[static_cast<std::size_t>(w)];
@@ -342,7 +379,7 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
     } else if (worker.steps > 0 && sizes) {
       worker.loads = sizes->loads(worker.first_step - 1, worker.steps);
     } else if (worker.steps > 0) {
-      Stretch stretch(order.stream(), worker.first_step, worker.steps, items, whole.items);
+      Stretch stretch(relay, order, worker.first_step, worker.steps, items);
       for (LoadStep step; stretch.next(step);) {
         stop_if_asked();
         worker.loads += step.load.size();
