@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
@@ -16,8 +17,11 @@
 namespace changeover {
 namespace {
 
-// How often rules are put on top of what rules made.
-constexpr unsigned deepest_level = 3;
+// How often rules are put on top of what rules made: once less where each time costs seconds.
+unsigned levels(const Parameters& p) {
+  constexpr std::uint64_t most_elements = 300;
+  return p.v <= most_elements ? 3 : 2;
+}
 
 // How many elements are taken away from one larger design.
 constexpr std::size_t most_smaller = 8;
@@ -101,6 +105,9 @@ class KnownDesigns::Cell {
       fix(level_);
       return best_;
     }
+    if (level_ == 2 && !alone_) {
+      coarsen();
+    }
     fix(level_ - 1);
     unfix();
     take_away();
@@ -170,7 +177,8 @@ class KnownDesigns::Cell {
       if (m % s != 0 || p_.v % s != 0 || p_.k % s != 0 || p_.k / s < 2) {
         continue;
       }
-      if (const Ptr source = useful(changed(s, p_.k, m / s), deepest_level, 0, false)) {
+      const Parameters q = changed(s, p_.k, m / s);
+      if (const Ptr source = useful(q, levels(q), 0, false)) {
         take(blow_up_recipe(source->offer.recipe, s), source->offer.b, *source);
       }
     }
@@ -184,13 +192,16 @@ class KnownDesigns::Cell {
         }
       }
     }
-    if (m >= 2 && p_.kind == Kind::linear && p_.k > m) {
-      coarsen(changed(1, p_.k - (m - 1), 1));
-    }
   }
 
-  void coarsen(const Parameters& q) {
+  // The other change numbers' last rule takes longest, so only the cell that is asked for is looked at.
+  void coarsen() {
     const std::uint64_t m = p_.change;
+    if (m < 2 || p_.kind != Kind::linear || p_.k <= m) {
+      return;
+    }
+    Parameters q = with(p_, p_.v, p_.k - (m - 1));
+    q.change = 1;
     if (!all_.possible(q) || !helps(ceil_div(all_.bound(q).blocks, m))) {
       return;
     }
@@ -292,7 +303,7 @@ std::optional<Offer> KnownDesigns::best(const Parameters& p) {
   if (p.strength != 2 || p.k < 2 || p.v > largest_v_of_a_plan || impossibility(p) || p.v == p.k) {
     return registry_.best(p);
   }
-  const Ptr best = at(p, deepest_level, false);
+  const Ptr best = at(p, levels(p), false);
   if (!best) {
     return std::nullopt;
   }

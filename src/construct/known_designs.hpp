@@ -4,18 +4,18 @@
 //     known.best({.v = 198, .k = 9});          // the same before and after any other question
 //     known.best({.v = 199, .k = 9});          // cheaper now: both share most of what they come from
 //
-// The answer of a cell is defined by recursion. Its level 0 is the registry's best offer. Level i + 1 is the best
-// of level i and of what the closure rules make of cells around it:
-//   other change numbers   blow up, coarsen, interpolate, from the answers there (the first level only)
-//   cut, fix               from the same level of the circular design, and of one element less everywhere
-//   unfix, truncate, close up, partial expansion       from level i
-//   drop                   blocks that are not needed go
-// Each cell refers to others that come before it in (m, level, kind, k), so this ends. `deepest_level` is the answer. A
-// source is left out where lower bounds show that it cannot help: that saves time and changes nothing.
+// The answer for a cell is defined by levels. Level 0 is the registry's best offer. Level 1 adds blowing up and
+// interpolating from other change numbers, fixed elements and cuts. Each further level takes the best of the level
+// below it and of what the rules make of cells around, as these are one level below: cut, coarsen, fix, unfix,
+// truncate, close up, partial expansion; and needless blocks go. The answer is level 3, and 2 beyond v = 300.
 //
-// Two cells have no levels. One whose best is its lower bound is done. One that the catalog comes with was planned with
-// all others, again and again, when the catalog was made: there only designs of the user's can be news, and only they
-// and what comes of them are followed.
+// Each level refers to lower levels, to lower change numbers (and m = 1 to m = 2 without other change numbers), to the
+// circular design or to smaller blocks; so this ends. A source is left out where lower bounds show that it cannot help:
+// that saves time and changes nothing. What else is asked, before or at once, has no influence.
+//
+// Two kinds of cells have no levels. One whose best is its lower bound is done. One that the catalog comes with was
+// planned with all others, again and again, when the catalog was made: there only designs of the user's can be news,
+// and only they and what comes of them are followed.
 //
 // Results are kept, so a range is computed in one pass. Not thread-safe; each question has its own.
 #pragma once

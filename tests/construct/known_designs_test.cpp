@@ -30,19 +30,13 @@ std::vector<Parameters> random_cells(std::size_t count, std::uint64_t largest_v)
   return cells;
 }
 
-// What a cell's neighbours are, in two ranges that begin and end at different places.
-std::vector<PlanRange> ranges_around(const Parameters& p, std::mt19937& random) {
-  std::vector<PlanRange> ranges;
-  for (int i = 0; i < 2; ++i) {
-    const std::uint64_t fewer = random() % 3;
-    const std::uint64_t smaller = random() % 2;
-    ranges.push_back({.v_from = p.v - std::min(fewer, p.v - 2),
-                      .v_to = p.v + random() % 3,
-                      .k_from = p.k - std::min(smaller, p.k - 2),
-                      .k_to = p.k + random() % 2,
-                      .change = p.change});
-  }
-  return ranges;
+// A range around a cell.
+PlanRange range_around(const Parameters& p, std::mt19937& random) {
+  return {.v_from = p.v - random() % 2,
+          .v_to = p.v + random() % 2,
+          .k_from = std::max<std::uint64_t>(2, p.k - random() % 2),
+          .k_to = p.k,
+          .change = p.change};
 }
 
 void expect_one_answer(const std::vector<Parameters>& cells) {
@@ -59,9 +53,7 @@ void expect_one_answer(const std::vector<Parameters>& cells) {
       }
     };
     expect_same(all.best(p));
-    for (const PlanRange& range : ranges_around(p, random)) {
-      expect_same(plan_range(registry(), range).at(p).best);
-    }
+    expect_same(plan_range(registry(), range_around(p, random)).at(p).best);
     const auto offered = registry().best(p);
     EXPECT_TRUE(!offered || alone->b <= offered->b);
     EXPECT_TRUE(!alone || alone->b >= lower_bound(p).blocks);
