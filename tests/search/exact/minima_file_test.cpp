@@ -36,7 +36,7 @@ TEST(MinimaFile, SaysWhatTheBoundsAndTheBestKnownDesignsSay) {
 
 TEST(MinimaFile, IsWhatThePageShows) {
   const std::vector<MinimaRow> rows = read_minima(*open_input(docs + "minima.csv"));
-  EXPECT_EQ(slurp(docs + "minima.md"), minima_markdown(rows))
+  EXPECT_EQ(test::slurp(docs + "minima.md"), minima_markdown(rows))
       << "`changeover minima --data docs/minima.csv -o docs/minima.md` writes both anew";
 }
 
@@ -44,8 +44,7 @@ TEST(MinimaFile, IsWhatThePageShows) {
 // excluded here; no bound that proofs gave says more than those here know.
 TEST(MinimaFile, ExcludesNothingThatIsNotExcludedWhereRulesLeadThere) {
   std::size_t compared = 0;
-  for (const MinimaRow& row :
-       read_minima(*open_input(docs + "minima.csv"))) {
+  for (const MinimaRow& row : read_minima(*open_input(docs + "minima.csv"))) {
     const Parameters& p = row.parameters;
     std::vector<Parameters> from;
     if (p.k > p.strength && p.k > p.change && p.k > 2) {
