@@ -2,8 +2,21 @@
 # this is configured. Defines CHANGEOVER_WITH_MPI; without MPI the target is alone.
 option(CHANGEOVER_MPI "Let mpirun start several processes of one job" ON)
 
+if(CHANGEOVER_MPI)
+  changeover_try_optional(CHANGEOVER_HAS_MPI MPI "
+    find_package(MPI REQUIRED COMPONENTS CXX)
+    add_executable(tried tried.cpp)
+    target_link_libraries(tried PRIVATE MPI::MPI_CXX)
+    target_compile_definitions(tried PRIVATE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)" "
+    #include <mpi.h>
+    int main(int count, char** arguments) {
+      MPI_Init(&count, &arguments);
+      return MPI_Finalize();
+    }")
+endif()
+
 function(changeover_use_mpi target)
-  if(NOT CHANGEOVER_MPI)
+  if(NOT CHANGEOVER_MPI OR NOT CHANGEOVER_HAS_MPI)
     return()
   endif()
   find_package(MPI QUIET COMPONENTS CXX)

@@ -17,7 +17,7 @@ for change in "$@"; do
     files=catalog/planned/m$change-$kind
     : >"$work/new"
     for range in '3..12 5..100' '13..40 15..160'; do
-      "$program" table --k "${range% *}" --v "${range#* }" --change "$change" "--$kind" --format catalog -o "$work/table"
+      "$program" table --k "${range% *}" --v "${range#* }" --change "$change" "--$kind" --anew --format catalog -o "$work/table"
       for from in 03 13 20 27 34; do
         file=$files-k$from.jsonl
         [[ -e $file ]] || head -n 1 "$work/table" | sed 's/,"command":.*/}}/' >"$file"

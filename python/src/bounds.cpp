@@ -25,7 +25,7 @@ KnownBounds bounds(std::uint64_t v, std::uint64_t k, std::uint64_t change, const
     KnownBounds known{.parameters = p, .impossible = impossibility(p)};
     if (!known.impossible) {
       known.bounds = lower_bounds(p);
-      if (const auto offer = best_known(Registry::standard(), p, largest_answered_v)) {
+      if (const auto offer = best_known(Registry::standard(), p)) {
         known.best_known = offer->b;
         known.construction = offer->recipe.construction;
       }
@@ -53,9 +53,9 @@ std::vector<PlannedCell> table(std::uint64_t k_from, std::uint64_t k_to, std::ui
   }
   const std::vector<Kind> kinds = kinds_of(kind);
   return stoppable([&] {
-    const PlanRange range = range_of_a_table(
+    const Plan plan = plan_range(
+        Registry::standard(),
         {.v_from = v_from, .v_to = v_to, .k_from = k_from, .k_to = k_to, .change = change});
-    const Plan plan = plan_range(Registry::standard(), range);
     std::vector<PlannedCell> cells;
     for (const Kind each : kinds) {
       for (std::uint64_t k = k_from; k <= k_to; ++k) {

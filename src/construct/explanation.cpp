@@ -12,7 +12,7 @@ std::optional<Offer> best_offer(const Registry& registry, std::span<const Parame
   for (const Parameters& p : asked) {
     std::optional<Offer> offer = only != nullptr    ? only->offer(p, registry)
                                  : impossibility(p) ? std::nullopt
-                                                    : best_known(registry, p, largest_answered_v);
+                                                    : best_known(registry, p);
     if (offer && (!best || offer->b < best->b)) {
       best = std::move(offer);
     }

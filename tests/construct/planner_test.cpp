@@ -112,7 +112,8 @@ TEST(Planner, RefusesRangesThatMakeNoSense) {
           registry(),
           {.v_from = 5, .v_to = 8, .k_from = 3, .k_to = (std::uint64_t{1} << 61) + 2, .change = 2}),
       ImpossibleParameters);
-  const Plan plan(PlanRange{.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2});
+  const Plan plan =
+      plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2});
   EXPECT_THROW((void)plan.at({.v = 10, .k = 3}), BadInput);
 }
 

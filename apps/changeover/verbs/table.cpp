@@ -21,6 +21,7 @@ struct TableRequest {
   std::string v = "..40";
   std::optional<std::uint64_t> change;
   std::optional<Kind> kind;
+  bool anew = false;
   OutputRequest output;
 };
 
@@ -163,7 +164,7 @@ std::string summary(const Cells& cells) {
 
 Answer run(const TableRequest& request) {
   const TableRange range = table_range(request.k, request.v, request.change);
-  const PlannedTable table = plan_table(range);
+  const PlannedTable table = plan_table(range, request.anew ? Planned::anew : Planned::as_shipped);
   const std::string format = request.output.format();
   Cells all;
   std::string text;
@@ -192,6 +193,8 @@ void add_table(Program& program) {
   verb.option("-m,--change", request.change, "M",
               "elements in which consecutive blocks differ (default 2)");
   add_kind_to(verb, request.kind, "circular designs only", "linear designs only");
+  verb.flag("--anew", request.anew,
+            "apply the closure rules to cells of the built-in catalog too, as if they were new");
   request.output.add_to(verb, {"table", "csv", "json", "markdown", "latex", "catalog"});
   verb.examples({"changeover table --k 3..6 --v ..30",
                  "changeover table --k 4 --v 5..100 --change 1 --json"});

@@ -21,7 +21,7 @@
 
 namespace changeover {
 
-/// The best offer for any of some parameters, the first among equals: what best_known() has up to largest_answered_v, or, if
+/// The best offer for any of some parameters, the first among equals: what best_known() has, or, if
 /// `only` is given, what that construction offers. nullopt if nothing serves them. @throws as best_known().
 [[nodiscard]] std::optional<Offer> best_offer(const Registry& registry,
                                               std::span<const Parameters> asked,

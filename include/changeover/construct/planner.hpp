@@ -4,28 +4,29 @@
 //     const PlannedCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
 //     cell.best->b;  cell.bound.blocks;  cell.status();
 //
-// The registry's constructions promise what they give without building it. On top of them the planner
-// applies the closure rules that act on designs, fewest blocks first; a cell that becomes better is looked at again:
+// One function answers for a cell: a cell of a plan says what best_known() says, whatever range it is in.
+//
+// The registry's constructions promise what they give without building it. On top of them closure rules that act on
+// designs are applied, some levels of them:
 //   cut       a circular design is a linear one
 //   fix       (v,k) → (v+1, k+1)
 //   unfix     (v+1,k+1) → (v,k), where an element is in every block
-//   truncate  (v+1,k) → (v,k), where some element can go
-//   close up  (v+1,k) → (v,k), linear and m = 1, with fewer blocks
+//   truncate  (v+i,k) → (v,k), where some elements can go
+//   close up  (v+i,k) → (v,k), linear and m = 1, with fewer blocks
 //   partial expansion  (v,k) → (v+w,k), for every w, where unchanged subsets cover all elements
 //   drop      blocks that are not needed go, after a cut above all
-// and before them those that lead from one change number to another:
+// and those that lead from one change number to another:
 //   blow up      (v/s,k/s,m/s) → (v,k,m)
 //   coarsen      (v,k−m+1,1) → (v,k,m), linear
 //   interpolate  (v,k,2) → (v,k,1)
-// Most of them look at blocks, so the designs of the cells in question are built. Every cell's design is
-// built and verified in the end; one that does not keep its promise is an InternalError.
+// Most of them look at blocks, so designs are built, and each that is built is verified; one that does not keep its
+// promise is an InternalError. Cells that the catalog comes with (comes_planned()) were planned when it was made, and
+// are looked up; what the user's own designs make better is followed.
 //
-// Bound by: building and verifying, about a millisecond a cell for v ≤ 100.
+// Bound by: outside of the catalog's cells, building and verifying; neighbours share most of it.
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,10 +48,6 @@ struct PlanRange {
   std::uint64_t k_from = 0;
   std::uint64_t k_to = 0;
   std::uint64_t change = 2;
-  bool alone = false;  ///< without the rules that lead from other change numbers
-  /// Only these cells are planned, all if null; each for designs with at most so many blocks. Others count as
-  /// impossible.
-  std::shared_ptr<const std::map<Parameters, std::uint64_t>> only = {};
 };
 
 /// What is known of one set of parameters.
@@ -64,18 +61,23 @@ struct PlannedCell {
   [[nodiscard]] std::string status() const;
 };
 
+/// What is taken for granted of the cells that the catalog comes with.
+enum class Planned : std::uint8_t {
+  as_shipped,  ///< they were planned when it was made
+  anew  ///< nothing: rules are applied to them like to all others, which makes the next catalog
+};
+
 class Plan {
  public:
-  /// Cells with bounds and without recipes; see plan_range().
-  explicit Plan(const PlanRange& range);
+  /// As plan_range(), which checks the range.
+  Plan(const Registry& registry, const PlanRange& range, Planned planned);
 
   [[nodiscard]] const PlanRange& range() const { return range_; }
 
   /// All cells, by kind (circular first), k, v.
   [[nodiscard]] const std::vector<PlannedCell>& cells() const { return cells_; }
 
-  /// The cell of these parameters, or nullptr if it is outside the range.
-  [[nodiscard]] PlannedCell* find(const Parameters& p);
+  /// The cell of these parameters.
   /// @throws BadInput if it is outside the range.
   [[nodiscard]] const PlannedCell& at(const Parameters& p) const;
 
@@ -89,24 +91,13 @@ class Plan {
 /// Plans a range.
 /// @throws ImpossibleParameters if the range is empty, has k < 2 or v > 1000, or more than 10⁶ cells;
 /// InternalError if a construction does not keep its promise.
-[[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range);
+[[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range,
+                              Planned planned = Planned::as_shipped);
 
-/// The largest v for which best_known() applies the closure rules unless it is told another: a second or two.
-inline constexpr std::uint64_t largest_planned_v = 120;
-
-/// The largest v for which those who ask for one cell have it planned like a cell of a table; at the upper end that
-/// takes up to some ten seconds where the catalog has no answer.
-inline constexpr std::uint64_t largest_answered_v = 160;
-
-/// The range to plan for a table: what is outside helps inside. Larger designs can be truncated and smaller blocks
-/// extended; an element less comes with a smaller block only, so few smaller v can matter.
-[[nodiscard]] PlanRange range_of_a_table(const PlanRange& shown);
-
-/// The best recipe that is known for p: the registry's best offer; if that is not the lower bound, k ≥ 2, v ≤
-/// largest_v and the strength is 2, also what the closure rules make of the parameters around.
-/// nullopt if nothing serves p. @throws as plan_range() and check().
-[[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p,
-                                              std::uint64_t largest_v = largest_planned_v);
+/// The best recipe that is known for p: the answer that each door gives. Beyond strength 2, k ≥ 2 and v ≤ 1000 that is
+/// the registry's best offer; else also what the closure rules make of the parameters around. nullopt if nothing
+/// serves p. @throws as check(); InternalError as plan_range().
+[[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p);
 
 /// The best design that is known without search, built; nullopt if there is no recipe. Listens to the scope of
 /// this thread (run/scope.hpp). @throws as check(); MissingResource if it is too large; InternalError if it

@@ -22,6 +22,7 @@ namespace {
 // Beyond both, streamed orders are within a few in 10⁴ of the bound and offers would cost seconds.
 constexpr std::uint64_t most_for_registry = 2'000;
 constexpr std::uint64_t most_for_registry_by_room = 16;
+constexpr std::uint64_t most_for_planner = 120;
 constexpr std::uint64_t largest_planned_change = 3;
 constexpr std::uint64_t largest_change = 64;
 
@@ -67,7 +68,7 @@ void consider(Candidate& best, std::optional<Offer> offer) {
 // What the constructions give for change numbers up to 64 and both kinds.
 void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t room,
                             bool planner) {
-  const bool plans = items <= largest_planned_v && planner;
+  const bool plans = items <= most_for_planner && planner;
   for (std::uint64_t m = 1; m <= std::min(largest_change, room - 1); ++m) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       const Parameters p{.v = items, .k = room, .change = m, .kind = kind};

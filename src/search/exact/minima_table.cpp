@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
-#include <map>
 #include <tuple>
 #include <utility>
 
@@ -18,46 +17,16 @@ auto place(const Parameters& p) { return std::tuple(p.strength, p.change, p.kind
 
 bool before(const MinimaRow& row, const Parameters& p) { return place(row.parameters) < place(p); }
 
-/// The best recipes of the constructions; beyond strength 2 there are none.
-class Constructions {
- public:
-  explicit Constructions(const MinimaRange& range) {
-    constexpr std::uint64_t margin = 8;  // larger designs can be truncated
-    if (range.strength == 2) {
-      for (const std::uint64_t m : range.changes) {
-        plans_.emplace(m, plan_range(Registry::standard(), {.v_from = 2,
-                                                            .v_to = range.v_to + margin,
-                                                            .k_from = 2,
-                                                            .k_to = range.k_to,
-                                                            .change = m}));
-      }
-    }
-  }
-
-  [[nodiscard]] std::optional<Recipe> best(const Parameters& p) const {
-    const auto plan = plans_.find(p.change);
-    if (plan == plans_.end()) {
-      return std::nullopt;
-    }
-    const std::optional<Offer>& offer = plan->second.at(p).best;
-    return offer ? std::optional(offer->recipe) : std::nullopt;
-  }
-
- private:
-  std::map<std::uint64_t, Plan> plans_;
-};
-
 std::uint64_t limit_of(const MinimumOptions& options) {
   return options.exact.conflicts_per_step.value_or(std::numeric_limits<std::uint32_t>::max());
 }
 
-MinimaRow settle(const Parameters& p, const Constructions& constructions,
-                 const MinimumOptions& options, RunControl& control) {
+MinimaRow settle(const Parameters& p, const MinimumOptions& options, RunControl& control) {
   MinimaRow row{.parameters = p};
   std::optional<Design> known;
-  if (const auto recipe = constructions.best(p)) {
-    known = Registry::standard().build_design(*recipe);
-    row.by = recipe->construction;
+  if (const auto best = best_known(Registry::standard(), p)) {
+    known = Registry::standard().build_design(best->recipe);
+    row.by = best->recipe.construction;
   }
   const MinimumResult result = find_minimum(p, options, control, known);
   if (result.fault) {
@@ -85,23 +54,22 @@ MinimaRow settle(const Parameters& p, const Constructions& constructions,
 }
 
 // Constructions may have become better since the row was made. Returns whether they have.
-bool lower_upper_end(MinimaRow& row, const Constructions& constructions) {
-  const auto recipe = constructions.best(row.parameters);
-  if (!recipe) {
+bool lower_upper_end(MinimaRow& row) {
+  const auto best = best_known(Registry::standard(), row.parameters);
+  if (!best || (row.upper && *row.upper <= best->b)) {
     return false;
   }
-  const Design design = Registry::standard().build_design(*recipe);
-  if ((row.upper && *row.upper <= design.block_count()) || !verify(design).valid()) {
+  const Design design = Registry::standard().build_design(best->recipe);
+  if (design.block_count() != best->b || !verify(design).valid()) {
     return false;
   }
-  row.upper = design.block_count();
-  row.by = recipe->construction;
+  row.upper = best->b;
+  row.by = best->recipe.construction;
   return true;
 }
 
 void fill(const MinimaRange& range, std::vector<MinimaRow>& rows, const MinimumOptions& options,
           RunControl& control, const std::function<void(const MinimaRow&)>& on_row) {
-  const Constructions constructions(range);
   const std::uint64_t limit = limit_of(options);
   for (std::uint64_t v = 2; v <= range.v_to; ++v) {
     for (const std::uint64_t m : range.changes) {
@@ -115,13 +83,13 @@ void fill(const MinimaRange& range, std::vector<MinimaRow>& rows, const MinimumO
           if (impossibility(p)) {
             continue;
           }
-          if (there && !at->settled() && lower_upper_end(*at, constructions)) {
+          if (there && !at->settled() && lower_upper_end(*at)) {
             on_row(*at);
           }
           if (there && (at->settled() || at->limit >= limit)) {
             continue;
           }
-          MinimaRow row = settle(p, constructions, options, control);
+          MinimaRow row = settle(p, options, control);
           if (!row.settled() && control.stop_wanted()) {
             continue;  // not tried for as long as it should be
           }

@@ -10,7 +10,7 @@
 namespace changeover::cli {
 
 std::optional<Offer> best_known(const Parameters& p) {
-  return changeover::best_known(Registry::standard(), p, largest_answered_v);
+  return changeover::best_known(Registry::standard(), p);
 }
 
 std::optional<Offer> best_offer(const std::vector<Parameters>& asked,

@@ -10,8 +10,7 @@
 
 namespace changeover::cli {
 
-/// The best that is known of some parameters: what the constructions offer, and for v ≤ 120 also what the
-/// closure rules make of it.
+/// The best that is known of some parameters, by construct/planner.hpp with the standard registry.
 [[nodiscard]] std::optional<Offer> best_known(const Parameters& p);
 
 /// The best offer over some kinds, circular before linear among equals; `construction` is the only one that is

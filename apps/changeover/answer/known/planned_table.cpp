@@ -13,8 +13,8 @@ namespace {
 
 std::string text_of(const Range& range) { return fmt::format("{}..{}", range.from, range.to); }
 
-// What is planned for a range that was asked for in these words. @throws UsageError if it cannot be.
-PlanRange with_surroundings(const TableRange& asked, const std::string& k, const std::string& v) {
+// The range that was asked for in these words. @throws UsageError if it cannot be planned.
+PlanRange plan_range_of(const TableRange& asked, const std::string& k, const std::string& v) {
   if (asked.k.from < 2) {
     throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", k)};
   }
@@ -25,17 +25,15 @@ PlanRange with_surroundings(const TableRange& asked, const std::string& k, const
   if (asked.change < 1) {
     throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
   }
-  const PlanRange planned = range_of_a_table({.v_from = asked.v.from,
-                                              .v_to = asked.v.to,
-                                              .k_from = asked.k.from,
-                                              .k_to = asked.k.to,
-                                              .change = asked.change});
-  if (planned.k_to - planned.k_from >=
-      most_cells_of_a_plan / 2 / (planned.v_to - planned.v_from + 1)) {
+  if (asked.k.to - asked.k.from >= most_cells_of_a_plan / 2 / (asked.v.to - asked.v.from + 1)) {
     throw UsageError{
         fmt::format("--k {} --v {}: the range has more than {} cells", k, v, most_cells_of_a_plan)};
   }
-  return planned;
+  return {.v_from = asked.v.from,
+          .v_to = asked.v.to,
+          .k_from = asked.k.from,
+          .k_to = asked.k.to,
+          .change = asked.change};
 }
 
 }  // namespace
@@ -54,17 +52,17 @@ TableRange table_range(const std::string& k, const std::string& v,
                        std::optional<std::uint64_t> change) {
   TableRange range{.k = range_of("--k", k, 2), .v = {}, .change = change.value_or(2)};
   range.v = range_of("--v", v, range.k.from);
-  static_cast<void>(with_surroundings(range, k, v));
+  static_cast<void>(plan_range_of(range, k, v));
   return range;
 }
 
 void check_table(const TableRange& asked) {
-  static_cast<void>(with_surroundings(asked, text_of(asked.k), text_of(asked.v)));
+  static_cast<void>(plan_range_of(asked, text_of(asked.k), text_of(asked.v)));
 }
 
-PlannedTable plan_table(const TableRange& asked) {
+PlannedTable plan_table(const TableRange& asked, Planned planned) {
   return {asked, plan_range(Registry::standard(),
-                            with_surroundings(asked, text_of(asked.k), text_of(asked.v)))};
+                            plan_range_of(asked, text_of(asked.k), text_of(asked.v)), planned)};
 }
 
 std::string table_json(const Cells& cells, bool with_labels) {

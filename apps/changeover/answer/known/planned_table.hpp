@@ -44,7 +44,8 @@ class PlannedTable {
 void check_table(const TableRange& asked);
 
 /// @throws as check_table() and plan_range().
-[[nodiscard]] PlannedTable plan_table(const TableRange& asked);
+[[nodiscard]] PlannedTable plan_table(const TableRange& asked,
+                                      Planned planned = Planned::as_shipped);
 
 /// The document of `table --json`; `with_labels`: each cell has "label" too, of its design in the catalog, or null.
 [[nodiscard]] std::string table_json(const Cells& cells, bool with_labels = false);

@@ -1,0 +1,104 @@
+// One function answers for a cell: alone, in a range, in another range, after other questions.
+#include "construct/known_designs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "changeover/construct/standard_catalog.hpp"
+
+namespace changeover {
+namespace {
+
+const Registry& registry() { return Registry::standard(); }
+
+std::vector<Parameters> random_cells(std::size_t count, std::uint64_t largest_v) {
+  std::mt19937 random(26);
+  std::vector<Parameters> cells;
+  while (cells.size() < count) {
+    Parameters p;
+    p.change = 1 + random() % 8;
+    p.k = std::max<std::uint64_t>(p.change, 2) + random() % 30;
+    p.v = p.k + 1 + random() % (largest_v - p.k);
+    p.kind = random() % 2 == 0 ? Kind::linear : Kind::circular;
+    if (!impossibility(p)) {
+      cells.push_back(p);
+    }
+  }
+  return cells;
+}
+
+// A range around a cell.
+PlanRange range_around(const Parameters& p, std::mt19937& random) {
+  return {.v_from = p.v - random() % 2,
+          .v_to = p.v + random() % 2,
+          .k_from = std::max<std::uint64_t>(2, p.k - random() % 2),
+          .k_to = p.k,
+          .change = p.change};
+}
+
+void expect_one_answer(const std::vector<Parameters>& cells) {
+  std::mt19937 random(27);
+  KnownDesigns all(registry());
+  for (const Parameters& p : cells) {
+    SCOPED_TRACE(name(p));
+    const auto alone = best_known(registry(), p);
+    const auto expect_same = [&](const std::optional<Offer>& other) {
+      ASSERT_EQ(other.has_value(), alone.has_value());
+      if (alone) {
+        EXPECT_EQ(other->b, alone->b);
+        EXPECT_EQ(other->recipe, alone->recipe);
+      }
+    };
+    expect_same(all.best(p));
+    expect_same(plan_range(registry(), range_around(p, random)).at(p).best);
+    const auto offered = registry().best(p);
+    EXPECT_TRUE(!offered || alone->b <= offered->b);
+    EXPECT_TRUE(!alone || alone->b >= lower_bound(p).blocks);
+  }
+}
+
+TEST(KnownDesigns, AnswerTheSameWhateverElseIsAsked) { expect_one_answer(random_cells(40, 120)); }
+
+TEST(KnownDesigns, AnswerTheSameForAThousandCellsSlow) {
+  expect_one_answer(random_cells(1000, 300));
+}
+
+// Ranges once found what single questions did not, and the other way round.
+TEST(KnownDesigns, AreNoWorseThanWhatRangesAndSingleCellsFound) {
+  struct Row {
+    Parameters p;
+    std::uint64_t b;
+  };
+  for (const auto& [p, b] : std::vector<Row>{{{24, 7, 5, Kind::circular}, 33},
+                                             {{198, 9, 2, Kind::linear}, 1315},
+                                             {{208, 8, 8, Kind::circular}, 978},
+                                             {{75, 26, 8, Kind::circular}, 19},
+                                             {{171, 7, 6, Kind::linear}, 1240}}) {
+    const auto best = best_known(registry(), p);
+    ASSERT_TRUE(best) << name(p);
+    EXPECT_LE(best->b, b) << name(p);
+  }
+}
+
+// Nothing but the catalog is asked there, however large the range: the rules had their turn when it was made.
+TEST(KnownDesigns, AreLookedUpWhereTheCatalogComesWithThem) {
+  for (const Parameters& p :
+       {Parameters{99, 12, 3, Kind::linear}, Parameters{40, 6, 2, Kind::circular},
+        Parameters{160, 40, 1, Kind::linear}}) {
+    ASSERT_TRUE(comes_planned(p));
+    const auto offered = registry().best(p);
+    const auto best = best_known(registry(), p);
+    ASSERT_TRUE(offered && best);
+    EXPECT_EQ(best->recipe, offered->recipe) << name(p);
+    // And planned anew it is no better: otherwise docs/tools/plan_catalog.sh has news.
+    const auto anew = KnownDesigns(registry(), Planned::anew).best(p);
+    ASSERT_TRUE(anew);
+    EXPECT_EQ(anew->b, best->b) << name(p);
+  }
+}
+
+}  // namespace
+}  // namespace changeover
