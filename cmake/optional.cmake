@@ -21,7 +21,8 @@ function(changeover_try_optional variable name project source)
   set(settings)
   foreach(each IN LISTS variables)
     if(NOT "${${each}}" STREQUAL "")
-      list(APPEND settings "-D${each}=${${each}}")
+      string(REPLACE ";" "\\;" value "${${each}}")  # a list stays one argument
+      list(APPEND settings "-D${each}=${value}")
     endif()
   endforeach()
   execute_process(
