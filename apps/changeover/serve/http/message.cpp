@@ -44,6 +44,13 @@ std::string_view Request::header(std::string_view name) const {
   return found == headers.end() ? std::string_view() : std::string_view(found->second);
 }
 
+bool takes_gzip(const Request& request) {
+  const std::string_view accepted = request.header("accept-encoding");
+  const std::size_t at = accepted.find("gzip");
+  return at != std::string_view::npos && !accepted.substr(at + 4).starts_with(";q=0,") &&
+         accepted.substr(at + 4) != ";q=0";
+}
+
 Response text_response(std::string body, std::string type) {
   Response response;
   response.type = std::move(type);

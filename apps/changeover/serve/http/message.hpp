@@ -44,6 +44,9 @@ struct Request {
   [[nodiscard]] std::string_view header(std::string_view name) const;
 };
 
+/// Whether who asks takes an answer that is compressed.
+[[nodiscard]] bool takes_gzip(const Request& request);
+
 class EventFeed;
 
 struct Response {

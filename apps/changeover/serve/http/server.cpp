@@ -39,13 +39,6 @@ constexpr const char* too_many_fields = "the head of the request has too many li
 // A request that is refused is read to its end if that is near, so that who sends it hears why.
 constexpr std::size_t read_though_refused = 64 << 10;
 
-bool takes_gzip(const Request& request) {
-  const std::string_view accepted = request.header("accept-encoding");
-  const std::size_t at = accepted.find("gzip");
-  return at != std::string_view::npos && !accepted.substr(at + 4).starts_with(";q=0,") &&
-         accepted.substr(at + 4) != ";q=0";
-}
-
 /// One request on its way.
 struct Exchange {
   MHD_Connection* connection = nullptr;
