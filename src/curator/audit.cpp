@@ -24,7 +24,6 @@ AuditScope audit_scope(const Catalog& catalog, const CatalogFilter& filter) {
     return true;
   });
   scope.checksum = to_hex(hash.finish());
-  scope.contradictions = catalog.contradictions();
   return scope;
 }
 
@@ -49,9 +48,6 @@ Audit audit_entries(const Catalog& catalog, const AuditScope& scope, RunControl&
                     const std::function<void(const std::string&)>& good) {
   Audit audit;
   audit.entries = scope.labels.size();
-  for (const Catalog::Contradiction& found : scope.contradictions) {
-    audit.faults.push_back({found.what, found.why});
-  }
   std::vector<std::string> labels;
   std::ranges::copy_if(scope.labels, std::back_inserter(labels),
                        [&](const std::string& label) { return !done.contains(label); });

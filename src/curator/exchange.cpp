@@ -22,7 +22,7 @@ class EntryLines {
       throw BadInput(
           fmt::format("{}: no catalog: it has no first line that says so", input.name()));
     }
-    shared_ = shared_from_header(line(), input.name());
+    shared_ = shared_from_header(lines_.line(), input.name());
   }
 
   // False at the end. @throws BadInput if a line has no end, after which there is no way on.
@@ -35,7 +35,7 @@ class EntryLines {
       if (found == InputLines::Next::end) {
         return false;
       }
-      if (!line().empty()) {
+      if (!lines_.line().empty()) {
         return true;
       }
     }
@@ -43,21 +43,13 @@ class EntryLines {
 
   // @throws BadInput as entry_from_line().
   [[nodiscard]] CatalogEntry entry() const {
-    return entry_from_line(line(), lines_.name(), lines_.number(), shared_);
+    return entry_from_line(lines_.line(), lines_.name(), lines_.number(), shared_);
   }
   [[nodiscard]] std::string where() const {
     return fmt::format("{}:{}: ", lines_.name(), lines_.number());
   }
 
  private:
-  // Without the byte order mark that it may have where files were put together.
-  [[nodiscard]] std::string_view line() const {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    std::string_view text = lines_.line();
-    text.remove_prefix(text.starts_with(mark) ? mark.size() : 0);
-    return text;
-  }
-
   InputLines lines_;
   Credit shared_;
 };
@@ -160,26 +152,6 @@ Foreign read_foreign(Input& input, const Catalog& catalog, const ForeignLimits& 
     }
   }
   return foreign;
-}
-
-Taken take_in(Catalog& catalog, std::span<const CatalogEntry> entries) {
-  constexpr std::size_t batch = 1000;
-  Taken taken;
-  const auto go_on = [&](std::size_t added) {
-    if (progress_due()) {
-      report_progress({.phase = "adding", .steps = added, .unit = "entries"});
-    }
-    RunControl* const control = RunScope::current();
-    return control == nullptr || !control->stop_wanted();
-  };
-  const std::vector<Added> all =
-      entries.empty() ? std::vector<Added>() : catalog.add(entries, batch, go_on);
-  for (const Added what : all) {
-    taken.added += what == Added::already_there ? 0U : 1U;
-    taken.improved += what == Added::improved ? 1U : 0U;
-  }
-  taken.complete = all.size() == entries.size();
-  return taken;
 }
 
 BestOfCells best_of_cells(Input& input) {

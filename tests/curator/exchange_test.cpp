@@ -188,25 +188,6 @@ TEST(Exchange, LeavesOutWhatIsBadAndNamesIt) {
               ElementsAre(HasSubstr("theirs.jsonl:3:"), HasSubstr("theirs.jsonl:5:")));
 }
 
-// Files that were put together have marks of byte order within.
-TEST(Exchange, AByteOrderMarkIsNoPartOfAnEntry) {
-  const TemporaryFolder folder;
-  Catalog catalog({.user = folder.file("mine.db")});
-  const std::vector<CatalogEntry> entries = some_entries();
-  const std::string mark = "\xEF\xBB\xBF";
-  std::string text = mark + header_line({}) + "\n";
-  for (const CatalogEntry& entry : entries) {
-    text += mark + line_of(entry, {}) + "\n";
-  }
-  const Foreign foreign = read(text, catalog);
-  EXPECT_EQ(foreign.entries, entries);
-  const Taken taken = take_in(catalog, foreign.entries);
-  EXPECT_EQ(taken.added, entries.size());
-  EXPECT_EQ(taken.improved, entries.size());
-  EXPECT_TRUE(taken.complete);
-  EXPECT_EQ(take_in(catalog, entries).added, 0U);
-}
-
 TEST(Exchange, Stops) {
   RunControl control(RunControl::Settings{});
   control.stop(WhyStopped::interrupted);

@@ -57,28 +57,6 @@ TEST_F(CatalogUsage, Add) {
       folder);
 }
 
-// Where the answer cannot be written, the catalog stays as it is.
-TEST_F(CatalogUsage, NothingIsWrittenWhereTheAnswerCannotBe) {
-  std::filesystem::create_directory(folder.path() / "there");
-  expect({{mine("add four.txt"), 0, "added: "},
-          {mine("add three.txt -o there"), 4, "there"},
-          {mine("alias nice 4.3.1.linear.4 -o there"), 4, "there"},
-          {mine("retract 4.3.1.linear.4 --why wrong -o there"), 4, "there"},
-          {mine("export --users -o mine.jsonl && echo written"), 0, "written"},
-          {with("new.db", "import mine.jsonl -o there"), 4, "there"},
-          {mine("show 4.3.1.linear.3.fdc879cf"), 4, "no design"},
-          {mine("show nice"), 4, "no design"},
-          {mine("list --users --status retracted"), 0, "0 designs"},
-          {with("new.db", "list --users --all"), 0, "0 designs"},
-          {mine("alias 4.3.1.lin 4.3.1.linear.4"), 3, "cannot be an alias"},
-          {mine("alias nice 4.3.1.linear.4"), 0, "nice leads to 4.3.1.linear.4."},
-          {mine("retract nice --why wrong"), 0, "retracted: 4.3.1.linear.4."},
-          {with("file:zz.db?mode=memory", "add four.txt"), 0, "added: "},
-          {with("file:zz.db?mode=memory", "list --users --all"), 0, "1 design"},
-          {with("there", "add four.txt"), 4, "is a folder, not a catalog"}},
-         folder);
-}
-
 // What comes with the program is not added again.
 TEST_F(CatalogUsage, NotWhatIsShipped) {
   expect({{"$changeover design 9 4 --change 2 --circular --format text -o nine.txt && " +

@@ -23,11 +23,6 @@ Catalog& CatalogRequest::open() const {
   return standard_catalog();
 }
 
-Catalog& CatalogRequest::open_to_write(const OutputRequest& output) const {
-  output.check_writable();
-  return open();
-}
-
 std::string has_no_design(const std::string& label) {
   return fmt::format("the catalog has no design {}; changeover catalog list shows what it has",
                      printable(label));

@@ -7,7 +7,6 @@
 
 #include "changeover/catalog/catalog.hpp"
 #include "cli/cli.hpp"
-#include "request/output.hpp"
 
 namespace changeover::cli {
 
@@ -21,9 +20,6 @@ struct CatalogRequest {
   /// The catalog: what comes with the program, and the user's designs in FILE if one was named. What is wrong with that file is said
   /// by Program::run(), once the verb has answered; what is thrown instead ends with left_out().
   [[nodiscard]] Catalog& open() const;
-  /// The same for a verb that writes to it: where its answer cannot be written, this is said first.
-  /// @throws MissingResource as OutputRequest::check_writable()
-  [[nodiscard]] Catalog& open_to_write(const OutputRequest& output) const;
 };
 
 /// For a label, or its beginning, that leads nowhere: that the catalog has no such design, and where to look; in one line.

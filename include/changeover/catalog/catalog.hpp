@@ -112,14 +112,6 @@ class Catalog {
   /// Why the user's file could not be read; empty if it could, or is not there. Looking up then goes on without it.
   [[nodiscard]] std::string problem() const;
 
-  /// What the database says twice and not alike, or of entries that it does not have: a row whose columns contradict
-  /// its line, an alias that leads nowhere or may begin a label, a retraction of no entry. Empty if nothing. O(N).
-  struct Contradiction {
-    std::string what;  ///< a label, or an alias
-    std::string why;
-  };
-  [[nodiscard]] std::vector<Contradiction> contradictions() const;
-
   /// Leaves an entry out of account from now on, in this process: it is not what it says. problem() says so.
   void distrust(const std::string& label, const std::string& why) const;
 
@@ -130,19 +122,13 @@ class Catalog {
   /// curator/add.hpp for those of strangers. Returns what came of each.
   /// @throws MissingResource if there is no user's file or it cannot be written.
   std::vector<Added> add(std::span<const CatalogEntry> entries);
-  /// The same in batches of at most `batch` entries, each of them whole or not at all; others may write between two of
-  /// them. After each batch but the last go_on(added so far) says whether the next follows; the result ends where it
-  /// said no. O(n log N) for n entries in a catalog of N. @throws as above; batches that were added stay.
-  std::vector<Added> add(std::span<const CatalogEntry> entries, std::size_t batch,
-                         const std::function<bool(std::size_t)>& go_on);
   Added add(const CatalogEntry& entry) { return add(std::span(&entry, 1)).front(); }
 
   /// Marks an entry as no longer vouched for; it stays, and says why. In the user's file, also for one that comes with the program.
   /// @throws BadInput if there is none of that label; as add().
   void retract(std::string_view label, std::string_view why);
 
-  /// Lets `alias` lead to the entry of that label. @throws BadInput if the alias may begin a label
-  /// (catalog/label.hpp) or leads elsewhere; as add().
+  /// Lets `alias` lead to the entry of that label. @throws BadInput if the alias is a label or leads elsewhere; as add().
   void alias(std::string_view alias, std::string_view label);
 
   /// The path of the user's file; empty if there is none.

@@ -52,10 +52,6 @@ struct DesignLabel {
 /// nullopt if the text is not what design_label() writes.
 [[nodiscard]] std::optional<DesignLabel> parse_design_label(std::string_view text);
 
-/// Whether the text is a cell or a label, or could be the beginning of one: "20", "20.5.2.lin", "20.5.2.linear.29",
-/// "20.5.2.linear.39.3f". Such a text always means the design that it begins, so it cannot be an alias.
-[[nodiscard]] bool may_begin_label(std::string_view text);
-
 /// The checksum of a list of blocks as it is read, and how many there were.
 struct DesignDigest {
   Checksum checksum = {};

@@ -42,8 +42,6 @@ struct Audit {
 struct AuditScope {
   std::vector<std::string> labels;
   std::string checksum;
-  std::vector<Catalog::Contradiction>
-      contradictions;  ///< of the whole catalog, whatever the filter
 };
 [[nodiscard]] AuditScope audit_scope(const Catalog& catalog, const CatalogFilter& filter);
 

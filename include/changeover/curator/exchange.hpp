@@ -17,7 +17,6 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -55,18 +54,6 @@ struct Foreign {
 /// file that is no catalog in any case. Stopped.
 [[nodiscard]] Foreign read_foreign(Input& input, const Catalog& catalog,
                                    const ForeignLimits& limits = {});
-
-/// What became of entries.
-struct Taken {
-  std::uint64_t added = 0;     ///< are new
-  std::uint64_t improved = 0;  ///< of these, better than what was known of their cells
-  bool complete = true;        ///< not stopped before the last
-};
-
-/// Adds entries that read_foreign() verified, in batches, so that others may write between two of them. Listens to the
-/// scope of this thread, and tells it. What was added before a stop stays; the same call again adds the rest.
-/// @throws as Catalog::add().
-Taken take_in(Catalog& catalog, std::span<const CatalogEntry> entries);
 
 // Two catalogs, cell by cell.
 //

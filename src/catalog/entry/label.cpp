@@ -108,41 +108,6 @@ std::optional<DesignLabel> parse_design_label(std::string_view text) {
   return DesignLabel{*p, *b, std::string(rest[1])};
 }
 
-bool may_begin_label(std::string_view text) {
-  const auto consists_of = [](std::string_view part, std::string_view characters) {
-    return part.find_first_not_of(characters) == std::string_view::npos;
-  };
-  constexpr std::string_view digits = "0123456789";
-  const auto is_number = [&](std::string_view part) { return consists_of(part, digits); };
-  const auto begins_kind = [](std::string_view part) {
-    return std::string_view("linear").starts_with(part) ||
-           std::string_view("circular").starts_with(part);
-  };
-  const std::vector<std::string_view> all = parts(text);
-  const bool has_strength = all.size() > 4 && all[4].starts_with('t');
-  const std::size_t longest = has_strength ? 7 : 6;
-  if (text.empty() || all.size() > longest) {
-    return false;
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string_view part = all[i];
-    const bool is_last = i + 1 == all.size();
-    if (part.empty() && !is_last) {
-      return false;
-    }
-    const bool fits = i < 3    ? is_number(part)
-                      : i == 3 ? (is_last ? begins_kind(part) : kind_from_string(part).has_value())
-                      : i == 4 && has_strength ? is_number(part.substr(1))
-                      : i + 2 == longest
-                          ? is_number(part)
-                          : part.size() <= label_digits && consists_of(part, "0123456789abcdef");
-    if (!fits) {
-      return false;
-    }
-  }
-  return true;
-}
-
 DesignDigest design_digest(BlockSource& source) {
   HashSink sink;
   const Parameters& p = source.parameters();

@@ -171,44 +171,10 @@ class Catalog::Store {
     return from_users(std::optional<CatalogEntry>(), read_it);
   }
 
-  // An alias of an older program that may begin a label is never followed: it could lead to another design than its text.
   std::string behind_alias(std::string_view text) {
-    if (may_begin_label(text)) {
-      return "";
-    }
     const auto look = [&](Shelf& shelf) { return shelf.alias(text).value_or(""); };
     std::string label = shipped ? look(*shipped) : "";
     return label.empty() ? from_users(std::string(), look) : label;
-  }
-
-  // Adds one entry, within the caller's transaction.
-  Added put(Filler& filler, const CatalogEntry& entry) {
-    const std::string label = entry.label();
-    if (const auto there = exact(label)) {
-      if (there->checksum != entry.checksum) {
-        throw BadInput(fmt::format(
-            "{}: another design has that label; write its elements by other numbers", label));
-      }
-      return Added::already_there;
-    }
-    const bool is_better = !has_at_most(entry.parameters, entry.b);
-    filler.add(entry);
-    return is_better ? Added::improved : Added::added;
-  }
-
-  // Whether a design of these parameters, not retracted, has no more than b blocks.
-  bool has_at_most(const Parameters& p, std::uint64_t b) {
-    const auto look = [&](Shelf& shelf) {
-      Statement& rows = shelf.by_blocks(p);
-      const ResetLater later(rows);
-      while (rows.step() && rows.integer(1) <= b) {
-        if (retraction(rows.view(0)).empty()) {
-          return true;
-        }
-      }
-      return false;
-    };
-    return (shipped && look(*shipped)) || from_users(false, look);
   }
 
   // The user's file, to be written; made if it is not there.
@@ -523,45 +489,6 @@ std::string Catalog::problem() const {
   return store_->problem;
 }
 
-std::vector<Catalog::Contradiction> Catalog::contradictions() const {
-  const std::lock_guard lock(store_->mutex);
-  std::vector<Contradiction> found;
-  const auto has = [&](std::string_view label) {
-    return (store_->shipped && store_->shipped->has(label)) ||
-           store_->from_users(false, [&](Shelf& shelf) { return shelf.has(label); });
-  };
-  const auto look = [&](Shelf& shelf) {
-    const Database& database = shelf.database();
-    for (Statement rows = shelf.all(); rows.step();) {
-      if (std::string why = shelf.contradiction(rows); !why.empty()) {
-        found.push_back({rows.text(0), std::move(why)});
-      }
-    }
-    for (Statement rows = database.prepare("SELECT alias, label FROM alias"); rows.step();) {
-      if (!has(rows.view(1))) {
-        found.push_back({rows.text(0),
-                         fmt::format("this alias leads to {}, which is not there", rows.view(1))});
-      } else if (may_begin_label(rows.view(0))) {
-        found.push_back(
-            {rows.text(0), fmt::format("this alias of {} could be the beginning of a label, and is "
-                                       "not followed",
-                                       rows.view(1))});
-      }
-    }
-    for (Statement rows = database.prepare("SELECT label FROM retraction"); rows.step();) {
-      if (!has(rows.view(0))) {
-        found.push_back({rows.text(0), "it is retracted, and is not there"});
-      }
-    }
-    return true;
-  };
-  if (store_->shipped) {
-    look(*store_->shipped);
-  }
-  store_->from_users(true, look);
-  return found;
-}
-
 void Catalog::distrust(const std::string& label, const std::string& why) const {
   const std::lock_guard lock(store_->mutex);
   store_->distrusted.emplace(label, why);
@@ -572,29 +499,31 @@ bool Catalog::is_shipped(std::string_view label) const {
   return store_->shipped && store_->shipped->has(label);
 }
 
-std::vector<Added> Catalog::add(std::span<const CatalogEntry> entries, std::size_t batch,
-                                const std::function<bool(std::size_t)>& go_on) {
+std::vector<Added> Catalog::add(std::span<const CatalogEntry> entries) {
   const std::lock_guard lock(store_->mutex);
   Shelf& own = store_->to_write();
   const WhileWriting writing(store_->writing);
   std::vector<Added> results;
-  while (results.size() < entries.size()) {
-    const std::size_t end = std::min(entries.size(), results.size() + batch);
-    Transaction transaction(own.database());
-    Filler filler(own.database());
-    for (std::size_t i = results.size(); i < end; ++i) {
-      results.push_back(store_->put(filler, entries[i]));
+  Transaction transaction(own.database());
+  Filler filler(own.database());
+  for (const CatalogEntry& entry : entries) {
+    const std::string label = entry.label();
+    if (const auto there = store_->exact(label)) {
+      if (there->checksum != entry.checksum) {
+        throw BadInput(
+            fmt::format("{}: another design has that label; write its elements by other "
+                        "numbers",
+                        label));
+      }
+      results.push_back(Added::already_there);
+      continue;
     }
-    transaction.commit();
-    if (end < entries.size() && !go_on(end)) {
-      break;
-    }
+    const auto best = store_->fewest(entry.parameters, false);
+    results.push_back(best && best->b <= entry.b ? Added::added : Added::improved);
+    filler.add(entry);
   }
+  transaction.commit();
   return results;
-}
-
-std::vector<Added> Catalog::add(std::span<const CatalogEntry> entries) {
-  return add(entries, std::max<std::size_t>(entries.size(), 1), [](std::size_t) { return true; });
 }
 
 void Catalog::retract(std::string_view label, std::string_view why) {
@@ -610,11 +539,9 @@ void Catalog::retract(std::string_view label, std::string_view why) {
 
 void Catalog::alias(std::string_view alias, std::string_view label) {
   const std::lock_guard lock(store_->mutex);
-  if (may_begin_label(alias)) {
-    throw BadInput(fmt::format(
-        "{} cannot be an alias: it is a label, or could be the beginning of one; choose a word that "
-        "does not begin like V.K.M",
-        alias));
+  if (parse_design_label(alias) || parse_cell_label(alias)) {
+    throw BadInput(
+        fmt::format("{} is a label, and labels are not given away; choose another word", alias));
   }
   if (!store_->exact(label)) {
     throw BadInput(fmt::format("there is no design {} in the catalog", label));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -32,7 +31,7 @@ constexpr int patience = 20'000;
     case SQLITE_PERM:
     case SQLITE_AUTH:
       throw MissingResource(fmt::format(
-          "{}: {}; allow writing there, or name another file by --catalog", name, what));
+          "{}: {}; give leave to write there, or name another file by --catalog", name, what));
     case SQLITE_NOMEM:
       throw MissingResource(fmt::format("{}: not enough memory", name));
     case SQLITE_PROTOCOL:
@@ -54,28 +53,6 @@ constexpr int patience = 20'000;
     default:
       throw InternalError(fmt::format("{}: SQLite says {} ({})", name, what, code));
   }
-}
-
-// What SQLite would take for more than the name of a file: "file:" begins an address, ":memory:" is no file at all.
-std::string as_path(const std::string& name) { return name.starts_with('/') ? name : "./" + name; }
-
-// @throws MissingResource if the name is that of something else than a file; a FIFO would be waited for.
-void require_file(const std::string& name) {
-  std::error_code error;
-  const auto type = std::filesystem::status(name, error).type();
-  if (type == std::filesystem::file_type::regular ||
-      (type == std::filesystem::file_type::not_found && !name.ends_with('/'))) {
-    return;
-  }
-  using std::filesystem::file_type;
-  const char* const is = type == file_type::directory || name.ends_with('/') ? "a folder"
-                         : type == file_type::fifo                           ? "a pipe"
-                         : type == file_type::socket                         ? "a socket"
-                         : type == file_type::character                      ? "a device"
-                         : type == file_type::block                          ? "a device"
-                                                                             : "not accessible";
-  throw MissingResource(
-      fmt::format("{}: is {}, not a catalog; name another file by --catalog", name, is));
 }
 
 }  // namespace
@@ -143,16 +120,15 @@ Database Database::opened(const std::string& path, int flags, std::string name) 
 }
 
 Database Database::open(const std::string& path, Access access) {
-  require_file(path);
   int flags = SQLITE_OPEN_READONLY;
   if (access == Access::read_write || access == Access::create) {
     flags = SQLITE_OPEN_READWRITE | (access == Access::create ? SQLITE_OPEN_CREATE : 0);
   }
   if (access != Access::read_unchanging) {
-    return opened(as_path(path), flags, path);
+    return opened(path, flags, path);
   }
   std::string uri = "file:";
-  for (const char byte : as_path(path)) {
+  for (const char byte : path) {
     // What has a meaning in an address.
     uri += byte == '?' || byte == '#' || byte == '%'
                ? fmt::format("%{:02x}", static_cast<unsigned char>(byte))

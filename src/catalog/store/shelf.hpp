@@ -38,8 +38,6 @@ class Shelf {
         cell_(database_.prepare(fmt::format("SELECT {}{}{}", entry_columns, of_cell, as_ranked))),
         counts_(database_.prepare(
             fmt::format("SELECT label, b, carries_blocks FROM design {}{}", of_cell, as_ranked))),
-        by_blocks_(database_.prepare(
-            fmt::format("SELECT label, b FROM design {}ORDER BY b, label", of_cell))),
         label_(database_.prepare(fmt::format("SELECT {}WHERE label = ?", entry_columns))),
         has_(database_.prepare("SELECT 1 FROM design WHERE label = ?")),
         begins_(database_.prepare(
@@ -51,8 +49,6 @@ class Shelf {
 
   Statement& cell(const Parameters& p) { return of(cell_, p); }
   Statement& counts(const Parameters& p) { return of(counts_, p); }
-  /// Fewest blocks first, read from the index one by one: what is not asked for costs nothing.
-  Statement& by_blocks(const Parameters& p) { return of(by_blocks_, p); }
   Statement& entry(std::string_view label) { return label_.with(label); }
   Statement& begins(std::string_view text) { return begins_.with(text); }
   [[nodiscard]] bool has(std::string_view label) {
@@ -88,28 +84,6 @@ class Shelf {
     }
   }
 
-  /// All rows, with further columns for contradiction().
-  [[nodiscard]] Statement all() const {
-    return database_.prepare(
-        fmt::format("SELECT {}", std::string(entry_columns)
-                                     .insert(entry_columns.find(" FROM"),
-                                             ", lower_bound, carries_blocks, construction, date")));
-  }
-  /// Where a row of all() says something else than its line; empty if nowhere.
-  [[nodiscard]] std::string contradiction(const Statement& row) const {
-    constexpr int further = 9;  // the first column behind those of an entry
-    try {
-      const CatalogEntry entry = read(row);
-      const bool agrees = entry.lower_bound == row.integer(further) &&
-                          entry.carries_blocks() == (row.integer(further + 1) != 0) &&
-                          entry.recipe.construction == row.view(further + 2) &&
-                          entry.credit.date == row.view(further + 3);
-      return agrees ? "" : "the columns of its row contradict its line";
-    } catch (const BadInput& fault) {
-      return fault.what();
-    }
-  }
-
  private:
   static std::optional<std::string> word(Statement& statement, std::string_view key) {
     const ResetLater later(statement);
@@ -121,7 +95,7 @@ class Shelf {
   }
 
   Database database_;
-  Statement cell_, counts_, by_blocks_, label_, has_, begins_, alias_, retraction_;
+  Statement cell_, counts_, label_, has_, begins_, alias_, retraction_;
 };
 
 }  // namespace changeover

@@ -80,22 +80,6 @@ TEST(Label, IsNothingElse) {
 }
 
 // The digest is that of the text without comments.
-TEST(Label, EveryBeginningMayBeginALabel) {
-  for (const std::string label : {"20.5.2.linear.39.3fa9c1d2", "6.4.1.circular.t3.7.00000000"}) {
-    for (std::size_t n = 1; n <= label.size(); ++n) {
-      EXPECT_TRUE(may_begin_label(label.substr(0, n))) << label.substr(0, n);
-    }
-    EXPECT_FALSE(may_begin_label(label + "0"));
-    EXPECT_FALSE(may_begin_label(label + "."));
-  }
-  for (const char* const word :
-       {"", "nice", "example-7", ".5", "20.", "20.5.2.", "20.5.x", "20.5.2.liner", "20..2",
-        "20.5.2.lin.39", "20.5.2.linear.x", "20.5.2.linear.39.xyz", "v20"}) {
-    const bool begins = std::string(word) == "20." || std::string(word) == "20.5.2.";
-    EXPECT_EQ(may_begin_label(word), begins) << word;
-  }
-}
-
 TEST(Label, DigestIsThatOfTheText) {
   std::mt19937 random(2);
   for (int i = 0; i < 50; ++i) {

@@ -4,15 +4,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
 #include <map>
 #include <random>
 #include <set>
 #include <thread>
 
 #include "../entries.hpp"
-#include "catalog/store/database.hpp"
-#include "changeover/catalog/label.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test {
@@ -194,86 +191,6 @@ TEST(Catalog, Aliases) {
   EXPECT_THAT(fault_of([&] { catalog.alias("other", "6.3.2.linear.9.00000000"); }),
               HasSubstr("there is no design"));
   EXPECT_EQ(catalog.find("nice"), five);
-  EXPECT_THAT(catalog.contradictions(), IsEmpty());
-  // What is the beginning of a label leads to the design that it begins, or nowhere.
-  const std::string label = four.label();
-  for (std::size_t n = 1; n < label.size(); ++n) {
-    EXPECT_THAT(fault_of([&] { catalog.alias(label.substr(0, n), five.label()); }),
-                HasSubstr("cannot be an alias"));
-  }
-}
-
-TEST(Catalog, AliasesOfOldDatabasesThatBeginLabelsAreNotFollowed) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("mine.db");
-  std::mt19937 random(3);
-  const CatalogEntry five = random_entry(cell, 5, random);
-  const CatalogEntry four = random_entry(cell, 4, random);
-  Catalog({.user = path}).add(std::array{five, four});
-  const std::string beginning = cell_label(cell) + ".4";
-  Database::open(path, Access::read_write)
-      .run("INSERT INTO alias VALUES('" + beginning + "', '" + five.label() + "')");
-  const Catalog catalog({.user = path});
-  EXPECT_EQ(catalog.find(beginning), four);
-  const auto found = catalog.contradictions();
-  ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].what, beginning);
-  EXPECT_THAT(found[0].why, HasSubstr("is not followed"));
-}
-
-TEST(Catalog, NoticesWhatContradictsItself) {
-  std::mt19937 random(5);
-  const CatalogEntry five = random_entry(cell, 5, random);
-  const auto why = [&](const std::string& sql) {
-    const TemporaryFolder folder;
-    const std::string path = folder.file("mine.db");
-    Catalog({.user = path}).add(five);
-    Database::open(path, Access::read_write).run(sql);
-    std::string all;
-    for (const auto& found : Catalog({.user = path}).contradictions()) {
-      all += found.what + ": " + found.why + "\n";
-    }
-    return all;
-  };
-  EXPECT_EQ(why("SELECT 1"), "");
-  EXPECT_THAT(why("INSERT INTO alias VALUES('nice', '6.3.2.linear.9.00000000')"),
-              HasSubstr("nice: this alias leads to 6.3.2.linear.9.00000000, which is not there"));
-  EXPECT_THAT(why("INSERT INTO retraction VALUES('6.3.2.linear.9.00000000', 'x')"),
-              HasSubstr("it is retracted, and is not there"));
-  for (const char* const change :
-       {"lower_bound = 2", "construction = 'cyclic'", "date = '2026-01-01'", "carries_blocks = 0",
-        "v = 7", "b = 6", "line = '{}'"}) {
-    EXPECT_THAT(why(std::string("UPDATE design SET ") + change), HasSubstr(five.label())) << change;
-  }
-}
-
-TEST(Catalog, BatchesLetOthersWrite) {
-  const TemporaryFolder folder;
-  const std::string path = folder.file("mine.db");
-  std::mt19937 random(7);
-  std::vector<CatalogEntry> entries;
-  while (entries.size() < 10) {
-    entries.push_back(random_entry(cell, 20 + entries.size(), random));
-  }
-  Catalog catalog({.user = path});
-  Catalog other({.user = path});
-  const CatalogEntry four = random_entry(cell, 4, random);
-  std::vector<std::size_t> after;
-  const auto go_on = [&](std::size_t added) {
-    after.push_back(added);
-    if (added == 3) {
-      EXPECT_EQ(other.add(four), Added::improved);  // It is not waited for.
-    }
-    return added < 6;
-  };
-  const std::vector<Added> results = catalog.add(entries, 3, go_on);
-  EXPECT_EQ(after, (std::vector<std::size_t>{3, 6}));
-  EXPECT_EQ(results.size(), 6U);
-  EXPECT_EQ(results.front(), Added::improved);
-  EXPECT_EQ(results.back(), Added::added);
-  EXPECT_EQ(other.cell(cell).size(), 7U);
-  EXPECT_EQ(catalog.add(entries).size(), 10U);  // Again: the rest comes.
-  EXPECT_EQ(other.cell(cell).size(), 11U);
 }
 
 TEST(Catalog, RetractedIsKeptAndNotUsed) {

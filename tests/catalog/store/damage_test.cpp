@@ -1,7 +1,6 @@
 // Files that are not what they should be: said, never written to, never the end of the process.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -85,30 +84,6 @@ TEST(CatalogFile, ThatIsAFolder) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "mine.db");
   expect_unusable(folder.file("mine.db"), "name another file by --catalog");
-}
-
-TEST(CatalogFile, ThatIsNoFile) {
-  const TemporaryFolder folder;
-  const std::string pipe = folder.file("pipe");
-  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  expect_unusable(pipe, "is a pipe, not a catalog");  // It is not waited for.
-  expect_unusable("/dev/null", "is a device, not a catalog");
-}
-
-// Names are paths, whatever they mean to SQLite.
-TEST(CatalogFile, NamedLikeAnAddress) {
-  const TemporaryFolder folder;
-  const auto before = std::filesystem::current_path();
-  std::filesystem::current_path(folder.path());
-  for (const std::string name :
-       {"file:zz.db?mode=memory", "file:zz.db", ":memory:", "file::memory:", "zz.db?immutable=1",
-        "file:///zz.db#x", "%41.db"}) {
-    Catalog catalog({.user = name});
-    EXPECT_EQ(catalog.add(some_entry()), Added::improved) << name;
-    EXPECT_TRUE(std::filesystem::is_regular_file(name)) << name;
-    EXPECT_EQ(Catalog({.user = name}).best(cell), some_entry()) << name;
-  }
-  std::filesystem::current_path(before);
 }
 
 TEST(CatalogFile, OfNoBytes) {

@@ -111,7 +111,7 @@ Answer run(const AddRequest& request) {
     inputs.emplace_back("the design", path);
   }
   check_inputs(request.output, inputs);
-  Catalog& catalog = request.catalog.open_to_write(request.output);
+  Catalog& catalog = request.catalog.open();
   const Introduction introduction{
       .credit = {.who = request.who, .date = today(), .program = "", .command = ""},
       .cites = words_of(request.cites),

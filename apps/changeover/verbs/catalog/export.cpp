@@ -39,42 +39,41 @@ Answer run_export(const ExportRequest& request) {
 
 Answer run_import(const ImportRequest& request) {
   check_inputs(request.output, {{"the catalog", request.path}});
-  Catalog& catalog = request.catalog.open_to_write(request.output);
+  Catalog& catalog = request.catalog.open();
   const auto input = open_input(request.path);
   const auto running = std::make_shared<Running>(request.run, request.output);
   Foreign foreign;
-  Taken taken;
   try {
     foreign = read_foreign(*input, catalog, {.skip_bad = request.skip_bad});
-    taken = take_in(catalog, foreign.entries);
   } catch (const Stopped&) {
     running->finish();
     return spoken(running, text_answer("stopped: nothing was added\n", request.output,
                                        exit_code::limit_reached));
   }
   running->finish();
+  std::uint64_t improved = 0;
+  if (!foreign.entries.empty()) {
+    for (const Added what : catalog.add(foreign.entries)) {
+      improved += what == Added::improved ? 1U : 0U;
+    }
+  }
   std::string text =
       fmt::format("added: {}, {} of them better than what was known of their cells\n",
-                  count_of(taken.added, "design"), taken.improved);
-  if (!taken.complete) {
-    text += "stopped: the same command again adds the rest\n";
-  }
+                  count_of(foreign.entries.size(), "design"), improved);
   text += fmt::format("there already: {}\n", foreign.known);
   for (const std::string& line : foreign.left_out) {
     text += "left out: " + printable(line) + "\n";
   }
   if (request.output.json()) {
     JsonWriter json;
-    json.begin_object().key("added").value(taken.added);
-    json.key("complete").value(taken.complete);
-    json.key("improved").value(taken.improved).key("known").value(foreign.known);
+    json.begin_object().key("added").value(std::uint64_t{foreign.entries.size()});
+    json.key("improved").value(improved).key("known").value(foreign.known);
     json.key("left_out").value(foreign.left_out).end_object();
     text = json.take() + "\n";
   }
-  return spoken(running, text_answer(text, request.output,
-                                     !taken.complete            ? exit_code::limit_reached
-                                     : foreign.left_out.empty() ? exit_code::done
-                                                                : exit_code::refuted));
+  return spoken(running,
+                text_answer(text, request.output,
+                            foreign.left_out.empty() ? exit_code::done : exit_code::refuted));
 }
 
 }  // namespace
@@ -102,8 +101,7 @@ void add_catalog_import(Program& program) {
                  "changeover catalog import theirs.jsonl --skip-bad"});
   verb.outcomes({{exit_code::done, "all of them are in the catalog"},
                  {exit_code::refuted, "some were left out (--skip-bad)"},
-                 {exit_code::limit_reached,
-                  "stopped: nothing was added, or a part; the same command again adds the rest"}});
+                 {exit_code::limit_reached, "stopped; nothing was added"}});
 }
 
 }  // namespace changeover::cli

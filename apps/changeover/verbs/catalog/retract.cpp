@@ -41,7 +41,7 @@ std::string whole_label(const Catalog& catalog, const std::string& words) {
 
 Answer run_retract(const RetractRequest& request) {
   require_words("--why", request.why);
-  Catalog& catalog = request.catalog.open_to_write(request.output);
+  Catalog& catalog = request.catalog.open();
   const std::string label = whole_label(catalog, request.label);
   catalog.retract(label, request.why);
   return text_answer(fmt::format("retracted: {}\n", label), request.output);
@@ -49,7 +49,7 @@ Answer run_retract(const RetractRequest& request) {
 
 Answer run_alias(const AliasRequest& request) {
   require_words("WORD", request.word);
-  Catalog& catalog = request.catalog.open_to_write(request.output);
+  Catalog& catalog = request.catalog.open();
   const std::string label = whole_label(catalog, request.label);
   catalog.alias(request.word, label);
   return text_answer(fmt::format("{} leads to {}\n", request.word, label), request.output);
