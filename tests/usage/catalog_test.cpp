@@ -96,7 +96,8 @@ TEST_F(CatalogUsage, RetractAndAlias) {
          folder);
 }
 
-// An alias of an older program that is the beginning of a label: what is written goes to the design of the label.
+// An alias of an older program that is the beginning of a label: what is written goes to the design
+// of the label.
 TEST_F(CatalogUsage, AnAliasThatReadsAsALabelIsNotUsed) {
   expect({{mine("add three.txt four.txt"), 0, "added: "}}, folder);
   Database::open(folder.file("mine.db"), Access::read_write)

@@ -22,7 +22,8 @@ struct CatalogRequest {
   /// by Program::run(), once the verb has answered; what is thrown instead ends with left_out().
   [[nodiscard]] Catalog& open() const;
 
-  /// The same for a verb that changes the user's designs: not before its answer has a place. @throws MissingResource if `output` cannot be written.
+  /// The same for a verb that changes the user's designs: not before its answer has a place.
+  /// @throws MissingResource if `output` cannot be written.
   [[nodiscard]] Catalog& open_to_change(const OutputRequest& output) const;
 };
 

@@ -40,15 +40,17 @@ struct Newcomer {
 /// than a line of a catalog may be; InternalError if a valid design has fewer blocks than a bound allows.
 [[nodiscard]] Newcomer newcomer_of(const Design& design, const Introduction& introduction);
 
-/// Which designs are the same up to names of elements, rotation and reversal. Each entry of the catalog is built and brought into
-/// canonical form (isomorphism/isomorphism.hpp) at most once, and not before it is needed: many designs held against a large cell
-/// cost as much as both together, and not as much as all pairs. The catalog must outlive this.
+/// Which designs are the same up to names of elements, rotation and reversal. Each entry of the
+/// catalog is built and brought into canonical form (isomorphism/isomorphism.hpp) at most once, and
+/// not before it is needed: many designs held against a large cell cost as much as both together,
+/// and not as much as all pairs. The catalog must outlive this.
 class SameDesigns {
  public:
   explicit SameDesigns(const Catalog& catalog) : catalog_(&catalog) {}
 
-  /// The label of an entry of the same cell with as many blocks that is the same design and has another label; nullopt if v or b
-  /// exceed `largest_compared`. Retracted ones count. Knows the catalog as it was when a design of that cell was first asked for.
+  /// The label of an entry of the same cell with as many blocks that is the same design and has
+  /// another label; nullopt if v or b exceed `largest_compared`. Retracted ones count. Knows the
+  /// catalog as it was when a design of that cell was first asked for.
   [[nodiscard]] std::optional<std::string> find(const CatalogEntry& entry);
 
   /// An entry that is to be in the catalog soon, and counts from now on.

@@ -23,11 +23,13 @@ class Spool {
   Spool(const Spool&) = delete;
   Spool& operator=(const Spool&) = delete;
 
-  /// Takes an entry unless there is one with its label: that design, or another one. @throws MissingResource if the disk is full.
+  /// Takes an entry unless there is one with its label: that design, or another one. @throws
+  /// MissingResource if the disk is full.
   enum class Put : std::uint8_t { taken, there_already, label_of_another };
   Put put(const CatalogEntry& entry);
 
-  /// The next entries in the order in which they were put; none at the end. Nothing may be put afterwards.
+  /// The next entries in the order in which they were put; none at the end. Nothing may be put
+  /// afterwards.
   [[nodiscard]] std::vector<CatalogEntry> take(std::size_t most);
 
   /// How many were put and not taken.

@@ -1,4 +1,5 @@
-// What a Catalog is inside: the shelf of the program, the shelf of the user, and what was found out about them.
+// What a Catalog is inside: the shelf of the program, the shelf of the user, and what was found out
+// about them.
 #pragma once
 
 #include <fmt/format.h>
@@ -42,7 +43,8 @@ class Catalog::Store {
     return user && problem.empty() ? &*user : nullptr;
   }
 
-  // Reads from the user's file, which may turn out to be damaged: then it is as if it were not there.
+  // Reads from the user's file, which may turn out to be damaged: then it is as if it were not
+  // there.
   template <typename Result, typename Read>
   Result from_users(Result otherwise, Read&& read) {
     if (Shelf* const shelf = users()) {
@@ -139,7 +141,8 @@ class Catalog::Store {
     return from_users(std::optional<CatalogEntry>(), read_it);
   }
 
-  // The label that an alias leads to; empty if it is none. One that reads as a label is not used: an older program let it be made.
+  // The label that an alias leads to; empty if it is none. One that reads as a label is not used:
+  // an older program let it be made.
   std::string behind_alias(std::string_view text) {
     const auto look = [&](Shelf& shelf) { return shelf.alias(text).value_or(""); };
     std::string label = shipped ? look(*shipped) : "";
@@ -157,10 +160,12 @@ class Catalog::Store {
   // The user's file, checked and open to be written; made if it is not there.
   Shelf& to_write();
 
-  // The same within one task, for which it was checked before. @throws MissingResource if another file has its name by now.
+  // The same within one task, for which it was checked before. @throws MissingResource if another
+  // file has its name by now.
   Shelf& still_to_write();
 
-  // Adds entries in one transaction. What was known of their cells before is looked up once and kept in `fewest_of`.
+  // Adds entries in one transaction. What was known of their cells before is looked up once and
+  // kept in `fewest_of`.
   std::vector<Added> put(Shelf& own, std::span<const CatalogEntry> entries,
                          std::map<Parameters, std::uint64_t>& fewest_of);
 

@@ -1,4 +1,5 @@
-// Names of files are paths, whatever they look like, and names of designs are labels, whatever an alias says.
+// Names of files are paths, whatever they look like, and names of designs are labels, whatever an
+// alias says.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -64,7 +65,8 @@ TEST(CatalogName, IsAPath) {
     const Catalog again({.user = name});
     EXPECT_EQ(again.find("nice"), some_entry()) << name;
     EXPECT_EQ(again.problem(), "") << name;
-    // The same file by its whole path, also with two slashes in front, and for a reader that may not write.
+    // The same file by its whole path, also with two slashes in front, and for a reader that may
+    // not write.
     const std::string whole = "/" + std::filesystem::absolute(name).string();
     EXPECT_EQ(Catalog({.user = whole}).best(cell), some_entry()) << name;
     for (const std::string& each : {name, whole}) {
@@ -275,7 +277,8 @@ TEST(CatalogLists, AreAddedOneAfterAnother) {
   EXPECT_THAT(said, HasSubstr("another file took its name"));
 }
 
-// The first of a cell, however many are in it: to know it for each of n that are added must not take n² steps.
+// The first of a cell, however many are in it: to know it for each of n that are added must not
+// take n² steps.
 TEST(CatalogWork, TheFewestOfACellAreFoundWithoutSorting) {
   const TemporaryFolder folder;
   const std::string path = folder.file("mine.db");
