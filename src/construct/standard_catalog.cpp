@@ -59,6 +59,8 @@ bool comes_planned(const Parameters& p) {
 
 std::string standard_catalog_problem() { return asked ? standard_catalog().problem() : ""; }
 
+std::string standard_catalog_remark() { return asked ? standard_catalog().remark() : ""; }
+
 Catalog& standard_catalog() {
   asked = true;
   static Catalog catalog({.shipped = shipped_catalog(), .user = standard_catalog_file()});

@@ -76,6 +76,14 @@ void credit_provenance(const std::string& provenance, Credit& credit) {
   }
 }
 
+// The same for all designs that are the same.
+Checksum form_of(const CatalogEntry& entry) {
+  const Design design = Registry::standard().build_design(entry.recipe);
+  const CanonicalForm form = canonical_form(design, {.rotation = true, .reversal = true});
+  DesignSource blocks(form.design);
+  return design_digest(blocks).checksum;
+}
+
 bool is_small(const CatalogEntry& entry) {
   return entry.parameters.v <= largest_compared && entry.b <= largest_compared;
 }
@@ -124,31 +132,63 @@ Newcomer newcomer_of(const Design& design, const Introduction& introduction) {
   return {std::move(entry), ""};
 }
 
-std::optional<std::string> same_in_catalog(const Catalog& catalog, const CatalogEntry& entry) {
+SameDesigns::Class& SameDesigns::class_of(const CatalogEntry& entry) {
+  const auto [place, is_new] = classes_.try_emplace({entry.parameters, entry.b});
+  if (is_new) {
+    std::vector<CatalogEntry>& waiting = place->second.waiting;
+    waiting = catalog_->cell(entry.parameters);
+    std::erase_if(waiting, [&](const CatalogEntry& other) { return other.b != entry.b; });
+    std::ranges::reverse(waiting);
+  }
+  return place->second;
+}
+
+std::optional<std::string> SameDesigns::find(const CatalogEntry& entry) {
   if (!is_small(entry)) {
     return std::nullopt;
   }
-  const Registry& registry = Registry::standard();
-  std::optional<Design> design;
-  for (const CatalogEntry& other : catalog.cell(entry.parameters)) {
-    if (other.b != entry.b || other.checksum == entry.checksum) {
-      continue;
-    }
-    if (!design) {
-      design = registry.build_design(entry.recipe);
-    }
-    try {
-      const Design known = registry.build_design(other.recipe);
-      if (find_isomorphism(*design, known, {.rotation = true, .reversal = true})) {
-        return other.label();
+  Class& known = class_of(entry);
+  if (known.waiting.empty() && known.by_form.empty()) {
+    return std::nullopt;
+  }
+  const Checksum wanted = form_of(entry);
+  const std::string label = entry.label();
+  for (;;) {
+    for (const std::string& other : known.by_form[wanted]) {
+      if (other != label) {
+        return other;
       }
+    }
+    if (known.waiting.empty()) {
+      return std::nullopt;
+    }
+    const CatalogEntry other = std::move(known.waiting.back());
+    known.waiting.pop_back();
+    try {
+      put(known, other);
     } catch (const InternalError&) {
       throw;
     } catch (const Error&) {
       continue;  // A damaged entry is the same as nothing.
     }
   }
-  return std::nullopt;
+}
+
+void SameDesigns::remember(const CatalogEntry& entry) {
+  if (is_small(entry)) {
+    put(class_of(entry), entry);
+  }
+}
+
+void SameDesigns::put(Class& known, const CatalogEntry& entry) {
+  // One of two labels is not that of the design that is asked for.
+  if (auto& labels = known.by_form[form_of(entry)]; labels.size() < 2) {
+    labels.push_back(entry.label());
+  }
+}
+
+std::optional<std::string> same_in_catalog(const Catalog& catalog, const CatalogEntry& entry) {
+  return SameDesigns(catalog).find(entry);
 }
 
 std::vector<Gain> gains_of(const CatalogEntry& entry) {

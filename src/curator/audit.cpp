@@ -17,6 +17,9 @@ namespace changeover {
 
 AuditScope audit_scope(const Catalog& catalog, const CatalogFilter& filter) {
   AuditScope scope;
+  for (const Catalog::Fault& fault : catalog.faults()) {
+    scope.faults.push_back({fault.label, fault.what});
+  }
   Sha256 hash;
   catalog.each(filter, [&](const CatalogEntry& entry) {
     scope.labels.push_back(entry.label());
@@ -48,6 +51,7 @@ Audit audit_entries(const Catalog& catalog, const AuditScope& scope, RunControl&
                     const std::function<void(const std::string&)>& good) {
   Audit audit;
   audit.entries = scope.labels.size();
+  audit.faults = scope.faults;
   std::vector<std::string> labels;
   std::ranges::copy_if(scope.labels, std::back_inserter(labels),
                        [&](const std::string& label) { return !done.contains(label); });

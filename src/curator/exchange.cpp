@@ -2,14 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <map>
 #include <utility>
 
+#include "catalog/store/spool.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "construct/trusted_entry.hpp"
 #include "io/scan/input_lines.hpp"
+#include "io/scan/place.hpp"
 
 namespace changeover {
 namespace {
@@ -35,7 +37,8 @@ class EntryLines {
       if (found == InputLines::Next::end) {
         return false;
       }
-      if (!lines_.line().empty()) {
+      // Files that were put together have byte order marks on their way.
+      if (!without_byte_order_mark(lines_.line()).empty()) {
         return true;
       }
     }
@@ -94,6 +97,55 @@ std::string refusal(CatalogEntry& entry, const ForeignLimits& limits) {
   return "";
 }
 
+// Hands each entry that is good and not in the catalog to take(). Gives what is left to say.
+template <typename Take>
+Foreign each_foreign(Input& input, const Catalog& catalog, const ForeignLimits& limits,
+                     Take&& take) {
+  Foreign foreign;
+  EntryLines lines(input, limits.line);
+  for (std::uint64_t count = 0; lines.next(); ++count) {
+    stop_if_asked();
+    if (count == limits.entries) {
+      throw BadInput(fmt::format("{}more than {} entries; split the file", lines.where(), count));
+    }
+    std::string fault;
+    try {
+      CatalogEntry entry = lines.entry();
+      const std::string label = entry.label();
+      const auto there = catalog.find(label);
+      Spool::Put put = there && there->checksum == entry.checksum ? Spool::Put::there_already
+                                                                  : Spool::Put::label_of_another;
+      std::string why;
+      if (!there) {
+        why = refusal(entry, limits);
+        put = why.empty() ? take(std::move(entry)) : put;
+      }
+      if (!why.empty()) {
+        fault = fmt::format("{}{}: {}", lines.where(), label, why);
+      } else if (put == Spool::Put::label_of_another) {
+        fault = fmt::format("{}{}: another design has that label", lines.where(), label);
+      } else if (put == Spool::Put::there_already) {
+        ++foreign.known;
+      }
+    } catch (const BadInput& malformed) {
+      fault = malformed.what();
+    } catch (const ImpossibleParameters& malformed) {
+      fault = lines.where() + malformed.what();
+    }
+    if (!fault.empty()) {
+      if (!limits.skip_bad) {
+        throw BadInput(fault);
+      }
+      foreign.left_out.push_back(std::move(fault));
+    }
+    if (progress_due()) {
+      report_progress(
+          {.phase = "verifying " + input.name(), .steps = count + 1, .unit = "entries"});
+    }
+  }
+  return foreign;
+}
+
 }  // namespace
 
 std::uint64_t write_entries(const Catalog& catalog, const CatalogFilter& filter, Sink& sink) {
@@ -114,44 +166,49 @@ std::uint64_t write_entries(const Catalog& catalog, const CatalogFilter& filter,
 }
 
 Foreign read_foreign(Input& input, const Catalog& catalog, const ForeignLimits& limits) {
-  Foreign foreign;
-  std::set<std::string> seen;
-  EntryLines lines(input, limits.line);
-  for (std::uint64_t count = 0; lines.next(); ++count) {
-    stop_if_asked();
-    if (count == limits.entries) {
-      throw BadInput(fmt::format("{}more than {} entries; split the file", lines.where(), count));
+  std::vector<CatalogEntry> entries;
+  std::map<std::string, Checksum> labels;
+  Foreign foreign = each_foreign(input, catalog, limits, [&](CatalogEntry&& entry) {
+    const auto [place, is_new] = labels.emplace(entry.label(), entry.checksum);
+    if (is_new) {
+      entries.push_back(std::move(entry));
+      return Spool::Put::taken;
     }
-    std::string fault;
-    try {
-      CatalogEntry entry = lines.entry();
-      const std::string label = entry.label();
-      const auto there = catalog.find(label);
-      if (there ? there->checksum == entry.checksum : seen.contains(label)) {
-        ++foreign.known;
-      } else if (const std::string why = refusal(entry, limits); !why.empty()) {
-        fault = fmt::format("{}{}: {}", lines.where(), label, why);
-      } else {
-        seen.insert(label);
-        foreign.entries.push_back(std::move(entry));
-      }
-    } catch (const BadInput& malformed) {
-      fault = malformed.what();
-    } catch (const ImpossibleParameters& malformed) {
-      fault = lines.where() + malformed.what();
-    }
-    if (!fault.empty()) {
-      if (!limits.skip_bad) {
-        throw BadInput(fault);
-      }
-      foreign.left_out.push_back(std::move(fault));
+    return place->second == entry.checksum ? Spool::Put::there_already
+                                           : Spool::Put::label_of_another;
+  });
+  foreign.entries = std::move(entries);
+  return foreign;
+}
+
+Imported import_foreign(Input& input, Catalog& catalog, const ForeignLimits& limits,
+                        std::size_t batch) {
+  Spool spool;
+  Foreign foreign = each_foreign(input, catalog, limits,
+                                 [&](const CatalogEntry& entry) { return spool.put(entry); });
+  Imported imported;
+  imported.known = foreign.known;
+  imported.left_out = std::move(foreign.left_out);
+  const auto next = [&, is_first = true]() mutable -> std::vector<CatalogEntry> {
+    RunControl* const above = RunScope::current();
+    const bool stops = !std::exchange(is_first, false) && above != nullptr && above->stop_wanted();
+    return stops ? std::vector<CatalogEntry>() : spool.take(batch);
+  };
+  const auto count = [&](std::span<const Added> results) {
+    for (const Added what : results) {
+      imported.added += what == Added::already_there ? 0U : 1U;
+      imported.improved += what == Added::improved ? 1U : 0U;
+      imported.known += what == Added::already_there ? 1U : 0U;
     }
     if (progress_due()) {
       report_progress(
-          {.phase = "verifying " + input.name(), .steps = count + 1, .unit = "entries"});
+          {.phase = "adding " + input.name(), .steps = imported.added, .unit = "entries"});
     }
-  }
-  return foreign;
+  };
+  stop_if_asked();
+  catalog.add_lists(next, count);
+  imported.not_added = spool.waiting();
+  return imported;
 }
 
 BestOfCells best_of_cells(Input& input) {

@@ -122,7 +122,7 @@ Submission write_submission(const Catalog& catalog, Sink& sink) {
       return true;
     }
     sink.write(line_of(entry, {}) + "\n");
-    ++submission.entries;
+    submission.labels.push_back(label);
     return true;
   });
   return submission;

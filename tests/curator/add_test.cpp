@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <random>
 
 #include "changeover/catalog/label.hpp"
@@ -12,6 +14,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/isomorphism/isomorphism.hpp"
 #include "construct/trusted_entry.hpp"
 #include "naive_verdict.hpp"
 #include "run_program.hpp"
@@ -147,6 +150,83 @@ TEST(Same, UpToNamesRotationAndReversal) {
   // One block more is another design.
   Design longer = best_design({.v = 9, .k = 4, .change = 2, .kind = Kind::linear});
   EXPECT_FALSE(same_in_catalog(catalog, *newcomer_of(longer, {}).entry));
+}
+
+// The same design by other names, from another block on, or backwards.
+Design disguised(const Design& design, std::mt19937& random) {
+  std::vector<Element> names(design.v());
+  std::iota(names.begin(), names.end(), Element{0});
+  std::ranges::shuffle(names, random);
+  std::vector<Block> blocks = design.blocks();
+  for (Block& block : blocks) {
+    std::ranges::transform(block, block.begin(), [&](Element x) { return names[x]; });
+  }
+  if (design.parameters().kind == Kind::circular) {
+    const auto shift = static_cast<std::ptrdiff_t>(random() % blocks.size());
+    std::ranges::rotate(blocks, blocks.begin() + shift);
+  }
+  if (random() % 2 == 0) {
+    std::ranges::reverse(blocks);
+  }
+  return {design.parameters(), blocks};
+}
+
+// Many designs held against many: what each pair by itself says, whatever was asked before.
+TEST(Same, ManyAsEachPairByItself) {
+  std::mt19937 random(7);
+  const Registry& registry = Registry::standard();
+  std::vector<Design> kinds;  // some of a cell with as many blocks, and not the same
+  for (const CatalogEntry& entry :
+       standard_catalog().cell({.v = 10, .k = 4, .change = 1, .kind = Kind::circular})) {
+    const Design design = registry.build_design(entry.recipe);
+    if (std::ranges::none_of(kinds, [&](const Design& other) {
+          return find_isomorphism(design, other, {.rotation = true, .reversal = true}).has_value();
+        })) {
+      kinds.push_back(design);
+    }
+  }
+  ASSERT_GT(kinds.size(), 5U);
+  const TemporaryFolder folder;
+  Catalog catalog({.user = folder.file("mine.db")});
+  std::map<std::string, Design> there;
+  for (std::size_t i = 0; i + 1 < kinds.size(); ++i) {
+    for (int namings = 0; namings < 3; ++namings) {
+      const Design design = disguised(kinds[i], random);
+      const CatalogEntry entry = *newcomer_of(design, {}).entry;
+      catalog.add(entry);
+      there.emplace(entry.label(), design);
+    }
+  }
+  SameDesigns same(catalog);
+  int found = 0;
+  int missing = 0;
+  for (int i = 0; i < 60; ++i) {
+    Design design = disguised(kinds[random() % kinds.size()], random);
+    if (i % 10 == 0) {  // one that is there itself
+      design =
+          std::next(there.begin(), static_cast<std::ptrdiff_t>(random() % there.size()))->second;
+    }
+    const CatalogEntry entry = *newcomer_of(design, {}).entry;
+    const auto is_same = [&](const auto& other) {
+      return other.first != entry.label() && other.second.parameters() == design.parameters() &&
+             find_isomorphism(design, other.second, {.rotation = true, .reversal = true});
+    };
+    const auto label = same.find(entry);
+    EXPECT_EQ(label.has_value(), std::ranges::any_of(there, is_same)) << i;
+    EXPECT_EQ(same_in_catalog(catalog, entry).has_value(), label.has_value()) << i;
+    if (label) {
+      ASSERT_TRUE(there.contains(*label));
+      EXPECT_TRUE(is_same(*there.find(*label))) << i;
+    }
+    ++(label ? found : missing);
+    if (!label && random() % 4 == 0) {
+      same.remember(entry);
+      catalog.add(entry);
+      there.emplace(entry.label(), design);
+    }
+  }
+  EXPECT_GT(found, 10);
+  EXPECT_GT(missing, 0);
 }
 
 TEST(Gains, AreBuiltAndBetter) {

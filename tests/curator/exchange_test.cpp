@@ -1,5 +1,6 @@
 #include "changeover/curator/exchange.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -186,6 +187,108 @@ TEST(Exchange, LeavesOutWhatIsBadAndNamesIt) {
   EXPECT_EQ(foreign.known, 1U);
   EXPECT_THAT(foreign.left_out,
               ElementsAre(HasSubstr("theirs.jsonl:3:"), HasSubstr("theirs.jsonl:5:")));
+}
+
+// What a file says of a catalog of one's own, through import_foreign().
+Imported import(const std::string& text, Catalog& catalog, const ForeignLimits& limits = {},
+                std::size_t batch = 1000) {
+  const auto input = input_from_text(text, "theirs.jsonl");
+  return import_foreign(*input, catalog, limits, batch);
+}
+
+TEST(Import, InBatchesAsAtOnce) {
+  const TemporaryFolder folder;
+  std::vector<CatalogEntry> entries = some_entries();
+  entries[3].retracted = "a mistake";
+  entries.push_back(entries[2]);
+  Catalog whole({.user = folder.file("whole.db")});
+  whole.add(read(file_of(entries), whole).entries);
+  for (const std::size_t batch : {1U, 5U, 1000U}) {
+    Catalog mine({.user = folder.file(std::to_string(batch) + ".db")});
+    mine.add(entries[7]);
+    const Imported first = import(file_of(entries), mine, {}, batch);
+    EXPECT_EQ(first.added, entries.size() - 2);
+    EXPECT_EQ(first.improved, entries.size() - 3);  // What is retracted is no better.
+    EXPECT_EQ(first.known, 2U);
+    EXPECT_EQ(first.not_added, 0U);
+    EXPECT_EQ(exported(mine), exported(whole));
+    const Imported again = import(file_of(entries), mine, {}, batch);
+    EXPECT_EQ(again.added, 0U);
+    EXPECT_EQ(again.known, entries.size());
+  }
+}
+
+TEST(Import, NothingUnlessTheWholeFileIsGood) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("mine.db");
+  Catalog mine({.user = path});
+  const std::string text = file_of(some_entries());
+  EXPECT_THROW(import(text + "x\n", mine, {}, 2), BadInput);
+  EXPECT_FALSE(std::filesystem::exists(path));
+  const Imported imported = import(text + "x\n", mine, {.skip_bad = true}, 2);
+  EXPECT_EQ(imported.added, some_entries().size());
+  EXPECT_THAT(imported.left_out, SizeIs(1));
+  // Two designs with one label: the second is not the first.
+  CatalogEntry good = entry_for({.v = 15, .k = 4, .change = 2, .kind = Kind::linear});
+  CatalogEntry other = good;
+  other.checksum.back() = static_cast<std::uint8_t>(other.checksum.back() ^ 1U);
+  mine.add(good);
+  EXPECT_THROW(import(file_of({other}), mine), BadInput);
+  EXPECT_THAT(refusal(file_of({other})), HasSubstr("checksum"));
+}
+
+TEST(Import, StopsBetweenBatchesAndGoesOn) {
+  const TemporaryFolder folder;
+  Catalog mine({.user = folder.file("mine.db")});
+  const std::vector<CatalogEntry> entries = some_entries();  // Not under a control that stops.
+  const std::string text = file_of(entries);
+  {
+    RunControl control(RunControl::Settings{});
+    control.stop(WhyStopped::interrupted);
+    const RunScope scope(control);
+    EXPECT_THROW(import(text, mine), Stopped);
+    EXPECT_FALSE(std::filesystem::exists(folder.file("mine.db")));
+  }
+  std::uint64_t left = 0;
+  {
+    RunControl* running = nullptr;
+    RunControl control({.on_progress =
+                            [&](const Progress& progress) {
+                              if (progress.phase.starts_with("adding")) {
+                                running->stop(WhyStopped::interrupted);
+                              }
+                            },
+                        .progress_interval = std::chrono::seconds(0)});
+    running = &control;
+    const RunScope scope(control);
+    const Imported imported = import(text, mine, {}, 3);
+    EXPECT_EQ(imported.added, 3U);
+    left = imported.not_added;
+    EXPECT_EQ(left, entries.size() - 3);
+  }
+  const Imported rest = import(text, mine, {}, 3);
+  EXPECT_EQ(rest.added, left);
+  EXPECT_EQ(rest.known, 3U);
+}
+
+// Files that were put together have byte order marks on their way.
+TEST(Import, ByteOrderMarks) {
+  const TemporaryFolder folder;
+  Catalog mine({.user = folder.file("mine.db")});
+  const std::string mark = "\xEF\xBB\xBF";
+  const CatalogEntry entry = some_entries()[0];
+  EXPECT_EQ(
+      import(mark + header_line({}) + "\n" + mark + "\n" + mark + line_of(entry, {}), mine).added,
+      1U);
+  // What is wrong is said as without it, three bytes further on.
+  std::string line = line_of(entry, {});
+  line.insert(line.find("\"b\":") + 4, "-");
+  const std::string said = refusal(header_line({}) + "\n" + line);
+  const std::string with_mark = refusal(header_line({}) + "\n" + mark + line);
+  const std::size_t at = line.find("\"b\":") + 5;
+  const auto place = [](std::size_t column) { return fmt::format("theirs.jsonl:2:{}: ", column); };
+  ASSERT_TRUE(said.starts_with(place(at))) << said;
+  EXPECT_EQ(with_mark, place(at + 3) + said.substr(place(at).size()));
 }
 
 TEST(Exchange, Stops) {

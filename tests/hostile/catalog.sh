@@ -7,14 +7,15 @@
 source "$(dirname "$0")/support/attack.sh"
 CHANGEOVER=$(program CHANGEOVER) || exit
 
-# The same design under 400 namings: other labels.
+# The same design under 400 namings and, in a folder of their own, 2500: other labels.
 "$CHANGEOVER" design 8 4 --change 1 --linear --format text | grep -v '^#' >"$scratch/tools/blocks"
-mkdir "$scratch/tools/designs"
-awk -v seed="$RANDOM" -v folder="$scratch/tools/designs" '
+mkdir "$scratch/tools/designs" "$scratch/tools/many"
+namings() { # COUNT FOLDER
+  awk -v count="$1" -v seed="$RANDOM" -v folder="$2" '
   { line[NR] = $0 }
   END {
     srand(seed)
-    for (n = 1; n <= 400; ++n) {
+    for (n = 1; n <= count; ++n) {
       for (i = 0; i < 8; ++i) name[i] = i
       for (i = 7; i > 0; --i) { j = int(rand() * (i + 1)); t = name[i]; name[i] = name[j]; name[j] = t }
       file = folder "/" n
@@ -26,6 +27,9 @@ awk -v seed="$RANDOM" -v folder="$scratch/tools/designs" '
       close(file)
     }
   }' "$scratch/tools/blocks"
+}
+namings 400 "$scratch/tools/designs"
+namings 2500 "$scratch/tools/many"
 designs=$scratch/tools/designs
 known=$designs/400
 
@@ -97,6 +101,72 @@ for ((i = 1; i <= kills; ++i)); do
   fi
 done
 ((rounds == 1)) || [[ -s $scratch/tools/said_added ]] || fault 'nothing was ever added: the moments are too early'
+
+# An import of several batches, killed, while another process writes: what is there is whole, the other gets its turn, and
+# importing the file again adds the rest.
+(cd "$scratch/tools/many" && add "$scratch/ground/many.db" ./*) >"$scratch/tools/answer" ||
+  fault "designs cannot be added: $(head -c 300 "$scratch/tools/answer")"
+"$CHANGEOVER" catalog export --users --catalog many.db -o many.jsonl
+labels_in many.db >"$scratch/tools/many.labels"
+many=$(wc -l <"$scratch/tools/many.labels")
+((many >= 2100)) || fault "only $many of 2500 designs were added"
+rm -f many.db many.db-wal many.db-shm
+for ((i = 1; i <= (rounds > 1 ? rounds * 4 : 3); ++i)); do
+  attacks=$((attacks + 1))
+  rm -f import.db import.db-wal import.db-shm
+  add import.db "$known" >/dev/null
+  printf -v pause '0.%03d' $((RANDOM % 500))
+  tried="catalog import of $many designs, killed after $pause s"
+  "$CHANGEOVER" catalog import many.jsonl --quiet --catalog import.db >/dev/null 2>&1 </dev/null &
+  process=$!
+  add import.db "$designs/$i" >"$scratch/tools/beside" 2>&1 || fault "$tried: another writer: $(head -c 300 "$scratch/tools/beside")"
+  sleep "$pause"
+  { kill -9 $process; wait $process; } 2>/dev/null
+  run 60 "$CHANGEOVER" catalog verify --users --quiet --catalog import.db
+  [[ $code == 0 ]] || fault "$tried: the catalog is not as it says: $(head -c 300 "$out") ${said:0:300}"
+  run 60 "$CHANGEOVER" catalog import many.jsonl --quiet --catalog import.db
+  [[ $code == 0 ]] || fault "$tried: it cannot be imported again: exit code $code ${said:0:300}"
+  said_in "$scratch/tools/beside" | sort -u - "$scratch/tools/many.labels" >"$scratch/tools/wanted"
+  whole "$tried" import.db "$scratch/tools/wanted"
+done
+
+# Names of a catalog are paths, whatever they look like: a file of that name, or one line.
+mkfifo fifo
+mkdir folder
+ln -s loop loop
+for name in ':memory:' 'file:zz.db?mode=memory' 'file:' 'file:x.db' 'file::memory:?cache=shared' '?' '%00' '~' 'a b' \
+  folder fifo loop /dev/null /dev/full /dev/stdin "$(printf 'd/%.0s' {1..300})" "$(printf 'x%.0s' {1..300})"; do
+  for command in 'add' 'import' 'list' 'retract' 'alias' 'verify'; do
+    attacks=$((attacks + 1))
+    case $command in
+      add) arguments=("$known" --even-isomorphic) ;;
+      import) arguments=(all.jsonl) ;;
+      retract) arguments=(26.4.2.circular.65 --why attack) ;;
+      alias) arguments=(word 26.4.2.circular.65) ;;
+      *) arguments=(--users) ;;
+    esac
+    run 60 "$CHANGEOVER" catalog $command "${arguments[@]}" --catalog "$name"
+    judge_ending
+    [[ -z $defect ]] || fault "catalog $command --catalog $(quoted "$name"): $defect"
+    if [[ $command == add && $code == 0 ]]; then
+      [[ -f $name ]] || fault "catalog add --catalog $(quoted "$name") ends with 0, and there is no such file"
+    fi
+  done
+done
+
+# An alias cannot be the beginning of a label; an answer without a place changes nothing.
+label=$(head -1 "$scratch/tools/all")
+for ((length = 1; length <= ${#label}; ++length)); do
+  attacks=$((attacks + 1))
+  run 60 "$CHANGEOVER" catalog alias "${label:0:length}" 26.4.2.circular.65 --catalog own.db
+  [[ $code == 3 ]] || fault "catalog alias ${label:0:length}: exit code $code ${said:0:300}"
+done
+for place in folder nowhere/x own.db/x; do
+  attacks=$((attacks + 1))
+  rm -f fresh.db
+  run 60 "$CHANGEOVER" catalog add "$known" --even-isomorphic --catalog fresh.db -o $place
+  [[ $code == 4 && ! -e fresh.db ]] || fault "catalog add -o $place: exit code $code, and the design was added"
+done
 
 # All k-subsets in an order in which one element changes: of strength 3, and so many blocks that a search finds fewer at once.
 subsets() { # V K

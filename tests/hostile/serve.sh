@@ -103,6 +103,22 @@ ask POST /api/search '{"v":9,"k":4}' 'Content-Type: application/json'
 ask POST /api/verify '0 1 2' 'Origin: http://evil.example'
 [[ $status == 403 ]] || fault "a foreign origin: $status"
 
+# Names of a catalog are paths: what SQLite would take for something else ends no server.
+stop TERM 'posts'
+mkfifo fifo
+for name in 'file:zz.db?mode=memory' ':memory:' fifo /dev/null; do
+  start --port 0 --catalog "$name" || continue
+  ask POST '/api/catalog/add?kind=linear' $'0 1 2\n0 1 3\n0 2 3\n1 2 3\n' "X-Changeover-Token: $token" 'Content-Type: text/plain'
+  if [[ -p $name || -c $name ]]; then
+    [[ $status == 5?? || $status == 4?? ]] || fault "serve --catalog $name: a design is kept: $status"
+  else
+    [[ $status == 200 && -f $name ]] || fault "serve --catalog $name: a design is not kept: $status"
+  fi
+  alive "serve --catalog $name"
+  stop INT "serve --catalog $name"
+done
+start --port 0 || finish
+
 # A second server on the same port.
 run 60 "$CHANGEOVER" serve --port "$port"
 attacks=$((attacks + 1))

@@ -1,9 +1,11 @@
 // changeover catalog …: what goes into a catalog of one's own, and out of it.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "cases.hpp"
+#include "catalog/store/database.hpp"
 
 namespace changeover::test {
 namespace {
@@ -46,6 +48,8 @@ TEST_F(CatalogUsage, Add) {
        {mine("add four.txt"), 0,
         "the best that is known of its cell has 3 blocks: 4.3.1.linear.3."},
        {mine("add words.txt"), 3, "words.txt"},
+       {with("fresh.db", "add three.txt same.txt"), 0,
+        "not added: 4.3.1.linear.3.2fc52240 is 4.3.1.linear.3.fdc879cf up to names"},
        {mine("add nothing.txt"), 4, "nothing.txt"},
        {mine("add three.txt --note \"$(printf 'a\\nb')\""), 3, "note"},
        {mine("add"), 2, "FILE"},
@@ -75,9 +79,85 @@ TEST_F(CatalogUsage, RetractAndAlias) {
           {mine("retract 4.3.1.linear.3.fdc879cf"), 2, "--why"},
           {mine("retract 4.3.1.linear.3.00000000 --why x"), 4, "the catalog has no design"},
           {mine("alias nicer 4.3.1.linear.3.00000000"), 4, "the catalog has no design"},
-          {mine("retract nice --why 'a misprint'"), 0, "retracted: 4.3.1.linear.3.fdc879cf"},
+          {mine("alias 4.3.1.linear.4 4.3.1.linear.3"), 3, "is a label or the beginning of one"},
+          {mine("alias 4 4.3.1.linear.3"), 3, "is a label or the beginning of one"},
+          {mine("alias"), 2, "WORD"},
+          {mine("alias word"), 2, "LABEL is missing"},
+          {mine("alias word 4.3.1.linear.3 --remove"), 2, "leave LABEL out"},
+          {mine("alias word 4.3.1.linear.3"), 0, "word leads to 4.3.1.linear.3.fdc879cf"},
+          {mine("alias word --remove"), 0, "word leads to 4.3.1.linear.3.fdc879cf no more"},
+          {mine("alias word --remove"), 3, "there is no alias word"},
+          {mine("show word"), 4, "has no design word"},
+          {mine("retract nice --why 'a misprint'"), 0,
+           "retracted: 4.3.1.linear.3.fdc879cf (found by nice)"},
+          {mine("retract 4.3.1.linear.4 --why again"), 0, "(found by 4.3.1.linear.4)"},
           {mine("show nice"), 0, "a misprint"},
-          {mine("list --users"), 0, "4.3.1.linear.4."}},
+          {mine("list --users --status retracted"), 0, "4.3.1.linear.4."}},
+         folder);
+}
+
+// An alias of an older program that is the beginning of a label: what is written goes to the design
+// of the label.
+TEST_F(CatalogUsage, AnAliasThatReadsAsALabelIsNotUsed) {
+  expect({{mine("add three.txt four.txt"), 0, "added: "}}, folder);
+  Database::open(folder.file("mine.db"), Access::read_write)
+      .run("INSERT INTO alias VALUES('4.3.1.linear.4', '4.3.1.linear.3.fdc879cf')");
+  const Outcome outcome = run(mine("retract 4.3.1.linear.4 --why wrong"), folder.path());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, testing::StartsWith("retracted: 4.3.1.linear.4."));
+  EXPECT_THAT(outcome.err, HasSubstr("the alias 4.3.1.linear.4 is not used"));
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  expect({{mine("verify --users --quiet"), 1, "WRONG: 4.3.1.linear.4: an alias that reads as a"},
+          {mine("alias --remove 4.3.1.linear.4"), 0, "no more"},
+          {mine("verify --users --quiet"), 0, "all as they say"}},
+         folder);
+}
+
+// Names are paths: a file of that name, or one true line.
+TEST_F(CatalogUsage, NamesOfTheCatalogArePaths) {
+  EXPECT_EQ(run("mkdir folder; mkfifo fifo", folder.path()).code, 0);
+  const auto named = [](const std::string& name, const std::string& command) {
+    return "$changeover catalog " + command + " --catalog '" + name + "'";
+  };
+  for (const std::string name : {":memory:", "file:zz.db?mode=memory", "file:x.db", "?.db"}) {
+    expect({{named(name, "add three.txt"), 0, "added: "},
+            {named(name, "list --users"), 0, "1 design"},
+            {"test -f '" + name + "' && echo there", 0, "there"}},
+           folder);
+  }
+  for (const std::string name : {"folder", "fifo", "/dev/null"}) {
+    for (const std::string command : {"add three.txt", "import three.jsonl", "alias a b"}) {
+      const Outcome outcome = run(named(name, command), folder.path());
+      EXPECT_THAT(outcome.code, testing::AnyOf(4)) << name << " " << command;
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    expect({{named(name, "add three.txt"), 4, "and not a file; name another file by --catalog"},
+            {named(name, "list --users 2>&1"), 0, "your own catalog was left out: " + name}},
+           folder);
+  }
+}
+
+// No answer without a place for it, and nothing done before.
+TEST_F(CatalogUsage, TheAnswerHasAPlaceBeforeAnythingIsChanged) {
+  expect({{mine("add three.txt"), 0, "added: "},
+          {mine("export --users -o one.jsonl && mkdir folder && echo made"), 0, "made"}},
+         folder);
+  const std::string label = "4.3.1.linear.3.fdc879cf";
+  for (const std::string place : {"-o folder", "-o nowhere/answer", "-o three.txt/answer", ">&-"}) {
+    expect({{with("new.db", "add three.txt " + place), 4, "cannot write"},
+            {with("new.db", "import one.jsonl -o folder"), 4, "cannot write"},
+            {mine("retract " + label + " --why wrong " + place), 4, "cannot write"},
+            {mine("alias word " + label + " " + place), 4, "cannot write"},
+            {mine("alias --remove word " + place), 4, "cannot write"},
+            {mine("improve --users --time 1s -o folder"), 4, "cannot write"},
+            {"test ! -e new.db && echo none", 0, "none"},
+            {mine("show word"), 4, "has no design word"},
+            {mine("show " + label + " | grep -c wrong || true"), 0, "0"}},
+           folder);
+  }
+  // What only the writing shows is said with what was done.
+  expect({{with("new.db", "add three.txt >/dev/full"), 4, "the catalog was changed as asked"},
+          {with("new.db", "show 4.3.1.linear.3"), 0, label}},
          folder);
 }
 
@@ -109,6 +189,10 @@ TEST_F(CatalogUsage, Verify) {
           {mine("add same.txt --even-isomorphic"), 0, "added: "},
           {mine("verify --users --resume done.txt --json"), 0,
            "\"checked\":3,\"checked_before\":0,\"complete\":true"},
+          {"printf '\\357\\273\\277' >mark; " + mine("export --users -o own.jsonl") +
+               "; (head -1 own.jsonl; cat mark; sed -n 2p own.jsonl; cat mark) | " +
+               with("marked.db", "import -"),
+           0, "added: 1 design"},
           {mine("verify --users --resume three.txt"), 3, "no list of what catalog verify has done"},
           {"echo 9.9.9.linear.1.00000000 >>done.txt; " +
                mine("verify --users --resume done.txt --json"),

@@ -95,10 +95,19 @@ void write_file(const std::string& path, const Write& write) {
 }
 
 int deliver(const Answer& answer) {
-  if (answer.write && answer.output.precious) {
-    deliver_precious(answer.output.path, answer.write);
-  } else if (answer.write) {
-    write_file(answer.output.path, answer.write);
+  try {
+    if (answer.write && answer.output.precious) {
+      deliver_precious(answer.output.path, answer.write);
+    } else if (answer.write) {
+      write_file(answer.output.path, answer.write);
+    }
+  } catch (const ReaderGone&) {
+    throw;
+  } catch (const MissingResource& fault) {
+    if (answer.done_before.empty()) {
+      throw;
+    }
+    throw MissingResource(fmt::format("{}; {}", fault.what(), answer.done_before));
   }
   if (answer.fault) {
     std::rethrow_exception(answer.fault);

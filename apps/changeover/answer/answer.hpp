@@ -33,6 +33,9 @@ struct Answer {
   /// Writes all of it and does not commit; it may be called again, for another file, and then begins anew. If it
   /// is empty, another process of the team speaks.
   std::function<void(OutputFile&)> write = {};
+  /// What was done for good before the answer is written: said if it cannot be written, in one line
+  /// with why.
+  std::string done_before = {};
   std::exception_ptr fault =
       {};  ///< said after the answer: it is complete, but something went wrong
   std::shared_ptr<void> held = {};  ///< what must live until it is delivered

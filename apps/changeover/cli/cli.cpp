@@ -530,6 +530,9 @@ int Program::run(int argc, char** argv) {
   if (const std::string problem = answered ? standard_catalog_problem() : ""; !problem.empty()) {
     complain(code, "your own catalog was left out: " + problem);
   }
+  if (const std::string remark = answered ? standard_catalog_remark() : ""; !remark.empty()) {
+    complain(code, remark);
+  }
   return code;
 }
 

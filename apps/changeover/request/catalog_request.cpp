@@ -23,6 +23,11 @@ Catalog& CatalogRequest::open() const {
   return standard_catalog();
 }
 
+Catalog& CatalogRequest::open_to_change(const OutputRequest& output) const {
+  output.check_writable();
+  return open();
+}
+
 std::string has_no_design(const std::string& label) {
   return fmt::format("the catalog has no design {}; changeover catalog list shows what it has",
                      printable(label));
@@ -30,7 +35,9 @@ std::string has_no_design(const std::string& label) {
 
 std::string left_out() {
   const std::string problem = standard_catalog_problem();
-  return problem.empty() ? "" : "; your own catalog was left out: " + problem;
+  const std::string remark = standard_catalog_remark();
+  return (problem.empty() ? "" : "; your own catalog was left out: " + problem) +
+         (remark.empty() ? "" : "; " + remark);
 }
 
 void FilterRequest::add_to(Verb& verb, Unless unless) {

@@ -7,6 +7,7 @@
 
 #include "changeover/catalog/catalog.hpp"
 #include "cli/cli.hpp"
+#include "request/output.hpp"
 
 namespace changeover::cli {
 
@@ -20,7 +21,14 @@ struct CatalogRequest {
   /// The catalog: what comes with the program, and the user's designs in FILE if one was named. What is wrong with that file is said
   /// by Program::run(), once the verb has answered; what is thrown instead ends with left_out().
   [[nodiscard]] Catalog& open() const;
+
+  /// The same for a verb that changes the user's designs: not before its answer has a place.
+  /// @throws MissingResource if `output` cannot be written.
+  [[nodiscard]] Catalog& open_to_change(const OutputRequest& output) const;
 };
+
+/// Answer::done_before of such a verb.
+inline constexpr const char* catalog_was_changed = "the catalog was changed as asked";
 
 /// For a label, or its beginning, that leads nowhere: that the catalog has no such design, and where to look; in one line.
 [[nodiscard]] std::string has_no_design(const std::string& label);

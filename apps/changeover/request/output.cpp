@@ -1,5 +1,6 @@
 #include "request/output.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "changeover/core/error.hpp"
 #include "changeover/io/output.hpp"
 
 namespace changeover::cli {
@@ -181,11 +183,22 @@ void OutputRequest::require(const std::string& option,
 }
 
 void OutputRequest::check_writable() const {
+  if (path.empty() || path == "-") {
+    // What is precious goes elsewhere then.
+    const int flags = precious ? O_WRONLY : ::fcntl(STDOUT_FILENO, F_GETFL);
+    if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY) {
+      throw MissingResource(
+          "<stdout>: cannot write: the stream is closed; keep it open, or name a file");
+    }
+    return;
+  }
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   const bool as_a_whole = !exists(status) || is_regular_file(status) || is_directory(status);
-  if (!path.empty() && path != "-" && as_a_whole) {
+  if (as_a_whole) {
     const OutputFile trial(path);  // Goes away without a trace.
+  } else if (is_socket(status) || ::access(path.c_str(), W_OK) != 0) {
+    throw MissingResource(path + ": cannot be written; write to a place where you may");
   }
 }
 

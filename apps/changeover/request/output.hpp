@@ -36,7 +36,8 @@ struct OutputRequest {
   /// @throws UsageError if the format is none of `formats`, in which alone `option` means something.
   void require(const std::string& option, const std::vector<std::string>& formats) const;
 
-  /// Tries whether FILE can be written, so that long work is not done in vain. @throws MissingResource.
+  /// Tries whether FILE can be written, so that long work is not done in vain, and what cannot be
+  /// undone not without an answer. @throws MissingResource.
   void check_writable() const;
 
  private:

@@ -112,6 +112,10 @@ class Catalog {
   /// Why the user's file could not be read; empty if it could, or is not there. Looking up then goes on without it.
   [[nodiscard]] std::string problem() const;
 
+  /// What else is to be said of the user's file: an alias that was asked for and not used, because
+  /// it reads as a label. Empty if nothing is.
+  [[nodiscard]] std::string remark() const;
+
   /// Leaves an entry out of account from now on, in this process: it is not what it says. problem() says so.
   void distrust(const std::string& label, const std::string& why) const;
 
@@ -124,12 +128,32 @@ class Catalog {
   std::vector<Added> add(std::span<const CatalogEntry> entries);
   Added add(const CatalogEntry& entry) { return add(std::span(&entry, 1)).front(); }
 
+  /// As add(), a transaction for each list that next() gives until one is empty; between two lists
+  /// other processes write. The file is checked once. Calls done() after each. What was added stays
+  /// if a later list is refused. O(n log s) for n entries and a file of s.
+  void add_lists(const std::function<std::vector<CatalogEntry>()>& next,
+                 const std::function<void(std::span<const Added>)>& done);
+
   /// Marks an entry as no longer vouched for; it stays, and says why. In the user's file, also for one that comes with the program.
   /// @throws BadInput if there is none of that label; as add().
   void retract(std::string_view label, std::string_view why);
 
-  /// Lets `alias` lead to the entry of that label. @throws BadInput if the alias is a label or leads elsewhere; as add().
+  /// Lets `alias` lead to the entry of that label. @throws BadInput if the alias reads as a label
+  /// (catalog/label.hpp) or leads to another design; as add().
   void alias(std::string_view alias, std::string_view label);
+
+  /// Takes an alias of the user's out, whatever it leads to, and returns that. @throws BadInput if
+  /// there is none; as add().
+  std::string remove_alias(std::string_view alias);
+
+  /// What is wrong in the user's file itself: rows that contradict their lines, aliases that lead
+  /// nowhere or read as labels, an index that misses rows. That entries are designs is for
+  /// curator/audit.hpp. Empty if there is no file. Reads it all.
+  struct Fault {
+    std::string label;  ///< or the alias, or "your own catalog"
+    std::string what;
+  };
+  [[nodiscard]] std::vector<Fault> faults() const;
 
   /// The path of the user's file; empty if there is none.
   [[nodiscard]] const std::string& user_path() const;

@@ -52,6 +52,11 @@ struct DesignLabel {
 /// nullopt if the text is not what design_label() writes.
 [[nodiscard]] std::optional<DesignLabel> parse_design_label(std::string_view text);
 
+/// Whether a reader could take the text for a label or the beginning of one, of a cell or of a
+/// design: "20", "20.5.2.linear.29". Small letters, large ones and blanks make no difference. No
+/// alias is such a text.
+[[nodiscard]] bool reads_as_label(std::string_view text);
+
 /// The checksum of a list of blocks as it is read, and how many there were.
 struct DesignDigest {
   Checksum checksum = {};

@@ -28,6 +28,10 @@ void choose_catalog(std::string path);
 /// What is wrong with the user's file, as Catalog::problem(); empty if the catalog was not asked for anything.
 [[nodiscard]] std::string standard_catalog_problem();
 
+/// What else is to be said of it, as Catalog::remark(); empty if the catalog was not asked for
+/// anything.
+[[nodiscard]] std::string standard_catalog_remark();
+
 /// The one catalog of this process.
 [[nodiscard]] Catalog& standard_catalog();
 

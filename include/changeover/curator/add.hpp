@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,11 +40,38 @@ struct Newcomer {
 /// than a line of a catalog may be; InternalError if a valid design has fewer blocks than a bound allows.
 [[nodiscard]] Newcomer newcomer_of(const Design& design, const Introduction& introduction);
 
-/// The label of an entry of the same cell with as many blocks that is the same design up to names of elements, rotation and reversal,
-/// and has another label; not looked for if v or b exceed `largest_compared`. Retracted ones count.
+/// Which designs are the same up to names of elements, rotation and reversal. Each entry of the
+/// catalog is built and brought into canonical form (isomorphism/isomorphism.hpp) at most once, and
+/// not before it is needed: many designs held against a large cell cost as much as both together,
+/// and not as much as all pairs. The catalog must outlive this.
+class SameDesigns {
+ public:
+  explicit SameDesigns(const Catalog& catalog) : catalog_(&catalog) {}
+
+  /// The label of an entry of the same cell with as many blocks that is the same design and has
+  /// another label; nullopt if v or b exceed `largest_compared`. Retracted ones count. Knows the
+  /// catalog as it was when a design of that cell was first asked for.
+  [[nodiscard]] std::optional<std::string> find(const CatalogEntry& entry);
+
+  /// An entry that is to be in the catalog soon, and counts from now on.
+  void remember(const CatalogEntry& entry);
+
+ private:
+  struct Class {
+    std::vector<CatalogEntry> waiting;                     // not yet looked at, the last first
+    std::map<Checksum, std::vector<std::string>> by_form;  // of each canonical form two labels
+  };
+  Class& class_of(const CatalogEntry& entry);
+  static void put(Class& known, const CatalogEntry& entry);
+
+  const Catalog* catalog_;
+  std::map<std::pair<Parameters, std::uint64_t>, Class> classes_;
+};
+inline constexpr std::uint64_t largest_compared = 1000;
+
+/// SameDesigns for one design.
 [[nodiscard]] std::optional<std::string> same_in_catalog(const Catalog& catalog,
                                                          const CatalogEntry& entry);
-inline constexpr std::uint64_t largest_compared = 1000;
 
 /// A cell that becomes better by a new design.
 struct Gain {

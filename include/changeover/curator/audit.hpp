@@ -4,6 +4,8 @@
 //     const Audit audit = audit_catalog(catalog, {.v_to = 20, .best_only = false}, control);
 //     audit.faults.empty();                                 // or what is wrong, entry by entry
 //
+// The user's file is read as a whole: rows that contradict their lines and aliases that lead
+// nowhere are faults.
 // Of each entry the recipe is built, the blocks are verified and their checksum is compared, and the lower bound is computed anew:
 // an entry that claims a larger one says more than is known.
 //
@@ -38,9 +40,11 @@ struct Audit {
   }
 };
 
-/// The labels that a filter lets through, and a checksum of all that their entries say.
+/// The labels that a filter lets through, and a checksum of all that their entries say; what is
+/// wrong in the user's file itself (Catalog::faults()), whatever the filter.
 struct AuditScope {
   std::vector<std::string> labels;
+  std::vector<Audit::Fault> faults;
   std::string checksum;
 };
 [[nodiscard]] AuditScope audit_scope(const Catalog& catalog, const CatalogFilter& filter);

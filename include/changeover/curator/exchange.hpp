@@ -5,8 +5,7 @@
 //     file.commit();
 //
 //     const auto input = open_input("theirs.jsonl");
-//     const Foreign foreign = read_foreign(*input, catalog);
-//     catalog.add(foreign.entries);                            // each one was built and verified
+//     import_foreign(*input, catalog).added;           // how many; each was built and verified
 //
 // A file is as catalog/entry.hpp says. What a stranger's file says of a design is not believed: its recipe is built, its blocks are
 // verified, its lower bound and the reason are computed anew.
@@ -54,6 +53,24 @@ struct Foreign {
 /// file that is no catalog in any case. Stopped.
 [[nodiscard]] Foreign read_foreign(Input& input, const Catalog& catalog,
                                    const ForeignLimits& limits = {});
+
+/// What came of a file that was imported.
+struct Imported {
+  std::uint64_t added = 0;
+  std::uint64_t improved = 0;   ///< of those: better than all that was known of their cells
+  std::uint64_t known = 0;      ///< are in the catalog already, or twice in the file
+  std::uint64_t not_added = 0;  ///< were verified, but the control said stop; import the file again
+  std::vector<std::string> left_out = {};  ///< as Foreign
+};
+
+/// read_foreign() and Catalog::add() for files of any length. Entries that were verified wait on
+/// the disk, so nothing is added before the whole file is known to be good (but for what `skip_bad`
+/// leaves out); then they are added `batch` at a time, and other processes write in between. A
+/// process that is killed leaves whole entries; importing the file again adds the rest. O(n log s)
+/// for n entries and a catalog of s, besides building and verifying; memory for one batch. @throws
+/// as read_foreign(), Catalog::add(); Stopped before anything is added.
+[[nodiscard]] Imported import_foreign(Input& input, Catalog& catalog,
+                                      const ForeignLimits& limits = {}, std::size_t batch = 1000);
 
 // Two catalogs, cell by cell.
 //

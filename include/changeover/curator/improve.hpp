@@ -50,7 +50,7 @@ struct CatalogFind {
 
 /// What the user has that is better than all that comes with the program, the best of each cell.
 struct Submission {
-  std::uint64_t entries = 0;
+  std::vector<std::string> labels;    ///< of the entries, in order
   std::vector<std::string> left_out;  ///< not as they say: label and why, a line each
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 #include <vector>
@@ -106,6 +107,33 @@ std::optional<DesignLabel> parse_design_label(std::string_view text) {
     return std::nullopt;
   }
   return DesignLabel{*p, *b, std::string(rest[1])};
+}
+
+bool reads_as_label(std::string_view text) {
+  std::string plain;
+  for (const char c : text) {
+    if (c != ' ') {
+      plain += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+  }
+  const std::vector<std::string_view> words = parts(plain);
+  const auto is_number = [](std::string_view word) {
+    return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  constexpr std::size_t numbers = 3;  // v, k and the change number; then the kind
+  for (std::size_t i = 0; i < std::min(numbers, words.size()); ++i) {
+    const bool ends_here = i > 0 && i + 1 == words.size() && words[i].empty();
+    if (!is_number(words[i]) && !ends_here) {
+      return false;
+    }
+  }
+  if (words.size() <= numbers) {
+    return true;
+  }
+  const auto is_kind = [&](std::string_view kind) {
+    return words.size() == numbers + 1 ? kind.starts_with(words[numbers]) : kind == words[numbers];
+  };
+  return is_kind(to_string(Kind::linear)) || is_kind(to_string(Kind::circular));
 }
 
 DesignDigest design_digest(BlockSource& source) {

@@ -1,8 +1,11 @@
 #include "catalog/store/database.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
+#include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -13,6 +16,33 @@ namespace {
 
 // How long another process may hold the file before we give up, in milliseconds.
 constexpr int patience = 20'000;
+
+// What SQLite takes: 512 bytes with a zero at the end, and "-journal" must find room.
+constexpr std::size_t longest_path = 500;
+
+std::string_view kind_of(mode_t mode) {
+  return S_ISDIR(mode)    ? "a folder"
+         : S_ISFIFO(mode) ? "a FIFO"
+         : S_ISSOCK(mode) ? "a socket"
+                          : "a device";
+}
+
+// Whether a regular file is there.
+bool is_regular(const std::string& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) {
+    if (errno == ENOENT) {
+      return false;
+    }
+    throw MissingResource(fmt::format("{}: cannot be opened: {}; name another file by --catalog",
+                                      path, std::strerror(errno)));
+  }
+  if (!S_ISREG(status.st_mode)) {
+    throw MissingResource(fmt::format("{}: {}, and not a file; name another file by --catalog",
+                                      path, kind_of(status.st_mode)));
+  }
+  return true;
+}
 
 [[noreturn]] void refuse(sqlite3* database, int code, const std::string& name) {
   const std::string what = database != nullptr ? sqlite3_errmsg(database) : sqlite3_errstr(code);
@@ -92,6 +122,11 @@ void Statement::reset() {
   sqlite3_reset(statement_.get());  // What went wrong was said by step().
 }
 
+std::uint64_t Statement::work() const {
+  return static_cast<std::uint64_t>(
+      sqlite3_stmt_status(statement_.get(), SQLITE_STMTSTATUS_VM_STEP, 0));
+}
+
 std::uint64_t Statement::integer(int column) const {
   return static_cast<std::uint64_t>(sqlite3_column_int64(statement_.get(), column));
 }
@@ -107,6 +142,27 @@ std::string_view Statement::view(int column) const {
 
 std::string Statement::text(int column) const { return std::string(view(column)); }
 
+std::string as_path(const std::string& name) { return name.starts_with('/') ? name : "./" + name; }
+
+bool is_file(const std::string& name) {
+  if (name.empty() || name.find('\0') != std::string::npos) {
+    throw MissingResource("no path of a file; name a file by --catalog");
+  }
+  const bool is_there = is_regular(name);
+  for (const char* const beside : {"-wal", "-shm", "-journal"}) {
+    static_cast<void>(is_regular(name + beside));
+  }
+  std::error_code ignored;
+  const auto whole = std::filesystem::weakly_canonical(name, ignored);
+  if (!ignored && whole.native().size() > longest_path) {
+    throw MissingResource(
+        fmt::format("{}: a path of {} bytes, and SQLite takes {}; name a file with a shorter "
+                    "path by --catalog",
+                    name, whole.native().size(), longest_path));
+  }
+  return is_there;
+}
+
 Database Database::opened(const std::string& path, int flags, std::string name) {
   sqlite3* database = nullptr;
   const int code = sqlite3_open_v2(path.c_str(), &database, flags | SQLITE_OPEN_NOMUTEX, nullptr);
@@ -120,21 +176,28 @@ Database Database::opened(const std::string& path, int flags, std::string name) 
 }
 
 Database Database::open(const std::string& path, Access access) {
+  static_cast<void>(is_file(path));
   int flags = SQLITE_OPEN_READONLY;
   if (access == Access::read_write || access == Access::create) {
     flags = SQLITE_OPEN_READWRITE | (access == Access::create ? SQLITE_OPEN_CREATE : 0);
   }
   if (access != Access::read_unchanging) {
-    return opened(path, flags, path);
+    return opened(as_path(path), flags, path);
   }
-  std::string uri = "file:";
-  for (const char byte : path) {
+  std::string uri = path.starts_with('/') ? "file://" : "file:";  // with no host before the path
+  for (const char byte : as_path(path)) {
     // What has a meaning in an address.
     uri += byte == '?' || byte == '#' || byte == '%'
                ? fmt::format("%{:02x}", static_cast<unsigned char>(byte))
                : std::string(1, byte);
   }
   return opened(uri + "?immutable=1", flags | SQLITE_OPEN_URI, path);
+}
+
+Database Database::temporary() {
+  Database result = opened("", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, "a temporary file");
+  result.run("PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; PRAGMA cache_size = -16000");
+  return result;
 }
 
 Database Database::in_memory() {

@@ -41,6 +41,9 @@ class Statement {
     return *this;
   }
 
+  /// How many steps SQLite's machine took for it so far: work that does not depend on the clock.
+  [[nodiscard]] std::uint64_t work() const;
+
   [[nodiscard]] std::uint64_t integer(int column) const;
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] std::string_view view(int column) const;  ///< until the next step()
@@ -69,6 +72,16 @@ class ResetLater {
   Statement* statement_;
 };
 
+/// A name as SQLite takes it for a path, whatever it looks like: ":memory:" and
+/// "file:mine.db?mode=memory" are files, too.
+[[nodiscard]] std::string as_path(const std::string& name);
+
+/// Whether a file is there for SQLite to open. @throws MissingResource in one line if something
+/// else is there (a folder, a FIFO, a device, a socket), or where its journals belong, or nothing
+/// can be there: a folder on the way is none or may not be searched, the path is longer than SQLite
+/// takes.
+[[nodiscard]] bool is_file(const std::string& name);
+
 enum class Access : std::uint8_t {
   read,
   read_unchanging,  ///< the file and its folder cannot be written by anybody, as SQLite is told
@@ -78,8 +91,12 @@ enum class Access : std::uint8_t {
 
 class Database {
  public:
-  /// @throws as the summary says.
+  /// The name is a path, always. @throws as the summary says; as is_file().
   [[nodiscard]] static Database open(const std::string& path, Access access);
+
+  /// An empty one in a file that has no name and goes away with this; beyond some 16 MB it takes
+  /// room on the disk and no memory.
+  [[nodiscard]] static Database temporary();
 
   /// An empty one in memory, or the image of one, which nobody can write and which must outlive this.
   [[nodiscard]] static Database in_memory();

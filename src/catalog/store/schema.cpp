@@ -79,7 +79,8 @@ void keep_copy(const Database& database, int version) {
   std::error_code error;
   std::filesystem::remove(unfinished, error);  // of a process that had this number before
   Statement copy = database.prepare("VACUUM INTO ?");
-  copy.bind(1, unfinished);
+  const std::string target = as_path(unfinished);
+  copy.bind(1, target);
   copy.step();
   const int descriptor = ::open(unfinished.c_str(), O_RDONLY | O_CLOEXEC);
   const bool is_safe = descriptor >= 0 && ::fsync(descriptor) == 0;

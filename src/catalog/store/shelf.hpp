@@ -23,7 +23,8 @@
 namespace changeover {
 
 inline constexpr std::string_view entry_columns =
-    "design.label, design.line, credit.json, v, k, change, kind, strength, b FROM design LEFT JOIN credit ON "
+    "design.label, design.line, credit.json, v, k, change, kind, strength, b, lower_bound, "
+    "carries_blocks, construction, date FROM design LEFT JOIN credit ON "
     "credit.id = design.credit ";
 inline constexpr std::string_view of_cell =
     "WHERE k = ? AND v = ? AND change = ? AND kind = ? AND strength = ? ";
@@ -36,8 +37,8 @@ class Shelf {
   explicit Shelf(Database database)
       : database_(std::move(database)),
         cell_(database_.prepare(fmt::format("SELECT {}{}{}", entry_columns, of_cell, as_ranked))),
-        counts_(database_.prepare(
-            fmt::format("SELECT label, b, carries_blocks FROM design {}{}", of_cell, as_ranked))),
+        counts_(database_.prepare(fmt::format(
+            "SELECT label, b, carries_blocks FROM design {}ORDER BY b, label", of_cell))),
         label_(database_.prepare(fmt::format("SELECT {}WHERE label = ?", entry_columns))),
         has_(database_.prepare("SELECT 1 FROM design WHERE label = ?")),
         begins_(database_.prepare(
@@ -76,6 +77,11 @@ class Shelf {
           std::array{row.integer(3), row.integer(4), row.integer(5), row.integer(6), row.integer(7),
                      row.integer(8)}) {
         throw BadInput("it stands where a design of other parameters or blocks belongs");
+      }
+      if (std::array{entry.lower_bound, std::uint64_t{entry.carries_blocks() ? 1U : 0U}} !=
+              std::array{row.integer(9), row.integer(10)} ||
+          entry.recipe.construction != row.view(11) || entry.credit.date != row.view(12)) {
+        throw BadInput("its row says another bound, construction or day than its line");
       }
       return entry;
     } catch (const BadInput& fault) {

@@ -13,7 +13,11 @@ class Adapter {
  public:
   using json = nlohmann::json;
 
-  Adapter(const JsonText& source, JsonHandler& handler) : source_(source), handler_(&handler) {}
+  // The parser passes over a byte order mark without a word.
+  Adapter(const JsonText& source, JsonHandler& handler)
+      : source_(source),
+        handler_(&handler),
+        cursor_(source.text.size() - without_byte_order_mark(source.text).size()) {}
 
   // The parser's interface, so its names.
   bool null() { return emit(JsonEvent::Type::null, literal()); }
@@ -101,8 +105,8 @@ class Adapter {
 
   const JsonText& source_;
   JsonHandler* handler_;
-  std::size_t cursor_ = 0;  // after the last event
-  std::size_t start_ = 0;   // of the last event
+  std::size_t cursor_;     // after the last event
+  std::size_t start_ = 0;  // of the last event
   std::size_t depth_ = 0;
 };
 

@@ -79,6 +79,25 @@ TEST(Label, IsNothingElse) {
   EXPECT_TRUE(parse_design_label("20.5.2.linear.t3.39.3fa9c1d2"));
 }
 
+// What no alias may be: whatever is the beginning of a label, or looks like it.
+TEST(Label, ReadsAsOne) {
+  for (const std::string label : {"20.5.2.linear.39.3fa9c1d2", "6.4.1.circular.t3.12.00000000"}) {
+    for (std::size_t length = 1; length <= label.size(); ++length) {
+      EXPECT_TRUE(reads_as_label(label.substr(0, length))) << label.substr(0, length);
+    }
+  }
+  for (const char* const text :
+       {"20.5.2.LINEAR.29", " 20.5.2.linear.29", "20 .5.2.linear", "020.5.2.linear.29",
+        "3.5.2.linear", "20.5.2.linear.29.3FA9C1D2", "20.5.2.linear.x", "20 5"}) {
+    EXPECT_TRUE(reads_as_label(text)) << text;
+  }
+  for (const char* const text :
+       {"", " ", ".", "nice", "example-7", "20.5.2.line.29", "20..2", "x20", "20.5.2.linearly",
+        "20-5-2", "linear", "20.5.2-old", "v20.5.2"}) {
+    EXPECT_FALSE(reads_as_label(text)) << text;
+  }
+}
+
 // The digest is that of the text without comments.
 TEST(Label, DigestIsThatOfTheText) {
   std::mt19937 random(2);

@@ -111,13 +111,14 @@ Answer run(const AddRequest& request) {
     inputs.emplace_back("the design", path);
   }
   check_inputs(request.output, inputs);
-  Catalog& catalog = request.catalog.open();
+  Catalog& catalog = request.catalog.open_to_change(request.output);
   const Introduction introduction{
       .credit = {.who = request.who, .date = today(), .program = "", .command = ""},
       .cites = words_of(request.cites),
       .note = request.note};
   std::vector<Arrival> arrivals;
   std::string refusals;
+  SameDesigns same(catalog);
   for (const std::string& path : request.paths) {
     const auto input = open_design(path, request.declared.reading());
     const Newcomer newcomer = newcomer_of(read_all(*input), introduction);
@@ -132,11 +133,14 @@ Answer run(const AddRequest& request) {
       arrival.before = catalog.fewest(entry.parameters);
       const auto offer = Registry::standard().best(entry.parameters);
       arrival.built = offer ? std::optional(offer->b) : std::nullopt;
-      arrival.same_as = same_in_catalog(catalog, entry);
+      arrival.same_as = same.find(entry);
       if (arrival.same_as && !request.even_isomorphic) {
         arrival.outcome = "isomorphic";
       } else if (!offer || entry.b < offer->b) {
         arrival.gains = gains_of(entry);
+      }
+      if (arrival.outcome.empty()) {
+        same.remember(entry);  // The files after it may have the same design.
       }
     }
     arrivals.push_back(std::move(arrival));
@@ -170,7 +174,11 @@ Answer run(const AddRequest& request) {
     write_json(json, arrival);
   }
   json.end_array();
-  return text_answer(request.output.json() ? json.take() + "\n" : text, request.output);
+  Answer answer = text_answer(request.output.json() ? json.take() + "\n" : text, request.output);
+  if (!entries.empty()) {
+    answer.done_before = catalog_was_changed;
+  }
+  return answer;
 }
 
 }  // namespace

@@ -39,41 +39,45 @@ Answer run_export(const ExportRequest& request) {
 
 Answer run_import(const ImportRequest& request) {
   check_inputs(request.output, {{"the catalog", request.path}});
-  Catalog& catalog = request.catalog.open();
+  Catalog& catalog = request.catalog.open_to_change(request.output);
   const auto input = open_input(request.path);
   const auto running = std::make_shared<Running>(request.run, request.output);
-  Foreign foreign;
+  Imported imported;
   try {
-    foreign = read_foreign(*input, catalog, {.skip_bad = request.skip_bad});
+    imported = import_foreign(*input, catalog, {.skip_bad = request.skip_bad});
   } catch (const Stopped&) {
     running->finish();
     return spoken(running, text_answer("stopped: nothing was added\n", request.output,
                                        exit_code::limit_reached));
   }
   running->finish();
-  std::uint64_t improved = 0;
-  if (!foreign.entries.empty()) {
-    for (const Added what : catalog.add(foreign.entries)) {
-      improved += what == Added::improved ? 1U : 0U;
-    }
-  }
   std::string text =
       fmt::format("added: {}, {} of them better than what was known of their cells\n",
-                  count_of(foreign.entries.size(), "design"), improved);
-  text += fmt::format("there already: {}\n", foreign.known);
-  for (const std::string& line : foreign.left_out) {
+                  count_of(imported.added, "design"), imported.improved);
+  text += fmt::format("there already: {}\n", imported.known);
+  if (imported.not_added > 0) {
+    text += fmt::format("stopped: {} not added; import the file again to add the rest\n",
+                        count_of(imported.not_added, "design"));
+  }
+  for (const std::string& line : imported.left_out) {
     text += "left out: " + printable(line) + "\n";
   }
   if (request.output.json()) {
     JsonWriter json;
-    json.begin_object().key("added").value(std::uint64_t{foreign.entries.size()});
-    json.key("improved").value(improved).key("known").value(foreign.known);
-    json.key("left_out").value(foreign.left_out).end_object();
+    json.begin_object().key("added").value(imported.added);
+    json.key("improved").value(imported.improved).key("known").value(imported.known);
+    json.key("not_added").value(imported.not_added);
+    json.key("left_out").value(imported.left_out).end_object();
     text = json.take() + "\n";
   }
-  return spoken(running,
-                text_answer(text, request.output,
-                            foreign.left_out.empty() ? exit_code::done : exit_code::refuted));
+  const int code = imported.not_added > 0       ? exit_code::limit_reached
+                   : !imported.left_out.empty() ? exit_code::refuted
+                                                : exit_code::done;
+  Answer answer = text_answer(text, request.output, code);
+  if (imported.added > 0) {
+    answer.done_before = catalog_was_changed;
+  }
+  return spoken(running, std::move(answer));
 }
 
 }  // namespace
@@ -101,7 +105,7 @@ void add_catalog_import(Program& program) {
                  "changeover catalog import theirs.jsonl --skip-bad"});
   verb.outcomes({{exit_code::done, "all of them are in the catalog"},
                  {exit_code::refuted, "some were left out (--skip-bad)"},
-                 {exit_code::limit_reached, "stopped; nothing was added"}});
+                 {exit_code::limit_reached, "stopped; what was added stays"}});
 }
 
 }  // namespace changeover::cli

@@ -36,7 +36,7 @@ Answer run_improve(const ImproveRequest& request) {
   search.introduction.credit.who = request.who;
   search.introduction.credit.date = today();
   const CatalogFilter filter = request.filter.filter();
-  Catalog& catalog = request.catalog.open();
+  Catalog& catalog = request.catalog.open_to_change(request.output);
   const auto running = std::make_shared<Running>(request.run, request.output);
   const std::vector<CatalogFind> finds =
       improve_catalog(catalog, filter, running->control(), search);
@@ -54,8 +54,12 @@ Answer run_improve(const ImproveRequest& request) {
   json.end_array();
   text += fmt::format("{} better, all in the catalog\n", count_of(finds.size(), "design"));
   const int code = finds.empty() ? exit_code::limit_reached : exit_code::found;
-  return spoken(running, text_answer(request.output.json() ? json.take() + "\n" : text,
-                                     request.output, code));
+  Answer answer =
+      text_answer(request.output.json() ? json.take() + "\n" : text, request.output, code);
+  if (!finds.empty()) {
+    answer.done_before = catalog_was_changed;
+  }
+  return spoken(running, std::move(answer));
 }
 
 Answer run_submit(const SubmitRequest& request) {
@@ -65,7 +69,10 @@ Answer run_submit(const SubmitRequest& request) {
   for (const std::string& line : submission.left_out) {
     status_line().say(printable("changeover: left out, not as it says: " + line));
   }
-  if (submission.entries == 0) {
+  for (const std::string& label : submission.labels) {
+    status_line().say("changeover: submitted: " + label);
+  }
+  if (submission.labels.empty()) {
     return no_design(request.output, exit_code::missing_resource,
                      "Nothing of yours is better than what comes with the program.");
   }

@@ -18,6 +18,7 @@ struct RetractRequest {
 
 struct AliasRequest {
   std::string word, label;
+  bool remove = false;
   CatalogRequest catalog;
   OutputRequest output;
 };
@@ -39,20 +40,34 @@ std::string whole_label(const Catalog& catalog, const std::string& words) {
   return entry->label();
 }
 
+Answer changed(std::string text, const OutputRequest& output) {
+  Answer answer = text_answer(std::move(text), output);
+  answer.done_before = catalog_was_changed;
+  return answer;
+}
+
 Answer run_retract(const RetractRequest& request) {
   require_words("--why", request.why);
-  Catalog& catalog = request.catalog.open();
+  Catalog& catalog = request.catalog.open_to_change(request.output);
   const std::string label = whole_label(catalog, request.label);
   catalog.retract(label, request.why);
-  return text_answer(fmt::format("retracted: {}\n", label), request.output);
+  const std::string asked =
+      label == request.label ? "" : fmt::format(" (found by {})", printable(request.label));
+  return changed(fmt::format("retracted: {}{}\n", label, asked), request.output);
 }
 
 Answer run_alias(const AliasRequest& request) {
   require_words("WORD", request.word);
-  Catalog& catalog = request.catalog.open();
+  Catalog& catalog = request.catalog.open_to_change(request.output);
+  if (request.remove) {
+    const std::string behind = catalog.remove_alias(request.word);
+    return changed(
+        fmt::format("{} leads to {} no more\n", printable(request.word), printable(behind)),
+        request.output);
+  }
   const std::string label = whole_label(catalog, request.label);
   catalog.alias(request.word, label);
-  return text_answer(fmt::format("{} leads to {}\n", request.word, label), request.output);
+  return changed(fmt::format("{} leads to {}\n", request.word, label), request.output);
 }
 
 }  // namespace
@@ -73,10 +88,18 @@ void add_catalog_alias(Program& program) {
   auto [verb, request] =
       program.add("catalog-alias", "another word for a design of the catalog", run_alias);
   verb.positional("WORD", request.word, "what is to lead there");
-  verb.positional("LABEL", request.label, "of the design");
+  verb.positional("LABEL", request.label, "of the design", false);
+  verb.flag("--remove", request.remove, "take WORD out, whatever it leads to");
+  verb.require([&request = request] {
+    if (request.remove != request.label.empty()) {
+      throw UsageError{request.remove ? "--remove takes WORD alone; leave LABEL out"
+                                      : "LABEL is missing: name the design that WORD leads to"};
+    }
+  });
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"text"});
-  verb.examples({"changeover catalog alias example-7 20.5.2.linear.39.3fa9c1d2"});
+  verb.examples({"changeover catalog alias example-7 20.5.2.linear.39.3fa9c1d2",
+                 "changeover catalog alias --remove example-7"});
 }
 
 }  // namespace changeover::cli
