@@ -314,23 +314,21 @@ std::optional<Offer> KnownDesigns::best(const Parameters& p) {
 }
 
 const Bound& KnownDesigns::bound(const Parameters& p) {
-  const auto [place, is_new] = bounds_.try_emplace(p);
-  if (is_new) {
-    stop_if_asked();
-    place->second = lower_bound(p);
+  const auto found = bounds_.find(p);
+  if (found != bounds_.end()) {
+    return found->second;
   }
-  return place->second;
+  stop_if_asked();
+  return bounds_.emplace(p, lower_bound(p)).first->second;
 }
 
 bool KnownDesigns::possible(const Parameters& p) {
   if (p.k < 2 || p.v <= p.k || p.change > p.k || p.v > largest_v_of_a_plan) {
     return false;
   }
-  const auto [place, is_new] = possible_.try_emplace(p);
-  if (is_new) {
-    place->second = !impossibility(p);
-  }
-  return place->second;
+  const auto found = possible_.find(p);
+  return found != possible_.end() ? found->second
+                                  : possible_.emplace(p, !impossibility(p)).first->second;
 }
 
 bool KnownDesigns::comes_settled(const Parameters& p) const {

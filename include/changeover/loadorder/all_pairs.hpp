@@ -165,7 +165,8 @@ class CallbackItems final : public ItemSource {
 struct ItemView {
   Element item = 0;
   std::span<const std::byte> bytes;  ///< until compute() returns, or for as long as keep() is held
-  const std::shared_ptr<const std::byte>* memory = nullptr;  ///< of the executor, which owns the bytes
+  const std::shared_ptr<const std::byte>* memory =
+      nullptr;  ///< of the executor, which owns the bytes
 
   /// Owns the bytes beyond the call: while it is held, they are not written to. The executor then takes other memory for the
   /// next item, beyond its room. Empty for a view that no executor made.

@@ -8,8 +8,8 @@
 
 #include "changeover/plan/sheet_formats.hpp"
 #include "damage.hpp"
-#include "io/write/csv_cell.hpp"
 #include "io/scan/row_reader.hpp"
+#include "io/write/csv_cell.hpp"
 #include "random_jobs.hpp"
 #include "some_names.hpp"
 
