@@ -178,7 +178,7 @@ class KnownDesigns::Cell {
         continue;
       }
       const Parameters q = changed(s, p_.k, m / s);
-      if (const Ptr source = useful(q, levels(q), 0, false)) {
+      if (const Ptr source = useful(q, 2, 0, false)) {
         take(blow_up_recipe(source->offer.recipe, s), source->offer.b, *source);
       }
     }
@@ -253,30 +253,43 @@ class KnownDesigns::Cell {
     }
   }
 
-  // New elements at the positions of a cover, which is searched for only if the smallest there can be would help.
+  // New elements at the positions of a cover, which is searched for only if the smallest there can be would help, and
+  // for a few designs only: those that promise most.
   void expand() {
+    struct Promising {
+      std::uint64_t b, w, added;
+    };
+    std::vector<Promising> sources;
     for (std::uint64_t w = 1; p_.change < p_.k && p_.v > p_.k + w; ++w) {
       const Parameters q = with(p_, p_.v - w, p_.k);
+      if (p_.change >= 3 && w > p_.change) {
+        break;
+      }
       if (!new_elements_fit(q, w)) {
-        if (p_.change >= 3 && w > p_.change) {
-          break;
-        }
         continue;
       }
       constexpr std::uint64_t any = std::numeric_limits<std::uint32_t>::max();
       const auto added = partial_expansion_count(q, 0, smallest_cover(q, any), w);
-      if (!added || !helps(*added + 1)) {
+      if (!added || !helps(*added + counting_bound(q))) {
         continue;
       }
-      const Ptr source = useful(q, level_ - 1, *added);
-      if (!source) {
-        continue;
+      if (const Ptr source = useful(q, 1, 0)) {
+        sources.push_back({source->offer.b + *added, w, *added});
       }
-      const auto& cover = all_.cover_of(source);
-      const auto made =
-          cover ? partial_expansion_count(q, source->offer.b, *cover, w) : std::nullopt;
-      if (made && helps(*made)) {
-        take(partial_expansion_recipe(source->offer.recipe, *cover, w), *made, *source);
+    }
+    constexpr std::size_t most_sources = 20;
+    std::stable_sort(sources.begin(), sources.end(),
+                     [](const Promising& a, const Promising& b) { return a.b < b.b; });
+    sources.resize(std::min(sources.size(), most_sources));
+    for (const auto& [b, w, added] : sources) {
+      const Parameters q = with(p_, p_.v - w, p_.k);
+      if (const Ptr source = useful(q, level_ - 1, added)) {
+        const auto& cover = all_.cover_of(source);
+        const auto made =
+            cover ? partial_expansion_count(q, source->offer.b, *cover, w) : std::nullopt;
+        if (made && helps(*made)) {
+          take(partial_expansion_recipe(source->offer.recipe, *cover, w), *made, *source);
+        }
       }
     }
   }
@@ -314,23 +327,21 @@ std::optional<Offer> KnownDesigns::best(const Parameters& p) {
 }
 
 const Bound& KnownDesigns::bound(const Parameters& p) {
-  const auto [place, is_new] = bounds_.try_emplace(p);
-  if (is_new) {
-    stop_if_asked();
-    place->second = lower_bound(p);
+  const auto found = bounds_.find(p);
+  if (found != bounds_.end()) {
+    return found->second;
   }
-  return place->second;
+  stop_if_asked();
+  return bounds_.emplace(p, lower_bound(p)).first->second;
 }
 
 bool KnownDesigns::possible(const Parameters& p) {
   if (p.k < 2 || p.v <= p.k || p.change > p.k || p.v > largest_v_of_a_plan) {
     return false;
   }
-  const auto [place, is_new] = possible_.try_emplace(p);
-  if (is_new) {
-    place->second = !impossibility(p);
-  }
-  return place->second;
+  const auto found = possible_.find(p);
+  return found != possible_.end() ? found->second
+                                  : possible_.emplace(p, !impossibility(p)).first->second;
 }
 
 bool KnownDesigns::comes_settled(const Parameters& p) const {

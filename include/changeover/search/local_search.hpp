@@ -6,8 +6,8 @@
 //     found.how;                            // "best recipe", or how a better one was found
 //     found.why_stopped;                    // a limit, here that of the moves
 //
-// Contract. The result is verified, and has no more blocks than the best recipe that is known (the
-// planner's for v ≤ 120, else the registry's), whatever happens: if there is no memory for the search, or v is too
+// Contract. The result is verified, and has no more blocks than the best recipe that is known (by
+// construct/planner.hpp), whatever happens: if there is no memory for the search, or v is too
 // large for it, that design is handed out and `unsearched` says why. Only if `control` says stop a second
 // before even that is built there is none. What is sought is a design with
 // `target` blocks, or with as many as the lower bound says. With one thread and a limit of moves

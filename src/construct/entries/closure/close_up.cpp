@@ -72,8 +72,9 @@ std::optional<Made> close_up_recipe(const Recipe& input, const Design& design) {
   }
   Parameters smaller = p;
   --smaller.v;
-  return Made{{"close-up", smaller, {{"element", *x}}, {input}, {}},
-              closed_up(design, *x)->block_count()};
+  // First of all: thrown between the parts of a braced list, a stop would have g++ 12 destroy some of them twice.
+  const std::uint64_t b = closed_up(design, *x)->block_count();
+  return Made{{"close-up", smaller, {{"element", *x}}, {input}, {}}, b};
 }
 
 const Construction& close_up_construction() { return only<CloseUp>(); }

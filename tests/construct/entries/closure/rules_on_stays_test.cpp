@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "changeover/construct/closure.hpp"
+#include "changeover/run/scope.hpp"
 #include "construct/tools/close_up.hpp"
 #include "construct/tools/coarsen.hpp"
 #include "construction_checks.hpp"
@@ -98,6 +101,24 @@ TEST(Interpolate, MakesEachStepInSmallerOnes) {
   EXPECT_EQ(interpolate_recipe(input, 4), input);
   EXPECT_THROW((void)interpolate_recipe(input, 3), BadInput);
   EXPECT_THROW((void)interpolate_recipe(input, 0), BadInput);
+}
+
+// Wherever the stop comes, what was half made is taken apart once. Where it comes is up to the clock, so many are tried.
+TEST(CloseUp, StopsWhereverItIs) {
+  const Design design = standard().build_design(best(120, 12, 1, Kind::linear));
+  std::size_t stopped = 0;
+  std::size_t finished = 0;
+  for (int microseconds = 0; finished < 3; microseconds += 20) {
+    RunControl control({.time = std::chrono::microseconds(microseconds)});
+    const RunScope scope(control);
+    try {
+      EXPECT_TRUE(close_up_recipe(*design.recipe, design));
+      ++finished;
+    } catch (const Stopped&) {
+      ++stopped;
+    }
+  }
+  EXPECT_GT(stopped, 0U);
 }
 
 TEST(RulesOnStays, RefuseSpoiltRecipes) {
