@@ -178,7 +178,7 @@ class KnownDesigns::Cell {
         continue;
       }
       const Parameters q = changed(s, p_.k, m / s);
-      if (const Ptr source = useful(q, levels(q), 0, false)) {
+      if (const Ptr source = useful(q, 2, 0, false)) {
         take(blow_up_recipe(source->offer.recipe, s), source->offer.b, *source);
       }
     }
@@ -253,30 +253,43 @@ class KnownDesigns::Cell {
     }
   }
 
-  // New elements at the positions of a cover, which is searched for only if the smallest there can be would help.
+  // New elements at the positions of a cover, which is searched for only if the smallest there can be would help, and
+  // for a few designs only: those that promise most.
   void expand() {
+    struct Promising {
+      std::uint64_t b, w, added;
+    };
+    std::vector<Promising> sources;
     for (std::uint64_t w = 1; p_.change < p_.k && p_.v > p_.k + w; ++w) {
       const Parameters q = with(p_, p_.v - w, p_.k);
+      if (p_.change >= 3 && w > p_.change) {
+        break;
+      }
       if (!new_elements_fit(q, w)) {
-        if (p_.change >= 3 && w > p_.change) {
-          break;
-        }
         continue;
       }
       constexpr std::uint64_t any = std::numeric_limits<std::uint32_t>::max();
       const auto added = partial_expansion_count(q, 0, smallest_cover(q, any), w);
-      if (!added || !helps(*added + 1)) {
+      if (!added || !helps(*added + counting_bound(q))) {
         continue;
       }
-      const Ptr source = useful(q, level_ - 1, *added);
-      if (!source) {
-        continue;
+      if (const Ptr source = useful(q, 1, 0)) {
+        sources.push_back({source->offer.b + *added, w, *added});
       }
-      const auto& cover = all_.cover_of(source);
-      const auto made =
-          cover ? partial_expansion_count(q, source->offer.b, *cover, w) : std::nullopt;
-      if (made && helps(*made)) {
-        take(partial_expansion_recipe(source->offer.recipe, *cover, w), *made, *source);
+    }
+    constexpr std::size_t most_sources = 20;
+    std::stable_sort(sources.begin(), sources.end(),
+                     [](const Promising& a, const Promising& b) { return a.b < b.b; });
+    sources.resize(std::min(sources.size(), most_sources));
+    for (const auto& [b, w, added] : sources) {
+      const Parameters q = with(p_, p_.v - w, p_.k);
+      if (const Ptr source = useful(q, level_ - 1, added)) {
+        const auto& cover = all_.cover_of(source);
+        const auto made =
+            cover ? partial_expansion_count(q, source->offer.b, *cover, w) : std::nullopt;
+        if (made && helps(*made)) {
+          take(partial_expansion_recipe(source->offer.recipe, *cover, w), *made, *source);
+        }
       }
     }
   }

@@ -98,25 +98,27 @@ std::optional<Offer> best_known(const Registry& registry, const Parameters& p) {
   return KnownDesigns(registry).best(p);
 }
 
-std::optional<VerifiedDesign> best_known_design(const Parameters& p) {
+VerifiedDesign built_design(const Offer& offer) {
   const Registry& registry = Registry::standard();
-  const auto best = best_known(registry, p);
-  if (!best) {
-    return std::nullopt;
-  }
-  require_memory(checked_multiply(checked_multiply(best->b, p.k), sizeof(Element)),
+  const Parameters& p = offer.recipe.parameters;
+  require_memory(checked_multiply(checked_multiply(offer.b, p.k), sizeof(Element)),
                  "the best design that is known, the " + name(p) + ",");
-  const std::unique_ptr<BlockSource> blocks = registry.build(best->recipe);
+  const std::unique_ptr<BlockSource> blocks = registry.build(offer.recipe);
   Design design(p);
-  design.reserve(static_cast<std::size_t>(best->b));
+  design.reserve(static_cast<std::size_t>(offer.b));
   Block block(static_cast<std::size_t>(p.k));
   while (blocks->next(block)) {
     stop_if_asked();
     design.append(block);
   }
-  design.set_labels(registry.construction_of(best->recipe).labels(best->recipe, registry));
-  design.recipe = best->recipe;
+  design.set_labels(registry.construction_of(offer.recipe).labels(offer.recipe, registry));
+  design.recipe = offer.recipe;
   return surely_verified(std::move(design), "the best recipe for the " + name(p));
+}
+
+std::optional<VerifiedDesign> best_known_design(const Parameters& p) {
+  const auto best = best_known(Registry::standard(), p);
+  return best ? std::optional(built_design(*best)) : std::nullopt;
 }
 
 }  // namespace changeover

@@ -99,9 +99,12 @@ class Plan {
 /// serves p. @throws as check(); InternalError as plan_range().
 [[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p);
 
-/// The best design that is known without search, built; nullopt if there is no recipe. Listens to the scope of
-/// this thread (run/scope.hpp). @throws as check(); MissingResource if it is too large; InternalError if it
-/// does not verify.
+/// The design of an offer of the standard registry, built. Listens to the scope of this thread (run/scope.hpp).
+/// @throws MissingResource if it is too large; InternalError if it does not verify.
+[[nodiscard]] VerifiedDesign built_design(const Offer& offer);
+
+/// The best design that is known without search, built; nullopt if there is no recipe. @throws as best_known() and
+/// built_design().
 [[nodiscard]] std::optional<VerifiedDesign> best_known_design(const Parameters& p);
 
 }  // namespace changeover
