@@ -14,14 +14,14 @@ function(changeover_try_optional variable name project source)
   file(REMOVE_RECURSE "${folder}")
   file(WRITE "${folder}/tried.cpp" "${source}\n")
   file(WRITE "${folder}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.25)\nproject(tried LANGUAGES C CXX)\n${project}\n")
-  # What a user names for the whole build counts here, too.
-  get_cmake_property(variables CACHE_VARIABLES)
-  list(FILTER variables INCLUDE REGEX
-       "^(CMAKE_(C|CXX)_COMPILER|CMAKE_(C|CXX)_FLAGS|CMAKE_MAKE_PROGRAM|CMAKE_PREFIX_PATH|CMAKE_TOOLCHAIN_FILE|MPI.*|Python.*|pybind11.*)$")
+  # What a user names for the whole build counts here, too; what CMake found for itself it is to find again.
   set(settings)
-  foreach(each IN LISTS variables)
-    if(NOT "${${each}}" STREQUAL "")
-      list(APPEND settings "-D${each}=${${each}}")
+  foreach(each CMAKE_C_COMPILER CMAKE_CXX_COMPILER CMAKE_C_FLAGS CMAKE_CXX_FLAGS CMAKE_MAKE_PROGRAM CMAKE_PREFIX_PATH
+          CMAKE_TOOLCHAIN_FILE MPI_HOME MPI_CXX_COMPILER Python_EXECUTABLE Python_ROOT_DIR Python_INCLUDE_DIR pybind11_DIR
+          pybind11_ROOT)
+    if(DEFINED ${each} AND NOT "${${each}}" MATCHES "^$|-NOTFOUND$")
+      string(REPLACE ";" "\\;" value "${${each}}")
+      list(APPEND settings "-D${each}=${value}")
     endif()
   endforeach()
   execute_process(

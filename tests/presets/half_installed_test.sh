@@ -48,6 +48,10 @@ uses MPI CHANGEOVER_WITH_MPI "$has_mpi"
 [[ ! -e /usr/include/pybind11/pybind11.h || ! -e $(/usr/bin/python3 -c 'import sysconfig; print(sysconfig.get_path("include"))')/Python.h ]] ||
   uses Python 'python/changeover/_core' yes
 
+# A build folder that knows nothing of having tried, but has what CMake found.
+"$cmake" -U 'CHANGEOVER_*_WORKS' "$folder/build" >"$folder/log" 2>&1 || fault 'configured again: not configured'
+uses 'MPI, configured again' CHANGEOVER_WITH_MPI "$has_mpi"
+
 # openmpi-bin without libopenmpi-dev: the compiler's wrapper names folders and libraries that are not there.
 mkdir -p "$folder/mpi-bin/bin"
 cat >"$folder/mpi-bin/bin/mpicxx" <<'END'
