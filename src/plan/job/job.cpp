@@ -227,6 +227,8 @@ std::vector<std::string> defects(const Job& job) {
   return found;
 }
 
+CheckedJob::CheckedJob(Job job) : job_(std::move(job)) { check(job_); }
+
 void check(const Job& job) {
   const std::vector<std::string> found = defects(job);
   if (found.empty()) {

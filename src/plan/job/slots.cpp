@@ -52,8 +52,9 @@ std::vector<Slot> read_slots(Input& input) {
   bool first = true;
   while (const auto next = reader.next()) {
     const Row& row = *next;
-    const bool header = std::exchange(first, false) && lower(row[0].text) == "slot" &&
-                        row.size() > 1 && lower(row[1].text) == "least";
+    const bool header = std::exchange(first, false) && !reader.is_given() &&
+                        lower(row[0].text) == "slot" && row.size() > 1 &&
+                        lower(row[1].text) == "least";
     if (header) {
       continue;
     }
