@@ -103,8 +103,8 @@ Answer run(const DescribeRequest& request) {
 }  // namespace
 
 void add_describe(Program& program) {
-  auto [verb, request] =
-      program.add("describe", "every verb and option of this program, for programs", run);
+  auto [verb, request] = program.add<DescribeRequest>(
+      "describe", "every verb and option of this program, for programs", run);
   request.program = &program;
   verb.choice("--schema", request.schema, {"job"},
               "the JSON Schema of requests of this kind instead");
