@@ -14,12 +14,12 @@
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/fitting.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/job/part_columns.hpp"
 
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
 constexpr const char* write_a_number = "write a number, as in CPU,1,1";
 
 std::optional<std::uint64_t> number(std::string_view text) {
