@@ -68,6 +68,7 @@
 #include "changeover/loadorder/job_results.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/load_request.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/two_levels.hpp"

@@ -40,6 +40,7 @@ from ._core import (  # noqa: E402
     SearchResult,
     Stream,
     Verdict,
+    WorkerLoads,
     __version__,
     all_pairs,
     bounds,
@@ -63,7 +64,7 @@ _sys.modules[__name__ + ".catalog"] = catalog
 __all__ = [
     "BadInput", "BenchSheets", "Blocks", "Bound", "Bounds", "Cell", "Classification", "Design", "Entry", "Error",
     "ImpossibleParameters", "InternalError", "LoadOrder", "MissingResource", "Report", "RunSheet", "SearchResult",
-    "Stream", "Verdict", "__version__", "all_pairs", "bounds", "catalog", "classify", "constructions", "design",
+    "Stream", "Verdict", "WorkerLoads", "__version__", "all_pairs", "bounds", "catalog", "classify", "constructions", "design",
     "explain", "load_order", "loads", "plan", "read", "search", "stream", "table", "to_pandas", "to_sage", "verify",
 ]
 

@@ -359,6 +359,26 @@ class LoadOrder:
     def __iter__(self) -> Iterator[tuple[list[int], list[int]]]: ...
     def __len__(self) -> int: ...
 
+class WorkerLoads:
+    @property
+    def items(self) -> int: ...
+    @property
+    def room(self) -> int: ...
+    @property
+    def loads(self) -> int: ...
+    @property
+    def worker_loads(self) -> list[int]: ...
+    @property
+    def makespan(self) -> int: ...
+    @property
+    def makespan_bound(self) -> int: ...
+    @property
+    def reason(self) -> str: ...
+    @property
+    def certificate(self) -> str: ...
+    def steps(self, worker: int) -> Iterator[tuple[list[int], list[int]]]: ...
+    def __len__(self) -> int: ...
+
 class Report:
     @property
     def finished(self) -> bool: ...
@@ -488,6 +508,7 @@ def plan(
     compact: bool = False,
     steps: int | None = None,
 ) -> BenchSheets: ...
+@overload
 def load_order(
     items: int | None,
     room: int,
@@ -495,11 +516,26 @@ def load_order(
     pairs: Iterable[Iterable[SupportsIndex]] | None = None,
     against: int | None = None,
     done_items: int | None = None,
+    workers: None = None,
     time: float | None = None,
     threads: int = 1,
     seed: int = 1,
     progress: _Progress | None = None,
 ) -> LoadOrder: ...
+@overload
+def load_order(
+    items: int | None,
+    room: int,
+    *,
+    pairs: Iterable[Iterable[SupportsIndex]] | None = None,
+    against: int | None = None,
+    done_items: int | None = None,
+    workers: int,
+    time: float | None = None,
+    threads: int = 1,
+    seed: int = 1,
+    progress: _Progress | None = None,
+) -> WorkerLoads: ...
 def all_pairs(
     path: str,
     item_bytes: int,

@@ -7,6 +7,8 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
 #include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/load_request.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "changeover/run/scope.hpp"
 #include "gil.hpp"
 #include "item_memory.hpp"
@@ -34,24 +36,11 @@ py::tuple next_step(Steps& self) {
   return py::make_tuple(py::cast(step.evict), py::cast(step.load));
 }
 
-// The pairs that are wanted: listed as rows of two item numbers (a NumPy array, too), between two sets, or beyond what is done.
-WantedPairs wanted_by(std::optional<std::uint64_t> items, const py::object& pairs,
-                      std::optional<std::uint64_t> against,
-                      std::optional<std::uint64_t> done_items) {
-  if (int{!pairs.is_none()} + int{against.has_value()} + int{done_items.has_value()} > 1) {
-    throw BadInput("give one of pairs, against and done_items");
-  }
-  if (!items && pairs.is_none()) {
-    throw BadInput("give items, how many there are");
-  }
-  if (against) {
-    return WantedPairs::between(*items, *against);
-  }
-  if (done_items) {
-    return WantedPairs::beyond(*done_items, *items);
-  }
+// Pairs as rows of two item numbers, a NumPy array of them, too.
+std::shared_ptr<const PairGraph> pairs_in(std::optional<std::uint64_t> items,
+                                          const py::object& pairs) {
   if (pairs.is_none()) {
-    return {};
+    return nullptr;
   }
   std::vector<ItemPair> listed;
   std::uint64_t most = 0;
@@ -82,34 +71,59 @@ WantedPairs wanted_by(std::optional<std::uint64_t> items, const py::object& pair
     listed.emplace_back(ends[0], ends[1]);
     most = std::max<std::uint64_t>({most, ends[0] + 1ULL, ends[1] + 1ULL});
   });
-  return WantedPairs::listed(std::make_shared<const PairGraph>(items.value_or(most), listed));
+  return std::make_shared<const PairGraph>(items.value_or(most), listed);
 }
 
-LoadOrder plan_for(const WantedPairs& wanted, std::uint64_t items, std::uint64_t room,
-                   const LoadOrderOptions& options) {
-  return wanted.are_all() ? plan_load_order(items, room, options)
-                          : plan_load_order(wanted, room, options);
+LoadOrder plan_for(const CheckedLoads& asked, const LoadOrderOptions& options) {
+  return asked.wanted().are_all() ? plan_load_order(asked.items(), asked.room(), options)
+                                  : plan_load_order(asked.wanted(), asked.room(), options);
 }
 
-LoadOrder order(std::optional<std::uint64_t> asked_items, std::uint64_t room,
-                const py::object& pairs, std::optional<std::uint64_t> against,
-                std::optional<std::uint64_t> done_items, std::optional<double> time,
-                std::uint64_t threads, std::uint64_t seed, py::object progress) {
-  const WantedPairs wanted = wanted_by(asked_items, pairs, against, done_items);
-  const std::uint64_t items = wanted.are_all() ? *asked_items : wanted.items();
+WorkerSplit split_for(const CheckedLoads& asked, std::uint64_t workers,
+                      const LoadOrderOptions& options) {
+  return asked.wanted().are_all()
+             ? split_load_order(asked.items(), asked.room(), workers, options)
+             : split_load_order(asked.wanted(), asked.room(), workers, options);
+}
+
+py::object order(std::optional<std::uint64_t> items, std::uint64_t room, const py::object& pairs,
+                 std::optional<std::uint64_t> against, std::optional<std::uint64_t> done_items,
+                 std::optional<std::uint64_t> workers, std::optional<double> time,
+                 std::uint64_t threads, std::uint64_t seed, py::object progress) {
+  if (int{!pairs.is_none()} + int{against.has_value()} + int{done_items.has_value()} > 1) {
+    throw BadInput("give one of pairs, against and done_items");
+  }
+  if (!items && pairs.is_none()) {
+    throw BadInput("give items, how many there are");
+  }
   // The time is that of the search for a better order: the order itself is not cut short.
   if (time && !(*time >= 0 && *time <= 1e9)) {
     throw py::value_error("time is a number of seconds, 0 or more");
   }
+  const LoadRequest request{.items = items,
+                            .room = room,
+                            .against = against,
+                            .done_items = done_items,
+                            .workers = workers,
+                            .seconds = time};
+  const CheckedLoads asked = checked_loads(request, Door::document, pairs_in(items, pairs));
   LongWork work({.threads = threads,
                  .seed = seed,
                  .progress = std::move(progress),
                  .keeps_best = time.has_value()});
-  std::optional<LoadOrder> found;
+  std::optional<LoadOrder> one;
+  std::optional<WorkerSplit> split;
+  const auto plan = [&](const LoadOrderOptions& options) {
+    if (workers) {
+      split = split_for(asked, *workers, options);
+    } else {
+      one = plan_for(asked, options);
+    }
+  };
   work.run([&](RunControl& control) {
     LoadOrderOptions options;
     options.seed = seed;
-    found = plan_for(wanted, items, room, options);
+    plan(options);
     if (time) {
       RunControl limited(control, std::chrono::duration<double>(*time));
       options.improve = improve_by_search(limited);
@@ -118,13 +132,20 @@ LoadOrder order(std::optional<std::uint64_t> asked_items, std::uint64_t room,
         search();
       };
       try {
-        found = plan_for(wanted, items, room, options);
+        plan(options);
       } catch (const Stopped&) {
         // Ctrl-C: the order that needed no search is the best so far.
       }
     }
   });
-  return std::move(*found);
+  return workers ? py::cast(std::move(*split)) : py::cast(std::move(*one));
+}
+
+Steps steps_of_worker(const WorkerSplit& self, std::uint64_t worker) {
+  if (worker >= self.facts().workers.size()) {
+    throw py::index_error("there are " + std::to_string(self.facts().workers.size()) + " workers");
+  }
+  return {self.stream(worker)};
 }
 
 // Says which pair compute() was given: as a note of the exception, where Python has notes (3.11).
@@ -217,6 +238,43 @@ void bind_loads(py::module_& module) {
                std::to_string(self.facts().items) + " items, room for " +
                std::to_string(self.facts().room) + ">";
       });
+  py::class_<WorkerSplit>(
+      module, "WorkerLoads",
+      "A load order for several workers: steps (evict, load) of each, after which every pair was in the memory of one of them together.")
+      .def_property_readonly("items", [](const WorkerSplit& self) { return self.facts().items; })
+      .def_property_readonly("room", [](const WorkerSplit& self) { return self.facts().room; })
+      .def_property_readonly(
+          "loads", [](const WorkerSplit& self) { return self.facts().loads; },
+          "Of all workers together.")
+      .def_property_readonly(
+          "worker_loads",
+          [](const WorkerSplit& self) {
+            py::list loads;
+            for (const WorkerFacts& worker : self.facts().workers) {
+              loads.append(worker.loads);
+            }
+            return loads;
+          },
+          "Of each worker.")
+      .def_property_readonly(
+          "makespan", [](const WorkerSplit& self) { return self.facts().makespan; },
+          "The loads of the worker that has most.")
+      .def_property_readonly(
+          "makespan_bound",
+          [](const WorkerSplit& self) { return self.facts().makespan_bound.loads; },
+          "However it is split, some worker has so many.")
+      .def_property_readonly(
+          "reason", [](const WorkerSplit& self) { return self.facts().makespan_bound.reason; },
+          "Of that bound.")
+      .def_property_readonly(
+          "certificate", [](const WorkerSplit& self) { return self.facts().certificate; },
+          "How it was verified, one line.")
+      .def("steps", &steps_of_worker, py::arg("worker"), "The steps of one worker, from 0.")
+      .def("__len__", [](const WorkerSplit& self) { return self.facts().workers.size(); })
+      .def("__repr__", [](const WorkerSplit& self) {
+        return "<WorkerLoads: " + std::to_string(self.facts().workers.size()) +
+               " workers, the busiest has " + std::to_string(self.facts().makespan) + " loads>";
+      });
   py::class_<AllPairsReport>(module, "Report", "What an out-of-core job did.")
       .def_readonly("finished", &AllPairsReport::finished)
       .def_readonly("steps", &AllPairsReport::steps)
@@ -229,13 +287,14 @@ void bind_loads(py::module_& module) {
   module.def(
       "load_order", &order, py::arg("items"), py::arg("room"), py::kw_only(),
       py::arg("pairs") = py::none(), py::arg("against") = py::none(),
-      py::arg("done_items") = py::none(), py::arg("time") = py::none(), py::arg("threads") = 1,
-      py::arg("seed") = 1, py::arg("progress") = py::none(),
+      py::arg("done_items") = py::none(), py::arg("workers") = py::none(),
+      py::arg("time") = py::none(), py::arg("threads") = 1, py::arg("seed") = 1,
+      py::arg("progress") = py::none(),
       "An order of loads after which every pair of `items` items was in memory together, with room for `room`; `time` "
       "seconds of search for a better one. Verified. Iterating gives steps (evict, load).\n\n"
       "pairs: only these must meet, rows of two item numbers, a NumPy array of shape (n, 2), too; items may then be None. "
       "against: each of the items with each of so many others, numbered after them. done_items: the pairs of the first so "
-      "many have met before. Raises BadInput, ImpossibleParameters.");
+      "many have met before. workers: split it for so many, which gives WorkerLoads. Raises BadInput, ImpossibleParameters.");
   module.def(
       "all_pairs", &run, py::arg("path"), py::arg("item_bytes"), py::arg("room"),
       py::arg("compute"), py::kw_only(), py::arg("header_bytes") = 0, py::arg("threads") = 1,

@@ -281,6 +281,28 @@ class Loads(unittest.TestCase):
 
 
 class Benches(unittest.TestCase):
+    def test_workers_share_a_load_order(self):
+        split = changeover.load_order(24, 6, workers=3)
+        self.assertEqual((len(split), split.makespan, split.loads), (3, max(split.worker_loads), sum(split.worker_loads)))
+        self.assertLessEqual(split.makespan_bound, split.makespan)
+        met = set()
+        for worker in range(3):
+            held, loads = set(), 0
+            for evict, load in split.steps(worker):
+                held = held - set(evict) | set(load)
+                loads += len(load)
+                self.assertLessEqual(len(held), 6)
+                met |= set(itertools.combinations(sorted(held), 2))
+            self.assertEqual(loads, split.worker_loads[worker])
+        self.assertEqual(len(met), 24 * 23 // 2)
+        some = changeover.load_order(30, 4, pairs=[(i, i + 1) for i in range(29)], workers=2)
+        self.assertEqual(sum(some.worker_loads), some.loads)
+        with self.assertRaises(IndexError):
+            split.steps(3)
+        for wrong, words in (({"workers": 0}, "^workers 0: give at least 1"), ({"workers": 2**40}, "^workers 1099511627776: give 1 to")):
+            with self.assertRaisesRegex(changeover.BadInput, words):
+                changeover.load_order(24, 6, **wrong)
+
     def test_all_benches_together_do_the_job(self):
         for benches, objective in itertools.product((1, 2, 3), ("makespan", "cost")):
             both = changeover.plan(list("abcdefghi"), 3, test_cost="1.5", change_cost=2, benches=benches, objective=objective)

@@ -48,7 +48,7 @@ def fits(name, document):
 
 
 def check_generated():
-    for kind in ("job",):
+    for kind in ("job", "load-request"):
         kept = root / f"docs/schema/changeover-{kind}-1.json"
         if run("describe", "--schema", kind).stdout != kept.read_text():
             fault(f"{kept.name} is not what `changeover describe --schema {kind}` says; write it anew")
@@ -145,9 +145,45 @@ def check_plans(server, count):
         fault(f"nothing was tried of {missing}")
 
 
+def check_loads(server, count):
+    """The same refusals by the schema and by the program; the same loads at each door that knows the options."""
+    rng = random.Random(2)
+    answered = 0
+    for _ in range(count):
+        ask = {"items": rng.choice([1, 9, 20, 64]), "room": rng.choice([2, 3, 8, 70])}
+        may_be = {"pairs": [[0, 1], [1, 2], [0, 8]], "against": 5, "done_items": 4, "fast_room": 2, "item_bytes": 8, "workers": 3, "disjoint": True,
+                  "write_back": True, "prefetch": True, "new_pairs": True, "ordered": True, "self": True, "shuffle": True, "seed": 4}
+        for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 3])):
+            ask[key] = may_be[key]
+        body = json.dumps(ask)
+        problem = fits("changeover-load-request-1", ask)
+        by_line = run("loadorder", "--request", "-", "--format", "jsonl", stdin=body)
+        if problem and by_line.returncode == 0:
+            fault(f"answered, but against its schema ({problem}): {body}")
+        shown = run("loadorder", "--request", "-", "--show-request", stdin=body)
+        if by_line.returncode == 0 and json.loads(shown.stdout) != {"format": "changeover-load-request/1", **ask} and "pairs" not in ask:
+            fault(f"--show-request says something else: {body} {shown.stdout}")
+        by_server = server.post("api/loadorder", body)
+        for_all = not set(ask) - {"items", "room", "pairs", "against", "done_items", "workers"}
+        if for_all and (by_line.returncode == 0) != ("error" not in by_server):
+            fault(f"the server and the command line disagree: {body} {by_line.stderr} {by_server.get('error')}")
+        if not for_all and "error" not in by_server:
+            fault(f"the server answers what it does not know: {body}")
+        if for_all and by_line.returncode == 0:
+            head = json.loads(by_line.stdout.splitlines()[0])
+            arguments = {key: value for key, value in ask.items() if key not in ("items", "room")}
+            by_python = changeover.load_order(ask["items"], ask["room"], **arguments)
+            if not head["loads"] == by_server["loads"] == by_python.loads:
+                fault(f"loads differ: {body} {head['loads']} {by_server['loads']} {by_python.loads}")
+            answered += 1
+    if answered < count / 10:
+        fault(f"only {answered} of {count} load orders were answered at every door")
+
+
 os.environ["CHANGEOVER_CATALOG"] = ""
 with tempfile.TemporaryDirectory() as folder, Server() as one:
     os.chdir(folder)
     check_generated()
     check_plans(one, 150)
+    check_loads(one, 150)
 sys.exit(1 if faults else 0)

@@ -134,6 +134,16 @@ TEST_F(LoadOrderExamples, Improve) {
   EXPECT_LE(order.facts().loads, plan_load_order(37, 9).facts().loads);
 }
 
+TEST_F(LoadOrderExamples, LoadRequest) {
+  LoadRequest request{.items = 64, .room = 16, .workers = 4};
+  EXPECT_EQ(
+      to_json(request),
+      "{\"format\":\"changeover-load-request/1\",\"items\":64,\"room\":16,\"workers\":4}\n");
+  const CheckedLoads asked = checked_loads(request, Door::document);
+  const WorkerSplit split = split_load_order(asked.items(), asked.room(), *request.workers);
+  EXPECT_EQ(split.facts().workers.size(), 4U);
+}
+
 TEST_F(LoadOrderExamples, Prefetch) {
   std::vector<bool> there(64, false);
   std::uint64_t computed = 0;

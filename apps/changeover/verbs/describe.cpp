@@ -4,6 +4,7 @@
 
 #include "answer/answer.hpp"
 #include "changeover/core/version.hpp"
+#include "changeover/loadorder/load_request.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "io/request/request_schema.hpp"
 #include "io/write/json_writer.hpp"
@@ -86,7 +87,10 @@ std::string as_json(const Program& program) {
 // What each door knows of each kind of question.
 std::string doors() {
   return "## Plans\n\n`plan`, `api/plan`, `changeover.plan()`: format `changeover-job/1`.\n\n" +
-         doors_table(records_of(job_table()));
+         doors_table(records_of(job_table())) +
+         "\n## Load orders\n\n`loadorder`, `api/loadorder`, `changeover.load_order()`: format "
+         "`changeover-load-request/1`.\n\n" +
+         doors_table(records_of(load_table()));
 }
 
 Answer run(const DescribeRequest& request) {
@@ -94,7 +98,8 @@ Answer run(const DescribeRequest& request) {
     return text_answer(doors(), request.output);
   }
   if (!request.schema.empty()) {
-    return text_answer(job_request_schema(), request.output);
+    return text_answer(request.schema == "job" ? job_request_schema() : load_request_schema(),
+                       request.output);
   }
   return text_answer(request.output.json() ? as_json(*request.program) : as_text(*request.program),
                      request.output);
@@ -106,7 +111,7 @@ void add_describe(Program& program) {
   auto [verb, request] = program.add<DescribeRequest>(
       "describe", "every verb and option of this program, for programs", run);
   request.program = &program;
-  verb.choice("--schema", request.schema, {"job"},
+  verb.choice("--schema", request.schema, {"job", "load-request"},
               "the JSON Schema of requests of this kind instead");
   verb.flag("--doors", request.doors,
             "which options the command line, the server and Python know instead, in Markdown");

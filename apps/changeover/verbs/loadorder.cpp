@@ -6,40 +6,26 @@
 #include "answer/loads/step_writer.hpp"
 #include "answer/loads/stored_steps.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/parameters.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/loadorder/disjoint.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/load_request.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/loadorder/write_back.hpp"
 #include "changeover/run/scope.hpp"
 #include "io/write/json_writer.hpp"
-#include "request/inputs.hpp"
+#include "request/request_options.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
 namespace {
 
-struct LoadOrderRequest {
-  std::optional<std::uint64_t> items;
-  std::optional<std::uint64_t> room;
-  std::optional<std::uint64_t> against;
-  std::optional<std::uint64_t> done_items;
-  std::string pairs;
-  std::optional<std::uint64_t> fast_room;
-  std::optional<std::uint64_t> item_bytes;
-  std::optional<std::uint64_t> workers;
-  bool disjoint = false;
-  bool write_back = false;
-  bool prefetch = false;
-  bool new_pairs = false;
-  bool ordered = false;
-  bool self = false;
-  bool shuffle = false;
+struct LoadOrderRequest : LoadRequest {
+  RequestFileRequest file;
   RunRequest run;
   OutputRequest output;
 };
@@ -344,78 +330,21 @@ void write_prefetch(const LoadOrderRequest& request, const PrefetchPlan& plan, s
   writer.end();
 }
 
-// What the options say, before a file is read.
-void check(const LoadOrderRequest& request) {
-  const bool listed = !request.pairs.empty();
-  if (!request.room || (!listed && !request.items)) {
-    throw UsageError{listed ? "--room C is required" : "--items P and --room C are required"};
+// What is asked, by the options and the file together; limits of the search stand in both.
+LoadOrderRequest whole(LoadOrderRequest request) {
+  request.threads = request.run.threads;
+  request.seed = request.run.seed;
+  if (!request.run.time.empty()) {
+    request.seconds = parse_duration(request.run.time, "--time").count();
   }
-  if (request.items && *request.items == 0) {
-    throw UsageError{"--items 0: give at least 1 item"};
+  static_cast<LoadRequest&>(request) =
+      whole_request<LoadRequest>(request, load_table(), request.file.path, load_request);
+  request.run.threads = request.threads;
+  request.run.seed = request.seed;
+  if (request.run.time.empty() && request.seconds) {
+    request.run.time = fmt::format("{}s", *request.seconds);
   }
-  if (*request.room < 2) {
-    throw UsageError{
-        fmt::format("--room {}: no two items could meet; give room for at least 2", *request.room)};
-  }
-  if (*request.room > most_items) {
-    throw UsageError{fmt::format("--room {}: give at most {}, the most items that there can be",
-                                 *request.room, most_items)};
-  }
-  if (request.workers && *request.workers == 0) {
-    throw UsageError{"--workers 0: give at least 1 worker"};
-  }
-  if (request.workers && *request.workers > most_workers) {
-    throw UsageError{fmt::format("--workers {}: give 1 to {}", *request.workers, most_workers)};
-  }
-  if (request.against && *request.against == 0) {
-    throw UsageError{"--against 0: give at least 1 item"};
-  }
-  if (request.done_items && *request.done_items >= *request.items) {
-    throw UsageError{fmt::format("--done-items {}: of --items {} none would be new",
-                                 *request.done_items, *request.items)};
-  }
-  if (request.disjoint && *request.workers > 1 &&
-      *request.items / *request.workers < *request.room) {
-    throw UsageError{fmt::format(
-        "--disjoint: {} workers with room for {} would hold more than {}; give --room {} or less, or "
-        "fewer workers",
-        *request.workers, *request.room, count_of(*request.items, "item"),
-        *request.items / *request.workers)};
-  }
-  if ((request.disjoint || request.fast_room) && *request.items > max_elements_in_memory) {
-    throw UsageError{fmt::format("{}: at most {} items; make items larger",
-                                 request.disjoint ? "--disjoint" : "--fast-room",
-                                 max_elements_in_memory)};
-  }
-  if (request.fast_room && (*request.fast_room < 2 || *request.fast_room > *request.room)) {
-    throw UsageError{fmt::format("--fast-room {}: of --room {} give 2 to {}", *request.fast_room,
-                                 *request.room, *request.room)};
-  }
-  if (request.item_bytes && *request.item_bytes == 0) {
-    throw UsageError{"--item-bytes 0: give at least 1"};
-  }
-  const std::uint64_t most = most_items;
-  if (request.items.value_or(0) > most || request.against.value_or(0) > most) {
-    throw UsageError{fmt::format("--items and --against are at most {}", most)};
-  }
-  if (request.against && *request.items + *request.against > most) {
-    throw UsageError{fmt::format("--items {} and --against {} are {} items together; at most {}",
-                                 *request.items, *request.against,
-                                 *request.items + *request.against, most)};
-  }
-}
-
-WantedPairs wanted_by(const LoadOrderRequest& request) {
-  if (!request.pairs.empty()) {
-    return WantedPairs::listed(read_pairs(request.pairs, {.items = request.items}));
-  }
-  if (request.against) {
-    return WantedPairs::between(*request.items, *request.against);
-  }
-  if (request.done_items) {
-    return WantedPairs::beyond(*request.done_items, *request.items);
-  }
-  return {};
+  return request;
 }
 
 // When memory is full for the first time, all pairs in it are new.
@@ -431,18 +360,27 @@ void require_memory_for_a_step(const LoadOrderRequest& request, const WantedPair
                  fmt::format("a step of --new-pairs with --room {}", room));
 }
 
-Answer run(const LoadOrderRequest& request) {
-  check(request);
-  const WantedPairs wanted = wanted_by(request);
-  const std::uint64_t items = wanted.are_all() ? *request.items : wanted.items();
-  const std::uint64_t room = *request.room;
+Answer run(const LoadOrderRequest& typed) {
+  std::vector<InputFile> files{{"--request", typed.file.path}};
+  check_inputs(typed.output, files);
+  const LoadOrderRequest request = whole(typed);
+  check_options(request, Door::command_line);
+  OutputRequest output = request.output;
+  output.precious = false;  // Without a search the same command makes it again.
+  if (request.file.show) {
+    return text_answer(to_json(request), output);
+  }
+  files.emplace_back("the list of pairs", list_file(request.pairs.file));
+  check_inputs(request.output, files);
+  const CheckedLoads asked = checked_loads(request, Door::command_line);
+  const WantedPairs& wanted = asked.wanted();
+  const std::uint64_t items = asked.items();
+  const std::uint64_t room = asked.room();
   if (request.new_pairs) {
     require_memory_for_a_step(request, wanted, items, room);
   }
   LoadOrderOptions options;
   options.seed = request.run.seed.value_or(1);
-  OutputRequest output = request.output;
-  output.precious = false;  // Without a search the same command makes it again.
   output.check_writable();
   if (request.run.settings().time->count() > 0) {
     options.improve = [&](const Design& start, std::uint64_t blocks) {
@@ -500,52 +438,15 @@ Answer run(const LoadOrderRequest& request) {
 void add_loadorder(Program& program) {
   auto [verb, request] = program.add<LoadOrderRequest>(
       "loadorder", "an order of loads that brings all pairs of items together", run);
-  verb.option("--items", request.items, "P", "items, e.g. partitions of a file");
-  verb.option("--room", request.room, "C", "how many are in memory at once");
-  verb.option(
-      "--pairs", request.pairs, "FILE",
-      "only the pairs listed there, two items per line (text, CSV, .xlsx); \"-\": standard input");
-  verb.option("--against", request.against, "B", "each of the P items with each of B others");
-  verb.option("--done-items", request.done_items, "N", "the pairs of the first N items are done");
-  verb.option("--fast-room", request.fast_room, "C",
-              "so many of those in memory are on an accelerator, where pairs meet");
-  verb.option("--item-bytes", request.item_bytes, "N",
-              "bytes an item, to say what both levels move");
-  verb.option("--workers", request.workers, "W", "split it for W workers with room C each");
-  verb.flag("--disjoint", request.disjoint,
-            "workers step together and never hold one item twice, so that items may change");
-  verb.flag("--write-back", request.write_back,
-            "items change while they are held: say what is stored when");
-  verb.flag("--prefetch", request.prefetch,
-            "say what is computed when, so that loads overlap computation");
-  verb.flag("--new-pairs", request.new_pairs, "say of each step which pairs are computed");
-  verb.flag("--ordered", request.ordered, "pairs both ways: (i,j) and (j,i)");
-  verb.flag("--self", request.self, "each item with itself, too: (i,i)");
-  verb.flag("--shuffle", request.shuffle, "pairs of a step in random order, by --seed");
+  add_request_options(verb, static_cast<LoadRequest&>(request), load_table());
+  request.file.add_to(verb, load_table().format);
   request.run.add_to(verb, "0s", request.output);
   request.output.add_to(verb, {"text", "jsonl", "csv"});
-  verb.exclude({"--workers", "--prefetch"});
-  verb.exclude({"--new-pairs", "--prefetch"});
-  verb.only_with({"--disjoint"}, {"--workers"});
-  verb.exclude({"--write-back", "--prefetch"});
-  verb.never_with({"--fast-room"},
-                  {"--workers", "--prefetch", "--write-back", "--pairs", "--against",
-                   "--done-items", "--ordered", "--self", "--shuffle", "--time"});
-  verb.only_with({"--item-bytes"}, {"--fast-room"});
   verb.require([&request = request] {
-    if (request.write_back && request.workers && !request.disjoint) {
-      throw UsageError{
-          "--write-back --workers: two workers would change one item at once; add --disjoint"};
+    if (!request.run.memory.empty() && request.run.time.empty() && request.file.path.empty()) {
+      throw UsageError{"--memory SIZE is for --time; give both"};
     }
   });
-  verb.never_with({"--disjoint"}, {"--pairs", "--against", "--done-items"});
-  verb.only_with({"--ordered", "--self", "--shuffle"}, {"--new-pairs", "--write-back"});
-  verb.exclude({"--pairs", "--against", "--done-items"});
-  verb.never_with({"--time"}, {"--against", "--done-items"});
-  verb.require([&request = request] {
-    check_inputs(request.output, {{"the list of pairs", list_file(request.pairs)}});
-  });
-  verb.only_with({"--threads", "--memory"}, {"--time"});
   verb.examples({"changeover loadorder --items 64 --room 16",
                  "changeover loadorder --items 20 --room 5 --time 20s      search for fewer loads",
                  "changeover loadorder --items 1000 --room 100 --json -o order.jsonl",

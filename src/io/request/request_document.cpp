@@ -179,6 +179,13 @@ void RequestDocument::rename(std::string_view from, std::string_view to) {
   }
 }
 
+std::optional<std::uint64_t> RequestDocument::take_number(const OptionRecord& record) {
+  const JsonNode* const node = find(record.key);
+  const auto value = node == nullptr ? std::nullopt : std::optional(number(record, *node));
+  std::erase_if(object_.members, [&](const auto& member) { return member.first == record.key; });
+  return value;
+}
+
 void RequestDocument::fail(const JsonNode& at, std::string_view key, std::string_view what) const {
   const std::string line = key.empty() ? std::string(what) : fmt::format("{}: {}", key, what);
   if (name_.empty()) {

@@ -30,6 +30,8 @@ class RequestDocument {
   [[nodiscard]] const JsonNode* find(std::string_view key) const;
   /// Another name of the same key.
   void rename(std::string_view from, std::string_view to);
+  /// A number under a key that is none of the request; it is then no more in the document.
+  std::optional<std::uint64_t> take_number(const OptionRecord& record);
   [[noreturn]] void fail(const JsonNode& at, std::string_view key, std::string_view what) const;
 
   /// @throws BadInput for a member that is none of these.

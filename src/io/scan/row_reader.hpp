@@ -87,7 +87,7 @@ class RowReader {
   [[nodiscard]] bool next_line();
   /// The line as it stands there; empty in a workbook.
   [[nodiscard]] std::string_view line() const {
-    return sheet_ ? std::string_view() : lines_.line();
+    return is_workbook() ? std::string_view() : lines_.line();
   }
   /// Its fields; false if it is a comment or blank.
   [[nodiscard]] bool split(Row& row);

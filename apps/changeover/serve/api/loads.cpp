@@ -3,17 +3,18 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
 #include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/load_request.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
-#include "serve/api/json_body.hpp"
+#include "serve/api/request_body.hpp"
 #include "serve/api/routes.hpp"
 
 namespace changeover::serve {
@@ -23,70 +24,56 @@ constexpr std::uint64_t most_items_of_a_page = 20'000;
 constexpr std::uint64_t most_steps = 5000;
 constexpr std::uint64_t most_samples = 2000;
 
-struct Asked {
-  std::uint64_t items = 0;
-  std::uint64_t room = 0;
+struct LoadQuestion {
+  CheckedLoads loads;
   std::uint64_t bytes_per_item = 1;
   std::uint64_t workers = 1;
-  WantedPairs wanted = {};
 };
 
-WantedPairs pairs_of(const nlohmann::json& list, std::uint64_t items) {
-  std::vector<ItemPair> pairs;
-  if (!list.is_array()) {
-    throw Refusal{422, "pairs: write [[a,b],…]"};
+// The page's own key, beside those of the document.
+std::uint64_t take_bytes_per_item(RequestDocument& document) {
+  constexpr std::uint64_t most_bytes = 1'000'000'000'000;
+  const std::uint64_t bytes =
+      document.take_number({.key = "bytes_per_item", .flags = "", .kind = ValueKind::number})
+          .value_or(1);
+  if (bytes < 1 || bytes > most_bytes) {
+    throw Refusal{422, fmt::format("bytes_per_item: write 1 to {}", most_bytes)};
   }
-  for (const nlohmann::json& pair : list) {
-    const bool two = pair.is_array() && pair.size() == 2 && pair[0].is_number_unsigned() &&
-                     pair[1].is_number_unsigned();
-    if (!two || pair[0].get<std::uint64_t>() >= items || pair[1].get<std::uint64_t>() >= items) {
-      throw Refusal{422, fmt::format("pairs: write [a,b] with two items from 0 to {}", items - 1)};
-    }
-    const auto x = pair[0].get<Element>();
-    const auto y = pair[1].get<Element>();
-    pairs.emplace_back(std::min(x, y), std::max(x, y));
-  }
-  return WantedPairs::listed(std::make_shared<const PairGraph>(items, pairs));
+  return bytes;
 }
 
-Asked asked_of(const Request& request) {
-  JsonBody body(request.body);
-  Asked asked;
-  asked.items = body.needed_number("items");
-  asked.room = body.needed_number("room");
-  asked.bytes_per_item = body.number("bytes_per_item").value_or(1);
-  asked.workers = body.number("workers").value_or(1);
-  if (asked.items < 1 || asked.items > most_items_of_a_page) {
+LoadQuestion question_of(const Request& sent) {
+  RequestDocument document(load_table().format, sent.body, "");
+  const std::uint64_t bytes = take_bytes_per_item(document);
+  const auto request = read_request(load_table(), document);
+  require_of_server(request, load_table());
+  if (request.items.value_or(1) > most_items_of_a_page) {
     throw Refusal{422, fmt::format("items: write 1 to {}; changeover loadorder takes more",
                                    most_items_of_a_page)};
   }
-  if (asked.room < 2) {
-    throw Refusal{422, "room: no pair can meet; write at least 2"};
+  LoadQuestion question{.loads = from_body([&] { return checked_loads(request, Door::document); }),
+                        .bytes_per_item = bytes,
+                        .workers = request.workers.value_or(1)};
+  if (question.loads.items() > most_items_of_a_page) {
+    throw Refusal{422, fmt::format("{} items; at most {} here; changeover loadorder takes more",
+                                   question.loads.items(), most_items_of_a_page)};
   }
-  if (asked.workers < 1 || asked.workers > most_workers) {
-    throw Refusal{422, fmt::format("workers: write 1 to {}", most_workers)};
-  }
-  constexpr std::uint64_t most_bytes = 1'000'000'000'000;
-  if (asked.bytes_per_item < 1 || asked.bytes_per_item > most_bytes) {
-    throw Refusal{422, fmt::format("bytes_per_item: write 1 to {}", most_bytes)};
-  }
-  if (const nlohmann::json* const pairs = body.find("pairs")) {
-    asked.wanted = pairs_of(*pairs, asked.items);
-  }
-  body.finish();
-  return asked;
+  return question;
 }
 
 // Follows all steps: samples for curves, and the referee.
 class Account {
  public:
-  Account(const Asked& asked, std::uint64_t steps)
+  Account(const CheckedLoads& asked, std::uint64_t steps)
       : asked_(asked),
         every_(steps / most_samples + 1),
-        met_(asked.items),
-        check_(
-            asked.items, asked.room,
-            {.all_pairs = true, .watched = 64, .seed = 1, .kept_as = {}, .wanted = asked.wanted}) {}
+        met_(asked.items()),
+        check_(asked.items(), asked.room(),
+               {.all_pairs = true,
+                .watched = 64,
+                .seed = 1,
+                .kept_as = {},
+                .wanted = asked.wanted()}) {}
 
   void begin_worker() {
     check_.start_over();
@@ -100,7 +87,7 @@ class Account {
     }
     for (const Element item : step.load) {
       for (const Element other : memory_) {
-        if (item != other && !met_.contains(item, other) && asked_.wanted.contains(item, other)) {
+        if (item != other && !met_.contains(item, other) && asked_.wanted().contains(item, other)) {
           met_.insert(item, other);
           ++pairs_;
         }
@@ -133,7 +120,7 @@ class Account {
   [[nodiscard]] const std::vector<std::uint64_t>& done() const { return done_; }
 
  private:
-  const Asked& asked_;
+  const CheckedLoads& asked_;
   std::uint64_t every_;
   std::vector<Element> memory_;
   PairSet met_;
@@ -145,22 +132,23 @@ class Account {
 };
 
 Response load_order(const Request& request) {
-  const Asked asked = asked_of(request);
-  const bool all = asked.wanted.are_all();
+  const LoadQuestion question = question_of(request);
+  const CheckedLoads& asked = question.loads;
+  const bool all = asked.wanted().are_all();
   std::optional<WorkerSplit> split;
-  if (asked.workers > 1) {
-    split.emplace(all ? split_load_order(asked.items, asked.room, asked.workers)
-                      : split_load_order(asked.wanted, asked.room, asked.workers));
+  if (question.workers > 1) {
+    split.emplace(all ? split_load_order(asked.items(), asked.room(), question.workers)
+                      : split_load_order(asked.wanted(), asked.room(), question.workers));
   }
   std::optional<LoadOrder> order;
   if (!split) {
-    order.emplace(all ? plan_load_order(asked.items, asked.room)
-                      : plan_load_order(asked.wanted, asked.room));
+    order.emplace(all ? plan_load_order(asked.items(), asked.room())
+                      : plan_load_order(asked.wanted(), asked.room()));
   }
   const LoadOrderFacts& facts = split ? split->order().facts() : order->facts();
   const std::uint64_t loads = split ? split->facts().loads : facts.loads;
-  const LoadBound bound =
-      all ? load_lower_bound(asked.items, asked.room) : load_lower_bound(asked.wanted, asked.room);
+  const LoadBound bound = all ? load_lower_bound(asked.items(), asked.room())
+                              : load_lower_bound(asked.wanted(), asked.room());
   std::uint64_t steps = facts.steps;
   if (split) {
     steps = 0;
@@ -172,12 +160,12 @@ Response load_order(const Request& request) {
   json.begin_object().key("loads").value(loads).key("lower_bound").value(bound.loads);
   json.key("reason").value(bound.reason).key("method").value(facts.method);
   json.key("explanation").value(split ? split->facts().explanation : facts.explanation);
-  json.key("bytes").value(checked_multiply(loads, asked.bytes_per_item));
-  json.key("bytes_bound").value(checked_multiply(bound.loads, asked.bytes_per_item));
+  json.key("bytes").value(checked_multiply(loads, question.bytes_per_item));
+  json.key("bytes_bound").value(checked_multiply(bound.loads, question.bytes_per_item));
   json.key("step_count").value(steps).key("steps").begin_array();
   Account account(asked, steps);
   std::uint64_t written = 0;
-  for (std::uint64_t worker = 0; worker < asked.workers; ++worker) {
+  for (std::uint64_t worker = 0; worker < question.workers; ++worker) {
     const auto stream = split ? split->stream(worker) : order->stream();
     if (split) {
       account.begin_worker();

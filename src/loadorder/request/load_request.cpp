@@ -1,0 +1,298 @@
+// The options of load orders, one record each, and what of a request is possible.
+#include "changeover/loadorder/load_request.hpp"
+
+#include <fmt/format.h>
+
+#include "changeover/core/error.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/workers.hpp"
+#include "io/request/request_document.hpp"
+#include "io/request/request_schema.hpp"
+
+namespace changeover {
+namespace {
+
+using R = LoadRequest;
+using K = ValueKind;
+
+constexpr std::string_view of_pages =
+    "its answer is what the page draws: one order, or those of workers who share all items";
+constexpr std::string_view of_executor =
+    "there all_pairs() runs the order itself, and calls for each pair once";
+constexpr std::string_view in_cpp = "executors for items that change are in C++";
+
+std::vector<RequestOption<R>> options() {
+  return {
+      {{.key = "items",
+        .flags = "--items",
+        .kind = K::number,
+        .value = "P",
+        .help = "items, e.g. partitions of a file"},
+       &R::items},
+      {{.key = "room",
+        .flags = "--room",
+        .kind = K::number,
+        .value = "C",
+        .help = "how many are in memory at once"},
+       &R::room},
+      {{.key = "pairs",
+        .flags = "--pairs",
+        .kind = K::list,
+        .value = "FILE",
+        .help = "only the pairs listed there, two items per line (text, CSV, .xlsx); \"-\": "
+                "standard input",
+        .shape = RowShape::pairs},
+       &R::pairs},
+      {{.key = "against",
+        .flags = "--against",
+        .kind = K::number,
+        .value = "B",
+        .help = "each of the P items with each of B others"},
+       &R::against},
+      {{.key = "done_items",
+        .flags = "--done-items",
+        .kind = K::number,
+        .value = "N",
+        .help = "the pairs of the first N items are done"},
+       &R::done_items},
+      {{.key = "fast_room",
+        .flags = "--fast-room",
+        .kind = K::number,
+        .value = "C",
+        .help = "so many of those in memory are on an accelerator, where pairs meet",
+        .not_in_server = of_pages,
+        .not_in_python = of_executor},
+       &R::fast_room},
+      {{.key = "item_bytes",
+        .flags = "--item-bytes",
+        .kind = K::number,
+        .value = "N",
+        .help = "bytes an item, to say what both levels move",
+        .not_in_server = "it has bytes_per_item, for one level",
+        .not_in_python = "what is moved is the loads times the bytes"},
+       &R::item_bytes},
+      {{.key = "workers",
+        .flags = "--workers",
+        .kind = K::number,
+        .value = "W",
+        .help = "split it for W workers with room C each"},
+       &R::workers},
+      {{.key = "disjoint",
+        .flags = "--disjoint",
+        .help = "workers step together and never hold one item twice, so that items may change",
+        .not_in_server = of_pages,
+        .not_in_python = in_cpp},
+       &R::disjoint},
+      {{.key = "write_back",
+        .flags = "--write-back",
+        .help = "items change while they are held: say what is stored when",
+        .not_in_server = of_pages,
+        .not_in_python = in_cpp},
+       &R::write_back},
+      {{.key = "prefetch",
+        .flags = "--prefetch",
+        .help = "say what is computed when, so that loads overlap computation",
+        .not_in_server = of_pages,
+        .not_in_python = of_executor},
+       &R::prefetch},
+      {{.key = "new_pairs",
+        .flags = "--new-pairs",
+        .help = "say of each step which pairs are computed",
+        .not_in_server = of_pages,
+        .not_in_python = of_executor},
+       &R::new_pairs},
+      {{.key = "ordered",
+        .flags = "--ordered",
+        .help = "pairs both ways: (i,j) and (j,i)",
+        .not_in_server = of_pages,
+        .not_in_python = of_executor},
+       &R::ordered},
+      {{.key = "self",
+        .flags = "--self",
+        .help = "each item with itself, too: (i,i)",
+        .not_in_server = of_pages,
+        .not_in_python = of_executor},
+       &R::self},
+      {{.key = "shuffle",
+        .flags = "--shuffle",
+        .help = "pairs of a step in random order, by --seed",
+        .not_in_server = of_pages,
+        .not_in_python = of_executor},
+       &R::shuffle},
+      {{.key = "seconds",
+        .flags = "--time",
+        .kind = K::seconds,
+        .value = "DURATION",
+        .help = "search so long for a better order",
+        .python = "time",
+        .not_in_server = "it answers at once",
+        .of_every_search = true},
+       &R::seconds},
+      {{.key = "threads",
+        .flags = "--threads",
+        .kind = K::number,
+        .value = "N",
+        .help = "threads of the search",
+        .not_in_server = "the server gives each request its share",
+        .of_every_search = true},
+       &R::threads},
+      {{.key = "seed",
+        .flags = "--seed",
+        .kind = K::number,
+        .value = "N",
+        .help = "of the random numbers (default 1)",
+        .not_in_server = "the same question has the same answer for everybody",
+        .of_every_search = true},
+       &R::seed},
+  };
+}
+
+std::vector<OptionRule> rules() {
+  using Says = OptionRule::Says;
+  return {
+      {Says::exclude, {"workers", "prefetch"}},
+      {Says::exclude, {"new_pairs", "prefetch"}},
+      {Says::only_with, {"disjoint"}, {"workers"}},
+      {Says::exclude, {"write_back", "prefetch"}},
+      {Says::never_with,
+       {"fast_room"},
+       {"workers", "prefetch", "write_back", "pairs", "against", "done_items", "ordered", "self",
+        "shuffle", "seconds"}},
+      {Says::only_with, {"item_bytes"}, {"fast_room"}},
+      {Says::never_with, {"disjoint"}, {"pairs", "against", "done_items"}},
+      {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back"}},
+      {Says::exclude, {"pairs", "against", "done_items"}},
+      {Says::never_with, {"seconds"}, {"against", "done_items"}},
+      {Says::only_with, {"threads"}, {"seconds"}},
+  };
+}
+
+std::string key(std::string_view name, Door door) {
+  return spelled(option_of(load_table(), name).record, door);
+}
+
+void refuse(const std::string& line) { throw BadOption(line); }
+
+// Numbers that are out of range by themselves.
+void check_ranges(const LoadRequest& request, Door door) {
+  const auto at_least_one = [&](std::string_view name, const std::optional<std::uint64_t>& value,
+                                std::string_view what) {
+    if (value && *value == 0) {
+      refuse(fmt::format("{} 0: give at least 1{}", key(name, door), what));
+    }
+  };
+  at_least_one("items", request.items, " item");
+  if (*request.room < 2) {
+    refuse(fmt::format("{} {}: no two items could meet; give room for at least 2",
+                       key("room", door), *request.room));
+  }
+  if (*request.room > most_items) {
+    refuse(fmt::format("{} {}: give at most {}, the most items that there can be",
+                       key("room", door), *request.room, most_items));
+  }
+  at_least_one("workers", request.workers, " worker");
+  if (request.workers && *request.workers > most_workers) {
+    refuse(
+        fmt::format("{} {}: give 1 to {}", key("workers", door), *request.workers, most_workers));
+  }
+  at_least_one("against", request.against, " item");
+  at_least_one("item_bytes", request.item_bytes, "");
+  if (request.fast_room && (*request.fast_room < 2 || *request.fast_room > *request.room)) {
+    refuse(fmt::format("{} {}: of {} {} give 2 to {}", key("fast_room", door), *request.fast_room,
+                       key("room", door), *request.room, *request.room));
+  }
+}
+
+// Numbers that do not go together.
+void check_together(const LoadRequest& request, Door door) {
+  const std::uint64_t items = request.items.value_or(0);
+  if (request.done_items && *request.done_items >= items) {
+    refuse(fmt::format("{} {}: of {} {} none would be new", key("done_items", door),
+                       *request.done_items, key("items", door), items));
+  }
+  if (request.disjoint && *request.workers > 1 && items / *request.workers < *request.room) {
+    refuse(
+        fmt::format("{}: {} workers with room for {} would hold more than {} item{}; give {} {} "
+                    "or less, or fewer workers",
+                    key("disjoint", door), *request.workers, *request.room, items,
+                    items == 1 ? "" : "s", key("room", door), items / *request.workers));
+  }
+  if ((request.disjoint || request.fast_room) && items > max_elements_in_memory) {
+    refuse(fmt::format("{}: at most {} items; make items larger",
+                       key(request.disjoint ? "disjoint" : "fast_room", door),
+                       max_elements_in_memory));
+  }
+  if (items > most_items || request.against.value_or(0) > most_items) {
+    refuse(fmt::format("{} and {} are at most {}", key("items", door), key("against", door),
+                       most_items));
+  }
+  if (request.against && items + *request.against > most_items) {
+    refuse(fmt::format("{} {} and {} {} are {} items together; at most {}", key("items", door),
+                       items, key("against", door), *request.against, items + *request.against,
+                       most_items));
+  }
+  if (request.write_back && request.workers && !request.disjoint) {
+    refuse(fmt::format("{} {}: two workers would change one item at once; add {}",
+                       key("write_back", door), key("workers", door), key("disjoint", door)));
+  }
+}
+
+void check(const LoadRequest& request, Door door, bool has_pairs) {
+  check_rules(load_table(), request, door);
+  const auto in_full = [&](std::string_view name) {
+    return spelled_with_value(option_of(load_table(), name).record, door);
+  };
+  if (!request.room || (!has_pairs && !request.items)) {
+    refuse(has_pairs ? fmt::format("{} is required", in_full("room"))
+                     : fmt::format("{} and {} are required", in_full("items"), in_full("room")));
+  }
+  check_ranges(request, door);
+  check_together(request, door);
+}
+
+}  // namespace
+
+const RequestTable<LoadRequest>& load_table() {
+  static const RequestTable<LoadRequest> table{
+      .format = "changeover-load-request/1", .options = options(), .rules = rules()};
+  return table;
+}
+
+std::string to_json(const LoadRequest& request) { return request_as_json(load_table(), request); }
+
+LoadRequest load_request(std::string json, std::string name) {
+  return read_request(load_table(),
+                      RequestDocument(load_table().format, std::move(json), std::move(name)));
+}
+
+std::string load_request_schema() {
+  return request_schema(load_table().format, "What is asked of a load order",
+                        records_of(load_table()), load_table().rules);
+}
+
+void check_options(const LoadRequest& request, Door door) {
+  check(request, door, request.pairs.is_given());
+}
+
+CheckedLoads checked_loads(const LoadRequest& request, Door door,
+                           std::shared_ptr<const PairGraph> pairs) {
+  check(request, door, request.pairs.is_given() || pairs != nullptr);
+  CheckedLoads checked;
+  checked.room_ = *request.room;
+  if (request.pairs.is_given()) {
+    const auto input =
+        open(request.pairs, option_of(load_table(), "pairs").record, key("pairs", door));
+    pairs = read_pairs(*input, {.items = request.items});
+  }
+  if (pairs) {
+    checked.wanted_ = WantedPairs::listed(std::move(pairs));
+  } else if (request.against) {
+    checked.wanted_ = WantedPairs::between(*request.items, *request.against);
+  } else if (request.done_items) {
+    checked.wanted_ = WantedPairs::beyond(*request.done_items, *request.items);
+  }
+  checked.items_ = checked.wanted_.are_all() ? *request.items : checked.wanted_.items();
+  return checked;
+}
+
+}  // namespace changeover

@@ -1,0 +1,122 @@
+// Load requests as documents: read back as they are, refused as they should be, and the same pairs whichever way they come.
+#include "changeover/loadorder/load_request.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "changeover/core/error.hpp"
+#include "io/request/request_document.hpp"
+#include "run_program.hpp"
+
+namespace changeover {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string refusal(const std::string& json, Door door = Door::document) {
+  try {
+    static_cast<void>(checked_loads(load_request(json), door));
+  } catch (const Error& fault) {
+    return fault.what();
+  }
+  return "taken";
+}
+
+TEST(LoadRequest, IsReadBackAsItWasWritten) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 1'000; ++i) {
+    LoadRequest request;
+    for (const auto& option : load_table().options) {
+      if (random() % 2 == 0) {
+        continue;
+      }
+      std::visit(
+          [&](auto field) {
+            auto& value = request.*field;
+            using Value = std::remove_cvref_t<decltype(value)>;
+            if constexpr (std::is_same_v<Value, RequestList>) {
+              value.rows = {{{{"0", "7"}}, {{"a,b", "c"}}}};
+            } else if constexpr (std::is_same_v<Value, bool>) {
+              value = true;
+            } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+              value = static_cast<double>(random() % 100) / 3;
+            } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
+              value = random();
+            }
+          },
+          option.field);
+    }
+    ASSERT_EQ(load_request(to_json(request)), request) << to_json(request);
+  }
+}
+
+TEST(LoadRequest, ThePairsAreTheSameByFileTextAndRows) {
+  const test::TemporaryFolder folder;
+  test::spit(folder.file("pairs.csv"), "a,b\n\"c d\",a\n");
+  const std::string by_file = R"({"room":2,"pairs":{"file":")" + folder.file("pairs.csv") + "\"}}";
+  const std::string by_text = R"({"room":2,"pairs":{"text":"a,b\n\"c d\",a\n"}})";
+  const std::string by_rows = R"({"room":2,"pairs":[["a","b"],["c d","a"]]})";
+  for (const std::string& json : {by_file, by_text, by_rows}) {
+    const CheckedLoads loads = checked_loads(load_request(json), Door::document);
+    ASSERT_NE(loads.wanted().graph(), nullptr);
+    EXPECT_EQ(loads.items(), 3U) << json;
+    EXPECT_EQ(loads.wanted().count(), 2U) << json;
+    EXPECT_EQ(loads.wanted().graph()->names(), (std::vector<std::string>{"a", "b", "c d"})) << json;
+  }
+  const CheckedLoads numbers =
+      checked_loads(load_request(R"({"items":9,"room":2,"pairs":[[0,8],[1,2]]})"), Door::document);
+  EXPECT_EQ(numbers.items(), 9U);
+  EXPECT_TRUE(numbers.wanted().contains(0, 8));
+}
+
+TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {R"({})", "items and room are required"},
+      {R"({"pairs":[[0,1]]})", "room is required"},
+      {R"({"items":0,"room":2})", "items 0: give at least 1 item"},
+      {R"({"items":9,"room":1})", "room 1: no two items could meet"},
+      {R"({"items":9,"room":3,"workers":0})", "workers 0: give at least 1 worker"},
+      {R"({"items":9,"room":3,"disjoint":true})", "disjoint is for workers; give both"},
+      {R"({"items":9,"room":3,"fast_room":4})", "fast_room 4: of room 3 give 2 to 3"},
+      {R"({"items":9,"room":3,"done_items":9})", "done_items 9: of items 9 none would be new"},
+      {R"({"items":9,"room":3,"against":2,"pairs":[[0,1]]})", "exclude each other"},
+      {R"({"items":9,"room":3,"ordered":true})", "ordered is for new_pairs or write_back"},
+      {R"({"items":9,"room":3,"write_back":true,"workers":2})",
+       "two workers would change one item"},
+      {R"({"items":10000000,"room":3,"against":2})", "together; at most 10000000"},
+      {R"({"items":9,"room":3,"pairs":[[0,9]]})", "pairs"},
+      {R"({"items":9,"room":3,"pairs":[[0]]})", "pairs[0]: write [a,b]"},
+      {R"({"items":9,"room":3,"pairs":[]})", "pair"},
+      {R"({"items":9,"room":"3"})", "room: write a whole number"},
+      {R"({"items":9,"rooms":3})", "no member 'rooms'"},
+  };
+  for (const auto& [json, says] : cases) {
+    EXPECT_THAT(refusal(json), HasSubstr(says)) << json;
+    EXPECT_EQ(refusal(json).find('\n'), std::string::npos) << json;
+  }
+  EXPECT_THAT(refusal(R"({"items":9,"room":3,"fast_room":4})", Door::command_line),
+              HasSubstr("--fast-room 4: of --room 3 give 2 to 3"));
+}
+
+TEST(LoadRequest, ABadByteNeverBecomesAnotherFault) {
+  std::mt19937_64 random(3);
+  const std::string good =
+      R"({"format":"changeover-load-request/1","items":12,"room":4,"pairs":[[0,1],["a","b"]],"workers":2,"seconds":1.5})";
+  for (int i = 0; i < 20'000; ++i) {
+    std::string bad = good;
+    for (int j = 0; j < 1 + static_cast<int>(random() % 3); ++j) {
+      bad[random() % bad.size()] = static_cast<char>(random());
+    }
+    try {
+      static_cast<void>(checked_loads(load_request(bad), Door::document));
+    } catch (const BadInput&) {
+    } catch (const ImpossibleParameters&) {
+    } catch (const MissingResource&) {
+    }
+  }
+}
+
+}  // namespace
+}  // namespace changeover
