@@ -27,10 +27,11 @@ set(CHANGEOVER_KNOWS_loadorder core run verify bounds io catalog construct searc
 foreach(room IN LISTS CHANGEOVER_ROOMS)
   set(CHANGEOVER_LIBRARIES_${room} fmt::fmt)
 endforeach()
-list(APPEND CHANGEOVER_LIBRARIES_io nlohmann_json::nlohmann_json EXPAT::EXPAT LibZip::LibZip)
+list(APPEND CHANGEOVER_LIBRARIES_io nlohmann_json::nlohmann_json EXPAT::EXPAT LibZip::LibZip
+  XlsxWriter::XlsxWriter)
 list(APPEND CHANGEOVER_LIBRARIES_catalog SQLite::SQLite3)
 list(APPEND CHANGEOVER_LIBRARIES_isomorphism Bliss::Bliss)
 list(APPEND CHANGEOVER_LIBRARIES_run Threads::Threads)
 list(APPEND CHANGEOVER_LIBRARIES_search CaDiCaL::CaDiCaL Threads::Threads)
 list(APPEND CHANGEOVER_LIBRARIES_loadorder Threads::Threads)
-list(APPEND CHANGEOVER_LIBRARIES_plan Threads::Threads XlsxWriter::XlsxWriter)
+list(APPEND CHANGEOVER_LIBRARIES_plan Threads::Threads)
