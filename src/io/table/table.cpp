@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <memory>
 
 #include "changeover/io/tables.hpp"
 #include "io/scan/row_reader.hpp"
@@ -83,6 +84,18 @@ std::string html_cell(const TableColumn& column, const TableCell& cell) {
 }
 
 }  // namespace
+
+Table table_of(std::vector<std::pair<std::string, ColumnStyle>> heads,
+               std::vector<std::vector<std::string>> rows) {
+  Table table{.rows = rows.size(), .columns = {}};
+  const auto cells = std::make_shared<const std::vector<std::vector<std::string>>>(std::move(rows));
+  for (std::size_t c = 0; c < heads.size(); ++c) {
+    table.columns.push_back({std::move(heads[c].first),
+                             [cells, c](std::size_t row) { return cells->at(row).at(c); },
+                             std::move(heads[c].second)});
+  }
+  return table;
+}
 
 std::vector<const TableColumn*> columns_in(const Table& table, TableFormats format) {
   std::vector<const TableColumn*> columns;

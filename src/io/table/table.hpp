@@ -16,6 +16,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace changeover {
@@ -72,6 +73,9 @@ struct ColumnStyle {
   Choices choices = {};
 };
 
+inline const ColumnStyle number_column{.kind = ColumnKind::number};
+inline const ColumnStyle cost_column{.kind = ColumnKind::cost};
+
 struct TableColumn {
   std::string head;  ///< a line break in it is one on a page and a blank elsewhere
   std::function<TableCell(std::size_t row)> cell;
@@ -84,6 +88,10 @@ struct Table {
   std::string css = {};    ///< class of the table on a page
   std::string frame = {};  ///< class of what stands around it there; empty: nothing does
 };
+
+/// A table of texts that are there already, by row.
+[[nodiscard]] Table table_of(std::vector<std::pair<std::string, ColumnStyle>> heads,
+                             std::vector<std::vector<std::string>> rows);
 
 /// The columns that a format shows.
 [[nodiscard]] std::vector<const TableColumn*> columns_in(const Table& table, TableFormats format);

@@ -200,10 +200,14 @@ class SheetWriter {
     const lxw_row_t head = row_;
     for (std::size_t c = 0; c < columns.size(); ++c) {
       wide_text(head, c, head_line(*columns[c], in_workbook), book_->head);
-      row_ = head;
-      for (std::size_t i = 0; i < table.rows; ++i) {
-        cell(++row_, c, columns[c]->style.kind, columns[c]->cell(i));
+    }
+    for (std::size_t i = 0; i < table.rows; ++i) {
+      ++row_;
+      for (std::size_t c = 0; c < columns.size(); ++c) {
+        cell(row_, c, columns[c]->style.kind, columns[c]->cell(i));
       }
+    }
+    for (std::size_t c = 0; c < columns.size(); ++c) {
       if (columns[c]->style.kind == ColumnKind::list) {
         constexpr std::size_t of_lists = 24;
         widen(c, of_lists);

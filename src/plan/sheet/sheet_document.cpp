@@ -9,15 +9,6 @@
 namespace changeover {
 namespace {
 
-constexpr ColumnStyle number{.kind = ColumnKind::number};
-constexpr ColumnStyle cost{.kind = ColumnKind::cost};
-constexpr ColumnStyle remark{.kind = ColumnKind::remark};
-
-TableColumn column(std::string head, std::function<TableCell(std::size_t)> cell,
-                   ColumnStyle style = {}) {
-  return {std::move(head), std::move(cell), std::move(style)};
-}
-
 // The lists of parts that matter to a whole sheet.
 void add_lists(TableDocument& document, const Job& job) {
   if (!job.mounted.empty()) {
@@ -79,57 +70,55 @@ std::vector<Figure> figures_of(const SheetDocument& document) {
   return figures;
 }
 
+const ColumnStyle remark{.kind = ColumnKind::remark};
+
+std::string text(std::uint64_t n) { return std::to_string(n); }
+
 Table compared(const SheetDocument& document) {
   const Job& job = *document.job;
-  const std::vector<Candidate>& all = document.plan->candidates;
   const Money money(job, document.budget);
-  return {.rows = all.size(),
-          .columns = {
-              column("plan", [&](std::size_t i) { return all[i].name; }),
-              column(
-                  "tests", [&](std::size_t i) { return std::to_string(all[i].tests()); }, number),
-              column(
-                  "changes", [&](std::size_t i) { return std::to_string(all[i].changes); }, number),
-              column(
-                  "cost", [&all, money](std::size_t i) { return money(all[i].cost); }, cost),
-              column(
-                  what_meets(job),
-                  [&](std::size_t i) { return std::to_string(tested_by(job, all[i])); }, number),
-              column(
-                  "dearer by", [&](std::size_t i) { return difference(document, all[i]); }, number),
-              column(
-                  "how", [&](std::size_t i) { return all[i].how; }, remark)}};
+  std::vector<std::vector<std::string>> rows;
+  for (const Candidate& c : document.plan->candidates) {
+    rows.push_back({c.name, text(c.tests()), text(c.changes), money(c.cost),
+                    text(tested_by(job, c)), difference(document, c), c.how});
+  }
+  return table_of({{"plan", {}},
+                   {"tests", number_column},
+                   {"changes", number_column},
+                   {"cost", cost_column},
+                   {what_meets(job), number_column},
+                   {"dearer by", number_column},
+                   {"how", remark}},
+                  std::move(rows));
 }
 
 Table compared(const BenchDocument& document) {
-  const std::vector<BenchCandidate>& all = document.plan->candidates;
   const Money money(*document.job);
-  return {.rows = all.size(),
-          .columns = {
-              column("plan", [&](std::size_t i) { return all[i].name; }),
-              column(
-                  "tests", [&](std::size_t i) { return std::to_string(all[i].tests); }, number),
-              column(
-                  "changes", [&](std::size_t i) { return std::to_string(all[i].changes); }, number),
-              column(
-                  "largest", [&all, money](std::size_t i) { return money(all[i].largest); }, cost),
-              column(
-                  "together", [&all, money](std::size_t i) { return money(all[i].cost); }, cost),
-              column(
-                  "how", [&](std::size_t i) { return all[i].how; }, remark)}};
+  std::vector<std::vector<std::string>> rows;
+  for (const BenchCandidate& c : document.plan->candidates) {
+    rows.push_back(
+        {c.name, text(c.tests), text(c.changes), money(c.largest), money(c.cost), c.how});
+  }
+  return table_of({{"plan", {}},
+                   {"tests", number_column},
+                   {"changes", number_column},
+                   {"largest", cost_column},
+                   {"together", cost_column},
+                   {"how", remark}},
+                  std::move(rows));
 }
 
 Table parts(const Job& job, const Money& money) {
-  Table table{
-      .rows = job.names.size(),
-      .columns = {column("part", [&](std::size_t i) { return job.names[i]; }),
-                  column(
-                      "change_cost",
-                      [&job, money](std::size_t i) { return money(job.change_costs[i]); }, cost)}};
-  if (!job.slots.empty()) {
-    table.columns.push_back(column("slot", [&](std::size_t i) {
-      return job.slot_of[i] == no_slot ? TableCell() : job.slots[job.slot_of[i]].name;
-    }));
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < job.names.size(); ++i) {
+    const bool is_free = job.slots.empty() || job.slot_of[i] == no_slot;
+    rows.push_back(
+        {job.names[i], money(job.change_costs[i]), is_free ? "" : job.slots[job.slot_of[i]].name});
+  }
+  Table table =
+      table_of({{"part", {}}, {"change_cost", cost_column}, {"slot", {}}}, std::move(rows));
+  if (job.slots.empty()) {
+    table.columns.pop_back();
   }
   return table;
 }
@@ -138,17 +127,14 @@ std::string bench_name(std::size_t bench) { return fmt::format("Bench {}", bench
 
 // What the tests of each bench come to.
 Table benches(const std::vector<RunSheet>& sheets, const Money& money) {
-  return {
-      .rows = sheets.size(),
-      .columns = {
-          column("bench", [](std::size_t i) { return bench_name(i); }),
-          column(
-              "tests", [&](std::size_t i) { return std::to_string(sheets[i].steps.size()); },
-              number),
-          column(
-              "changes", [&](std::size_t i) { return std::to_string(sheets[i].changes); }, number),
-          column(
-              "cost", [&sheets, money](std::size_t i) { return money(sheets[i].cost); }, cost)}};
+  std::vector<std::vector<std::string>> rows;
+  for (const RunSheet& sheet : sheets) {
+    rows.push_back({bench_name(rows.size()), text(sheet.steps.size()), text(sheet.changes),
+                    money(sheet.cost)});
+  }
+  return table_of(
+      {{"bench", {}}, {"tests", number_column}, {"changes", number_column}, {"cost", cost_column}},
+      std::move(rows));
 }
 
 }  // namespace
@@ -210,12 +196,16 @@ TableDocument table_document(const BenchDocument& document) {
 }
 
 TableDocument table_document(const Job& job, const WhatIf& answer) {
-  const std::vector<WhatIf::Range>& all = answer.ranges;
   const Money money(job);
-  const auto end = [](const std::optional<Ratio>& ratio, const char* none) {
-    return ratio ? ratio->to_string() : none;
-  };
-  // A file for programs leaves an end that is none empty.
+  std::vector<std::vector<std::string>> rows;
+  for (const WhatIf::Range& range : answer.ranges) {
+    const std::string from = range.from ? range.from->to_string() : "";
+    const std::string to = range.to ? range.to->to_string() : "";
+    rows.push_back({range.from ? from : "0", range.to ? to : "any", from, to,
+                    text(range.plan.tests()), text(range.plan.changes),
+                    money(range.plan.change_cost), range.plan.name});
+  }
+  // A file for programs leaves an end empty where there is none.
   const ColumnStyle shown{.kind = ColumnKind::number, .in = for_people};
   const ColumnStyle in_file{.kind = ColumnKind::number, .in = for_programs};
   TableSection section{
@@ -224,26 +214,15 @@ TableDocument table_document(const Job& job, const WhatIf& answer) {
               ? "If all change costs are multiplied by a factor, the cheapest plan that is "
                 "known has"
               : "At a ratio of change cost to test cost, the cheapest plan that is known has",
-      .table = {.rows = all.size(),
-                .columns = {
-                    column(
-                        "from", [&, end](std::size_t i) { return end(all[i].from, "0"); }, shown),
-                    column(
-                        "to", [&, end](std::size_t i) { return end(all[i].to, "any"); }, shown),
-                    column(
-                        "from", [&, end](std::size_t i) { return end(all[i].from, ""); }, in_file),
-                    column(
-                        "to", [&, end](std::size_t i) { return end(all[i].to, ""); }, in_file),
-                    column(
-                        "tests", [&](std::size_t i) { return std::to_string(all[i].plan.tests()); },
-                        number),
-                    column(
-                        "changes",
-                        [&](std::size_t i) { return std::to_string(all[i].plan.changes); }, number),
-                    column("change_cost",
-                           [&all, money](std::size_t i) { return money(all[i].plan.change_cost); },
-                           {.kind = ColumnKind::cost, .in = for_programs}),
-                    column("plan", [&](std::size_t i) { return all[i].plan.name; })}}};
+      .table = table_of({{"from", shown},
+                         {"to", shown},
+                         {"from", in_file},
+                         {"to", in_file},
+                         {"tests", number_column},
+                         {"changes", number_column},
+                         {"change_cost", {.kind = ColumnKind::cost, .in = for_programs}},
+                         {"plan", {}}},
+                        std::move(rows))};
   if (answer.asked) {
     section.notes.push_back(fmt::format("Your costs are at the {} {}.",
                                         answer.by_factor ? "factor" : "ratio",
