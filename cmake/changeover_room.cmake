@@ -1,5 +1,5 @@
 # changeover_room(<name> [DEPENDS <room>...] [LIBRARIES <target>...] [SOURCES <file>...]
-#                 [GENERATED_HEADERS <dir>] [NOT_INSTALLED])
+#                 [GENERATED_HEADERS <dir>] [NOT_INSTALLED] [COLD [ONLY <regex> | UNLESS <regex>]])
 #
 # Adds the library changeover_<name>, alias changeover::<name>, from src/<name>/**.cpp and
 # include/changeover/<name>/**.hpp and **.h. Sources are globbed, so that adding a file touches nothing
@@ -7,7 +7,7 @@
 # GENERATED_HEADERS is a directory laid out like include/. Other headers of a room, src/<name>/**.hpp,
 # are private: who is built in this tree may include them, as "<name>/….hpp", through the target changeover_internals.
 function(changeover_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "NOT_INSTALLED" "GENERATED_HEADERS" "DEPENDS;LIBRARIES;SOURCES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "NOT_INSTALLED;COLD" "GENERATED_HEADERS;ONLY;UNLESS" "DEPENDS;LIBRARIES;SOURCES")
   if(room_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "changeover_room(${name}): unknown arguments ${room_UNPARSED_ARGUMENTS}")
   endif()
@@ -33,6 +33,12 @@ function(changeover_room name)
   target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:changeover_warnings>)
   changeover_precompile(${target} changeover_core <fmt/format.h>)
+  if(room_COLD)
+    changeover_cold(${target} ONLY "${room_ONLY}" UNLESS "${room_UNLESS}")
+  endif()
+  if(NOT name IN_LIST CHANGEOVER_APART)
+    changeover_together(${target} 6)
+  endif()
   # nlohmann_json is headers only, so the installed library does not need it: BUILD_INTERFACE.
   foreach(library IN LISTS room_LIBRARIES)
     if(library STREQUAL "nlohmann_json::nlohmann_json")

@@ -21,7 +21,7 @@ Results results_of(const Sheet& self, const py::iterable& results) {
   if (py::isinstance<py::str>(results)) {
     throw BadInput(wanted);
   }
-  const std::vector<RunStep>& steps = self.plan.sheet.steps;
+  const std::vector<RunStep>& steps = self.plan().sheet.steps;
   std::size_t next = 0;
   std::size_t place = 0;
   Results all;
@@ -43,7 +43,7 @@ Results results_of(const Sheet& self, const py::iterable& results) {
       if (two.size() != 2) {
         throw BadInput(wanted);
       }
-      add(parts_named(self.job, "results", two[0]), two[1], false);
+      add(parts_named(self.job(), "results", two[0]), two[1], false);
       return;
     }
     if (next == steps.size()) {
@@ -109,11 +109,12 @@ py::dict as_dict(const Job& job, const Diagnosis& found) {
 py::dict diagnosis_of(const Sheet& self, const py::iterable& results) {
   const Results all = results_of(self, results);
   const std::vector<TestedSetup>& tested = all.tests;
-  Job job = self.job;
+  Job job = self.job();
   if (!tested.empty()) {
     job.start = tested.back().setup;  // it is on the bench
   }
-  py::dict found = as_dict(self.job, stoppable([&] { return changeover::diagnose(job, tested); }));
+  py::dict found =
+      as_dict(self.job(), stoppable([&] { return changeover::diagnose(job, tested); }));
   found["unread"] = all.unread;
   return found;
 }

@@ -1,9 +1,9 @@
 #include "job.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
-#include <unordered_map>
 
 #include "arguments.hpp"
 #include "changeover/core/error.hpp"
@@ -13,66 +13,87 @@
 namespace changeover::python {
 namespace {
 
-// Parts by name, found at once.
-class PartNames {
- public:
-  explicit PartNames(const Job& job) : parts_(job.parts()) {
-    for (std::size_t i = 0; i < job.names.size(); ++i) {
-      by_name_.emplace(job.names[i], static_cast<Element>(i));
-    }
+constexpr std::size_t most_rows = std::size_t{1} << 22;  // as in a file
+
+// Numbers, strings and decimals alike, exactly as they are written.
+std::string amount_in(const char* argument, const py::handle& value) {
+  std::string words = words_of(value);
+  try {
+    static_cast<void>(parse_amount(words));
+  } catch (const BadInput& fault) {
+    throw BadInput(std::string(argument) + ": " + fault.what());
   }
+  return words;
+}
 
-  [[nodiscard]] std::uint64_t parts() const { return parts_; }
-  [[nodiscard]] Element named(const py::handle& part) const {
-    const std::string text = words_of(part);
-    const auto found = by_name_.find(text);
-    if (found == by_name_.end()) {
-      throw BadInput("no part is called " + quoted(text));
-    }
-    return found->second;
-  }
+std::string amount_if_any(const char* argument, const py::object& value) {
+  return value.is_none() ? std::string() : amount_in(argument, value);
+}
 
- private:
-  std::uint64_t parts_;
-  std::unordered_map<std::string, Element> by_name_;
-};
-
-Block parts_named(const PartNames& names, const char* argument, const py::handle& parts) {
+std::vector<std::string> words_in(const char* argument, const py::handle& parts) {
   require_iterable(argument, "parts", parts);
-  Block all;
+  std::vector<std::string> all;
   for_each(parts, [&](const py::handle& part) {
-    if (all.size() > names.parts()) {
+    if (all.size() > max_parts) {
       throw BadInput(std::string(argument) + " names more parts than there are");
     }
-    all.push_back(names.named(part));
+    all.push_back(words_of(part));
   });
   return all;
 }
 
-std::vector<Block> setups_named(const Job& job, const char* argument, const py::object& setups) {
+template <typename MakeRow>
+RequestList rows_from(const char* argument, const py::object& given, const MakeRow& make) {
+  RequestList list{.file = {}, .text = {}, .rows = std::vector<ListRow>()};
+  for_each(rows_of(given), [&](const py::handle& row) {
+    if (list.rows->size() == most_rows) {
+      throw BadInput(std::string(argument) + " has more than 4194304 rows; give each once");
+    }
+    list.rows->push_back(make(row));
+  });
+  return list;
+}
+
+ListRow pair_in(const char* argument, const py::handle& pair) {
+  ListRow row{words_in(argument, pair)};
+  if (row.fields.size() != 2 || row.fields[0] == row.fields[1]) {
+    throw BadInput(std::string(argument) + " is pairs of two parts");
+  }
+  return row;
+}
+
+RequestList pairs_in(const char* argument, const py::object& pairs) {
+  require_iterable(argument, "pairs of parts", pairs);
+  RequestList list =
+      rows_from(argument, pairs, [&](const py::handle& pair) { return pair_in(argument, pair); });
+  return list;
+}
+
+RequestList setups_in(const char* argument, const py::object& setups) {
   require_ordered(argument, "set-ups, lists of parts", setups);
-  const PartNames names(job);
-  std::vector<Block> all;
-  for_each(rows_of(setups),
-           [&](const py::handle& setup) { all.push_back(parts_named(names, argument, setup)); });
-  return all;
+  return rows_from(argument, setups,
+                   [&](const py::handle& setup) { return ListRow{words_in(argument, setup)}; });
+}
+
+std::string result_in(const py::handle& result, const char* wanted) {
+  if (!result_named(result)) {
+    throw BadInput(wanted);
+  }
+  return result.is_none()                    ? std::string()
+         : py::isinstance<py::bool_>(result) ? std::string(result.cast<bool>() ? "pass" : "fail")
+                                             : words_of(result);
 }
 
 // Set-ups, each a list of parts, alone or with its result: (set-up, result) or {"parts": …, "result": …}.
-std::vector<DoneTest> done_tests(const Job& job, const py::object& tests) {
+RequestList tests_in(const py::object& tests) {
   const char* const wanted =
       "done has set-ups, lists of parts, each alone or as (set-up, result), where result is True, False, None or a text";
   require_iterable("done", "set-ups, lists of parts", tests);
-  const PartNames names(job);
   const auto with_result = [&](const py::handle& setup, const py::handle& result) {
-    const auto said = result_named(result);
-    if (!said) {
-      throw BadInput(wanted);
-    }
-    return DoneTest{parts_named(names, "done", setup), *said};
+    std::string said = result_in(result, wanted);
+    return ListRow{words_in("done", setup), std::move(said)};
   };
-  std::vector<DoneTest> all;
-  for_each(rows_of(tests), [&](const py::handle& test) {
+  return rows_from("done", tests, [&](const py::handle& test) {
     if (py::isinstance<py::dict>(test)) {
       const auto both = py::reinterpret_borrow<py::dict>(test);
       const bool has_result = both.contains("result");
@@ -81,38 +102,15 @@ std::vector<DoneTest> done_tests(const Job& job, const py::object& tests) {
       }
       const py::object parts = both["parts"];
       const py::object result = has_result ? py::object(both["result"]) : py::none();
-      all.push_back(with_result(parts, result));
-      return;
+      return with_result(parts, result);
     }
     const bool may_be_two = py::isinstance<py::tuple>(test) && py::len(test) == 2;
     const auto two = may_be_two ? py::reinterpret_borrow<py::tuple>(test) : py::tuple();
     const bool is_two =
         may_be_two && (py::isinstance<py::list>(two[0]) || py::isinstance<py::tuple>(two[0]) ||
                        py::isinstance<py::set>(two[0]));
-    all.push_back(is_two ? with_result(two[0], two[1])
-                         : DoneTest{parts_named(names, "done", test), TestResult::done});
+    return is_two ? with_result(two[0], two[1]) : ListRow{words_in("done", test)};
   });
-  return all;
-}
-
-std::pair<Element, Element> pair_named(const PartNames& names, const char* argument,
-                                       const py::handle& pair) {
-  const Block two = parts_named(names, argument, pair);
-  if (two.size() != 2 || two[0] == two[1]) {
-    throw BadInput(std::string(argument) + " is pairs of two parts");
-  }
-  return {two[0], two[1]};
-}
-
-PairSet pairs_named(const Job& job, const char* argument, const py::object& pairs) {
-  require_iterable(argument, "pairs of parts", pairs);
-  const PartNames names(job);
-  PairSet all(job.parts());
-  for_each(rows_of(pairs), [&](const py::handle& pair) {
-    const auto [x, y] = pair_named(names, argument, pair);
-    all.insert(x, y);
-  });
-  return all;
 }
 
 const char* const too_many_or_few = "parts is a number from 2 to 1000, or that many names";
@@ -120,8 +118,8 @@ const char* const too_many_or_few = "parts is a number from 2 to 1000, or that m
 // What is said of parts, each by name.
 struct Listed {
   std::vector<std::string> names;
-  std::vector<std::optional<Amount>> costs;  // by part; empty where none has one
-  std::vector<std::string> slots;            // by part; empty where none has one
+  std::vector<std::string> costs;  // by part, as they are written; empty where none has one
+  std::vector<std::string> slots;  // by part; empty where none has one
 };
 
 // A table of columns is read as a file of it would be: the same headers, the same refusals.
@@ -148,7 +146,11 @@ Listed listed_in_columns(const py::object& given) {
   });
   const auto input = input_from_text(words_of(text.attr("getvalue")()), "parts");
   PartList list = read_parts(*input, Header::given);
-  return {std::move(list.names), std::move(list.change_costs), std::move(list.slots)};
+  Listed listed{std::move(list.names), {}, std::move(list.slots)};
+  for (const auto& cost : list.change_costs) {
+    listed.costs.push_back(cost ? to_string(*cost) : "");
+  }
+  return listed;
 }
 
 Listed listed_one_by_one(const py::object& parts) {
@@ -164,7 +166,7 @@ Listed listed_one_by_one(const py::object& parts) {
     for_each(py::list(parts.attr("items")()), [&](const py::handle& item) {
       const auto [part, cost] = item.cast<std::pair<py::object, py::object>>();
       take(part);
-      listed.costs.emplace_back(amount_of(cost));
+      listed.costs.push_back(amount_in("parts", cost));
     });
   } else {
     require_ordered("parts", "names, or is how many there are", parts);
@@ -176,62 +178,101 @@ Listed listed_one_by_one(const py::object& parts) {
   return listed;
 }
 
-// The parts, by number, by name, or by name with their costs. Their slots go to `slots`, where a table has them.
-Job parts_and_costs(const Asked& asked, std::vector<std::string>& slots) {
-  const py::object& parts = asked.parts;
+// The parts by number, by name, or by name with their costs and slots.
+void take_parts(const GivenJob& given, JobRequest& request) {
+  const py::object& parts = given.parts;
   const bool is_number = py::isinstance<py::int_>(parts);
-  Listed listed = is_number              ? Listed()
-                  : is_data_frame(parts) ? listed_in_columns(parts)
-                                         : listed_one_by_one(parts);
   if (is_number && !(parts >= py::int_(2) && parts <= py::int_(max_parts))) {
     throw BadInput(too_many_or_few);
   }
-  const std::uint64_t count = is_number ? parts.cast<std::uint64_t>() : listed.names.size();
-  if (count < 2) {
+  if (is_number && given.slot_of.is_none()) {
+    request.items = parts.cast<std::uint64_t>();
+    return;
+  }
+  Listed listed;
+  if (is_number) {
+    for (std::uint64_t i = 1; i <= parts.cast<std::uint64_t>(); ++i) {
+      listed.names.push_back(std::to_string(i));
+    }
+  } else {
+    listed = is_data_frame(parts) ? listed_in_columns(parts) : listed_one_by_one(parts);
+  }
+  if (listed.names.size() < 2) {
     throw BadInput("a pair needs two parts");
+  }
+  const bool has_column = !listed.slots.empty();
+  if (has_column && !given.slot_of.is_none()) {
+    throw BadInput("parts has a column slot, and slot_of says the same; give one of them");
+  }
+  if (given.slots.is_none() == (has_column || !given.slot_of.is_none())) {
+    throw BadInput(
+        has_column
+            ? "parts has a column slot; give slots, how many parts each has, or leave the column out"
+            : "slots and slot_of come together: how many parts a slot has, and which parts are in it");
+  }
+  if (!given.slot_of.is_none()) {
+    listed.slots.resize(listed.names.size());
+    for (const auto& [part, slot] : dict_of("slot_of", given.slot_of)) {
+      const std::string name = words_of(part);
+      const auto found = std::ranges::find(listed.names, name);
+      if (found == listed.names.end()) {
+        throw BadInput("slot_of: there is no part " + quoted(name));
+      }
+      listed.slots[static_cast<std::size_t>(found - listed.names.begin())] = words_of(slot);
+    }
+  }
+  request.parts.rows.emplace();
+  for (std::size_t i = 0; i < listed.names.size(); ++i) {
+    const auto field = [i](const std::vector<std::string>& of) {
+      return i < of.size() ? of[i] : std::string();
+    };
+    request.parts.rows->push_back({{listed.names[i], field(listed.costs), field(listed.slots)}});
   }
   const bool all_have_costs =
       !listed.costs.empty() &&
-      std::ranges::all_of(listed.costs, [](const auto& cost) { return cost.has_value(); });
-  if (asked.change_cost.is_none() && asked.change_costs.is_none() && !all_have_costs) {
+      std::ranges::none_of(listed.costs, [](const std::string& cost) { return cost.empty(); });
+  if (given.change_cost.is_none() && given.change_costs.is_none() && !all_have_costs) {
     throw BadInput("give change_cost, or parts as a dict from names to their change costs");
   }
-  Job job = make_job(count, asked.at_once, amount_of(asked.test_cost),
-                     asked.change_cost.is_none() ? Amount{} : amount_of(asked.change_cost));
-  if (!listed.names.empty()) {
-    job.names = std::move(listed.names);
-  }
-  for (std::size_t i = 0; i < listed.costs.size(); ++i) {
-    job.change_costs[i] = listed.costs[i].value_or(job.change_costs[i]);
-  }
-  slots = std::move(listed.slots);
-  return job;
 }
 
-// What a change costs by what is replaced: a dict from (out, in) to costs, for every two parts.
-void take_change_costs(const py::object& change_costs, Job& job) {
-  const std::uint64_t v = job.parts();
-  const PartNames names(job);
-  std::vector<bool> given(v * v);
-  job.replace_costs.assign(v * v, Amount{});
-  for (const auto& [pair, cost] : dict_of("change_costs", change_costs)) {
-    const auto [out, in] = pair_named(names, "change_costs", pair);
-    job.replace_costs[out * v + in] = amount_of(cost);
-    given[out * v + in] = true;
-  }
-  for (std::uint64_t i = 0; i < v * v; ++i) {
-    if (!given[i] && i / v != i % v) {
-      throw BadInput("change_costs does not say what putting in '" + job.names[i % v] +
-                     "' costs where '" + job.names[i / v] + "' was taken out");
+// What a change costs by what is replaced: a dict from (out, in) to costs, as a square table with its heads.
+RequestList table_in(const py::object& change_costs) {
+  std::map<std::pair<std::string, std::string>, std::string> costs;
+  std::vector<std::string> heads;
+  const auto add_head = [&](const std::string& name) {
+    if (std::ranges::find(heads, name) == heads.end()) {
+      if (heads.size() == max_parts) {
+        throw BadInput("change_costs names more parts than there are");
+      }
+      heads.push_back(name);
     }
+  };
+  for (const auto& [pair, cost] : dict_of("change_costs", change_costs)) {
+    const ListRow row = pair_in("change_costs", pair);
+    add_head(row.fields[0]);
+    add_head(row.fields[1]);
+    costs[{row.fields[0], row.fields[1]}] = amount_in("change_costs", cost);
   }
+  RequestList list{.file = {}, .text = {}, .rows = std::vector<ListRow>()};
+  ListRow header{{""}};
+  header.fields.insert(header.fields.end(), heads.begin(), heads.end());
+  list.rows->push_back(std::move(header));
+  for (const std::string& out : heads) {
+    ListRow row{{out}};
+    for (const std::string& in : heads) {
+      const auto found = costs.find({out, in});
+      row.fields.push_back(found == costs.end() ? "" : found->second);
+    }
+    list.rows->push_back(std::move(row));
+  }
+  return list;
 }
 
 // How many parts are in a slot: a number, or (least, most), where None is no limit.
-Slot slot_of(std::string name, const py::handle& room) {
-  Slot slot{.name = std::move(name)};
-  const auto refuse = [&slot]() {
-    throw BadInput("slots says how many parts are in " + quoted(slot.name) +
+ListRow slot_in(const std::string& name, const py::handle& room) {
+  const auto refuse = [&name]() {
+    throw BadInput("slots says how many parts are in " + quoted(name) +
                    ": a number, or (least, most) with None for no limit");
   };
   const auto number = [&refuse](const py::object& given) {
@@ -239,12 +280,11 @@ Slot slot_of(std::string name, const py::handle& room) {
         !(given >= py::int_(0) && given <= py::int_(UINT64_MAX))) {
       refuse();
     }
-    return given.cast<std::uint64_t>();
+    return words_of(given);
   };
   const auto given = py::reinterpret_borrow<py::object>(room);
   if (py::isinstance<py::int_>(given)) {
-    slot.least = slot.most = number(given);
-    return slot;
+    return {{name, number(given), number(given)}};
   }
   if (!py::isinstance<py::sequence>(given) || py::len(given) != 2) {
     refuse();
@@ -252,70 +292,32 @@ Slot slot_of(std::string name, const py::handle& room) {
   const auto two = py::reinterpret_borrow<py::sequence>(given);
   const py::object least = two[0];
   const py::object most = two[1];
-  slot.least = least.is_none() ? slot.least : number(least);
-  slot.most = most.is_none() ? slot.most : number(most);
-  return slot;
+  return {{name, least.is_none() ? std::string() : number(least),
+           most.is_none() ? std::string() : number(most)}};
 }
 
-// slots: how many parts of each; slot_of: which part is in which.
-void take_slots(const Asked& asked, std::vector<std::string> of_parts, Job& job) {
-  std::vector<Slot> slots;
-  for (const auto& [name, room] : dict_of("slots", asked.slots)) {
-    slots.push_back(slot_of(words_of(name), room));
+RequestList slots_in(const py::object& slots) {
+  RequestList list{.file = {}, .text = {}, .rows = std::vector<ListRow>()};
+  for (const auto& [name, room] : dict_of("slots", slots)) {
+    list.rows->push_back(slot_in(words_of(name), room));
   }
-  of_parts.resize(job.parts());
-  if (!asked.slot_of.is_none()) {
-    const PartNames names(job);
-    for (const auto& [part, slot] : dict_of("slot_of", asked.slot_of)) {
-      of_parts[names.named(part)] = words_of(slot);
-    }
-  }
-  set_slots(job, of_parts, std::move(slots));
+  return list;
 }
 
-void take_weights(const py::object& weights, Job& job) {
-  const PartNames names(job);
+RequestList weights_in(const py::object& weights) {
+  RequestList list{.file = {}, .text = {}, .rows = std::vector<ListRow>()};
   for (const auto& [pair, weight] : dict_of("weights", weights)) {
-    const auto [x, y] = pair_named(names, "weights", pair);
-    job.weights.set(x, y, amount_of(weight));
+    ListRow row = pair_in("weights", pair);
+    row.fields.push_back(amount_in("weights", weight));
+    list.rows->push_back(std::move(row));
   }
+  return list;
 }
 
-// What cannot meet need not, unless its pairs were asked for one by one.
-void take_needs(const Asked& asked, Job& job) {
-  constexpr std::uint64_t triples = 3;
-  if (asked.strength != 2 && asked.strength != triples) {
-    throw BadInput("strength is 2, every two parts must meet, or 3, every three");
-  }
-  if (!asked.pairs.is_none() && asked.strength == triples) {
-    throw BadInput("pairs are listed for strength 2 only");
-  }
-  job.never = pairs_named(job, "never", asked.never);
-  job.needed =
-      asked.pairs.is_none() ? all_pairs_but(job.never) : pairs_named(job, "pairs", asked.pairs);
-  stoppable([&] {
-    Job any = job;
-    any.needed = PairSet(job.parts());
-    check(any);  // Without needed pairs: what cannot be at all.
-    return true;
-  });
-  if (asked.strength == triples) {
-    stoppable([&] { return need_triples(job), true; });
-    if (job.triples.empty()) {
-      throw BadInput("no three parts can be in one set-up");
-    }
-  } else if (asked.pairs.is_none() && !job.slots.empty()) {
-    drop_needed(job, stoppable([&] { return cannot_meet(job); }));
-  }
-  if (job.needed.size() == 0) {
-    throw BadInput("no pair has to meet that could");
-  }
-}
+// Nothing is asked for by a list without rows.
+RequestList unless_empty(RequestList list) { return list.rows->empty() ? RequestList() : list; }
 
 }  // namespace
-
-// Numbers, strings and decimals alike, exactly as they are written.
-Amount amount_of(const py::handle& value) { return parse_amount(words_of(value)); }
 
 py::object decimal(Amount amount) {
   return py::module_::import("decimal").attr("Decimal")(to_string(amount));
@@ -329,10 +331,8 @@ std::vector<std::string> names(const Job& job, const Block& parts) {
   return all;
 }
 
-Element part_named(const Job& job, const py::handle& part) { return PartNames(job).named(part); }
-
 Block parts_named(const Job& job, const char* argument, const py::handle& parts) {
-  return parts_named(PartNames(job), argument, parts);
+  return changeover::parts_named(words_in(argument, parts), job.names);
 }
 
 std::optional<TestResult> result_named(const py::handle& result) {
@@ -346,40 +346,30 @@ std::optional<TestResult> result_named(const py::handle& result) {
                                          : std::nullopt;
 }
 
-Job job_of(const Asked& asked) {
-  std::vector<std::string> slots_of_parts;
-  Job job = parts_and_costs(asked, slots_of_parts);
-  if (!asked.change_costs.is_none()) {
-    take_change_costs(asked.change_costs, job);
+JobRequest request_of(const GivenJob& given) {
+  JobRequest request;
+  take_parts(given, request);
+  request.test_cost = amount_in("test_cost", given.test_cost);
+  request.change_cost = amount_if_any("change_cost", given.change_cost);
+  request.budget = amount_if_any("budget", given.budget);
+  if (!given.change_costs.is_none()) {
+    request.change_costs = table_in(given.change_costs);
   }
-  const bool has_column = !slots_of_parts.empty();
-  if (has_column && !asked.slot_of.is_none()) {
-    throw BadInput("parts has a column slot, and slot_of says the same; give one of them");
+  if (!given.slots.is_none()) {
+    request.slots = slots_in(given.slots);
   }
-  if (asked.slots.is_none() == (has_column || !asked.slot_of.is_none())) {
-    throw BadInput(
-        has_column
-            ? "parts has a column slot; give slots, how many parts each has, or leave the column out"
-            : "slots and slot_of come together: how many parts a slot has, and which parts are in it");
+  if (!given.pairs.is_none()) {
+    request.pairs = pairs_in("pairs", given.pairs);
   }
-  if (!asked.slots.is_none()) {
-    take_slots(asked, std::move(slots_of_parts), job);
+  request.never = unless_empty(pairs_in("never", given.never));
+  request.mounted = words_in("mounted", given.mounted);
+  request.start = words_in("start", given.start);
+  request.first = unless_empty(setups_in("first", given.first));
+  if (!given.weights.is_none()) {
+    request.weights = unless_empty(weights_in(given.weights));
   }
-  job.mounted = parts_named(job, "mounted", asked.mounted);
-  job.start = parts_named(job, "start", asked.start);
-  take_needs(asked, job);
-  job.first = setups_named(job, "first", asked.first);
-  if (!asked.weights.is_none()) {
-    take_weights(asked.weights, job);
-  }
-  stoppable([&] { return check(job), true; });
-  if (const auto tests = done_tests(job, asked.done); !tests.empty()) {
-    stoppable([&] {
-      mark_tested(job, tests, asked.trust_failed ? FailedTests::trusted : FailedTests::again);
-      return true;
-    });
-  }
-  return job;
+  request.done = unless_empty(tests_in(given.done));
+  return request;
 }
 
 }  // namespace changeover::python

@@ -1,64 +1,62 @@
 // Run sheets: the experimenters' door.
 #include "changeover/core/error.hpp"
-#include "changeover/plan/sheet_formats.hpp"
 #include "long_work.hpp"
 #include "sheets.hpp"
 
 namespace changeover::python {
 namespace {
 
-BenchObjective objective_of(const std::optional<std::string>& word) {
-  if (word && *word != "makespan" && *word != "cost") {
-    throw BadInput(
-        "objective is 'makespan', what the bench costs that costs most, or 'cost', of all benches");
-  }
-  return word == "cost" ? BenchObjective::cost : BenchObjective::makespan;
+template <typename Kind>
+py::object planned(JobRequest request, AskedJob asked, LongWork& work) {
+  Kind kind;
+  kind.request = std::move(request);
+  kind.asked = std::move(asked);
+  work.run(
+      [&](RunControl& control) { kind.answer = answer_to(kind.request, kind.asked, control); });
+  kind.interrupted = work.interrupted();
+  return py::cast(std::move(kind));
 }
 
 py::object plan(py::object parts, std::uint64_t at_once, py::object test_cost,
                 py::object change_cost, py::object change_costs, std::uint64_t strength,
                 py::object pairs, py::object never, py::object slots, py::object slot_of,
                 py::object mounted, py::object start, py::object first, py::object weights,
-                py::object done, bool trust_failed, const py::object& budget,
+                py::object done, bool trust_failed, py::object budget,
                 std::optional<std::uint64_t> benches, const std::optional<std::string>& objective,
                 std::optional<double> time, std::uint64_t threads, std::uint64_t seed,
-                py::object progress) {
-  const BenchObjective wanted = objective_of(objective);
-  if (objective && !benches) {
-    throw BadInput("objective is for several benches; give benches");
+                py::object progress, std::optional<std::uint64_t> done_first,
+                std::optional<std::uint64_t> shuffle, const std::optional<std::string>& title,
+                bool compact, std::optional<std::uint64_t> steps) {
+  JobRequest request = request_of(
+      {std::move(parts), std::move(test_cost), std::move(change_cost), std::move(change_costs),
+       std::move(pairs), std::move(never), std::move(slots), std::move(slot_of), std::move(mounted),
+       std::move(start), std::move(first), std::move(weights), std::move(done), std::move(budget)});
+  request.at_once = at_once;
+  request.strength = strength;
+  request.trust_failed = trust_failed;
+  request.benches = benches;
+  request.objective = objective.value_or("");
+  request.seconds = time;
+  request.done_first = done_first;
+  request.shuffle = shuffle;
+  request.title = title.value_or("");
+  request.compact = compact;
+  request.steps = steps;
+  if (objective && *objective != "makespan" && *objective != "cost") {
+    throw BadInput(
+        "objective is 'makespan', what the bench costs that costs most, or 'cost', of all benches");
   }
-  const Job job =
-      job_of({std::move(parts), at_once, std::move(test_cost), std::move(change_cost),
-              std::move(change_costs), strength, std::move(pairs), std::move(never),
-              std::move(slots), std::move(slot_of), std::move(mounted), std::move(start),
-              std::move(first), std::move(weights), std::move(done), trust_failed});
-  PlanOptions options;
-  options.until_stopped = time.has_value();
-  options.checked = true;  // by job_of()
-  if (!budget.is_none()) {
-    options.budget = amount_of(budget);
-  }
+  AskedJob asked = stoppable([&] { return checked_job(request, Door::document); });
   LongWork work({.seconds = time,
                  .threads = threads,
                  .seed = seed,
                  .progress = std::move(progress),
                  .keeps_best = true});
-  if (benches) {
-    Sheets sheets{.job = job, .options = {.benches = *benches, .plan = options}, .plan = {}};
-    sheets.options.objective = wanted;
-    work.run([&](RunControl& control) {
-      sheets.plan = make_bench_plan(sheets.job, sheets.options, control);
-    });
-    sheets.interrupted = work.interrupted();
-    return py::cast(std::move(sheets));
-  }
-  Sheet sheet{.job = job, .options = options, .plan = {}};
-  work.run([&](RunControl& control) { sheet.plan = make_run_plan(sheet.job, options, control); });
-  sheet.interrupted = work.interrupted();
-  return py::cast(std::move(sheet));
+  return benches ? planned<Sheets>(std::move(request), std::move(asked), work)
+                 : planned<Sheet>(std::move(request), std::move(asked), work);
 }
 
-py::list steps_of_plan(const Sheet& self) { return steps_of(self.job, self.plan.sheet); }
+py::list steps_of_plan(const Sheet& self) { return steps_of(self.job(), self.plan().sheet); }
 
 // Exact, a Fraction.
 py::object fraction(const Ratio& ratio) {
@@ -87,7 +85,7 @@ py::dict ratios(const Sheet& self, std::optional<double> time, std::uint64_t thr
                  .keeps_best = true});
   WhatIf answer;
   work.run([&](RunControl& control) {
-    answer = changeover::what_if(self.job, self.plan, self.options, control);
+    answer = changeover::what_if(self.job(), self.plan(), self.answer.options, control);
   });
   py::list ranges;
   for (const WhatIf::Range& range : answer.ranges) {
@@ -98,7 +96,7 @@ py::dict ratios(const Sheet& self, std::optional<double> time, std::uint64_t thr
     one["how"] = range.plan.how;
     one["tests"] = range.plan.tests();
     one["changes"] = range.plan.changes;
-    one["setups"] = names_of_setups(self.job, range.plan.setups);
+    one["setups"] = names_of_setups(self.job(), range.plan.setups);
     ranges.append(one);
   }
   py::dict all;
@@ -128,47 +126,49 @@ py::list steps_of(const Job& job, const RunSheet& sheet) {
 }
 
 void bind_plan(py::module_& module) {
-  py::class_<Sheet>(module, "RunSheet",
-                    "A run sheet, counted by code that shares nothing with what made it.")
+  py::class_<Sheet> sheet(module, "RunSheet",
+                          "A run sheet, counted by code that shares nothing with what made it.");
+  bind_formats(sheet);
+  sheet
       .def_property_readonly(
           "steps", &steps_of_plan,
           "A dict for each test: number, take_out, put_in, setup (names), cost, cost_so_far.")
       .def_property_readonly("tests",
-                             [](const Sheet& self) { return self.plan.sheet.steps.size(); })
-      .def_property_readonly("changes", [](const Sheet& self) { return self.plan.sheet.changes; })
+                             [](const Sheet& self) { return self.plan().sheet.steps.size(); })
+      .def_property_readonly("changes", [](const Sheet& self) { return self.plan().sheet.changes; })
       .def_property_readonly(
-          "complete", [](const Sheet& self) { return self.plan.sheet.does_the_job(); },
+          "complete", [](const Sheet& self) { return self.plan().sheet.does_the_job(); },
           "All that must meet does; a budget may not pay for it.")
       .def_property_readonly(
-          "pairs_tested", [](const Sheet& self) { return self.plan.sheet.pairs_tested; },
+          "pairs_tested", [](const Sheet& self) { return self.plan().sheet.pairs_tested; },
           "Of the pairs that must meet.")
       .def_property_readonly(
-          "met_only_in_failed", [](const Sheet& self) { return self.job.met_only_in_failed; },
+          "met_only_in_failed", [](const Sheet& self) { return self.job().met_only_in_failed; },
           "Pairs (triples with strength 3) that met only in tests that failed or whose result is not understood.")
       .def_property_readonly("pairs_needed",
-                             [](const Sheet& self) { return self.plan.sheet.pairs_needed; })
+                             [](const Sheet& self) { return self.plan().sheet.pairs_needed; })
       .def_property_readonly(
-          "triples_tested", [](const Sheet& self) { return self.plan.sheet.triples_tested; },
+          "triples_tested", [](const Sheet& self) { return self.plan().sheet.triples_tested; },
           "Of three parts that must meet, with strength 3.")
       .def_property_readonly("triples_needed",
-                             [](const Sheet& self) { return self.plan.sheet.triples_needed; })
+                             [](const Sheet& self) { return self.plan().sheet.triples_needed; })
       .def_property_readonly(
-          "cost", [](const Sheet& self) { return decimal(self.plan.sheet.cost); },
+          "cost", [](const Sheet& self) { return decimal(self.plan().sheet.cost); },
           "Exact, a Decimal.")
       .def_property_readonly(
-          "lower_bound", [](const Sheet& self) { return decimal(self.plan.bound.cost); },
+          "lower_bound", [](const Sheet& self) { return decimal(self.plan().bound.cost); },
           "No list of tests that does the job costs less.")
       .def_property_readonly(
-          "reason", [](const Sheet& self) { return self.plan.bound.reason; }, "Of the bound.")
+          "reason", [](const Sheet& self) { return self.plan().bound.reason; }, "Of the bound.")
       .def_property_readonly(
-          "cheapest", [](const Sheet& self) { return self.plan.proved_cheapest(); },
+          "cheapest", [](const Sheet& self) { return self.plan().proved_cheapest(); },
           "Proved: nothing is cheaper.")
       .def_readonly("interrupted", &Sheet::interrupted, "Ctrl-C ended the search.")
       .def_property_readonly(
           "candidates",
           [](const Sheet& self) {
             py::list all;
-            for (const Candidate& each : self.plan.candidates) {
+            for (const Candidate& each : self.plan().candidates) {
               py::dict one;
               one["name"] = each.name;
               one["how"] = each.how;
@@ -197,15 +197,11 @@ void bind_plan(py::module_& module) {
           "that explain all together where none does alone; contradictions, (what failed, what passed though it had all of it); "
           "tests, a tree of dicts with after (results so far, True for passed), setup, take_out, put_in, cost, if_it_fails and "
           "if_it_passes (suspects); most_cost, of the tests that are made. Raises BadInput for other results.")
-      .def("to_csv",
-           [](const Sheet& self) { return sheet_as_csv({.job = &self.job, .plan = &self.plan}); })
-      .def("to_html",
-           [](const Sheet& self) { return sheet_as_html({.job = &self.job, .plan = &self.plan}); })
-      .def("__len__", [](const Sheet& self) { return self.plan.sheet.steps.size(); })
+      .def("__len__", [](const Sheet& self) { return self.plan().sheet.steps.size(); })
       .def("__repr__", [](const Sheet& self) {
-        return "<RunSheet: " + std::to_string(self.plan.sheet.steps.size()) + " tests, " +
-               std::to_string(self.plan.sheet.changes) + " changes, cost " +
-               to_string(self.plan.sheet.cost) + ">";
+        return "<RunSheet: " + std::to_string(self.plan().sheet.steps.size()) + " tests, " +
+               std::to_string(self.plan().sheet.changes) + " changes, cost " +
+               to_string(self.plan().sheet.cost) + ">";
       });
   module.def(
       "plan", &plan, py::arg("parts"), py::arg("at_once"), py::kw_only(), py::arg("test_cost"),
@@ -217,7 +213,9 @@ void bind_plan(py::module_& module) {
       py::arg("done") = py::tuple(), py::arg("trust_failed") = false,
       py::arg("budget") = py::none(), py::arg("benches") = py::none(),
       py::arg("objective") = py::none(), py::arg("time") = py::none(), py::arg("threads") = 1,
-      py::arg("seed") = 1, py::arg("progress") = py::none(),
+      py::arg("seed") = 1, py::arg("progress") = py::none(), py::arg("done_first") = py::none(),
+      py::arg("shuffle") = py::none(), py::arg("title") = py::none(), py::arg("compact") = false,
+      py::arg("steps") = py::none(),
       "The cheapest list of tests that was found in which every two parts are mounted together at least once.\n\n"
       "parts: how many, a list of names, or a dict from names to what it costs to mount them; at_once of them fit. "
       "Costs are numbers, Decimals or strings, and exact.\n\n"
@@ -231,7 +229,8 @@ void bind_plan(py::module_& module) {
       "such as 'FAILED - hang'. Pairs that met only in tests that failed, or whose text is not understood, are needed again, unless "
       "trust_failed. budget: test as much as it pays for. benches: so many side by side, which gives BenchSheets; objective: 'makespan' (None), "
       "what the bench costs that costs most is least, or 'cost', of all of them. time: seconds of search; None: a fixed amount of "
-      "it.\n\nRaises BadInput with the reason if no list can do it.");
+      "it, or steps, moves of each local search. done_first: only so many of done were done. shuffle: a seed by which parts "
+      "are exchanged that nothing tells apart. title, compact: of what is written.\n\nRaises BadInput with the reason if no list can do it.");
 }
 
 }  // namespace changeover::python

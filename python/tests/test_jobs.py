@@ -84,29 +84,29 @@ class Plans(unittest.TestCase):
         self.assertEqual(len(mounted), 2)
         self.assertEqual(total, sheet.cost)
         del costs["a", "b"]
-        with self.assertRaisesRegex(changeover.BadInput, "change_costs does not say what putting in 'b'"):
+        with self.assertRaisesRegex(changeover.BadInput, "no cost of putting in 'b' where 'a' was taken out"):
             changeover.plan(names, 2, test_cost=1, change_costs=costs)
 
     def test_what_cannot_be_meant_is_refused(self):
         for wrong, words in (
-            ({"pairs": []}, "no pair has to meet"),
+            ({"pairs": []}, "^pairs: no pair is listed"),
             ({"pairs": [("a", "a")]}, "pairs is pairs of two parts"),
             ({"pairs": [("a", "b", "c")]}, "pairs is pairs of two parts"),
-            ({"mounted": ["z"]}, "no part is called 'z'"),
-            ({"strength": 4}, "strength is 2"),
-            ({"strength": 3, "pairs": [("a", "b")]}, "strength 2 only"),
+            ({"mounted": ["z"]}, "^mounted: there is no part 'z'"),
+            ({"strength": 4}, "^strength 4: give 2"),
+            ({"strength": 3, "pairs": [("a", "b")]}, "^pairs is of pairs"),
             ({"slots": {"CPU": 1}}, "slots and slot_of come together"),
             ({"slots": {"CPU": -1}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": 2**64}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": (1.5, None)}, "slot_of": {"a": "CPU"}}, "slots says how many"),
-            ({"slots": {"CPU": (2, 1)}, "slot_of": {"a": "CPU", "b": "CPU"}}, "at least 2 parts and at most 1"),
+            ({"slots": {"CPU": (2, 1)}, "slot_of": {"a": "CPU", "b": "CPU"}}, "slot 'CPU' has at least 2 and at most 1"),
             ({"mounted": itertools.repeat("a")}, "mounted names more parts than there are"),
             ({"done": [itertools.repeat("a")]}, "done names more parts than there are"),
-            ({"mounted": ["x" * 10**5]}, "no part is called 'x{60}…'$"),
+            ({"mounted": ["x" * 10**5]}, "there is no part 'x{20,99}…'; "),
             ({"slots": {"CPU": "many"}, "slot_of": {"a": "CPU"}}, "slots says how many"),
             ({"slots": {"CPU": 1}, "slot_of": {"a": "disk"}}, "disk"),
             ({"weights": [("a", "b")]}, "weights is a dict"),
-            ({"first": [["a", "b", "c", "d"]]}, "set-up 1 of those that come first"),
+            ({"first": [["a", "b", "c", "d"]]}, "^first.0.: 4 parts stand here, but only 3 fit"),
             ({"never": [("a", "b")], "pairs": [("a", "b")]}, "a"),
         ):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(changeover.BadInput, words) as caught:
@@ -117,6 +117,37 @@ class Plans(unittest.TestCase):
         for wrong in ({"mounted": ["\ud800"]}, {"budget": "\ud800"}):
             with self.subTest(wrong=wrong), self.assertRaises(UnicodeEncodeError):
                 self.plan("a b c d".split(), 3, **wrong)
+
+    def test_a_request_and_its_answer_are_documents(self):
+        import json
+        sheet = changeover.plan({"a": 1, "b": "2.50", "c": 3}, 2, test_cost=1, done=[(["a", "b"], "FAILED - hang")], title="T")
+        asked = json.loads(sheet.request_json())
+        self.assertEqual(asked["parts"], [{"name": "a", "cost": 1}, {"name": "b", "cost": "2.50"}, {"name": "c", "cost": 3}])
+        self.assertEqual(asked["done"], [{"parts": ["a", "b"], "result": "FAILED - hang"}])
+        answer = json.loads(sheet.to_json())
+        self.assertEqual((answer["format"], answer["title"], answer["met_only_in_failed"]), ("changeover-plan/1", "T", 1))
+        self.assertTrue(sheet.to_xlsx().startswith(b"PK"))
+        self.assertIn("| step |", sheet.to_markdown())
+        self.assertIn("3 parts, 2 at a time", sheet.to_text())
+        two = changeover.plan(5, 2, test_cost=1, change_cost=1, benches=2)
+        self.assertEqual(json.loads(two.to_json())["format"], "changeover-benches/1")
+        self.assertEqual(json.loads(two.request_json())["items"], 5)
+
+    def test_numbers_are_parts_only_where_no_name_is_a_number(self):
+        self.assertEqual(self.plan(list("abc"), 2, pairs=[(1, "b")]).pairs_needed, 1)
+        with self.assertRaisesRegex(changeover.BadInput, "there is no part '1'"):
+            self.plan(["101", "102", "103"], 2, pairs=[(1, 2)])
+        with self.assertRaisesRegex(changeover.BadInput, "there is no part '1'"):
+            self.plan(["101", "102", "103"], 2, mounted=[1])
+
+    def test_options_are_those_of_the_command_line(self):
+        sheet = self.plan(6, 3, done=[[1, 2, 3], [4, 5, 6]], done_first=1, steps=100, shuffle=3)
+        self.assertEqual(sheet.pairs_needed, 12)
+        self.assertTrue(any("shuffled with seed 3" in note for note in sheet.notes), sheet.notes)
+        with self.assertRaisesRegex(changeover.BadInput, "^done_first is for done; give both"):
+            self.plan(6, 3, done_first=1)
+        with self.assertRaisesRegex(changeover.BadInput, "^budget has no meaning with benches"):
+            self.plan(6, 3, budget=3, benches=2)
 
     def test_what_does_not_hold_what_is_meant_is_refused(self):
         pair = {"a", "b"}

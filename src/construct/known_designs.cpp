@@ -60,14 +60,16 @@ Recipe fixed_once_more(const Recipe& recipe) {
              : fix_recipe(recipe, 1);
 }
 
-// A cover by as few of the available positions as there can be, all of them 0: no design's cover costs less.
+// A cover by as few of the available positions as there can be, all of them 0: no design's cover
+// costs less.
 CoverPositions smallest_cover(const Parameters& p, std::uint64_t available) {
   CoverPositions cover{{}, available};
   cover.positions.resize(static_cast<std::size_t>(ceil_div(p.v, p.k - p.change)));
   return cover;
 }
 
-// About the fewest blocks that are left when elements of a linear single-change design are closed up one by one.
+// About the fewest blocks that are left when elements of a linear single-change design are closed
+// up one by one.
 std::uint64_t left_by_closing_up(std::uint64_t b, const Parameters& p, std::size_t elements) {
   for (std::uint64_t v = p.v; v > p.v - elements; --v) {
     const std::uint64_t stays =
@@ -165,7 +167,8 @@ class KnownDesigns::Cell {
     }
   }
 
-  // m from a proper divisor by blowing up, from 1 by coarsening; 1 from 2 by interpolating, which looks no further.
+  // m from a proper divisor by blowing up, from 1 by coarsening; 1 from 2 by interpolating, which
+  // looks no further.
   void from_other_change_numbers() {
     const std::uint64_t m = p_.change;
     const auto changed = [this](std::uint64_t s, std::uint64_t k, std::uint64_t change) {
@@ -194,7 +197,7 @@ class KnownDesigns::Cell {
     }
   }
 
-  // The other change numbers' last rule takes longest, so only the cell that is asked for is looked at.
+  // On one level only: of all rules this one takes longest.
   void coarsen() {
     const std::uint64_t m = p_.change;
     if (m < 2 || p_.kind != Kind::linear || p_.k <= m) {
@@ -253,8 +256,8 @@ class KnownDesigns::Cell {
     }
   }
 
-  // New elements at the positions of a cover, which is searched for only if the smallest there can be would help, and
-  // for a few designs only: those that promise most.
+  // New elements at the positions of a cover, which is searched for only if the smallest there can
+  // be would help, and for a few designs only: those that promise most.
   void expand() {
     struct Promising {
       std::uint64_t b, w, added;

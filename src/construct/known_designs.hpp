@@ -4,18 +4,20 @@
 //     known.best({.v = 198, .k = 9});          // the same before and after any other question
 //     known.best({.v = 199, .k = 9});          // cheaper now: both share most of what they come from
 //
-// The answer for a cell is defined by levels. Level 0 is the registry's best offer. Level 1 adds blowing up and
-// interpolating from other change numbers, fixed elements and cuts. Each further level takes the best of the level
-// below it and of what the rules make of cells around, as these are one level below: cut, coarsen, fix, unfix,
-// truncate, close up, partial expansion; and needless blocks go. The answer is level 3, and 2 beyond v = 300.
+// The answer for a cell is defined by levels. Level 0 is the registry's best offer. Level 1 adds
+// blowing up and interpolating from other change numbers, fixed elements and cuts. Each further
+// level takes the best of the level below it and of what the rules make of cells around, as these
+// are one level below: cut, coarsen, fix, unfix, truncate, close up, partial expansion; and
+// needless blocks go. The answer is level 3, and 2 beyond v = 300.
 //
-// Each level refers to lower levels, to lower change numbers (and m = 1 to m = 2 without other change numbers), to the
-// circular design or to smaller blocks; so this ends. A source is left out where lower bounds show that it cannot help:
-// that saves time and changes nothing. What else is asked, before or at once, has no influence.
+// Each level refers to lower levels, to lower change numbers (and m = 1 to m = 2 without other
+// change numbers), to the circular design or to smaller blocks; so this ends. A source is left out
+// where lower bounds show that it cannot help: that saves time and changes nothing. What else is
+// asked, before or at once, has no influence.
 //
-// Two kinds of cells have no levels. One whose best is its lower bound is done. One that the catalog comes with was
-// planned with all others, again and again, when the catalog was made: there only designs of the user's can be news,
-// and only they and what comes of them are followed.
+// Two kinds of cells have no levels. One whose best is its lower bound is done. One that the
+// catalog comes with was planned with all others, again and again, when the catalog was made: there
+// only designs of the user's can be news, and only they and what comes of them are followed.
 //
 // Results are kept, so a range is computed in one pass. Not thread-safe; each question has its own.
 #pragma once
@@ -39,7 +41,8 @@ class KnownDesigns {
  public:
   explicit KnownDesigns(const Registry& registry, Planned planned = Planned::as_shipped);
 
-  /// The best recipe that is known for p; nullopt if there is none. Listens to the scope of this thread.
+  /// The best recipe that is known for p; nullopt if there is none. Listens to the scope of this
+  /// thread.
   /// @throws as check(); InternalError if a design that was built does not keep its promise.
   [[nodiscard]] std::optional<Offer> best(const Parameters& p);
 

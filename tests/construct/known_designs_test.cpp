@@ -7,10 +7,14 @@
 #include <random>
 #include <vector>
 
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/standard_catalog.hpp"
+#include "run_program.hpp"
 
 namespace changeover {
 namespace {
+
+using test::TemporaryFolder;
 
 const Registry& registry() { return Registry::standard(); }
 
@@ -83,7 +87,8 @@ TEST(KnownDesigns, AreNoWorseThanWhatRangesAndSingleCellsFound) {
   }
 }
 
-// Nothing but the catalog is asked there, however large the range: the rules had their turn when it was made.
+// Nothing but the catalog is asked there, however large the range: the rules had their turn when it
+// was made.
 TEST(KnownDesigns, AreLookedUpWhereTheCatalogComesWithThem) {
   for (const Parameters& p :
        {Parameters{99, 12, 3, Kind::linear}, Parameters{40, 6, 2, Kind::circular},
@@ -98,6 +103,46 @@ TEST(KnownDesigns, AreLookedUpWhereTheCatalogComesWithThem) {
     ASSERT_TRUE(anew);
     EXPECT_EQ(anew->b, best->b) << name(p);
   }
+}
+
+// A catalog that comes with nothing stands for one that comes with all, and what that knows for
+// news of the user's.
+TEST(KnownDesigns, FollowWhatTheUserFoundInCellsThatTheCatalogComesWith) {
+  const Registry without(registry_entries());
+  std::size_t followed = 0;
+  for (std::uint64_t k = 6; k <= 10; ++k) {
+    for (std::uint64_t v = 3 * k; v <= 40; v += 5) {
+      const Parameters p{.v = v, .k = k, .change = 2, .kind = Kind::circular};
+      const auto entry = standard_catalog().best(p);
+      const auto offered = without.best(p);
+      ASSERT_TRUE(entry && offered && comes_planned(p));
+      if (entry->b >= offered->b || entry->recipe.construction == "found") {
+        continue;
+      }
+      const TemporaryFolder folder;
+      Catalog catalog({.shipped = {}, .user = folder.file("mine.db")});
+      const Registry with_none(registry_entries(), &catalog);
+      const auto before = best_known(with_none, p);
+      ASSERT_TRUE(before);
+      EXPECT_EQ(before->b, offered->b) << name(p);  // as if it came planned
+      catalog.add(*entry);
+      Parameters fixed = p;
+      ++fixed.v;
+      ++fixed.k;
+      Parameters linear = p;
+      linear.kind = Kind::linear;
+      const Plan plan = plan_range(
+          with_none, {.v_from = v, .v_to = v + 1, .k_from = k, .k_to = k + 1, .change = 2});
+      for (const Parameters& q : {p, fixed, linear}) {
+        const auto best = best_known(with_none, q);
+        ASSERT_TRUE(best) << name(q);
+        EXPECT_LE(best->b, entry->b) << name(q);
+        EXPECT_EQ(plan.at(q).best->recipe, best->recipe) << name(q);
+      }
+      ++followed;
+    }
+  }
+  EXPECT_GT(followed, 3U);
 }
 
 }  // namespace

@@ -77,7 +77,8 @@ TEST(Pages, TheoremsNameDesignsThatAreMinimum) {
   EXPECT_EQ(best(circular(8, 6, 2)), 3U);
 }
 
-// One tight design of docs/new_designs.md: base blocks, to be developed by adding 1 to the residues of each cycle.
+// One tight design of docs/new_designs.md: base blocks, to be developed by adding 1 to the residues
+// of each cycle.
 Design developed(const Parameters& p, std::uint64_t n, const std::vector<Block>& base) {
   Design design(p);
   const auto fixed = static_cast<Element>(p.v % n == 0 ? p.v : p.v - 1);
@@ -141,7 +142,8 @@ TEST(Pages, NewDesignsAreTightAndTheBestThatIsKnown) {
   EXPECT_EQ(lists, tables);
 }
 
-// Nobody has found since what was not found then, and a theorem excludes what the page says that it does.
+// Nobody has found since what was not found then, and a theorem excludes what the page says that it
+// does.
 TEST(Pages, WhatWasNotFoundIsStillOpenOrExcluded) {
   const std::string page = slurp(top + "docs/new_designs.md");
   const std::string rest = page.substr(page.find("## What was not found"));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
@@ -115,6 +116,18 @@ TEST(Planner, RefusesRangesThatMakeNoSense) {
   const Plan plan =
       plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2});
   EXPECT_THROW((void)plan.at({.v = 10, .k = 3}), BadInput);
+}
+
+// No divisor of so large a change number is looked for: that would take for ever.
+TEST(Planner, AnswersAtOnceWhereBlocksAreSmallerThanTheChange) {
+  for (const std::uint64_t m :
+       {std::uint64_t{1} << 32, std::numeric_limits<std::uint64_t>::max() - 1}) {
+    const Plan plan =
+        plan_range(registry(), {.v_from = 3, .v_to = 40, .k_from = 3, .k_to = 8, .change = m});
+    for (const PlannedCell& cell : plan.cells()) {
+      EXPECT_TRUE(cell.impossible) << name(cell.parameters);
+    }
+  }
 }
 
 TEST(Truncate, TakesAnElementAwayFromEveryDesignThatAllowsIt) {

@@ -92,6 +92,11 @@ TEST_F(IoExamples, Sink) {
   EXPECT_THAT(sink.text(), HasSubstr("0 1 2 3\n4 5 2 3\n"));
 }
 
+TEST_F(IoExamples, Request) {
+  RequestList pairs{.rows = {{{.fields = {"Pump A", "Motor"}}}}};  // or .file = "pairs.csv"
+  EXPECT_TRUE(pairs.is_given());
+}
+
 TEST_F(IoExamples, AlignedRows) {
   std::vector<MarkedElement> top;
   for (const AlignedBlock& column : aligned_rows(design)) {

@@ -73,6 +73,17 @@ TEST(PlanExamples, ReadJob) {
               ElementsAre(Block{0, 2}, Block{1, 2}));
 }
 
+TEST(PlanExamples, JobRequest) {
+  JobRequest request{.items = 9, .at_once = 3, .test_cost = "1", .change_cost = "5"};
+  EXPECT_EQ(
+      to_json(request),
+      "{\"format\":\"changeover-job/1\",\"items\":9,\"at_once\":3,\"test_cost\":\"1\",\"change_cost\":\"5\"}\n");
+  const AskedJob asked = checked_job(request, Door::document);
+  RunControl control({.threads = 1});
+  const PlanAnswer answer = answer_to(request, asked, control);
+  EXPECT_EQ(answer.plan->sheet.steps.size(), 17U);
+}
+
 TEST(PlanExamples, RunPlan) {
   StandardOutput output;
   RunControl control({.time = std::chrono::seconds(10)});

@@ -64,6 +64,8 @@ const std::vector<Case>& cases() {
       {"$changeover factorize 8", 0, "F_7: "},
       {"$changeover table --k 3..5 --v 5..12", 0, "mean of b / lower bound"},
       {"$changeover table --k 3 --v ..9 --linear --json", 0, "\"status\":\"minimum\""},
+      {"$changeover table --k 3 --v 9 --change 18446744073709551614 --json", 0, "\"impossible\""},
+      {"$changeover table --k 4 --v 12 --anew --json", 0, "\"status\":\"minimum\""},
       {"$changeover constructions", 0, "cyclic-paper"},
       {"$changeover paper", 0, "10 refuted, 4 not checkable"},
       {"$changeover paper --json", 0, "\"format\":\"changeover-paper/2\""},

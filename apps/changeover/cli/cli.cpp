@@ -22,6 +22,7 @@
 #include "cli/spelling.hpp"
 #include "cli/status_line.hpp"
 #include "core/printable.hpp"
+#include "io/request/request_document.hpp"
 #include "request/inputs.hpp"
 #include "shell/features.hpp"
 
@@ -150,12 +151,6 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return fmt::format("{}", fmt::join(words, between));
 }
 
-// "--order, --extend and --repair".
-std::string enumerated(const std::vector<std::string>& names, const std::string& last = " and ") {
-  const std::string but_last = joined({names.begin(), names.end() - 1}, ", ");
-  return but_last + (but_last.empty() ? "" : last) + names.back();
-}
-
 // "--change", "-m", … of an option; nothing for a positional.
 std::vector<std::string> names_of(const CLI::Option& option) {
   std::vector<std::string> names;
@@ -274,6 +269,18 @@ struct Verb::State {
     });
   }
 
+  void text(CLI::Option* option, const std::string& what) {
+    option->option_text(what);
+    // As of a variable that was never set.
+    option->check(
+        [](const std::string& given) {
+          return given.empty() ? std::string("it is empty; give a value, or leave the option out")
+                               : std::string();
+        },
+        "");
+    kinds[option] = {kind_of_value(what)};
+  }
+
   void number(CLI::Option* option, const std::string& what) {
     option->option_text(what)->check(whole_number_defect, "");
     kinds[option] = {"number"};
@@ -319,16 +326,13 @@ void Verb::option(const std::string& flags, std::optional<std::uint64_t>& value,
 
 void Verb::option(const std::string& flags, std::string& value, const std::string& what,
                   const std::string& help) {
-  CLI::Option* option = state_->app->add_option(flags, value, help);
-  option->option_text(what);
-  // As of a variable that was never set.
-  option->check(
-      [](const std::string& given) {
-        return given.empty() ? std::string("it is empty; give a value, or leave the option out")
-                             : std::string();
-      },
-      "");
-  state_->kinds[option] = {kind_of_value(what)};
+  state_->text(state_->app->add_option(flags, value, help), what);
+}
+
+void Verb::option(const std::string& flags, std::function<void(const std::string&)> take,
+                  const std::string& what, const std::string& help) {
+  CLI::Option* option = state_->app->add_option_function<std::string>(flags, std::move(take), help);
+  state_->text(option, what);
 }
 
 void Verb::choice(const std::string& flags, std::string& value,
@@ -356,7 +360,7 @@ void Verb::flag(const std::string& flags, std::function<void()> set, const std::
 }
 
 void Verb::exclude(const std::vector<std::string>& names) {
-  state_->sentences.push_back(enumerated(names) + " exclude each other");
+  state_->sentences.push_back(sentence_of(OptionRule::Says::exclude, names, {}));
   state_->rules.emplace_back([state = state_.get(), names] {
     if (std::count_if(names.begin(), names.end(),
                       [state](const auto& name) { return state->given(name); }) > 1) {
@@ -367,8 +371,7 @@ void Verb::exclude(const std::vector<std::string>& names) {
 
 void Verb::only_with(const std::vector<std::string>& names,
                      const std::vector<std::string>& others) {
-  state_->sentences.push_back(enumerated(names) + (names.size() == 1 ? " is" : " are") + " for " +
-                              enumerated(others, " or ") + " only");
+  state_->sentences.push_back(sentence_of(OptionRule::Says::only_with, names, others));
   state_->refuse(
       names, [state = state_.get(), others] { return !state->any_given(others); },
       "is for " + enumerated(others, " or ") +
@@ -377,12 +380,13 @@ void Verb::only_with(const std::vector<std::string>& names,
 
 void Verb::never_with(const std::vector<std::string>& names,
                       const std::vector<std::string>& others) {
-  state_->sentences.push_back(enumerated(names) + (names.size() == 1 ? " has" : " have") +
-                              " no meaning with " + enumerated(others));
+  state_->sentences.push_back(sentence_of(OptionRule::Says::never_with, names, others));
   state_->refuse(
       names, [state = state_.get(), others] { return state->any_given(others); },
       "has no meaning with " + enumerated(others) + "; leave it out");
 }
+
+void Verb::rule(const std::string& sentence) { state_->sentences.push_back(sentence); }
 
 void Verb::require(std::function<void()> rule) { state_->rules.push_back(std::move(rule)); }
 

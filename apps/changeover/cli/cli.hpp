@@ -65,6 +65,9 @@ class Verb {
               const std::string& what, const std::string& help);
   void option(const std::string& flags, std::string& value, const std::string& what,
               const std::string& help);
+  /// A text that `take` keeps; it throws nothing.
+  void option(const std::string& flags, std::function<void(const std::string&)> take,
+              const std::string& what, const std::string& help);
   /// One of some words.
   void choice(const std::string& flags, std::string& value, const std::vector<std::string>& words,
               const std::string& help);
@@ -77,6 +80,9 @@ class Verb {
   void only_with(const std::vector<std::string>& names, const std::vector<std::string>& others);
   /// None of `names` means anything with one of `others`.
   void never_with(const std::vector<std::string>& names, const std::vector<std::string>& others);
+
+  /// What a rule says that the verb itself holds its request to.
+  void rule(const std::string& sentence);
 
   /// Another rule, which throws UsageError.
   void require(std::function<void()> rule);

@@ -9,7 +9,7 @@ namespace changeover::cli {
 namespace {
 
 // In single quotes, where fish knows \\ and \'.
-std::string quoted(std::string_view text) {
+std::string fish_quoted(std::string_view text) {
   std::string out = "'";
   for (const char c : text) {
     out += c == '\'' || c == '\\' ? std::string("\\") + c : std::string(1, c);
@@ -18,7 +18,7 @@ std::string quoted(std::string_view text) {
 }
 
 std::string offer_of(const OptionDescription& each) {
-  return !each.words.empty()     ? " -xa " + quoted(fmt::format("{}", fmt::join(each.words, " ")))
+  return !each.words.empty()     ? " -xa " + fish_quoted(fmt::format("{}", fmt::join(each.words, " ")))
          : each.kind == "file"   ? " -rF"
          : each.kind == "folder" ? " -xa '(__fish_complete_directories)'"
          : each.kind == "flag"   ? ""
@@ -27,15 +27,15 @@ std::string offer_of(const OptionDescription& each) {
 
 std::string verb_lines(const VerbDescription& verb) {
   const std::string begin =
-      "complete -c changeover -n " + quoted("__changeover_is " + verb.typed());
+      "complete -c changeover -n " + fish_quoted("__changeover_is " + verb.typed());
   std::string text;
   bool files = false;
   for (const OptionDescription& each : verb.options) {
     if (each.positional) {
       files = files || each.kind == "file";
       if (!each.words.empty()) {
-        text += begin + " -a " + quoted(fmt::format("{}", fmt::join(each.words, " "))) + " -d " +
-                quoted(each.help) + "\n";
+        text += begin + " -a " + fish_quoted(fmt::format("{}", fmt::join(each.words, " "))) + " -d " +
+                fish_quoted(each.help) + "\n";
       }
       continue;
     }
@@ -43,7 +43,7 @@ std::string verb_lines(const VerbDescription& verb) {
     for (const std::string& name : each.names) {
       names += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
     }
-    text += begin + names + offer_of(each) + " -d " + quoted(each.help) + "\n";
+    text += begin + names + offer_of(each) + " -d " + fish_quoted(each.help) + "\n";
   }
   if (files) {
     text += begin + " -F\n";
@@ -72,13 +72,13 @@ std::string fish_completion(const Program& program) {
       "complete -c changeover -n '__changeover_only --version' -l json -d 'the same as JSON'\n";
   for (const VerbDescription& verb : first_words(program)) {
     text += "complete -c changeover -n '__changeover_only' -a " + verb.name + " -d " +
-            quoted(verb.summary) + "\n";
+            fish_quoted(verb.summary) + "\n";
   }
   for (const GroupDescription& group : program.groups()) {
     for (const VerbDescription& verb : members_of(program, group.name)) {
       text +=
           fmt::format("complete -c changeover -n '__changeover_only {}' -a {} -d {}\n", group.name,
-                      verb.name.substr(group.name.size() + 1), quoted(verb.summary));
+                      verb.name.substr(group.name.size() + 1), fish_quoted(verb.summary));
     }
     text += fmt::format(
         "complete -c changeover -n '__changeover_only {}' -s h -l help -d 'the verbs'\n",

@@ -58,8 +58,8 @@ Answer run(const BoundsRequest& request) {
 }  // namespace
 
 void add_bounds(Program& program) {
-  auto [verb, request] =
-      program.add("bounds", "lower bounds with their reasons, and the best design known", run);
+  auto [verb, request] = program.add<BoundsRequest>(
+      "bounds", "lower bounds with their reasons, and the best design known", run);
   request.asked.add_to(verb);
   request.asked.add_strength_to(verb);
   request.output.add_to(verb, {"text", "json"});

@@ -229,8 +229,8 @@ Answer run(const ClassifyRequest& request) {
 }  // namespace
 
 void add_classify(Program& program) {
-  auto [verb, request] =
-      program.add("classify", "all designs with so many blocks, and how many differ", run);
+  auto [verb, request] = program.add<ClassifyRequest>(
+      "classify", "all designs with so many blocks, and how many differ", run);
   request.asked.add_to(verb);
   verb.positional("B", request.blocks, "number of blocks (default: the lower bound)", false);
   verb.flag("--reversal", request.reversal, "a design and its reversal are the same");

@@ -21,7 +21,8 @@ Answer run(const CompletionRequest& request) {
 }  // namespace
 
 void add_completion(Program& program) {
-  auto [verb, request] = program.add("completion", "print a completion script for a shell", run);
+  auto [verb, request] =
+      program.add<CompletionRequest>("completion", "print a completion script for a shell", run);
   request.program = &program;
   verb.choice("SHELL", request.shell, shell_names(), "the shell: bash, zsh or fish");
   request.output.add_file_to(verb, {".bash", ".zsh", ".fish", ".sh", ".txt"});

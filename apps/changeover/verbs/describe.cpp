@@ -4,6 +4,8 @@
 
 #include "answer/answer.hpp"
 #include "changeover/core/version.hpp"
+#include "changeover/plan/job_request.hpp"
+#include "io/request/request_schema.hpp"
 #include "io/write/json_writer.hpp"
 #include "verbs.hpp"
 
@@ -12,6 +14,8 @@ namespace {
 
 struct DescribeRequest {
   const Program* program = nullptr;
+  std::string schema;
+  bool doors = false;
   OutputRequest output;
 };
 
@@ -79,7 +83,19 @@ std::string as_json(const Program& program) {
   return json.end_object().take() + "\n";
 }
 
+// What each door knows of each kind of question.
+std::string doors() {
+  return "## Plans\n\n`plan`, `api/plan`, `changeover.plan()`: format `changeover-job/1`.\n\n" +
+         doors_table(records_of(job_table()));
+}
+
 Answer run(const DescribeRequest& request) {
+  if (request.doors) {
+    return text_answer(doors(), request.output);
+  }
+  if (!request.schema.empty()) {
+    return text_answer(job_request_schema(), request.output);
+  }
   return text_answer(request.output.json() ? as_json(*request.program) : as_text(*request.program),
                      request.output);
 }
@@ -87,13 +103,19 @@ Answer run(const DescribeRequest& request) {
 }  // namespace
 
 void add_describe(Program& program) {
-  auto [verb, request] =
-      program.add("describe", "every verb and option of this program, for programs", run);
+  auto [verb, request] = program.add<DescribeRequest>(
+      "describe", "every verb and option of this program, for programs", run);
   request.program = &program;
+  verb.choice("--schema", request.schema, {"job"},
+              "the JSON Schema of requests of this kind instead");
+  verb.flag("--doors", request.doors,
+            "which options the command line, the server and Python know instead, in Markdown");
+  verb.exclude({"--schema", "--doors"});
   request.output.add_to(verb, {"json", "text"});
   verb.examples(
       {"changeover describe                  as JSON",
-       "changeover describe --format text    verb, argument or option, names, kind, words"});
+       "changeover describe --format text    verb, argument or option, names, kind, words",
+       "changeover describe --schema job     what plan --request takes"});
 }
 
 }  // namespace changeover::cli

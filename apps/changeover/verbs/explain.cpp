@@ -43,8 +43,8 @@ Answer run(const ExplainRequest& request) {
 }  // namespace
 
 void add_explain(Program& program) {
-  auto [verb, request] =
-      program.add("explain", "how a design is built: the tree of constructions", run);
+  auto [verb, request] = program.add<ExplainRequest>(
+      "explain", "how a design is built: the tree of constructions", run);
   request.asked.add_to(verb);
   request.asked.add_strength_to(verb);
   verb.option("--construction", request.construction, "NAME", "explain this construction's design");

@@ -498,8 +498,8 @@ Answer run(const LoadOrderRequest& request) {
 }  // namespace
 
 void add_loadorder(Program& program) {
-  auto [verb, request] =
-      program.add("loadorder", "an order of loads that brings all pairs of items together", run);
+  auto [verb, request] = program.add<LoadOrderRequest>(
+      "loadorder", "an order of loads that brings all pairs of items together", run);
   verb.option("--items", request.items, "P", "items, e.g. partitions of a file");
   verb.option("--room", request.room, "C", "how many are in memory at once");
   verb.option(

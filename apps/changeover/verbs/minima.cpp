@@ -105,7 +105,7 @@ Answer run(const MinimaRequest& request) {
 }  // namespace
 
 void add_minima(Program& program) {
-  auto [verb, request] = program.add(
+  auto [verb, request] = program.add<MinimaRequest>(
       "minima", "the table of small minima, settled by exact search with checked proofs", run);
   verb.option("--data", request.data, "FILE",
               "rows so far, and where new ones go (default minima.csv, written with --time only)");

@@ -181,8 +181,8 @@ Answer run(const SearchOptions& given) {
 }  // namespace
 
 void add_search(Program& program) {
-  auto [verb, request] =
-      program.add("search", "designs with fewer blocks, or a proof that there are none", run);
+  auto [verb, request] = program.add<SearchOptions>(
+      "search", "designs with fewer blocks, or a proof that there are none", run);
   request.asked.add_to(verb, false, "they need not be (default)");
   request.asked.add_strength_to(verb);
   verb.option("-b,--blocks", request.blocks, "B",

@@ -168,8 +168,8 @@ Answer run(const ServeRequest& request) {
 }  // namespace
 
 void add_serve(Program& program) {
-  auto [verb, request] =
-      program.add("serve", "the explorer: catalog, designs and searches in a browser", run);
+  auto [verb, request] = program.add<ServeRequest>(
+      "serve", "the explorer: catalog, designs and searches in a browser", run);
   verb.positional("FILE", request.files, "designs to look at: text, JSON, CSV, GAP, Sage, XML",
                   false);
   verb.option("--port", request.port, "N", "listen on this port (default 0: one that is free)");

@@ -155,7 +155,8 @@ Answer run(const VerifyRequest& request) {
 }  // namespace
 
 void add_verify(Program& program) {
-  auto [verb, request] = program.add("verify", "is it a change covering design, and how good", run);
+  auto [verb, request] =
+      program.add<VerifyRequest>("verify", "is it a change covering design, and how good", run);
   verb.positional("FILE", request.path, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
   verb.option("-v", request.declared.v, "V", "number of elements, if the file does not say");
   verb.option("-k", request.declared.k, "K", "elements in a block");

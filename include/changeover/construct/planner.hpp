@@ -4,10 +4,11 @@
 //     const PlannedCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
 //     cell.best->b;  cell.bound.blocks;  cell.status();
 //
-// One function answers for a cell: a cell of a plan says what best_known() says, whatever range it is in.
+// One function answers for a cell: a cell of a plan says what best_known() says, whatever range it
+// is in.
 //
-// The registry's constructions promise what they give without building it. On top of them closure rules that act on
-// designs are applied, some levels of them:
+// The registry's constructions promise what they give without building it. On top of them closure
+// rules that act on designs are applied, some levels of them:
 //   cut       a circular design is a linear one
 //   fix       (v,k) → (v+1, k+1)
 //   unfix     (v+1,k+1) → (v,k), where an element is in every block
@@ -19,9 +20,10 @@
 //   blow up      (v/s,k/s,m/s) → (v,k,m)
 //   coarsen      (v,k−m+1,1) → (v,k,m), linear
 //   interpolate  (v,k,2) → (v,k,1)
-// Most of them look at blocks, so designs are built, and each that is built is verified; one that does not keep its
-// promise is an InternalError. Cells that the catalog comes with (comes_planned()) were planned when it was made, and
-// are looked up; what the user's own designs make better is followed.
+// Most of them look at blocks, so designs are built, and each that is built is verified; one that
+// does not keep its promise is an InternalError. Cells that the catalog comes with
+// (comes_planned()) were planned when it was made, and are looked up; what the user's own designs
+// make better is followed.
 //
 // Bound by: outside of the catalog's cells, building and verifying; neighbours share most of it.
 #pragma once
@@ -94,17 +96,19 @@ class Plan {
 [[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range,
                               Planned planned = Planned::as_shipped);
 
-/// The best recipe that is known for p: the answer that each door gives. Beyond strength 2, k ≥ 2 and v ≤ 1000 that is
-/// the registry's best offer; else also what the closure rules make of the parameters around. nullopt if nothing
-/// serves p. @throws as check(); InternalError as plan_range().
+/// The best recipe that is known for p: the answer that each door gives. Beyond strength 2, k ≥ 2
+/// and v ≤ 1000 that is the registry's best offer; else also what the closure rules make of the
+/// parameters around. nullopt if nothing serves p. @throws as check(); InternalError as
+/// plan_range().
 [[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p);
 
-/// The design of an offer of the standard registry, built. Listens to the scope of this thread (run/scope.hpp).
+/// The design of an offer of the standard registry, built. Listens to the scope of this thread
+/// (run/scope.hpp).
 /// @throws MissingResource if it is too large; InternalError if it does not verify.
 [[nodiscard]] VerifiedDesign built_design(const Offer& offer);
 
-/// The best design that is known without search, built; nullopt if there is no recipe. @throws as best_known() and
-/// built_design().
+/// The best design that is known without search, built; nullopt if there is no recipe. @throws as
+/// best_known() and built_design().
 [[nodiscard]] std::optional<VerifiedDesign> best_known_design(const Parameters& p);
 
 }  // namespace changeover

@@ -86,6 +86,8 @@ struct BenchPlan : BenchCount {
 /// The best plan that was found for these benches; there always is one. The plan for one bench is cut into lists of about equal
 /// cost, these are shortened, and a local search moves set-ups and parts on all benches and between them.
 /// @throws BadInput for no bench or more than max_benches, for a job with a start, first set-ups, tests done or weights, and as make_run_plan().
+[[nodiscard]] BenchPlan make_bench_plan(const CheckedJob& job, const BenchOptions& options,
+                                        RunControl& control);
 [[nodiscard]] BenchPlan make_bench_plan(const Job& job, const BenchOptions& options,
                                         RunControl& control);
 

@@ -184,6 +184,22 @@ void drop_needed(Job& job, const PairSet& pairs);
 /// @throws BadInput with the first of defects() and how many more there are.
 void check(const Job& job);
 
+/// A job in which check() found nothing. Nothing else makes one, so whoever gets it need not look again.
+class CheckedJob {
+ public:
+  /// Without parts: nothing has to meet.
+  CheckedJob() = default;
+  /// @throws BadInput as check(Job), which is also what it costs.
+  explicit CheckedJob(Job job);
+
+  [[nodiscard]] const Job& operator*() const { return job_; }
+  [[nodiscard]] const Job* operator->() const { return &job_; }
+
+ private:
+  friend class JobMaker;  // takes tests that were done off a job that was checked
+  Job job_;
+};
+
 /// Takes tests that were already done off a job: their pairs are needed no more, and unless the job says
 /// what is mounted at the start, the last of them is. @throws BadInput if one is larger than at_once, has a
 /// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once · v/64). Stopped
@@ -342,6 +358,10 @@ struct DoneList {
 /// Parts in one line, "Pump A, 3"; fields as in files. @throws BadInput (without a place) for unknown or
 /// repeated parts.
 [[nodiscard]] Block parse_parts(std::string_view text, const std::vector<std::string>& names);
+
+/// Parts by name, or by number if no name is a number. @throws BadInput (without a place) for unknown or repeated parts.
+[[nodiscard]] Block parts_named(const std::vector<std::string>& words,
+                                const std::vector<std::string>& names);
 
 /// The same parts again by name, so that parse_parts() reads them back.
 [[nodiscard]] std::string parts_text(const Block& parts, const std::vector<std::string>& names);

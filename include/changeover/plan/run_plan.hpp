@@ -65,8 +65,6 @@ struct PlanOptions {
   std::vector<Block> rest = {};  ///< of a plan that is under way: going on with it is a candidate
   std::uint64_t design_moves = 2'000'000;  ///< of the search for better designs; 0: none
   std::uint64_t states = 400'000;  ///< most of the search through all lists of a small job; 0: none
-  /// check() found nothing in this job, so it is not checked once more. Of a job with defects, what then comes is undefined.
-  bool checked = false;
 };
 
 struct RunPlan {
@@ -91,11 +89,13 @@ struct RunPlan {
 };
 
 /// The best plan that was found; there always is one, also if the control says stop at once: it comes within
-/// about a second for a thousand parts. The check of the job heeds no limit: who wants to stop it too calls check() before, in
-/// a scope of their own (run/scope.hpp), and says so in the options.
+/// about a second for a thousand parts. The check of a job that is none yet heeds no limit: who wants to stop it too makes a
+/// CheckedJob, in a scope of their own (run/scope.hpp).
 /// @throws BadInput as check(Job); ImpossibleParameters if costs overflow; MissingResource if a plan needs
 /// more memory than the control allows; InternalError if a candidate is not what it should be. Bound by: attempts · steps moves of local search, each
 /// O(stretch · at_once), besides the search for designs.
+[[nodiscard]] RunPlan make_run_plan(const CheckedJob& job, const PlanOptions& options,
+                                    RunControl& control);
 [[nodiscard]] RunPlan make_run_plan(const Job& job, const PlanOptions& options,
                                     RunControl& control);
 

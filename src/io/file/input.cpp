@@ -14,7 +14,7 @@
 namespace changeover {
 namespace {
 
-std::string_view how_to_mend(int error) {
+std::string_view how_to_read(int error) {
   switch (error) {
     case ENOENT:
     case ENOTDIR:
@@ -36,7 +36,7 @@ std::string_view how_to_mend(int error) {
 
 [[noreturn]] void cannot_read(const std::string& name, int error) {
   throw MissingResource(
-      fmt::format("{}: cannot read: {}; {}", name, std::strerror(error), how_to_mend(error)));
+      fmt::format("{}: cannot read: {}; {}", name, std::strerror(error), how_to_read(error)));
 }
 
 class FileInput final : public Input {

@@ -159,6 +159,9 @@ bool is_empty(const Field& field) { return field.text.empty(); }
 }  // namespace
 
 void RowReader::fail(std::size_t offset, std::string_view what) const {
+  if (given_ != nullptr) {
+    fail(Field{.text = "", .offset = offset, .line = given_next_ == 0 ? 0 : given_next_ - 1}, what);
+  }
   if (sheet_) {
     throw BadInput(fmt::format("{}: {}", sheet_->place(offset, sheet_row_), what));
   }
@@ -170,12 +173,16 @@ void RowReader::fail(const Field& field, std::string_view what) const {
 }
 
 std::string RowReader::place(const Field& field) const {
+  if (given_ != nullptr) {
+    return field.line == 0 ? given_->name() : fmt::format("{}[{}]", given_->name(), field.line - 1);
+  }
   return sheet_ ? sheet_->place(field.offset, field.line)
                 : fmt::format("{}:{}:{}", lines_.name(), field.line, field.offset + 1);
 }
 
 RowReader::RowReader(Input& input, const RowOptions& options)
     : options_(options), input_(input, mark_bytes), lines_(input_, options.longest_line) {
+  given_ = dynamic_cast<const GivenRows*>(&input);
   const auto* const part = dynamic_cast<const SheetInput*>(&input);
   if (begins_like_a_workbook(input_.beginning())) {
     sheet_.emplace(
@@ -189,7 +196,34 @@ RowReader::RowReader(Input& input, const RowOptions& options)
   }
 }
 
+std::optional<Row> RowReader::next_given() {
+  const GivenRows& given = *given_;
+  if (given_next_ == 0 && given.header().empty()) {
+    ++given_next_;
+  }
+  while (given_next_ <= given.rows().size()) {
+    const std::uint64_t number = given_next_++;
+    const auto& fields = number == 0 ? given.header() : given.rows()[number - 1];
+    Row row;
+    for (const std::string& text : fields) {
+      Field& field = row.emplace_back();
+      field = {.text = text, .offset = row.size() - 1, .line = number, .in_quotes = true};
+      if (const auto defect = first_defect(text, false)) {
+        fail(field, defect->what);
+      }
+    }
+    if (!row.empty()) {
+      return row;
+    }
+  }
+  return std::nullopt;
+}
+
 bool RowReader::next_line() {
+  if (given_ != nullptr) {
+    of_sheet_ = next_given();
+    return of_sheet_.has_value();
+  }
   if (sheet_) {
     of_sheet_ = next_of_sheet();
     return of_sheet_.has_value();
@@ -251,7 +285,7 @@ std::optional<Row> RowReader::next_of_sheet() {
 }
 
 bool RowReader::split(Row& row) {
-  if (sheet_) {
+  if (of_sheet_) {
     row = *std::exchange(of_sheet_, std::nullopt);
     return true;
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "changeover/io/input.hpp"
+#include "io/scan/given_rows.hpp"
 #include "io/scan/input_lines.hpp"
 #include "io/scan/peeked_input.hpp"
 #include "io/workbook/workbook_sheet.hpp"
@@ -62,7 +63,7 @@ struct RowOptions {
 
 /// Reads an input row by row: the only reader of CSV, for lists and for designs. It holds a line at a time, so that endless
 /// inputs end with a fault. An input that begins like a workbook is one: its first sheet is read, or that of a
-/// SheetInput. Every row of a sheet has at least as many fields as the first one, and no row of it is a comment.
+/// SheetInput. GivenRows are taken as they are. Every row of a sheet has at least as many fields as the first one, and no row of it is a comment.
 ///
 ///     RowReader rows(input);
 ///     while (rows.next_line()) {
@@ -103,19 +104,25 @@ class RowReader {
   [[nodiscard]] char separator() const { return separator_ == '\0' ? ',' : separator_; }
 
   /// The cells of a workbook say what they say; those of a text may have the apostrophe of csv_cell().
-  [[nodiscard]] bool is_workbook() const { return sheet_.has_value(); }
+  [[nodiscard]] bool is_workbook() const { return sheet_.has_value() || given_ != nullptr; }
+
+  /// The rows came as data: the first one is a header if that was said, and never guessed to be one.
+  [[nodiscard]] bool is_given() const { return given_ != nullptr; }
 
  private:
   /// The next row of the sheet that is not blank.
   std::optional<Row> next_of_sheet();
+  std::optional<Row> next_given();
 
   RowOptions options_;
   PeekedInput input_;
   InputLines lines_;
   std::optional<WorkbookSheet> sheet_;
-  std::optional<Row> of_sheet_;  // the last one that next_line() found
-  std::uint64_t sheet_row_ = 1;  // its number
-  std::size_t width_ = 0;        // of the first row of the sheet
+  const GivenRows* given_ = nullptr;
+  std::uint64_t given_next_ = 0;  // the header is 0, rows come after it
+  std::optional<Row> of_sheet_;   // the last one that next_line() found, of given rows too
+  std::uint64_t sheet_row_ = 1;   // its number
+  std::size_t width_ = 0;         // of the first row of the sheet
   std::uint64_t rows_ = 0;
   char separator_ = '\0';  // not known yet
 };

@@ -41,7 +41,7 @@ void expect_minimum(Check& check, const Registry& registry, const Parameters& p)
 }
 
 // "Minimum SCCDs of block sizes two, three and four."
-PaperItem check_single_change(const PaperContext& context) {
+PaperItem check_cited_single_change(const PaperContext& context) {
   constexpr std::uint64_t largest_v = 40;
   Check check("Section 2.1",
               fmt::format("cited: all minimum SCCDs are constructed for k = {}",
@@ -434,7 +434,7 @@ PaperItem check_any_fours(const PaperContext& context) {
 
 std::vector<PaperItem> check_cited(const PaperContext& context) {
   return {
-      check_single_change(context),
+      check_cited_single_change(context),
       not_checkable(
           "Section 2.1",
           "cited: minimum SCCDs are constructed for four classes of v modulo 16 with k = 5",

@@ -113,7 +113,7 @@ PaperItem check_minimum(const PaperContext& context) {
   return std::move(check).finish();
 }
 
-PaperItem check_single_change(const PaperContext& context) {
+PaperItem check_doubled_single_change(const PaperContext& context) {
   const PrintedDesign& printed = context.paper.cited.single;
   Check check("Section 3.2",
               "cited: {0,...,k-1} is the base block of a tight circular SCCD(2k-1,k,2k-1)",
@@ -354,7 +354,7 @@ void add_table(std::vector<PaperItem>& items, const PaperContext& context, std::
 
 std::vector<PaperItem> check_doubling(const PaperContext& context) {
   std::vector<PaperItem> items{
-      check_single_change(context), check_cyclic_single_change(context.paper),
+      check_doubled_single_change(context), check_cyclic_single_change(context.paper),
       check_family(context, "Theorem 3", "doubling", true), check_nonexistence(context)};
   for (PaperItem& item : check_proof_for_odd_k(context)) {
     items.push_back(std::move(item));

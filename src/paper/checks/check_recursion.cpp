@@ -38,7 +38,7 @@ std::vector<WithSet> designs_with_sets(const PaperContext& context) {
 }
 
 // "Preece et al. use expansion sets to construct a SCCD(v+1,k,b) from a SCCD(v,k,b)."
-PaperItem check_single_change(const PaperContext& context) {
+PaperItem check_expanded_single_change(const PaperContext& context) {
   constexpr std::uint64_t largest_v = 30;
   Check check("Section 3.1", "cited: expansion sets make a SCCD(v+1,k,b) of a SCCD(v,k,b)",
               "designs");
@@ -281,7 +281,7 @@ PaperItem check_new_elements(const Paper& paper, const std::vector<WithSet>& des
 std::vector<PaperItem> check_recursion(const PaperContext& context) {
   const PrintedTable& table = table_at(context.paper, "Table 3");
   const std::vector<WithSet> designs = designs_with_sets(context);
-  return {check_single_change(context),
+  return {check_expanded_single_change(context),
           check_theorem(context, designs),
           check_table_3(context.paper, table),
           check_marks(table),

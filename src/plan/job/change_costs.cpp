@@ -43,7 +43,7 @@ void require_all(const RowReader& reader, const Field& where, const std::vector<
 
 std::vector<Amount> read_change_costs(Input& input, const std::vector<std::string>& names) {
   RowReader reader(input);
-  const PartFinder finder(names);
+  const PartFinder finder(names, numbers_in(reader));
   CostReader cost_of(reader);
   const std::size_t v = names.size();
   std::vector<Amount> costs(v * v);

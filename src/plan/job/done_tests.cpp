@@ -8,12 +8,11 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/run/scope.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/job/setup_list.hpp"
 
 namespace changeover {
 namespace {
-
-constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
 
 bool is_in_doubt(TestResult result) {
   return result == TestResult::fail || result == TestResult::unread;

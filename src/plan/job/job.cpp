@@ -10,6 +10,7 @@
 #include "io/scan/place.hpp"
 #include "io/scan/plain_text.hpp"
 #include "plan/job/fitting.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/job/setup_list.hpp"
 #include "plan/job/words.hpp"
 
@@ -17,8 +18,6 @@ namespace changeover {
 namespace {
 
 constexpr std::size_t most_defects = 10;
-constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
-
 std::string pair_name(const Job& job, Element x, Element y) {
   return fmt::format("{} and {}", job.names[x], job.names[y]);
 }
@@ -226,6 +225,8 @@ std::vector<std::string> defects(const Job& job) {
   found.resize(std::min(found.size(), most_defects));
   return found;
 }
+
+CheckedJob::CheckedJob(Job job) : job_(std::move(job)) { check(job_); }
 
 void check(const Job& job) {
   const std::vector<std::string> found = defects(job);

@@ -19,10 +19,18 @@
 
 namespace changeover {
 
+/// Whether a number that is no name stands for a part.
+enum class PartNumbers {
+  count,               ///< it does
+  unless_names_are_so  ///< not if a name of a part is a number: then it would be a name that is wrong
+};
+
 /// Parts by name or number. The names must outlive this.
 class PartFinder {
  public:
-  explicit PartFinder(const std::vector<std::string>& names) : names_(&names) {
+  explicit PartFinder(const std::vector<std::string>& names,
+                      PartNumbers numbers = PartNumbers::count)
+      : names_(&names), numbers_count_(numbers == PartNumbers::count || !has_number_as_name()) {
     for (std::size_t i = 0; i < names.size(); ++i) {
       by_name_.emplace(names[i], static_cast<Element>(i));
       in_small_letters_.insert(lower(names[i]));
@@ -32,6 +40,9 @@ class PartFinder {
   [[nodiscard]] std::optional<Element> find(const std::string& word) const {
     if (const auto found = by_name_.find(word); found != by_name_.end()) {
       return found->second;
+    }
+    if (!numbers_count_) {
+      return std::nullopt;
     }
     std::size_t number = 0;
     const char* const end = word.data() + word.size();
@@ -81,16 +92,24 @@ class PartFinder {
         return fmt::format("there is no part {}; did you mean {}?", shown(word), shown(name));
       }
     }
-    return fmt::format(
-        "there is no part {}; give a name of the parts list or a number from 1 to {}", shown(word),
-        names_->size());
+    return numbers_count_
+               ? fmt::format(
+                     "there is no part {}; give a name of the parts list or a number from 1 to {}",
+                     shown(word), names_->size())
+               : fmt::format("there is no part {}; give a name of the parts list", shown(word));
   }
 
  private:
   const std::vector<std::string>* names_;
+  bool numbers_count_;
   std::unordered_map<std::string, Element> by_name_;
   std::unordered_set<std::string> in_small_letters_;
 };
+
+/// That for these rows: what is no file was made by a program, whose numbers may be names.
+[[nodiscard]] inline PartNumbers numbers_in(const RowReader& reader) {
+  return reader.is_given() ? PartNumbers::unless_names_are_so : PartNumbers::count;
+}
 
 /// The parts of some fields, none twice; says which field is at fault. `find` takes its text.
 template <typename Find, typename Fail>

@@ -108,8 +108,9 @@ void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
 }
 
 // A first row of two words that head columns, neither of which is a part in whatever case.
-bool heads_pairs(const Row& row, const PartFinder& finder) {
-  return row.size() == 2 && std::all_of(row.begin(), row.end(), [&](const Field& field) {
+bool heads_pairs(const Row& row, const PartFinder& finder, const RowReader& reader) {
+  return row.size() == 2 && !reader.is_given() &&
+         std::all_of(row.begin(), row.end(), [&](const Field& field) {
            return heads_parts(field.text) && !finder.find(field.text) &&
                   !finder.is_name_in_any_case(field.text);
          });
@@ -148,7 +149,9 @@ PartList read_parts(Input& input, Header header) {
   constexpr std::size_t most_without_header = 2;
   const std::size_t fields = columns.header ? rows.front().size() : most_without_header;
   PartList parts;
-  parts.note = columns.note.empty() ? "" : fmt::format("{}: {}", input.name(), columns.note);
+  parts.note = columns.note.empty() || reader.is_given()
+                   ? ""
+                   : fmt::format("{}: {}", input.name(), columns.note);
   std::unordered_set<std::string> seen;
   std::unordered_set<std::string> looks;
   CostReader costs(reader);
@@ -206,13 +209,13 @@ PartList read_parts(Input& input, Header header) {
 
 PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
   RowReader reader(input, {.blanks = true});
-  const PartFinder finder(names);
+  const PartFinder finder(names, numbers_in(reader));
   PairSet pairs(names.size());
   bool first = true;
   while (auto row = reader.next()) {
     finder.restore_blanks(*row);
     split_at_blanks(*row, finder, reader);
-    if (std::exchange(first, false) && heads_pairs(*row, finder)) {
+    if (std::exchange(first, false) && heads_pairs(*row, finder, reader)) {
       continue;
     }
     const Block pair = find_parts(
@@ -230,7 +233,7 @@ PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
 
 PairWeights read_priorities(Input& input, const std::vector<std::string>& names) {
   RowReader reader(input, {.blanks = true});
-  const PartFinder finder(names);
+  const PartFinder finder(names, numbers_in(reader));
   PairWeights weights;
   std::set<std::uint64_t> seen;
   const auto weight_of = [&](const Field& field) -> std::optional<Amount> {
@@ -253,7 +256,7 @@ PairWeights read_priorities(Input& input, const std::vector<std::string>& names)
     }
     const auto weight = weight_of(row->back());
     const Row parts(row->begin(), row->end() - 1);
-    if (std::exchange(first, false) && !weight && heads_pairs(parts, finder)) {
+    if (std::exchange(first, false) && !weight && heads_pairs(parts, finder, reader)) {
       continue;
     }
     const Block pair = find_parts(
@@ -284,7 +287,7 @@ PairWeights read_priorities(Input& input, const std::vector<std::string>& names)
 DoneList read_list(Input& input, const std::vector<std::string>& names, std::uint64_t at_once,
                    bool forgiving) {
   RowReader reader(input);
-  const PartFinder finder(names);
+  const PartFinder finder(names, numbers_in(reader));
   DoneList list;
   std::vector<Block>& setups = list.setups;
   const bool names_only = forgiving && finder.has_number_as_name();
@@ -321,7 +324,7 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
   while (auto next = reader.next()) {
     Row& row = *next;
     finder.restore_blanks(row);
-    if (std::exchange(first, false)) {
+    if (std::exchange(first, false) && (!reader.is_given() || row.front().line == 0)) {
       columns = setup_columns(row, finder);
       if (columns.header) {
         header = row;
@@ -405,6 +408,17 @@ Block parse_parts(std::string_view text, const std::vector<std::string>& names) 
   const PartFinder finder(names);
   return find_parts(
       finder, split_row(text), [&](const std::string& word) { return finder.find(word); },
+      [](const Field&, const std::string& what) { throw BadInput(what); });
+}
+
+Block parts_named(const std::vector<std::string>& words, const std::vector<std::string>& names) {
+  const PartFinder finder(names, PartNumbers::unless_names_are_so);
+  Row row;
+  for (const std::string& word : words) {
+    row.push_back({.text = word});
+  }
+  return find_parts(
+      finder, row, [&](const std::string& word) { return finder.find(word); },
       [](const Field&, const std::string& what) { throw BadInput(what); });
 }
 

@@ -14,12 +14,12 @@
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/fitting.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/job/part_columns.hpp"
 
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
 constexpr const char* write_a_number = "write a number, as in CPU,1,1";
 
 std::optional<std::uint64_t> number(std::string_view text) {
@@ -52,8 +52,9 @@ std::vector<Slot> read_slots(Input& input) {
   bool first = true;
   while (const auto next = reader.next()) {
     const Row& row = *next;
-    const bool header = std::exchange(first, false) && lower(row[0].text) == "slot" &&
-                        row.size() > 1 && lower(row[1].text) == "least";
+    const bool header = std::exchange(first, false) && !reader.is_given() &&
+                        lower(row[0].text) == "slot" && row.size() > 1 &&
+                        lower(row[1].text) == "least";
     if (header) {
       continue;
     }

@@ -305,7 +305,9 @@ BenchCount count_benches(const Job& job, const std::vector<std::vector<Block>>& 
   return count;
 }
 
-BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunControl& control) {
+namespace {
+
+void check(const Job& job, const BenchOptions& options) {
   if (options.benches == 0 || options.benches > max_benches) {
     throw BadInput(fmt::format("{} benches; give 1 to {}", options.benches, max_benches));
   }
@@ -318,9 +320,18 @@ BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunContro
   if (!job.weights.empty()) {
     throw BadInput("pairs are not weighed in plans for several benches");
   }
-  if (!options.plan.checked) {
-    check_in_full(job);
-  }
+}
+
+}  // namespace
+
+BenchPlan make_bench_plan(const CheckedJob& job, const BenchOptions& options, RunControl& control) {
+  check(*job, options);
+  return BenchPlanner(*job, options, control).run();
+}
+
+BenchPlan make_bench_plan(const Job& job, const BenchOptions& options, RunControl& control) {
+  check(job, options);
+  check_in_full(job);
   return BenchPlanner(job, options, control).run();
 }
 

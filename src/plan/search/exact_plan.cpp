@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "plan/job/fitting.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/search/listener.hpp"
 
 namespace changeover {
@@ -16,7 +17,6 @@ namespace {
 
 constexpr std::size_t most_small_parts = 12;
 constexpr std::uint64_t most_small_pairs = 64;
-constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
 constexpr std::uint64_t endless = all_of_them / 4;
 
 using Mask = std::uint64_t;   // of needed pairs

@@ -327,10 +327,12 @@ class Planner {
 }  // namespace
 
 RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {
-  if (!options.checked) {
-    check_in_full(job);
-  }
+  check_in_full(job);
   return plan_of_checked(job, options, control);
+}
+
+RunPlan make_run_plan(const CheckedJob& job, const PlanOptions& options, RunControl& control) {
+  return plan_of_checked(*job, options, control);
 }
 
 RunPlan plan_of_checked(const Job& job, const PlanOptions& options, RunControl& control) {

@@ -1,16 +1,12 @@
 #include "search/enumerate/enumeration_reach.hpp"
 
 #include <array>
-#include <bit>
+
+#include "search/enumerate/masks.hpp"
 
 namespace changeover {
 namespace {
 
-using Mask = std::uint64_t;
-
-Mask bit(std::size_t x) { return Mask{1} << x; }
-std::size_t lowest(Mask mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
-std::size_t count(Mask mask) { return static_cast<std::size_t>(std::popcount(mask)); }
 Mask above(std::size_t x) { return ~Mask{0} << x << 1; }
 
 constexpr int most_steps = 2000;

@@ -10,11 +10,10 @@
 
 #include "run/threads.hpp"
 #include "search/enumerate/enumeration_tree.hpp"
+#include "search/enumerate/masks.hpp"
 
 namespace changeover {
 namespace {
-
-using Mask = std::uint64_t;
 
 constexpr std::size_t prefixes_wanted = 512;  // for each case, if it has so many
 constexpr std::size_t prefixes_at_most = 1'000'000;

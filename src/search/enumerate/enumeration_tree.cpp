@@ -1,20 +1,14 @@
 #include "search/enumerate/enumeration_tree.hpp"
 
 #include <algorithm>
-#include <bit>
 
 #include "search/enumerate/enumeration_reach.hpp"
+#include "search/enumerate/masks.hpp"
 
 namespace changeover {
 namespace {
 
-using Mask = std::uint64_t;
-
 constexpr std::uint64_t nodes_between_questions = 1024;
-
-Mask bit(std::size_t x) { return Mask{1} << x; }
-std::size_t lowest(Mask mask) { return static_cast<std::size_t>(std::countr_zero(mask)); }
-std::size_t count(Mask mask) { return static_cast<std::size_t>(std::popcount(mask)); }
 
 // The same for masks of one or two elements.
 std::size_t count_few(Mask mask) {

@@ -73,8 +73,8 @@ Number repetitions(const Parameters& p, std::uint64_t b) {
 }
 
 /// What decides which clauses there are: the encoder builds by it, and their number is counted by it.
-struct Plan {
-  Plan(const Parameters& parameters, std::uint64_t blocks, const EncodingOptions& options)
+struct EncodingPlan {
+  EncodingPlan(const Parameters& parameters, std::uint64_t blocks, const EncodingOptions& options)
       : p(parameters),
         b(blocks),
         order(options.order),
@@ -121,7 +121,7 @@ struct Plan {
 // Calls each(i, least, largest) for i = 0 … b introductions of an element: it must then be in `least` blocks or
 // more (if that is positive) and in `largest` or fewer (if that is below b).
 template <typename Each>
-void for_each_degree(const Plan& plan, const Each& each) {
+void for_each_degree(const EncodingPlan& plan, const Each& each) {
   const Number met = plan.met();
   const Number met_staying = plan.met_staying();
   if (met_staying == 0) {
@@ -139,7 +139,7 @@ void for_each_degree(const Plan& plan, const Each& each) {
 
 class Encoder {
  public:
-  Encoder(const Plan& plan, const CnfSize& size)
+  Encoder(const EncodingPlan& plan, const CnfSize& size)
       : plan_(plan), p_(plan.p), b_(plan.b), formula_(p_, b_), cnf_(formula_.cnf()) {
     cnf_.reserve(size);
     for (std::uint64_t i = 0; i < checked_multiply(b_, p_.v); ++i) {
@@ -362,7 +362,7 @@ class Encoder {
     }
   }
 
-  const Plan& plan_;
+  const EncodingPlan& plan_;
   const Parameters& p_;
   const std::uint64_t b_;
   DesignFormula formula_;
@@ -371,7 +371,7 @@ class Encoder {
 };
 
 // The clauses of Encoder::degrees().
-CnfSize degrees_size(const Plan& plan) {
+CnfSize degrees_size(const EncodingPlan& plan) {
   CnfSize size = 2 * unary_count_size(plan.b, plan.b);
   const std::uint64_t unless = plan.two_fixed ? 1 : 0;
   if (plan.two_fixed) {
@@ -394,7 +394,7 @@ CnfSize degrees_size(const Plan& plan) {
 }
 
 // Of Encoder::order().
-CnfSize order_size(const Plan& plan) {
+CnfSize order_size(const EncodingPlan& plan) {
   const std::uint64_t others = plan.b - 1;
   CnfSize size = clauses_of(1, 2) + clauses_of(others, 3);
   if (others > 0) {
@@ -405,7 +405,7 @@ CnfSize order_size(const Plan& plan) {
 }
 
 // Of Encoder::coverage().
-CnfSize coverage_size(const Plan& plan) {
+CnfSize coverage_size(const EncodingPlan& plan) {
   if (plan.counted && plan.repetitions < 0) {
     return clauses_of(1, 0);
   }
@@ -427,7 +427,7 @@ CnfSize coverage_size(const Plan& plan) {
   return subsets * each + at_most_size(checked_multiply(subsets, times - 1), repetitions);
 }
 
-CnfSize size_of(const Plan& plan) {
+CnfSize size_of(const EncodingPlan& plan) {
   const Parameters& p = plan.p;
   const std::uint64_t places = checked_multiply(plan.b, p.v);
   CnfSize both{.variables = 1, .clauses = 0, .literals = 0};
@@ -455,7 +455,7 @@ CnfSize size_of(const Plan& plan) {
 
 /// The plan of a question and the size of its formula.
 struct Counted {
-  Plan plan;
+  EncodingPlan plan;
   CnfSize size;
 };
 
@@ -465,7 +465,7 @@ Counted count(const Parameters& p, std::uint64_t b, const EncodingOptions& optio
     too_large(p, b);
   }
   try {
-    const Plan plan(p, b, options);
+    const EncodingPlan plan(p, b, options);
     Counted counted{plan, size_of(plan)};
     require_representable(counted.size, formula_name(p, b));
     return counted;

@@ -13,7 +13,7 @@ namespace changeover {
 namespace {
 
 constexpr int most_starts = 400;
-constexpr std::uint64_t largest_v = 4096;
+constexpr std::uint64_t largest_imposed_v = 4096;
 
 // A block of about `pieces` pieces of cycles, so that π moves at most so many of its elements out.
 Block block_of_pieces(const Parameters& p, const Automorphism& pi, std::uint32_t pieces,
@@ -75,11 +75,11 @@ ImposedOutcome search_imposed(const Parameters& p, const Automorphism& pi, std::
                               const AnnealSchedule& schedule, Random& random, RunControl& control,
                               const AnnealWatch& watch) {
   check(p);
-  if (pi.v() != p.v || base_blocks == 0 || p.strength != 2 || p.v > largest_v) {
+  if (pi.v() != p.v || base_blocks == 0 || p.strength != 2 || p.v > largest_imposed_v) {
     throw BadInput(fmt::format(
         "an automorphism of order {} with {} fixed elements cannot be imposed on a {} with {} base "
         "blocks; the order must divide v less the fixed elements, v ≤ {}, strength 2",
-        pi.n, pi.fixed, name(p), base_blocks, largest_v));
+        pi.n, pi.fixed, name(p), base_blocks, largest_imposed_v));
   }
   ImposedOutcome outcome;
   Parameters circular = p;

@@ -119,7 +119,8 @@ class Improver {
   // Without memory for it what the checkpoint has will do.
   void take_known() {
     try {
-      // Looking for the best recipe may take longer than there is time; what constructions offer is there at once.
+      // Looking for the best recipe may take longer than there is time; what constructions offer is
+      // there at once.
       if (const auto offer = Registry::standard().best(parameters_)) {
         take(built_design(*offer), "best recipe");
       }

@@ -26,9 +26,9 @@ using Neighbours = std::vector<std::vector<City>>;
 // The least cost over sets of blocks and their last one. O(2^b b²) time, O(2^b b) memory.
 std::vector<std::size_t> least_order(const Overlaps& overlaps, const LeastChangeWanted& wanted) {
   const std::size_t n = overlaps.count();
-  constexpr std::uint32_t infinite = std::numeric_limits<std::uint32_t>::max() / 2;
+  constexpr std::uint32_t unreached = std::numeric_limits<std::uint32_t>::max() / 2;
   const std::size_t sets = std::size_t{1} << n;
-  std::vector<std::uint32_t> cost(sets * n, infinite);
+  std::vector<std::uint32_t> cost(sets * n, unreached);
   const bool circular = wanted.kind == Kind::circular;
   for (std::size_t i = 0; i < (circular ? 1 : n); ++i) {
     cost[(std::size_t{1} << i) * n + i] = !circular && wanted.first_counts ? overlaps.size(i) : 0;
@@ -37,7 +37,7 @@ std::vector<std::size_t> least_order(const Overlaps& overlaps, const LeastChange
   for (std::size_t set = 1; set < sets; ++set) {
     for (std::size_t last = 0; last < n; ++last) {
       const std::uint32_t so_far = cost[set * n + last];
-      if (so_far >= infinite) {
+      if (so_far >= unreached) {
         continue;
       }
       for (std::size_t next = 0; next < n; ++next) {
@@ -59,7 +59,7 @@ std::vector<std::size_t> least_order(const Overlaps& overlaps, const LeastChange
   for (std::size_t set = sets - 1; order.size() < n;) {
     const std::size_t before = set ^ std::size_t{1} << last;
     std::size_t previous = 0;
-    while ((before >> previous & 1) == 0 || cost[before * n + previous] >= infinite ||
+    while ((before >> previous & 1) == 0 || cost[before * n + previous] >= unreached ||
            cost[before * n + previous] + step(previous, last) != cost[set * n + last]) {
       ++previous;
     }

@@ -157,9 +157,8 @@ TEST(Slots, AJobThatWasCheckedHasTheSamePlan) {
     const Job job = test::random_job_with_slots(seed, 7);
     RunControl control({.threads = 1});
     const RunPlan plan = make_run_plan(job, {.steps = 2'000}, control);
-    check(job);
     RunControl another({.threads = 1});
-    const RunPlan same = make_run_plan(job, {.steps = 2'000, .checked = true}, another);
+    const RunPlan same = make_run_plan(CheckedJob(job), {.steps = 2'000}, another);
     EXPECT_EQ(same.candidates.front().setups, plan.candidates.front().setups) << seed;
     EXPECT_EQ(same.bound.cost, plan.bound.cost) << seed;
   }

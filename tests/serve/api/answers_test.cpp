@@ -263,6 +263,30 @@ TEST_F(Answers, PlansTestAgainWhatMetOnlyInFailedTests) {
   EXPECT_EQ(rest(R"(,"trust_failed":true)")["tests"].size(), 2U + 4U);
 }
 
+TEST_F(Answers, PlansKnowWhatTheCommandLineKnows) {
+  const auto asked = [&](const std::string& more) {
+    return json_of(
+        post("/api/plan",
+             R"({"parts":8,"at_once":3,"test_cost":2,"change_cost":1,"steps":1000)" + more + "}",
+             "application/json"));
+  };
+  EXPECT_EQ(asked("")["plan"]["format"], "changeover-plan/1");
+  EXPECT_EQ(asked(R"(,"title":"T","budget":"20")")["plan"]["title"], "T");
+  EXPECT_EQ(asked(R"(,"benches":2)")["benches"]["format"], "changeover-benches/1");
+  EXPECT_EQ(asked(R"(,"what_if":true)")["what_if"]["format"], "changeover-what-if/1");
+  EXPECT_EQ(asked(R"(,"strength":3)")["plan"]["triples_needed"], 56);
+  const auto faulty = json_of(post(
+      "/api/plan",
+      R"({"parts":8,"at_once":3,"diagnose":true,"done":[{"parts":["1","2","3"],"result":"FAIL"},{"parts":["1","2","4"],"result":"ok"}]})",
+      "application/json"));
+  EXPECT_EQ(faulty["diagnosis"]["format"], "changeover-diagnosis/1");
+  const auto in_slots = json_of(post(
+      "/api/plan",
+      R"({"parts":{"text":"name,slot\nXeon,CPU\nEpyc,CPU\nd1,disk\nd2,disk"},"at_once":3,"slot":"CPU=1,disk=1..2"})",
+      "application/json"));
+  EXPECT_EQ(in_slots["plan"]["pairs_needed"], 5) << in_slots;
+}
+
 TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
   const auto order = json_of(post(
       "/api/loadorder", R"({"items":64,"room":16,"bytes_per_item":1000})", "application/json"));

@@ -1,176 +1,24 @@
 // Run sheets for experimenters.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
-#include <nlohmann/json.hpp>
-
 #include "changeover/core/error.hpp"
-#include "changeover/plan/job.hpp"
-#include "changeover/plan/run_plan.hpp"
+#include "changeover/plan/job_request.hpp"
 #include "changeover/plan/sheet_formats.hpp"
 #include "changeover/run/scope.hpp"
-#include "core/printable.hpp"
 #include "io/write/json_writer.hpp"
-#include "serve/api/json_body.hpp"
+#include "serve/api/request_body.hpp"
 #include "serve/api/routes.hpp"
 
 namespace changeover::serve {
 namespace {
 
-using Names = std::map<std::string, Element>;
-
-struct Asked {
-  Job job;
-  std::vector<DoneTest> done;
-  FailedTests failed = FailedTests::again;
-  std::optional<double> seconds;
-};
-
-// A part by its name; a number stands for its digits.
-Element part_of(const nlohmann::json& value, const Names& names, const std::string& where) {
-  const std::string name = value.is_string() ? value.get<std::string>() : value.dump();
-  const auto found = names.find(name);
-  if (found == names.end()) {
-    throw Refusal{422, fmt::format("{}: there is no part {}", where, printable(name))};
-  }
-  return found->second;
-}
-
-const nlohmann::json& array_of(const nlohmann::json& value, const std::string& where) {
-  if (!value.is_array()) {
-    throw Refusal{422, fmt::format("{}: write an array, […]", where)};
-  }
-  return value;
-}
-
-Amount amount_of(const std::string& text, const std::string& where) {
-  try {
-    return parse_amount(text);
-  } catch (const std::exception& fault) {
-    throw Refusal{422, fmt::format("{}: {}", where, fault.what())};
-  }
-}
-
-void read_part(const nlohmann::json& part, Job& job) {
-  const std::string where = fmt::format("parts[{}]", job.names.size());
-  const bool named = part.is_object() && part.contains("name") && part["name"].is_string();
-  if (!named && !part.is_string()) {
-    throw Refusal{422, where + ": write {\"name\":…,\"cost\":…}, or the name alone"};
-  }
-  const std::string name = named ? part["name"].get<std::string>() : part.get<std::string>();
-  if (const auto defect = text_defect(name)) {
-    throw Refusal{422, fmt::format("{}: {}", where, *defect)};
-  }
-  const std::size_t number = job.names.size();
-  job.names.push_back(name);
-  if (named && part.contains("cost") && !part["cost"].is_null()) {
-    const nlohmann::json& cost = part["cost"];
-    job.change_costs[number] =
-        amount_of(cost.is_string() ? cost.get<std::string>() : cost.dump(), where + ".cost");
-  }
-}
-
-Job read_parts(JsonBody& body) {
-  const nlohmann::json* const parts = body.find("parts");
-  if (parts == nullptr) {
-    throw Refusal{422, "parts is missing: write a number of parts, or an array of them"};
-  }
-  const std::uint64_t at_once = body.needed_number("at_once");
-  const Amount test = amount_of(body.decimal("test_cost").value_or("1"), "test_cost");
-  const Amount change = amount_of(body.decimal("change_cost").value_or("1"), "change_cost");
-  if (parts->is_number_unsigned()) {
-    return make_job(parts->get<std::uint64_t>(), at_once, test, change);
-  }
-  array_of(*parts, "parts");
-  Job job = make_job(parts->size(), at_once, test, change);
-  job.names.clear();
-  for (const nlohmann::json& part : *parts) {
-    read_part(part, job);
-  }
-  return job;
-}
-
-// The parts of a test that was done, or these with what came of it.
-DoneTest read_done_test(const nlohmann::json& test, const Names& names, const std::string& where) {
-  const auto wrong = [&] {
-    return Refusal{
-        422, where + ": write [\"a\",\"b\",…] or {\"parts\":[…],\"result\":\"pass\" or \"fail\"}"};
-  };
-  DoneTest done;
-  const nlohmann::json* parts = &test;
-  if (test.is_object()) {
-    for (const auto& [key, value] : test.items()) {
-      const bool is_result = key == "result" && (value.is_string() || value.is_null());
-      if (key != "parts" && !is_result) {
-        throw wrong();
-      }
-      if (is_result && value.is_string()) {
-        done.result = result_of(value.get<std::string>());
-      }
-    }
-    const auto found = test.find("parts");
-    if (found == test.end()) {
-      throw wrong();
-    }
-    parts = &*found;
-  }
-  for (const nlohmann::json& part : array_of(*parts, where)) {
-    done.setup.push_back(part_of(part, names, where));
-  }
-  return done;
-}
-
-Asked asked_of(const Request& request) {
-  JsonBody body(request.body);
-  Asked asked{
-      .job = read_parts(body), .done = {}, .failed = {}, .seconds = body.seconds("seconds")};
-  Job& job = asked.job;
-  constexpr std::uint64_t fewest = 2;
-  if (job.parts() < fewest || job.at_once < fewest) {
-    throw Refusal{422, "a pair needs two parts, and room for two"};
-  }
-  Names names;
-  for (Element i = 0; i < job.parts(); ++i) {
-    if (!names.emplace(job.names[i], i).second) {
-      throw Refusal{422, fmt::format("two parts are called {}", printable(job.names[i]))};
-    }
-  }
-  if (const nlohmann::json* const pairs = body.find("pairs")) {
-    PairSet needed(job.parts());
-    for (const nlohmann::json& pair : array_of(*pairs, "pairs")) {
-      if (!pair.is_array() || pair.size() != 2) {
-        throw Refusal{422, "pairs: write [[a,b],…], two parts each"};
-      }
-      const Element x = part_of(pair[0], names, "pairs");
-      const Element y = part_of(pair[1], names, "pairs");
-      if (x == y) {
-        throw Refusal{422, fmt::format("pairs: {} with itself", printable(job.names[x]))};
-      }
-      needed.insert(x, y);
-    }
-    if (needed.size() == 0) {
-      throw Refusal{422, "pairs: no pair is listed"};
-    }
-    job.needed = needed;
-  }
-  if (const nlohmann::json* const done = body.find("done")) {
-    std::size_t left_out = 0;  // that were not run
-    for (const nlohmann::json& test : array_of(*done, "done")) {
-      DoneTest each =
-          read_done_test(test, names, fmt::format("done[{}]", asked.done.size() + left_out));
-      if (each.result == TestResult::not_run) {
-        ++left_out;
-      } else {
-        asked.done.push_back(std::move(each));
-      }
-    }
-  }
-  if (body.boolean("trust_failed").value_or(false)) {
-    asked.failed = FailedTests::trusted;
-  }
-  body.finish();
-  return asked;
+JobRequest request_of(const Request& sent) {
+  JobRequest request = job_request(sent.body);
+  require_of_server(request, job_table());
+  const std::string usual = "1";
+  request.test_cost = request.test_cost.empty() ? usual : request.test_cost;
+  request.change_cost = request.change_cost.empty() ? usual : request.change_cost;
+  return request;
 }
 
 std::vector<std::string> names_of(const Job& job, const Block& parts) {
@@ -214,30 +62,11 @@ void write_alternatives(JsonWriter& json, const Job& job, const RunPlan& plan) {
   json.end_array();
 }
 
-Response plan(const Explorer& explorer, const Request& request) {
-  Asked asked = asked_of(request);
-  Job& job = asked.job;
-  try {
-    check(job);
-    mark_tested(job, asked.done, asked.failed);
-  } catch (const BadInput& fault) {
-    throw Refusal{422, fault.what()};
-  }
-  constexpr double usual_seconds = 10;
-  const double most_seconds = explorer.limits.seconds.count();
-  const double seconds = asked.seconds.value_or(usual_seconds);
-  if (seconds <= 0 || seconds > most_seconds) {
-    throw Refusal{422, fmt::format("seconds: write more than 0 and at most {}", most_seconds)};
-  }
-  RunControl control(*RunScope::current(), std::chrono::duration<double>(seconds));
-  PlanOptions options;
-  options.until_stopped = asked.seconds.has_value();
-  options.checked = true;
-  const RunPlan found = make_run_plan(job, options, control);
-  stop_if_asked();  // whoever asked may have gone
+// The keys that the explorer's pages read, from before there was a document of a plan.
+void write_plan(JsonWriter& json, const AskedJob& asked, const PlanAnswer& answer) {
+  const Job& job = *asked.job;
+  const RunPlan& found = *answer.plan;
   const RunSheet& sheet = found.sheet;
-  JsonWriter json;
-  json.begin_object();
   write_tests(json, job, asked.done, sheet);
   json.key("cost").raw(to_string(sheet.cost)).key("changes").value(sheet.changes);
   json.key("bound").raw(to_string(found.bound.cost)).key("reason").value(found.bound.reason);
@@ -247,8 +76,33 @@ Response plan(const Explorer& explorer, const Request& request) {
   // The sheet was counted by code that shares nothing with what made it.
   json.key("verified").value(sheet.does_the_job());
   SheetDocument document{.job = &job, .plan = &found};
-  json.key("csv").value(sheet_as_csv(document)).end_object();
-  return json_response(json.take() + "\n");
+  json.key("csv").value(sheet_as_csv(document));
+}
+
+Response plan(const Explorer& explorer, const Request& sent) {
+  const JobRequest request = request_of(sent);
+  const AskedJob asked = from_body([&] { return checked_job(request, Door::document); });
+  constexpr double usual_seconds = 10;
+  const double most_seconds = explorer.limits.seconds.count();
+  const double seconds = request.seconds.value_or(usual_seconds);
+  if (seconds <= 0 || seconds > most_seconds) {
+    throw Refusal{422, fmt::format("seconds: write more than 0 and at most {}", most_seconds)};
+  }
+  RunControl control(*RunScope::current(), std::chrono::duration<double>(seconds));
+  const PlanAnswer answer = answer_to(request, asked, control);
+  stop_if_asked();  // whoever asked may have gone
+  JsonWriter json;
+  json.begin_object();
+  if (answer.plan && !answer.what_if) {
+    write_plan(json, asked, answer);
+  }
+  json.key(answer.diagnosis ? "diagnosis"
+           : answer.what_if ? "what_if"
+           : answer.benches ? "benches"
+                            : "plan");
+  std::string document = written(request, asked, answer, "json");
+  document.pop_back();  // its end of line
+  return json_response(json.raw(document).end_object().take() + "\n");
 }
 
 }  // namespace

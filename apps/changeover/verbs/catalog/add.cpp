@@ -184,7 +184,8 @@ Answer run(const AddRequest& request) {
 }  // namespace
 
 void add_catalog_add(Program& program) {
-  auto [verb, request] = program.add("catalog-add", "designs into the catalog of your own", run);
+  auto [verb, request] =
+      program.add<AddRequest>("catalog-add", "designs into the catalog of your own", run);
   verb.positional("FILE", request.paths, "text, JSON, CSV, GAP, Sage or XML; - is standard input");
   verb.option("-m,--change", request.declared.change, "M",
               "elements in which consecutive blocks differ, if the files do not say");

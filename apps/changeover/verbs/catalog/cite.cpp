@@ -29,7 +29,7 @@ Answer run(const CiteRequest& request) {
 }  // namespace
 
 void add_catalog_cite(Program& program) {
-  auto [verb, request] = program.add(
+  auto [verb, request] = program.add<CiteRequest>(
       "catalog-cite", "BibTeX of a design and what it is from, or of the whole catalog", run);
   verb.positional("LABEL", request.label, "of a design; the whole catalog without it", false);
   request.catalog.add_to(verb);

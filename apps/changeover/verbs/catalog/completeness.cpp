@@ -38,7 +38,7 @@ Answer run(const CompletenessRequest& request) {
 }  // namespace
 
 void add_catalog_completeness(Program& program) {
-  auto [verb, request] = program.add(
+  auto [verb, request] = program.add<CompletenessRequest>(
       "catalog-completeness", "how many cells are filled and proved minimum, by block size", run);
   request.filter.add_to(verb);
   request.catalog.add_to(verb);

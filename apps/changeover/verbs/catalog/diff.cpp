@@ -48,10 +48,11 @@ Answer run(const DiffRequest& request) {
 }  // namespace
 
 void add_catalog_diff(Program& program) {
-  auto [verb, request] = program.add("catalog-diff",
-                                     "cells in which a file of catalog export and the catalog, or "
-                                     "another file, differ",
-                                     run);
+  auto [verb, request] =
+      program.add<DiffRequest>("catalog-diff",
+                               "cells in which a file of catalog export and the catalog, or "
+                               "another file, differ",
+                               run);
   verb.positional("OLD", request.before, "lines of JSON; - is standard input");
   verb.positional("NEW", request.after, "the same; the catalog if it is not named", false);
   request.catalog.add_to(verb);

@@ -83,8 +83,8 @@ Answer run_import(const ImportRequest& request) {
 }  // namespace
 
 void add_catalog_export(Program& program) {
-  auto [verb, request] =
-      program.add("catalog-export", "designs of the catalog as lines of JSON", run_export);
+  auto [verb, request] = program.add<ExportRequest>(
+      "catalog-export", "designs of the catalog as lines of JSON", run_export);
   request.filter.add_to(verb, FilterRequest::Unless::best_is_asked_for);
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"jsonl"});
@@ -93,7 +93,7 @@ void add_catalog_export(Program& program) {
 }
 
 void add_catalog_import(Program& program) {
-  auto [verb, request] = program.add(
+  auto [verb, request] = program.add<ImportRequest>(
       "catalog-import", "designs from a file that catalog export wrote, each verified", run_import);
   verb.positional("FILE", request.path, "lines of JSON; - is standard input");
   verb.flag("--skip-bad", request.skip_bad,

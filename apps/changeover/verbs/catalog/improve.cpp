@@ -82,8 +82,8 @@ Answer run_submit(const SubmitRequest& request) {
 }  // namespace
 
 void add_catalog_improve(Program& program) {
-  auto [verb, request] =
-      program.add("catalog-improve", "search where the catalog is weakest", run_improve);
+  auto [verb, request] = program.add<ImproveRequest>(
+      "catalog-improve", "search where the catalog is weakest", run_improve);
   request.filter.add_to(verb);
   verb.option("--each", request.each, "DURATION",
               "for a cell at first, then twice as long (default a fiftieth of the time)");
@@ -98,9 +98,9 @@ void add_catalog_improve(Program& program) {
 }
 
 void add_catalog_submit(Program& program) {
-  auto [verb, request] =
-      program.add("catalog-submit", "your designs that are better than what comes with the program",
-                  run_submit);
+  auto [verb, request] = program.add<SubmitRequest>(
+      "catalog-submit", "your designs that are better than what comes with the program",
+      run_submit);
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"jsonl"});
   verb.examples({"changeover catalog submit -o for-the-maintainers.jsonl",

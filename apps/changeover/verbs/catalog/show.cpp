@@ -132,8 +132,8 @@ Answer run(const ShowRequest& request) {
 }  // namespace
 
 void add_catalog_show(Program& program) {
-  auto [verb, request] =
-      program.add("catalog-show", "what is known of a design, or of all designs of a cell", run);
+  auto [verb, request] = program.add<ShowRequest>(
+      "catalog-show", "what is known of a design, or of all designs of a cell", run);
   verb.positional(
       "LABEL", request.what,
       "of a design, 20.5.2.linear.39.…, or its beginning; of a cell, 20.5.2.linear; or V");

@@ -138,7 +138,7 @@ Answer run(const AuditRequest& request) {
 
 void add_catalog_verify(Program& program) {
   auto [verb, request] =
-      program.add("catalog-verify", "is all that the catalog says as it says", run);
+      program.add<AuditRequest>("catalog-verify", "is all that the catalog says as it says", run);
   request.filter.add_to(verb, FilterRequest::Unless::best_is_asked_for);
   verb.option("--resume", request.resume, "FILE", "keep there what is done, and go on from it");
   request.catalog.add_to(verb);

@@ -72,7 +72,8 @@ std::optional<Made> close_up_recipe(const Recipe& input, const Design& design) {
   }
   Parameters smaller = p;
   --smaller.v;
-  // First of all: thrown between the parts of a braced list, a stop would have g++ 12 destroy some of them twice.
+  // First of all: thrown between the parts of a braced list, a stop would have g++ 12 destroy some
+  // of them twice.
   const std::uint64_t b = closed_up(design, *x)->block_count();
   return Made{{"close-up", smaller, {{"element", *x}}, {input}, {}}, b};
 }

@@ -12,6 +12,7 @@
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 #include "plan/job/check_in_full.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/job/words.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
@@ -24,10 +25,6 @@ namespace changeover {
 namespace {
 
 __extension__ using Wide = unsigned __int128;
-
-constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
-
-std::uint64_t choose_two(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
 
 // The numbers of the proof in the header.
 struct Numbers {

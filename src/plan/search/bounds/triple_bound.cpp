@@ -20,7 +20,7 @@ namespace {
 std::uint64_t choose_three(std::uint64_t n) { return n < 3 ? 0 : n * (n - 1) * (n - 2) / 6; }
 
 // The numbers of the proof in the header.
-struct Numbers {
+struct TripleNumbers {
   std::uint64_t room = 0;
   std::uint64_t triples = 0;  // within F
   bool all_inner = true;      // no needed triple has a mounted part
@@ -32,7 +32,7 @@ struct Numbers {
   Amount mounting;
   std::uint64_t mounted_introductions = 0;
 
-  explicit Numbers(const Job& job)
+  explicit TripleNumbers(const Job& job)
       : room(job.room() - job.mounted.size()), at_start(job.names.size(), false) {
     const std::size_t v = job.names.size();
     std::vector<bool> mounted(v, false);
@@ -72,7 +72,8 @@ struct Numbers {
   }
 };
 
-std::uint64_t most_triples(const Numbers& n, std::uint64_t tests, std::uint64_t introductions) {
+std::uint64_t most_triples(const TripleNumbers& n, std::uint64_t tests,
+                           std::uint64_t introductions) {
   const auto brought = [&](std::uint64_t j) {
     return choose_three(n.room) - choose_three(n.room - j);
   };
@@ -91,7 +92,7 @@ std::uint64_t most_triples(const Numbers& n, std::uint64_t tests, std::uint64_t 
 }
 
 // (2)
-std::uint64_t least_tests(const Job& job, const Numbers& n) {
+std::uint64_t least_tests_of_triples(const Job& job, const TripleNumbers& n) {
   const std::size_t v = job.names.size();
   std::uint64_t places = 0;
   for (const Element x : n.parts) {
@@ -105,7 +106,7 @@ std::uint64_t least_tests(const Job& job, const Numbers& n) {
 }
 
 // (3): of all introductions of parts of F.
-StaysCost least_by_stays(const Job& job, const Numbers& n) {
+StaysCost triples_by_stays(const Job& job, const TripleNumbers& n) {
   const std::size_t v = job.names.size();
   std::vector<Element> together;
   const bool all = n.triples == choose_three(n.parts.size());
@@ -141,7 +142,7 @@ StaysCost least_by_stays(const Job& job, const Numbers& n) {
 }
 
 // (4)
-std::uint64_t by_refining(const Numbers& n) {
+std::uint64_t by_refining(const TripleNumbers& n) {
   if (n.triples != choose_three(n.parts.size()) || n.parts.size() <= n.room || n.start > n.room) {
     return 0;
   }
@@ -167,7 +168,7 @@ CostBound bound_for_triples(const Job& job) {
   Job pairs = job;
   pairs.triples.clear();
   CostBound bound = bound_of_checked(pairs);
-  const Numbers n(job);
+  const TripleNumbers n(job);
   if (n.triples == 0) {
     return bound;
   }
@@ -181,9 +182,9 @@ CostBound bound_for_triples(const Job& job) {
       base += job.change_costs[x];
     }
   }
-  const StaysCost stays = least_by_stays(job, n);
+  const StaysCost stays = triples_by_stays(job, n);
   const std::uint64_t refined = by_refining(n);
-  const std::uint64_t fewest_tests = std::max(least_tests(job, n), bound.tests);
+  const std::uint64_t fewest_tests = std::max(least_tests_of_triples(job, n), bound.tests);
   const std::uint64_t of_pairs =
       bound.introductions - std::min(bound.introductions, n.mounted_introductions);
   const std::uint64_t fewest = std::max({once, stays.extra, refined, of_pairs});

@@ -4,14 +4,11 @@
 #include <numeric>
 
 #include "changeover/run/scope.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/search/weighted.hpp"
 
 namespace changeover {
 namespace {
-
-constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
-
-std::uint64_t choose_two(std::uint64_t n) { return n < 2 ? 0 : n * (n - 1) / 2; }
 
 // How many introductions some money pays for at most.
 class Introductions {

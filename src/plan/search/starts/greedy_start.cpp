@@ -4,13 +4,12 @@
 
 #include "changeover/core/error.hpp"
 #include "plan/job/fitting.hpp"
+#include "plan/job/pair_numbers.hpp"
 #include "plan/search/listener.hpp"
 #include "plan/search/starts/starts.hpp"
 
 namespace changeover {
 namespace {
-
-constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
 
 class Greedy {
  public:

@@ -103,7 +103,8 @@ TEST(Interpolate, MakesEachStepInSmallerOnes) {
   EXPECT_THROW((void)interpolate_recipe(input, 0), BadInput);
 }
 
-// Wherever the stop comes, what was half made is taken apart once. Where it comes is up to the clock, so many are tried.
+// Wherever the stop comes, what was half made is taken apart once. Where it comes is up to the
+// clock, so many are tried.
 TEST(CloseUp, StopsWhereverItIs) {
   const Design design = standard().build_design(best(120, 12, 1, Kind::linear));
   std::size_t stopped = 0;

@@ -1,4 +1,4 @@
-#include "request/plan_done.hpp"
+#include "plan/request/done_tests.hpp"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,12 @@
 #include <map>
 #include <utility>
 
-#include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
 #include "io/scan/place.hpp"
-#include "request/inputs.hpp"
+#include "plan/job/part_finder.hpp"
+#include "plan/job/words.hpp"
 
-namespace changeover::cli {
+namespace changeover {
 namespace {
 
 constexpr std::size_t few = 10;
@@ -21,17 +21,18 @@ Block in_order(Block setup) {
   return setup;
 }
 
-void note_unread(const DoneRequest& request, DoneAnswer& answer) {
-  if (answer.unread == 0 || request.for_diagnosis) {
+void note_unread(const DoneOptions& options, const DoneWords& words, AskedJob& answer) {
+  if (answer.unread == 0 || options.for_diagnosis) {
     return;
   }
   const UnreadResult& one = answer.first_unread.front();
-  answer.notes.push_back(fmt::format(
-      "{}: the result {} is not understood{}; its pairs {}; write pass or fail", one.place,
-      shown(one.text),
-      answer.unread == 1 ? "" : fmt::format(", nor are {} others", answer.unread - 1),
-      request.failed == FailedTests::trusted ? "count as tested, by --trust-failed"
-                                             : "count as tested only with --trust-failed"));
+  answer.notes.push_back(
+      fmt::format("{}: the result {} is not understood{}; its pairs {}; write pass or fail",
+                  one.place, shown(one.text),
+                  answer.unread == 1 ? "" : fmt::format(", nor are {} others", answer.unread - 1),
+                  fmt::format("count as tested{} {}",
+                              options.failed == FailedTests::trusted ? ", by" : " only with",
+                              words.trust_failed)));
 }
 
 void note_gone(const std::string& name, const std::vector<std::string>& gone,
@@ -68,23 +69,27 @@ void drop_first(const std::vector<DoneTest>& done, Job& job) {
 
 }  // namespace
 
-DoneAnswer take_done(const DoneRequest& request, Job& job) {
-  const auto input = open_list(request.path);
-  const DoneList list = read_done(*input, job.names, job.at_once);
+AskedJob take_done(Input& input, const DoneOptions& options, const DoneWords& words, Job& job) {
+  const DoneList list = read_done(input, job.names, job.at_once);
   const std::size_t all = list.setups.size();
-  if (request.first.value_or(0) > all) {
-    throw UsageError{fmt::format("--done-first {}: {} has {}", *request.first, input->name(),
-                                 count_of(all, "set-up"))};
+  if (options.first.value_or(0) > all) {
+    throw BadOption(fmt::format("{} {}: {} has {}", words.done_first, *options.first, input.name(),
+                                count_of(all, "set-up")));
   }
-  DoneAnswer answer;
+  if (options.all_parts_known && !list.gone.empty()) {
+    throw BadInput(
+        fmt::format("{}: {}", input.name(), PartFinder(job.names).complaint(list.gone.front())));
+  }
+  AskedJob answer;
+  answer.done_from = input.name();
   const bool has_results = list.has_results();
-  std::vector<DoneTest> done;
+  std::vector<DoneTest>& done = answer.done;
   std::uint64_t failed_with_gone = 0;
   std::uint64_t not_run = 0;
   for (std::size_t i = 0; i < all; ++i) {
     const TestResult result = result_of(list.results[i]);
     const bool counts =
-        request.first ? i < *request.first : !has_results || result != TestResult::none;
+        options.first ? i < *options.first : !has_results || result != TestResult::none;
     if (!counts || result == TestResult::not_run) {
       not_run += counts ? 1U : 0U;
       answer.rest.push_back(list.setups[i]);
@@ -102,28 +107,28 @@ DoneAnswer take_done(const DoneRequest& request, Job& job) {
   if (failed_with_gone > 0) {
     answer.notes.push_back(fmt::format(
         "{}: {} failed with a part that is gone, which may be to blame: a diagnosis leaves {} out",
-        input->name(), count_of(failed_with_gone, "test"), failed_with_gone == 1 ? "it" : "them"));
+        input.name(), count_of(failed_with_gone, "test"), failed_with_gone == 1 ? "it" : "them"));
   }
-  note_unread(request, answer);
-  note_gone(input->name(), list.gone, answer.notes);
+  note_unread(options, words, answer);
+  note_gone(input.name(), list.gone, answer.notes);
   if (not_run > 0) {
     answer.notes.push_back(
-        fmt::format("{}: {} not run, by the column result, and {} not done", input->name(),
+        fmt::format("{}: {} not run, by the column result, and {} not done", input.name(),
                     not_run == 1 ? "1 test was" : fmt::format("{} tests were", not_run),
                     not_run == 1 ? "is" : "are"));
   }
-  if (!request.first && has_results && done.size() < all) {
+  if (!options.first && has_results && done.size() < all) {
     answer.notes.push_back(fmt::format("{}: {} of {} tests have a result and are done",
-                                       input->name(), done.size(), all));
+                                       input.name(), done.size(), all));
   }
   const std::size_t first = job.first.size();
   drop_first(done, job);
   if (job.first.size() < first) {
-    answer.notes.push_back(fmt::format("{}: {} of {} done already", request.first_tests,
+    answer.notes.push_back(fmt::format("{}: {} of {} done already", words.first_tests,
                                        first - job.first.size(), count_of(first, "set-up")));
   }
-  mark_tested(job, done, request.failed);
+  mark_tested(job, done, options.failed);
   return answer;
 }
 
-}  // namespace changeover::cli
+}  // namespace changeover

@@ -1,0 +1,116 @@
+// The options of a verb, made of the records of its request (changeover/io/request.hpp), and requests from files.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "changeover/io/input.hpp"
+#include "changeover/io/request.hpp"
+#include "cli/cli.hpp"
+#include "io/request/request_document.hpp"
+#include "request/inputs.hpp"
+
+namespace changeover::cli {
+
+/// What every verb with a request document has besides: [--request FILE] [--show-request].
+struct RequestFileRequest {
+  std::string path;
+  bool show = false;
+
+  void add_to(Verb& verb, std::string_view format) {
+    verb.option("--request", path, "FILE",
+                "what is asked, as JSON (" + std::string(format) + "); options come on top of it");
+    verb.flag("--show-request", show, "say what is asked as such JSON, and do no more");
+  }
+};
+
+/// The longest request document that is read from a file.
+inline constexpr std::size_t most_request_bytes = std::size_t{1} << 28;
+
+/// Adds an option for each record but those that `others` has already, and the rules. What `request` points to must live as
+/// long as the program.
+template <typename Request>
+void add_request_options(Verb& verb, Request& request, const RequestTable<Request>& table) {
+  for (const auto& option : table.options) {
+    const OptionRecord& record = option.record;
+    if (record.of_every_search || record.flags.empty()) {
+      continue;
+    }
+    const std::string flags(record.flags);
+    const std::string help(record.help);
+    const std::string value(record.value);
+    std::visit(
+        [&](auto field) {
+          auto& kept = request.*field;
+          using Value = std::remove_cvref_t<decltype(kept)>;
+          if constexpr (std::is_same_v<Value, bool>) {
+            verb.flag(flags, kept, help);
+          } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
+            verb.option(flags, kept, value, help);
+          } else if constexpr (std::is_same_v<Value, RequestList>) {
+            flags.starts_with('-') ? verb.option(flags, kept.file, value, help)
+                                   : verb.positional(flags, kept.file, help, false);
+          } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+            verb.option(
+                flags, [&kept](const std::string& text) { kept = {text}; }, value, help);
+          } else if constexpr (std::is_same_v<Value, std::string>) {
+            record.words.empty()
+                ? verb.option(flags, kept, value, help)
+                : verb.choice(flags, kept, {record.words.begin(), record.words.end()}, help);
+          }
+        },
+        option.field);
+  }
+  const auto spelled_all = [&](const std::vector<std::string_view>& keys) {
+    std::vector<std::string> all;
+    for (const std::string_view key : keys) {
+      all.push_back(spelled(option_of(table, key).record, Door::command_line));
+    }
+    return all;
+  };
+  for (const OptionRule& rule : table.rules) {
+    verb.rule(sentence_of(rule.says, spelled_all(rule.keys), spelled_all(rule.others)));
+  }
+}
+
+/// What the command line says, with the names that it gives in one text told apart, on top of what the file says.
+/// @throws UsageError, BadInput, MissingResource
+template <typename Request, typename Read>
+Request whole_request(Request request, const RequestTable<Request>& table, const std::string& file,
+                      Read&& read) {
+  for (const auto& option : table.options) {
+    if (auto* const field = std::get_if<std::vector<std::string> Request::*>(&option.field)) {
+      auto& names = request.**field;
+      try {
+        names = names.empty() ? names : names_in(names.front());
+      } catch (const BadInput& fault) {
+        throw UsageError{spelled(option.record, Door::command_line) + ": " + fault.what()};
+      }
+    }
+  }
+  if (!file.empty()) {
+    const auto input = open_input(file);
+    complete(
+        table, request,
+        read(read_to_end(*input, most_request_bytes, "name its lists by files"), input->name()));
+  }
+  return request;
+}
+
+/// The files of a request, as check_inputs() wants them.
+template <typename Request>
+std::vector<InputFile> files_of(const Request& request, const RequestTable<Request>& table) {
+  std::vector<InputFile> files;
+  for (const auto& option : table.options) {
+    if (auto* const field = std::get_if<RequestList Request::*>(&option.field)) {
+      const bool is_argument = !option.record.flags.starts_with('-');
+      files.emplace_back(
+          is_argument ? "the parts list" : spelled(option.record, Door::command_line),
+          list_file((request.**field).file));
+    }
+  }
+  return files;
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,413 @@
+#include "io/request/request_document.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "changeover/core/error.hpp"
+#include "core/printable.hpp"
+#include "io/scan/given_rows.hpp"
+#include "io/scan/row_reader.hpp"
+
+namespace changeover {
+namespace {
+
+// A field of a row: a text, or a number as it is written; null says nothing.
+std::optional<std::string> field_of(const JsonNode& node) {
+  return node.is_text() || node.is_number() ? std::optional(node.text)
+         : node.is_null()                   ? std::optional(std::string())
+                                            : std::nullopt;
+}
+
+// What each shape is called when it is asked for.
+std::string_view wanted(RowShape shape) {
+  switch (shape) {
+    case RowShape::parts:
+      return "\"name\" or {\"name\":…,\"cost\":…,\"slot\":…}";
+    case RowShape::pairs:
+      return "[a,b]";
+    case RowShape::weights:
+      return "[a,b,weight]";
+    case RowShape::slots:
+      return "{\"name\":…,\"least\":…,\"most\":…}";
+    case RowShape::setups:
+      return "[a,b,…]";
+    case RowShape::tests:
+      return "[\"a\",\"b\",…] or {\"parts\":[…],\"result\":\"pass\" or \"fail\"}";
+    case RowShape::table:
+      return "[field,…]";
+    case RowShape::none:
+      break;
+  }
+  return "";
+}
+
+std::optional<std::vector<std::string>> fields_of(const JsonNode& array) {
+  if (!array.is_array()) {
+    return std::nullopt;
+  }
+  std::vector<std::string> fields;
+  for (const auto& [none, node] : array.members) {
+    auto field = field_of(node);
+    if (!field) {
+      return std::nullopt;
+    }
+    fields.push_back(std::move(*field));
+  }
+  return fields;
+}
+
+// Members of an object in an order, each a field; the first must be there and no other may be.
+std::optional<std::vector<std::string>> members_of(const JsonNode& object,
+                                                   const std::vector<std::string_view>& keys) {
+  std::vector<std::string> fields(keys.size());
+  for (const auto& [key, node] : object.members) {
+    const auto at = std::find(keys.begin(), keys.end(), key);
+    const auto field = field_of(node);
+    if (at == keys.end() || !field) {
+      return std::nullopt;
+    }
+    fields[static_cast<std::size_t>(at - keys.begin())] = *field;
+  }
+  const JsonNode* const first = object.find(keys.front());
+  return first != nullptr && !first->is_null() ? std::optional(fields) : std::nullopt;
+}
+
+const std::vector<std::string_view>& keys_of(RowShape shape) {
+  static const std::vector<std::string_view> parts{"name", "cost", "slot"};
+  static const std::vector<std::string_view> slots{"name", "least", "most"};
+  return shape == RowShape::parts ? parts : slots;
+}
+
+std::optional<ListRow> test_of(const JsonNode& node) {
+  if (!node.is_object()) {
+    auto fields = fields_of(node);
+    return fields ? std::optional(ListRow{std::move(*fields)}) : std::nullopt;
+  }
+  ListRow row;
+  bool has_parts = false;
+  for (const auto& [key, member] : node.members) {
+    if (key == "parts") {
+      auto fields = fields_of(member);
+      if (!fields) {
+        return std::nullopt;
+      }
+      row.fields = std::move(*fields);
+      has_parts = true;
+    } else if (key == "result" && (member.is_text() || member.is_null())) {
+      row.result = member.text;
+    } else {
+      return std::nullopt;
+    }
+  }
+  return has_parts ? std::optional(row) : std::nullopt;
+}
+
+std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
+  switch (shape) {
+    case RowShape::parts:
+    case RowShape::slots: {
+      if (shape == RowShape::parts && node.is_text()) {
+        return ListRow{{node.text}};
+      }
+      auto fields = node.is_object() ? members_of(node, keys_of(shape)) : std::nullopt;
+      return fields ? std::optional(ListRow{std::move(*fields)}) : std::nullopt;
+    }
+    case RowShape::tests:
+      return test_of(node);
+    default: {
+      auto fields = fields_of(node);
+      const std::size_t size = fields ? fields->size() : 0;
+      const bool fits = shape == RowShape::pairs     ? size == 2
+                        : shape == RowShape::weights ? size == 3
+                                                     : size > 0;
+      return fits ? std::optional(ListRow{std::move(*fields)}) : std::nullopt;
+    }
+  }
+}
+
+// A number as a number, where it is one as JSON writes it; else as a text.
+void write_field(JsonWriter& json, const std::string& field) {
+  const bool plain = !field.empty() && field.find_first_not_of("0123456789") == std::string::npos &&
+                     (field.front() != '0' || field.size() == 1) && field.size() < 19;
+  plain ? json.raw(field) : json.value(field);
+}
+
+void write_members(JsonWriter& json, const ListRow& row,
+                   const std::vector<std::string_view>& keys) {
+  json.begin_object().key(keys[0]).value(row.fields[0]);
+  for (std::size_t i = 1; i < row.fields.size() && i < keys.size(); ++i) {
+    if (!row.fields[i].empty()) {
+      json.key(keys[i]);
+      keys[i] == "slot" ? json.value(row.fields[i]), void() : write_field(json, row.fields[i]);
+    }
+  }
+  json.end_object();
+}
+
+}  // namespace
+
+RequestDocument::RequestDocument(std::string_view format, std::string text, std::string name)
+    : text_(std::move(text)), name_(std::move(name)) {
+  const std::string shown_name = name_.empty() ? "<text>" : name_;
+  object_ = json_tree({.text = text_, .name = shown_name});
+  if (!object_.is_object()) {
+    throw BadInput((name_.empty() ? "" : name_ + ": ") + "send an object of JSON, {…}");
+  }
+  if (const JsonNode* const said = find("format"); said != nullptr && said->text != format) {
+    fail(*said, "format", fmt::format("write {}", format));
+  }
+}
+
+const JsonNode* RequestDocument::find(std::string_view key) const {
+  const JsonNode* const found = object_.find(key);
+  return found == nullptr || found->is_null() ? nullptr : found;
+}
+
+void RequestDocument::rename(std::string_view from, std::string_view to) {
+  for (auto& [key, node] : object_.members) {
+    if (key == from) {
+      if (const JsonNode* const other = find(to)) {
+        fail(*other, to, fmt::format("{} says the same; give one of them", from));
+      }
+      key = to;
+      return;
+    }
+  }
+}
+
+void RequestDocument::fail(const JsonNode& at, std::string_view key, std::string_view what) const {
+  const std::string line = key.empty() ? std::string(what) : fmt::format("{}: {}", key, what);
+  if (name_.empty()) {
+    throw BadInput(line);
+  }
+  changeover::fail(name_, place_of(text_, at.offset), line);
+}
+
+void RequestDocument::require_known(const std::vector<std::string_view>& keys) const {
+  for (const auto& [key, node] : object_.members) {
+    if (key != "format" && std::find(keys.begin(), keys.end(), key) == keys.end()) {
+      fail(node, "",
+           fmt::format("there is no member '{}'; there are {}", printable(key),
+                       fmt::join(keys, ", ")));
+    }
+  }
+}
+
+std::uint64_t RequestDocument::number(const OptionRecord& record, const JsonNode& node) const {
+  if (!node.is_natural()) {
+    fail(node, record.key, "write a whole number");
+  }
+  return node.natural;
+}
+
+double RequestDocument::seconds(const OptionRecord& record, const JsonNode& node) const {
+  double number = -1;
+  if (node.is_number()) {
+    std::from_chars(node.text.data(), node.text.data() + node.text.size(), number);
+  }
+  if (!std::isfinite(number) || number < 0) {
+    fail(node, record.key, "write a number of seconds");
+  }
+  return number;
+}
+
+bool RequestDocument::flag(const OptionRecord& record, const JsonNode& node) const {
+  if (node.type != JsonEvent::Type::boolean) {
+    fail(node, record.key, "write true or false");
+  }
+  return node.text == "true";
+}
+
+std::string RequestDocument::text(const OptionRecord& record, const JsonNode& node) const {
+  const bool is_amount = record.kind == ValueKind::amount;
+  if (!node.is_text() && !(is_amount && node.is_number())) {
+    fail(node, record.key, is_amount ? "write an amount, as 12.50" : "write a string");
+  }
+  if (is_amount && node.text.empty()) {
+    fail(node, record.key, "it is empty; write an amount, as 12.50, or leave it out");
+  }
+  if (record.kind == ValueKind::word &&
+      std::find(record.words.begin(), record.words.end(), node.text) == record.words.end()) {
+    fail(node, record.key, fmt::format("write one of {}", fmt::join(record.words, ", ")));
+  }
+  return node.text;
+}
+
+std::vector<std::string> RequestDocument::names(const OptionRecord& record,
+                                                const JsonNode& node) const {
+  auto fields = fields_of(node);
+  if (!fields) {
+    fail(node, record.key, "write an array of names, [a,b,…]");
+  }
+  return std::move(*fields);
+}
+
+RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& node) const {
+  RequestList list;
+  const std::string what = fmt::format("write an array of {}, or {{\"file\":…}} or {{\"text\":…}}",
+                                       wanted(record.shape));
+  if (node.is_object()) {
+    const auto& members = node.members;
+    const bool one = members.size() == 1 && members.front().second.is_text();
+    if (one && members.front().first == "file" && !members.front().second.text.empty()) {
+      list.file = members.front().second.text;
+    } else if (one && members.front().first == "text") {
+      list.text = members.front().second.text;
+    } else {
+      fail(node, record.key, what);
+    }
+    return list;
+  }
+  if (!node.is_array()) {
+    fail(node, record.key, what);
+  }
+  list.rows.emplace();
+  for (const auto& [none, member] : node.members) {
+    auto row = row_of(record.shape, member);
+    if (!row) {
+      fail(member, fmt::format("{}[{}]", record.key, list.rows->size()),
+           fmt::format("write {}", wanted(record.shape)));
+    }
+    list.rows->push_back(std::move(*row));
+  }
+  return list;
+}
+
+void write_list(JsonWriter& json, const OptionRecord& record, const RequestList& list) {
+  if (!list.file.empty()) {
+    json.begin_object().key("file").value(list.file).end_object();
+    return;
+  }
+  if (list.text) {
+    json.begin_object().key("text").value(*list.text).end_object();
+    return;
+  }
+  json.begin_array();
+  for (const ListRow& row : *list.rows) {
+    switch (record.shape) {
+      case RowShape::parts:
+      case RowShape::slots:
+        write_members(json, row, keys_of(record.shape));
+        break;
+      case RowShape::tests:
+        if (!row.result.empty()) {
+          json.begin_object().key("parts").value(row.fields);
+          json.key("result").value(row.result).end_object();
+          break;
+        }
+        [[fallthrough]];
+      default:
+        json.value(row.fields);
+    }
+  }
+  json.end_array();
+}
+
+std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
+                            const std::string& spelled) {
+  if (!list.file.empty()) {
+    return open_list(list.file);
+  }
+  if (list.text) {
+    return input_from_text(*list.text, spelled);
+  }
+  GivenRows::Fields header;
+  std::vector<GivenRows::Fields> rows;
+  std::size_t widest = 0;
+  for (const ListRow& row : *list.rows) {
+    widest = std::max(widest, row.fields.size());
+  }
+  if (record.shape == RowShape::parts) {
+    header = {"name", "change cost", "slot"};
+    header.resize(std::clamp<std::size_t>(widest, 1, header.size()));
+    const bool has_slots = std::any_of(
+        list.rows->begin(), list.rows->end(),
+        [](const ListRow& row) { return row.fields.size() > 2 && !row.fields[2].empty(); });
+    header.resize(has_slots ? header.size() : std::min<std::size_t>(2, header.size()));
+  } else if (record.shape == RowShape::tests) {
+    // The columns of a run sheet, so that no name of a part is taken for one.
+    header = {"step", "take_out", "put_in", "cost_so_far", "result"};
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, widest); ++i) {
+      header.push_back(fmt::format("slot_{}", i + 1));
+    }
+  }
+  for (const ListRow& row : *list.rows) {
+    GivenRows::Fields& fields = rows.emplace_back();
+    if (record.shape == RowShape::tests) {
+      fields = {"", "", "", "", row.result.empty() ? "done" : row.result};
+    }
+    fields.insert(fields.end(), row.fields.begin(), row.fields.end());
+    if (!header.empty()) {
+      fields.resize(header.size());
+    }
+  }
+  return std::make_unique<GivenRows>(spelled, std::move(header), std::move(rows));
+}
+
+std::vector<std::string> names_in(std::string_view text) {
+  std::vector<std::string> names;
+  for (Field& field : split_row(text)) {
+    if (!field.text.empty()) {
+      names.push_back(std::move(field.text));
+    }
+  }
+  return names;
+}
+
+std::string spelled(const OptionRecord& record, Door door) {
+  if (door == Door::document) {
+    return std::string(record.key);
+  }
+  const std::size_t comma = record.flags.find(",--");
+  return std::string(comma == std::string_view::npos ? record.flags
+                                                     : record.flags.substr(comma + 1));
+}
+
+std::string spelled_with_value(const OptionRecord& record, Door door) {
+  const std::string key = spelled(record, door);
+  return door == Door::document || record.value.empty() ? key
+                                                        : fmt::format("{} {}", key, record.value);
+}
+
+std::string sentence_of(OptionRule::Says says, const std::vector<std::string>& keys,
+                        const std::vector<std::string>& others) {
+  const bool one = keys.size() == 1;
+  switch (says) {
+    case OptionRule::Says::exclude:
+      return enumerated(keys) + " exclude each other";
+    case OptionRule::Says::only_with:
+      return enumerated(keys) + (one ? " is" : " are") + " for " + enumerated(others, " or ") +
+             " only";
+    case OptionRule::Says::never_with:
+      return enumerated(keys) + (one ? " has" : " have") + " no meaning with " + enumerated(others);
+  }
+  return "";
+}
+
+std::string enumerated(const std::vector<std::string>& names, std::string_view last) {
+  const std::string but_last = fmt::format("{}", fmt::join(names.begin(), names.end() - 1, ", "));
+  return but_last + std::string(but_last.empty() ? "" : last) + names.back();
+}
+
+namespace request_rules {
+
+void refuse_excluded(const std::vector<std::string>& all) {
+  throw BadOption(enumerated(all) + " exclude each other");
+}
+
+void refuse_alone(const std::string& key, const std::vector<std::string>& others) {
+  throw BadOption(key + " is for " + enumerated(others, " or ") +
+                  (others.size() == 1 ? "; give both" : "; give one of them, too"));
+}
+
+void refuse_together(const std::string& key, const std::vector<std::string>& others) {
+  throw BadOption(key + " has no meaning with " + enumerated(others) + "; leave it out");
+}
+
+}  // namespace request_rules
+
+}  // namespace changeover

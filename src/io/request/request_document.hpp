@@ -1,0 +1,228 @@
+// Requests as JSON documents, and their rules: what all kinds of requests share (io/request.hpp).
+//
+//     const RequestDocument document(job_table().format, text, "job.json");
+//     JobRequest request = read_request(job_table(), document);
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "changeover/io/input.hpp"
+#include "changeover/io/request.hpp"
+#include "io/scan/json_tree.hpp"
+#include "io/write/json_writer.hpp"
+
+namespace changeover {
+
+/// A JSON object that says a request, and where what is wrong with it stands.
+class RequestDocument {
+ public:
+  /// `name` is that of the file; empty if it is none, and faults then have no place. @throws BadInput if it is no JSON, no object, or says
+  /// another format than this one.
+  RequestDocument(std::string_view format, std::string text, std::string name);
+
+  [[nodiscard]] const JsonNode& object() const { return object_; }
+  /// Nothing if it is not there or null.
+  [[nodiscard]] const JsonNode* find(std::string_view key) const;
+  /// Another name of the same key.
+  void rename(std::string_view from, std::string_view to);
+  [[noreturn]] void fail(const JsonNode& at, std::string_view key, std::string_view what) const;
+
+  /// @throws BadInput for a member that is none of these.
+  void require_known(const std::vector<std::string_view>& keys) const;
+
+  [[nodiscard]] std::uint64_t number(const OptionRecord& record, const JsonNode& node) const;
+  [[nodiscard]] double seconds(const OptionRecord& record, const JsonNode& node) const;
+  [[nodiscard]] bool flag(const OptionRecord& record, const JsonNode& node) const;
+  /// Of an amount, a text or a word.
+  [[nodiscard]] std::string text(const OptionRecord& record, const JsonNode& node) const;
+  [[nodiscard]] std::vector<std::string> names(const OptionRecord& record,
+                                               const JsonNode& node) const;
+  [[nodiscard]] RequestList list(const OptionRecord& record, const JsonNode& node) const;
+
+ private:
+  std::string text_;
+  std::string name_;
+  JsonNode object_;
+};
+
+/// The value as JSON.
+void write_list(JsonWriter& json, const OptionRecord& record, const RequestList& list);
+
+/// A list as an input that readers of its file read: `spelled` names it in faults where it has no file. @throws as open_list()
+[[nodiscard]] std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
+                                          const std::string& spelled);
+
+/// The names of parts in a text with commas between them; they may be quoted. @throws BadInput (without a place)
+[[nodiscard]] std::vector<std::string> names_in(std::string_view text);
+
+/// @throws BadOption for the first rule that is broken. `given` says which keys are.
+template <typename Given, typename Spell, typename SpellInFull>
+void check_rules(const std::vector<OptionRule>& rules, Given&& given, Spell&& spell,
+                 SpellInFull&& spell_in_full);
+
+/// Whether a key of a request says anything.
+template <typename Request>
+bool is_given(const Request& request, const RequestOption<Request>& option) {
+  return std::visit(
+      [&](auto field) {
+        const auto& value = request.*field;
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, bool>) {
+          return value;
+        } else if constexpr (std::is_same_v<Value, RequestList>) {
+          return value.is_given();
+        } else if constexpr (requires { value.has_value(); }) {
+          return value.has_value();
+        } else {
+          return !value.empty();
+        }
+      },
+      option.field);
+}
+
+template <typename Request>
+const RequestOption<Request>& option_of(const RequestTable<Request>& table, std::string_view key) {
+  for (const auto& option : table.options) {
+    if (option.record.key == key) {
+      return option;
+    }
+  }
+  throw InternalError("no option has the key " + std::string(key));
+}
+
+/// @throws BadInput for members that are none of the table or no values of it.
+template <typename Request>
+Request read_request(const RequestTable<Request>& table, const RequestDocument& document) {
+  Request request;
+  std::vector<std::string_view> keys;
+  for (const auto& option : table.options) {
+    const OptionRecord& record = option.record;
+    keys.push_back(record.key);
+    const JsonNode* const node = document.find(record.key);
+    if (node == nullptr) {
+      continue;
+    }
+    std::visit(
+        [&](auto field) {
+          auto& value = request.*field;
+          using Value = std::remove_cvref_t<decltype(value)>;
+          if constexpr (std::is_same_v<Value, bool>) {
+            value = document.flag(record, *node);
+          } else if constexpr (std::is_same_v<Value, RequestList>) {
+            value = document.list(record, *node);
+          } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
+            value = document.number(record, *node);
+          } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+            value = document.seconds(record, *node);
+          } else if constexpr (std::is_same_v<Value, std::string>) {
+            value = document.text(record, *node);
+          } else {
+            value = document.names(record, *node);
+          }
+        },
+        option.field);
+  }
+  document.require_known(keys);
+  return request;
+}
+
+/// What was given, with the format first; read_request() reads it back.
+template <typename Request>
+std::string request_as_json(const RequestTable<Request>& table, const Request& request) {
+  JsonWriter json;
+  json.begin_object().key("format").value(table.format);
+  for (const auto& option : table.options) {
+    if (!is_given(request, option)) {
+      continue;
+    }
+    json.key(option.record.key);
+    std::visit(
+        [&](auto field) {
+          const auto& value = request.*field;
+          using Value = std::remove_cvref_t<decltype(value)>;
+          if constexpr (std::is_same_v<Value, RequestList>) {
+            write_list(json, option.record, value);
+          } else {
+            json.value(value);
+          }
+        },
+        option.field);
+  }
+  return json.end_object().take() + "\n";
+}
+
+/// @throws BadOption in the words of the door for the first rule that the request breaks.
+template <typename Request>
+void check_rules(const RequestTable<Request>& table, const Request& request, Door door) {
+  check_rules(
+      table.rules, [&](std::string_view key) { return is_given(request, option_of(table, key)); },
+      [&](std::string_view key) { return spelled(option_of(table, key).record, door); },
+      [&](std::string_view key) { return spelled_with_value(option_of(table, key).record, door); });
+}
+
+/// Takes from `other` what `request` does not say.
+template <typename Request>
+void complete(const RequestTable<Request>& table, Request& request, Request other) {
+  for (const auto& option : table.options) {
+    if (!is_given(request, option)) {
+      std::visit([&](auto field) { request.*field = std::move(other.*field); }, option.field);
+    }
+  }
+}
+
+/// A rule as a sentence: "--header and --no-header exclude each other".
+[[nodiscard]] std::string sentence_of(OptionRule::Says says, const std::vector<std::string>& keys,
+                                      const std::vector<std::string>& others);
+
+/// "--a, --b and --c".
+[[nodiscard]] std::string enumerated(const std::vector<std::string>& names,
+                                     std::string_view last = " and ");
+
+namespace request_rules {
+void refuse_excluded(const std::vector<std::string>& all);
+void refuse_alone(const std::string& key, const std::vector<std::string>& others);
+void refuse_together(const std::string& key, const std::vector<std::string>& others);
+}  // namespace request_rules
+
+template <typename Given, typename Spell, typename SpellInFull>
+void check_rules(const std::vector<OptionRule>& rules, Given&& given, Spell&& spell,
+                 SpellInFull&& spell_in_full) {
+  const auto spelled_all = [&](const std::vector<std::string_view>& keys) {
+    std::vector<std::string> all;
+    for (const std::string_view key : keys) {
+      all.push_back(spell(key));
+    }
+    return all;
+  };
+  for (const OptionRule& rule : rules) {
+    if (rule.says == OptionRule::Says::exclude) {
+      std::size_t count = 0;
+      for (const std::string_view key : rule.keys) {
+        count += given(key) ? 1U : 0U;
+      }
+      if (count > 1) {
+        request_rules::refuse_excluded(spelled_all(rule.keys));
+      }
+      continue;
+    }
+    bool any = false;
+    for (const std::string_view other : rule.others) {
+      any = any || given(other);
+    }
+    for (const std::string_view key : rule.keys) {
+      if (given(key) && rule.says == OptionRule::Says::only_with && !any) {
+        request_rules::refuse_alone(spell_in_full(key), spelled_all(rule.others));
+      }
+      if (given(key) && rule.says == OptionRule::Says::never_with && any) {
+        request_rules::refuse_together(spell_in_full(key), spelled_all(rule.others));
+      }
+    }
+  }
+}
+
+}  // namespace changeover

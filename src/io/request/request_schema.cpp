@@ -1,0 +1,164 @@
+#include "io/request/request_schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/write/json_writer.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::string_view field = R"({"type":["string","number","null"]})";
+constexpr std::string_view amount =
+    R"({"anyOf":[{"type":"number","minimum":0},{"type":"string","pattern":"^[0-9]*\\.?[0-9]*$"}]})";
+
+std::string fields(std::string_view least, std::string_view most) {
+  return fmt::format(R"({{"type":"array","items":{}{}{}}})", field,
+                     least.empty() ? "" : fmt::format(R"(,"minItems":{})", least),
+                     most.empty() ? "" : fmt::format(R"(,"maxItems":{})", most));
+}
+
+std::string row(RowShape shape) {
+  switch (shape) {
+    case RowShape::parts:
+      return fmt::format(
+          R"({{"anyOf":[{{"type":"string"}},{{"type":"object","required":["name"],"additionalProperties":false,)"
+          R"("properties":{{"name":{0},"cost":{0},"slot":{0}}}}}]}})",
+          field);
+    case RowShape::slots:
+      return fmt::format(R"({{"type":"object","required":["name"],"additionalProperties":false,)"
+                         R"("properties":{{"name":{0},"least":{0},"most":{0}}}}})",
+                         field);
+    case RowShape::pairs:
+      return fields("2", "2");
+    case RowShape::weights:
+      return fields("3", "3");
+    case RowShape::tests:
+      return fmt::format(
+          R"({{"anyOf":[{0},{{"type":"object","required":["parts"],"additionalProperties":false,)"
+          R"("properties":{{"parts":{0},"result":{{"type":["string","null"]}}}}}}]}})",
+          fields("", ""));
+    default:
+      return fields("1", "");
+  }
+}
+
+std::string list(const OptionRecord& record) {
+  constexpr std::string_view one_of =
+      R"({{"anyOf":[{}{{"type":"array","items":{}}},)"
+      R"({{"type":"object","required":["file"],"additionalProperties":false,"properties":{{"file":{{"type":"string","minLength":1}}}}}},)"
+      R"({{"type":"object","required":["text"],"additionalProperties":false,"properties":{{"text":{{"type":"string"}}}}}}]}})";
+  return fmt::format(fmt::runtime(one_of),
+                     record.shape == RowShape::parts ? R"({"type":"integer","minimum":0},)" : "",
+                     row(record.shape));
+}
+
+std::string type_of(const OptionRecord& record) {
+  switch (record.kind) {
+    case ValueKind::number:
+      return R"({"type":"integer","minimum":0})";
+    case ValueKind::amount:
+      return std::string(amount);
+    case ValueKind::seconds:
+      return R"({"type":"number","minimum":0})";
+    case ValueKind::flag:
+      return R"({"type":"boolean"})";
+    case ValueKind::text:
+      return R"({"type":"string"})";
+    case ValueKind::word: {
+      JsonWriter words;
+      words.begin_object().key("enum").value(record.words).end_object();
+      return words.take();
+    }
+    case ValueKind::names:
+      return fields("", "");
+    case ValueKind::list:
+      return list(record);
+  }
+  return "{}";
+}
+
+// That a key says something.
+std::string given(std::string_view key, const std::vector<OptionRecord>& records) {
+  const auto record = std::find_if(records.begin(), records.end(),
+                                   [&](const OptionRecord& each) { return each.key == key; });
+  if (record->kind == ValueKind::flag) {
+    return fmt::format(R"({{"required":["{0}"],"properties":{{"{0}":{{"const":true}}}}}})", key);
+  }
+  return fmt::format(R"({{"required":["{0}"],"properties":{{"{0}":{{"not":{{"type":"null"}}}}}}}})",
+                     key);
+}
+
+}  // namespace
+
+std::string request_schema(std::string_view format, std::string_view title,
+                           const std::vector<OptionRecord>& records,
+                           const std::vector<OptionRule>& rules) {
+  JsonWriter json;
+  json.begin_object().key("$schema").value("https://json-schema.org/draft/2020-12/schema");
+  json.key("title").value(title).key("type").value("object");
+  json.key("additionalProperties").value(false).key("properties").begin_object();
+  json.key("format").begin_object().key("const").value(format).end_object();
+  for (const OptionRecord& record : records) {
+    json.key(record.key).begin_object().key("description").value(record.help);
+    json.key("anyOf").begin_array().raw(type_of(record)).raw(R"({"type":"null"})").end_array();
+    json.end_object();
+  }
+  json.end_object().key("allOf").begin_array();
+  const auto never = [&](std::string_view a, std::string_view b) {
+    json.raw(fmt::format(R"({{"not":{{"allOf":[{},{}]}}}})", given(a, records), given(b, records)));
+  };
+  for (const OptionRule& rule : rules) {
+    for (std::size_t i = 0; i < rule.keys.size(); ++i) {
+      switch (rule.says) {
+        case OptionRule::Says::exclude:
+          for (std::size_t j = i + 1; j < rule.keys.size(); ++j) {
+            never(rule.keys[i], rule.keys[j]);
+          }
+          break;
+        case OptionRule::Says::never_with:
+          for (const std::string_view other : rule.others) {
+            never(rule.keys[i], other);
+          }
+          break;
+        case OptionRule::Says::only_with: {
+          std::string any;
+          for (const std::string_view other : rule.others) {
+            any += (any.empty() ? "" : ",") + given(other, records);
+          }
+          json.raw(fmt::format(R"({{"if":{},"then":{{"anyOf":[{}]}}}})",
+                               given(rule.keys[i], records), any));
+        }
+      }
+    }
+  }
+  return json.end_array().end_object().take() + "\n";
+}
+
+std::string doors_table(const std::vector<OptionRecord>& records) {
+  std::string text =
+      "| key | command line | server | Python | what it says |\n|:---|:---|:---|:---|:---|\n";
+  std::string reasons;
+  for (const OptionRecord& record : records) {
+    const std::string key(record.key);
+    const std::string python(record.python.empty() ? record.key : record.python);
+    std::string help(record.help);
+    for (std::size_t at = help.find('|'); at != std::string::npos; at = help.find('|', at + 2)) {
+      help.insert(at, "\\");
+    }
+    text += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", key,
+                        spelled_with_value(record, Door::command_line),
+                        record.not_in_server.empty() ? "yes" : "no",
+                        record.not_in_python.empty() ? "`" + python + "`" : "no", help);
+    if (!record.not_in_server.empty()) {
+      reasons += fmt::format("- `{}` is not asked of the server: {}.\n", key, record.not_in_server);
+    }
+    if (!record.not_in_python.empty()) {
+      reasons += fmt::format("- `{}` is no argument in Python: {}.\n", key, record.not_in_python);
+    }
+  }
+  return text + (reasons.empty() ? "" : "\n") + reasons;
+}
+
+}  // namespace changeover

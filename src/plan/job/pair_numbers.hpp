@@ -1,0 +1,17 @@
+// Numbers of pairs.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace changeover {
+
+/// As many pairs as there are, for PairSet::for_each().
+inline constexpr std::uint64_t all_of_them = std::numeric_limits<std::uint64_t>::max();
+
+/// C(n, 2), for n below 2³².
+[[nodiscard]] inline std::uint64_t choose_two(std::uint64_t n) {
+  return n < 2 ? 0 : n * (n - 1) / 2;
+}
+
+}  // namespace changeover

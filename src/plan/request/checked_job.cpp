@@ -1,0 +1,366 @@
+// From a request to a job.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/job_request.hpp"
+#include "io/request/request_document.hpp"
+#include "io/scan/place.hpp"
+#include "plan/job/words.hpp"
+#include "plan/request/done_tests.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t triples = 3;  // the strength that asks for them
+
+// A request with the words of the door that it came through.
+class Question {
+ public:
+  Question(const JobRequest& request, Door door) : request_(request), door_(door) {}
+
+  [[nodiscard]] const JobRequest& operator*() const { return request_; }
+  [[nodiscard]] const JobRequest* operator->() const { return &request_; }
+
+  // "--at-once", "at_once".
+  [[nodiscard]] std::string key(std::string_view key) const {
+    return spelled(option_of(job_table(), key).record, door_);
+  }
+  // "--at-once K", "at_once".
+  [[nodiscard]] std::string with_value(std::string_view key) const {
+    const OptionRecord& record = option_of(job_table(), key).record;
+    return door_ == Door::command_line ? fmt::format("{} {}", this->key(key), record.value)
+                                       : this->key(key);
+  }
+  [[nodiscard]] std::unique_ptr<Input> open(std::string_view key, const RequestList& list) const {
+    return changeover::open(list, option_of(job_table(), key).record, this->key(key));
+  }
+  [[nodiscard]] bool has_file() const {
+    return std::ranges::any_of(job_table().options, [&](const auto& option) {
+      const auto* const field = std::get_if<RequestList JobRequest::*>(&option.field);
+      return field != nullptr && !(request_.**field).file.empty();
+    });
+  }
+
+  // What is wrong with the value of a key is the key's fault.
+  template <typename Read>
+  auto value_of(std::string_view key, Read&& read) const {
+    try {
+      return read();
+    } catch (const BadOption&) {
+      throw;
+    } catch (const BadInput& fault) {
+      throw BadOption(fmt::format("{}: {}", this->key(key), fault.what()));
+    } catch (const ImpossibleParameters& fault) {
+      throw BadOption(fmt::format("{}: {}", this->key(key), fault.what()));
+    }
+  }
+  [[nodiscard]] std::optional<Amount> amount(std::string_view key, const std::string& text) const {
+    return text.empty() ? std::nullopt
+                        : std::optional(value_of(key, [&] { return parse_amount(text); }));
+  }
+  [[nodiscard]] Door door() const { return door_; }
+
+ private:
+  const JobRequest& request_;
+  Door door_;
+};
+
+}  // namespace
+
+// Makes a checked job step by step.
+class JobMaker {
+ public:
+  JobMaker(const JobRequest& request, Door door) : question_(request, door) {}
+
+  AskedJob make() {
+    take_parts();
+    take_constraints();
+    take_needs();
+    take_first_and_weights();
+    check(job_);
+    AskedJob asked;
+    if (question_->done.is_given()) {
+      asked = done_of_job();
+    }
+    asked.job.job_ = std::move(job_);
+    notes_.insert(notes_.end(), asked.notes.begin(), asked.notes.end());
+    asked.notes = std::move(notes_);
+    return asked;
+  }
+
+ private:
+  // The parts and what they cost.
+  void take_parts() {
+    const JobRequest& asked = *question_;
+    const Amount test = *question_.amount("test_cost", asked.test_cost);
+    const auto change = question_.amount("change_cost", asked.change_cost);
+    if (asked.items) {
+      job_ = question_.value_of("items", [&] {
+        Job job = make_job(*asked.items, *asked.at_once, test, change.value_or(Amount{}));
+        if (job.parts() < 2) {
+          throw BadInput("a pair needs two parts");
+        }
+        return job;
+      });
+      return;
+    }
+    const auto input = question_.open("parts", asked.parts);
+    PartList list = read_parts(*input, asked.header      ? Header::given
+                                       : asked.no_header ? Header::none
+                                                         : Header::guessed);
+    job_ = make_job(list.names.size(), *asked.at_once, test, change.value_or(Amount{}));
+    for (std::size_t i = 0; i < list.names.size(); ++i) {
+      if (list.change_costs[i]) {
+        job_.change_costs[i] = *list.change_costs[i];
+      } else if (!change && !asked.change_costs.is_given()) {
+        throw BadOption(
+            fmt::format("{} has no change cost in the list; give {} for parts without one",
+                        list.names[i], question_.with_value("change_cost")));
+      }
+    }
+    if (list.names.size() < 2) {
+      throw BadInput(fmt::format("{}: one part is listed; a pair needs two", input->name()));
+    }
+    job_.names = std::move(list.names);
+    take_slots(list.slots, input->name());
+    if (!list.note.empty()) {
+      notes_.push_back(list.note);
+    }
+  }
+
+  void take_slots(const std::vector<std::string>& of_parts, const std::string& name) {
+    const JobRequest& asked = *question_;
+    if (!asked.slots.is_given() && asked.slot.empty()) {
+      if (!of_parts.empty()) {
+        throw BadOption(fmt::format(
+            "{} has a column slot; give {} or {}, as in {} CPU=1,disk=2..4, or rename "
+            "the column",
+            name, question_.with_value("slots"), question_.key("slot"), question_.key("slot")));
+      }
+      return;
+    }
+    std::vector<Slot> slots =
+        asked.slots.is_given()
+            ? read_slots(*question_.open("slots", asked.slots))
+            : question_.value_of("slot", [&] { return parse_slots(asked.slot); });
+    set_slots(job_, of_parts, std::move(slots));
+  }
+
+  // What cannot be at all.
+  void take_constraints() {
+    const JobRequest& asked = *question_;
+    if (asked.change_costs.is_given()) {
+      job_.replace_costs =
+          read_change_costs(*question_.open("change_costs", asked.change_costs), job_.names);
+    }
+    if (asked.never.is_given()) {
+      const auto input = question_.open("never", asked.never);
+      job_.never = read_pairs(*input, job_.names);
+      job_.needed = all_pairs_but(job_.never);
+      if (!asked.pairs.is_given() && job_.needed.size() == 0) {
+        throw BadInput(
+            fmt::format("{}: no two parts can be in one set-up; leave out a pair", input->name()));
+      }
+    }
+    if (asked.pairs.is_given()) {
+      const auto input = question_.open("pairs", asked.pairs);
+      job_.needed = read_pairs(*input, job_.names);
+      if (job_.needed.size() == 0) {
+        throw BadInput(
+            fmt::format("{}: no pair is listed; write A,B, a pair a line", input->name()));
+      }
+    }
+    job_.mounted =
+        question_.value_of("mounted", [&] { return parts_named(asked.mounted, job_.names); });
+    job_.start = question_.value_of("start", [&] { return parts_named(asked.start, job_.names); });
+    Job any = job_;
+    any.needed = PairSet(job_.parts());
+    check(any);
+  }
+
+  // Pairs and triples that cannot meet need not, and this is said.
+  void take_needs() {
+    if (question_->strength == triples) {
+      const std::uint64_t apart = need_triples(job_);
+      if (job_.triples.empty()) {
+        throw BadInput(job_.parts() < triples
+                           ? "a triple needs three parts"
+                           : "no three parts can be in one set-up, for the slots, forbidden pairs "
+                             "or what stays mounted");
+      }
+      if (apart > 0) {
+        notes_.push_back(fmt::format(
+            "{} cannot meet, for slots, forbidden pairs or what stays mounted, and need not",
+            count_of(apart, "triple")));
+      }
+    } else if (!question_->pairs.is_given() && !job_.slots.empty()) {
+      leave_out(cannot_meet(job_));
+    }
+  }
+
+  void leave_out(const PairSet& apart) {
+    if (apart.size() == 0) {
+      return;
+    }
+    if (apart.size() == job_.needed.size()) {
+      throw BadInput(
+          fmt::format("no two parts can be in one set-up within the slots; let a slot hold more "
+                      "parts, or raise {}",
+                      question_.key("at_once")));
+    }
+    constexpr std::uint64_t few = 3;
+    std::string examples;
+    apart.for_each(few, [&](Element x, Element y) {
+      examples += fmt::format("{}{} and {}", examples.empty() ? "" : "; ",
+                              job_.names[std::min(x, y)], job_.names[std::max(x, y)]);
+    });
+    drop_needed(job_, apart);
+    notes_.push_back(fmt::format("{} cannot meet within the slots and need not: {}{}",
+                                 count_of(apart.size(), "pair"), examples,
+                                 apart.size() > few ? "; …" : ""));
+  }
+
+  void take_first_and_weights() {
+    if (question_->first.is_given()) {
+      const auto input = question_.open("first", question_->first);
+      job_.first = read_first(*input, job_);
+      first_tests_ = input->name();
+    }
+    if (question_->weights.is_given()) {
+      take_weights();
+    }
+  }
+
+  // A weight of a pair that need not meet says nothing.
+  void take_weights() {
+    const auto input = question_.open("weights", question_->weights);
+    job_.weights = read_priorities(*input, job_.names);
+    try {
+      Amount all;
+      job_.needed.for_each(~std::uint64_t{0},
+                           [&](Element x, Element y) { all += job_.weights(x, y); });
+    } catch (const ImpossibleParameters&) {
+      throw BadInput(
+          fmt::format("{}: the weights together exceed 9.2e12; divide all of them", input->name()));
+    }
+    std::uint64_t without_need = 0;
+    all_pairs_but(job_.needed).for_each(~std::uint64_t{0}, [&](Element x, Element y) {
+      without_need += job_.weights.weighs(x, y) ? 1U : 0U;
+    });
+    if (without_need > 0) {
+      notes_.push_back(fmt::format("{}: {} need not meet, and {} not count", input->name(),
+                                   count_of(without_need, "pair"),
+                                   without_need == 1 ? "its weight does" : "their weights do"));
+    }
+  }
+
+  AskedJob done_of_job() {
+    const JobRequest& asked = *question_;
+    const auto input = question_.open("done", asked.done);
+    DoneWords words{.done_first = question_.key("done_first"),
+                    .trust_failed = question_.key("trust_failed"),
+                    .first_tests = first_tests_};
+    return take_done(*input,
+                     {.first = asked.done_first,
+                      .failed = asked.trust_failed ? FailedTests::trusted : FailedTests::again,
+                      .for_diagnosis = asked.diagnose,
+                      .all_parts_known = asked.done.rows.has_value()},
+                     words, job_);
+  }
+
+  Question question_;
+  Job job_;
+  std::vector<std::string> notes_;
+  std::string first_tests_;
+};
+
+void check_options(const JobRequest& request, Door door) {
+  check_rules(job_table(), request, door);
+  const Question question(request, door);
+  const auto refuse = [](const std::string& line) { throw BadOption(line); };
+  const auto key = [&](std::string_view name) { return question.key(name); };
+  if (request.benches && (*request.benches < 1 || *request.benches > max_benches)) {
+    refuse(fmt::format("{} {}: give a number from 1 to {}", key("benches"), *request.benches,
+                       max_benches));
+  }
+  const bool of_triples = request.strength == triples;
+  if (request.strength.value_or(2) != 2 && !of_triples) {
+    refuse(fmt::format("{} {}: give 2, for pairs, or 3, for triples", key("strength"),
+                       *request.strength));
+  }
+  const std::vector<std::pair<std::string_view, bool>> of_pairs{
+      {"pairs", request.pairs.is_given()},
+      {"weights", request.weights.is_given()},
+      {"shuffle", request.shuffle.has_value()},
+      {"what_if", request.what_if},
+      {"diagnose", request.diagnose}};
+  for (const auto& [name, given] : of_pairs) {
+    if (of_triples && given) {
+      refuse(
+          fmt::format("{} is of pairs; it has no meaning with {} 3", key(name), key("strength")));
+    }
+  }
+  if (const auto defect = text_defect(request.title)) {
+    refuse(fmt::format("{}: {}", key("title"), *defect));
+  }
+  if (request.parts.is_given() == request.items.has_value()) {
+    refuse(door == Door::command_line ? "give either a parts list or --items N"
+           : request.items            ? "give either parts or items, not both"
+                           : "parts is missing: write a number of parts, or an array of them");
+  }
+  if (!request.at_once) {
+    refuse(door == Door::command_line ? "give --at-once K, how many parts fit at once"
+                                      : "at_once is missing: how many parts fit at once");
+  }
+  if (*request.at_once < 2) {
+    refuse(
+        fmt::format("{} {}: no pair can meet; give at least 2", key("at_once"), *request.at_once));
+  }
+  if (of_triples && *request.at_once < triples) {
+    refuse(fmt::format("{} {}: no triple can meet; give at least 3", key("at_once"),
+                       *request.at_once));
+  }
+  if (request.test_cost.empty()) {
+    refuse(fmt::format("give {}, what it costs to run one test", question.with_value("test_cost")));
+  }
+  static_cast<void>(question.amount("test_cost", request.test_cost));
+  static_cast<void>(question.amount("change_cost", request.change_cost));
+  static_cast<void>(question.amount("budget", request.budget));
+  if (!request.items) {
+    return;
+  }
+  if (request.slots.is_given() || !request.slot.empty()) {
+    refuse(fmt::format("{} and {} are for a parts list with a column slot, not for {}",
+                       key("slots"), key("slot"), key("items")));
+  }
+  if (request.header || request.no_header) {
+    refuse(fmt::format("{} and {} are for a parts list, not for {}", key("header"),
+                       key("no_header"), key("items")));
+  }
+  if (request.change_cost.empty() && !request.change_costs.is_given()) {
+    refuse(
+        fmt::format("give {}, what it costs to mount a part", question.with_value("change_cost")));
+  }
+}
+
+AskedJob checked_job(const JobRequest& request, Door door) {
+  check_options(request, door);
+  if (Question(request, door).has_file()) {
+    return JobMaker(request, door).make();
+  }
+  // Where no file says anything, the options are wrong.
+  try {
+    return JobMaker(request, door).make();
+  } catch (const BadOption&) {
+    throw;
+  } catch (const BadInput& fault) {
+    throw BadOption(fault.what());
+  }
+}
+
+}  // namespace changeover

@@ -1,0 +1,33 @@
+// The list of tests that were done: what it leaves to be planned, and what its results say.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "changeover/plan/job_request.hpp"
+
+namespace changeover {
+
+/// How such a list is to be read.
+struct DoneOptions {
+  std::optional<std::uint64_t> first;  ///< how many of its tests were done, if that was said
+  FailedTests failed = FailedTests::again;
+  bool for_diagnosis = false;    ///< no note says what is planned
+  bool all_parts_known = false;  ///< a name that is no part is a fault: the list is no older sheet
+};
+
+/// How the door spells what notes mention.
+struct DoneWords {
+  std::string done_first;
+  std::string trust_failed;
+  std::string first_tests;  ///< what the set-ups that come first were read from
+};
+
+/// Takes the tests that were done off the job: the first ones if their number is given, else those with a result if any has
+/// one, else all; without those whose result says that they were not run. Those of the job's first tests among them are not
+/// to be run again. Fills all of the answer but its job. O(size of the list), besides mark_tested(). @throws BadOption, BadInput, MissingResource
+[[nodiscard]] AskedJob take_done(Input& input, const DoneOptions& options, const DoneWords& words,
+                                 Job& job);
+
+}  // namespace changeover

@@ -1,0 +1,272 @@
+// The options of plans, one record each.
+#include "changeover/plan/job_request.hpp"
+#include "io/request/request_document.hpp"
+#include "io/request/request_schema.hpp"
+
+namespace changeover {
+namespace {
+
+using R = JobRequest;
+using K = ValueKind;
+
+constexpr std::string_view of_files =
+    "it is about how a file is read; rows that are sent say what they are";
+
+std::vector<RequestOption<R>> options() {
+  return {
+      {{.key = "parts",
+        .flags = "PARTS",
+        .kind = K::list,
+        .help = "CSV or .xlsx: a part a line, with its change cost or not",
+        .shape = RowShape::parts},
+       &R::parts},
+      {{.key = "header",
+        .flags = "--header",
+        .help = "the first row of the parts list heads its columns",
+        .not_in_python = of_files},
+       &R::header},
+      {{.key = "no_header",
+        .flags = "--no-header",
+        .help = "the first row of the parts list is a part",
+        .not_in_python = of_files},
+       &R::no_header},
+      {{.key = "items",
+        .flags = "--items",
+        .kind = K::number,
+        .value = "N",
+        .help = "N parts called 1, …, N instead of a list",
+        .python = "parts"},
+       &R::items},
+      {{.key = "at_once",
+        .flags = "-k,--at-once",
+        .kind = K::number,
+        .value = "K",
+        .help = "how many parts fit at once"},
+       &R::at_once},
+      {{.key = "test_cost",
+        .flags = "--test-cost",
+        .kind = K::amount,
+        .value = "X",
+        .help = "what one test costs, e.g. 12.50"},
+       &R::test_cost},
+      {{.key = "change_cost",
+        .flags = "--change-cost",
+        .kind = K::amount,
+        .value = "Y",
+        .help = "what mounting a part costs where the list does not say"},
+       &R::change_cost},
+      {{.key = "change_costs",
+        .flags = "--change-costs",
+        .kind = K::list,
+        .value = "FILE",
+        .help = "a square table: what putting in the part of the column costs where that of the "
+                "row was taken out",
+        .shape = RowShape::table},
+       &R::change_costs},
+      {{.key = "strength",
+        .flags = "--strength",
+        .kind = K::number,
+        .value = "T",
+        .help = "2: every two parts must meet (the default); 3: every three"},
+       &R::strength},
+      {{.key = "pairs",
+        .flags = "--pairs",
+        .kind = K::list,
+        .value = "FILE",
+        .help = "pairs that must meet (default: all)",
+        .shape = RowShape::pairs},
+       &R::pairs},
+      {{.key = "never",
+        .flags = "--never",
+        .kind = K::list,
+        .value = "FILE",
+        .help = "pairs that must not be in one set-up",
+        .shape = RowShape::pairs},
+       &R::never},
+      {{.key = "slots",
+        .flags = "--slots",
+        .kind = K::list,
+        .value = "FILE",
+        .help = "how many parts of each slot a set-up has: slot,least,most a line",
+        .shape = RowShape::slots},
+       &R::slots},
+      {{.key = "slot",
+        .flags = "--slot",
+        .kind = K::text,
+        .value = "NAME=N,…",
+        .help = "the same in one line, as in CPU=1,disk=2..4,fan=..2",
+        .not_in_python = "slots is a dict there, which is as short"},
+       &R::slot},
+      {{.key = "mounted",
+        .flags = "--mounted",
+        .kind = K::names,
+        .value = "A,B",
+        .help = "parts that stay mounted in every set-up"},
+       &R::mounted},
+      {{.key = "start",
+        .flags = "--start",
+        .kind = K::names,
+        .value = "A,B,…",
+        .help = "parts that are mounted before the first test"},
+       &R::start},
+      {{.key = "first",
+        .flags = "--first",
+        .kind = K::list,
+        .value = "FILE",
+        .help = "the set-ups that must be run first, in this order: the parts of one a line",
+        .shape = RowShape::setups},
+       &R::first},
+      {{.key = "weights",
+        .flags = "--priority",
+        .kind = K::list,
+        .value = "FILE",
+        .help = "what pairs are worth, A,B,weight a line; others are worth 1",
+        .shape = RowShape::weights},
+       &R::weights},
+      {{.key = "budget",
+        .flags = "--budget",
+        .kind = K::amount,
+        .value = "Z",
+        .help = "test as many pairs as this pays for"},
+       &R::budget},
+      {{.key = "done",
+        .flags = "--done",
+        .kind = K::list,
+        .value = "FILE",
+        .help = "tests already done, a set-up a line or a run sheet (CSV, .xlsx): plan the rest",
+        .shape = RowShape::tests},
+       &R::done},
+      {{.key = "done_first",
+        .flags = "--done-first",
+        .kind = K::number,
+        .value = "N",
+        .help = "only the first N of them were done"},
+       &R::done_first},
+      {{.key = "trust_failed",
+        .flags = "--trust-failed",
+        .help = "pairs that met only in tests that did not pass count as tested, and are not "
+                "needed again"},
+       &R::trust_failed},
+      {{.key = "benches",
+        .flags = "--benches",
+        .kind = K::number,
+        .value = "N",
+        .help = "on N benches side by side, each with parts of its own"},
+       &R::benches},
+      {{.key = "objective",
+        .flags = "--objective",
+        .kind = K::word,
+        .help = "of several benches: the least largest cost (default), or the least cost together",
+        .words = {"makespan", "cost"}},
+       &R::objective},
+      {{.key = "what_if",
+        .flags = "--what-if",
+        .help = "which plan is cheapest at which ratio of change to test cost",
+        .not_in_python = "a run sheet has the method what_if()"},
+       &R::what_if},
+      {{.key = "compact",
+        .flags = "--compact",
+        .help = "without the whole set-ups, in two columns on paper",
+        .not_in_server = "it answers with data; pages lay out themselves"},
+       &R::compact},
+      {{.key = "shuffle",
+        .flags = "--shuffle",
+        .kind = K::number,
+        .value = "SEED",
+        .help = "exchange parts at random that nothing tells apart"},
+       &R::shuffle},
+      {{.key = "diagnose",
+        .flags = "--diagnose",
+        .help = "which part or pair the results of --done blame, and what to test next",
+        .not_in_python = "a run sheet has the method diagnose()"},
+       &R::diagnose},
+      {{.key = "title",
+        .flags = "--title",
+        .kind = K::text,
+        .value = "TEXT",
+        .help = "the heading of the run sheet"},
+       &R::title},
+      {{.key = "steps",
+        .flags = "--steps",
+        .kind = K::number,
+        .value = "N",
+        .help = "moves of each local search (default: as suits)"},
+       &R::steps},
+      // These three are options of every verb that searches.
+      {{.key = "seconds",
+        .flags = "--time",
+        .kind = K::seconds,
+        .value = "DURATION",
+        .help = "search so long",
+        .python = "time",
+        .of_every_search = true},
+       &R::seconds},
+      {{.key = "threads",
+        .flags = "--threads",
+        .kind = K::number,
+        .value = "N",
+        .help = "threads to use",
+        .not_in_server = "the server gives each request its share",
+        .of_every_search = true},
+       &R::threads},
+      {{.key = "seed",
+        .flags = "--seed",
+        .kind = K::number,
+        .value = "N",
+        .help = "of the random numbers (default 1)",
+        .not_in_server = "the same question has the same answer for everybody",
+        .of_every_search = true},
+       &R::seed},
+  };
+}
+
+std::vector<OptionRule> rules() {
+  using Says = OptionRule::Says;
+  return {
+      {Says::exclude, {"header", "no_header"}},
+      {Says::exclude, {"slots", "slot"}},
+      {Says::only_with, {"objective"}, {"benches"}},
+      {Says::never_with,
+       {"budget", "start", "first", "done", "weights", "what_if", "shuffle", "compact"},
+       {"benches"}},
+      {Says::never_with, {"weights", "shuffle", "what_if", "diagnose"}, {"change_costs"}},
+      {Says::only_with, {"done_first", "diagnose", "trust_failed"}, {"done"}},
+      {Says::never_with,
+       {"what_if", "budget", "title", "steps", "compact", "shuffle", "first", "weights",
+        "trust_failed"},
+       {"diagnose"}},
+      {Says::never_with, {"compact", "shuffle"}, {"what_if"}},
+      {Says::never_with, {"title", "budget", "weights"}, {"what_if"}},
+      {Says::never_with, {"weights"}, {"shuffle"}},
+  };
+}
+
+}  // namespace
+
+const RequestTable<JobRequest>& job_table() {
+  static const RequestTable<JobRequest> table{
+      .format = "changeover-job/1", .options = options(), .rules = rules()};
+  return table;
+}
+
+std::string to_json(const JobRequest& request) { return request_as_json(job_table(), request); }
+
+JobRequest job_request(std::string json, std::string name) {
+  RequestDocument document(job_table().format, std::move(json), std::move(name));
+  if (const JsonNode* const parts = document.find("parts");
+      parts != nullptr && parts->is_number()) {
+    document.rename("parts", "items");
+  }
+  return read_request(job_table(), document);
+}
+
+std::string job_request_schema() {
+  return request_schema(job_table().format, "What is asked of a plan of tests",
+                        records_of(job_table()), job_table().rules);
+}
+
+void complete(JobRequest& request, JobRequest other) {
+  complete<JobRequest>(job_table(), request, std::move(other));
+}
+
+}  // namespace changeover

@@ -1,0 +1,139 @@
+// From a checked job to its answer.
+#include <fmt/format.h>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/job_request.hpp"
+#include "changeover/plan/sheet_formats.hpp"
+#include "io/scan/place.hpp"
+#include "plan/job/words.hpp"
+
+namespace changeover {
+namespace {
+
+// Which faults the results leave, and what to test next.
+Diagnosis diagnosis_of(const AskedJob& asked) {
+  if (asked.results.empty()) {
+    throw BadInput(
+        asked.unread == 0
+            ? asked.done_from + ": no result says pass or fail; fill in the column result"
+            : fmt::format(
+                  "{}: no result says pass or fail; {} is not understood; write pass or fail",
+                  asked.first_unread.front().place, shown(asked.first_unread.front().text)));
+  }
+  Diagnosis found = diagnose(*asked.job, asked.results);
+  found.unread = asked.unread;
+  found.first_unread = asked.first_unread;
+  found.notes = asked.notes;
+  return found;
+}
+
+[[noreturn]] void refuse(std::string_view answer, const std::string& format) {
+  throw BadOption(fmt::format("{} is not written as {}", answer, format));
+}
+
+std::string written_ranges(const Job& job, const WhatIf& ranges, const std::string& format) {
+  return format == "csv"        ? what_if_as_csv(job, ranges)
+         : format == "json"     ? what_if_as_json(job, ranges)
+         : format == "markdown" ? what_if_as_markdown(job, ranges)
+         : format == "table"    ? what_if_as_table(job, ranges)
+                                : (refuse("a table of ratios", format), "");
+}
+
+std::string written_benches(const BenchDocument& document, const std::string& format,
+                            std::size_t width) {
+  return format == "csv"        ? benches_as_csv(document)
+         : format == "xlsx"     ? benches_as_xlsx(document)
+         : format == "json"     ? benches_as_json(document)
+         : format == "markdown" ? benches_as_markdown(document)
+         : format == "html"     ? benches_as_html(document)
+         : format == "table"    ? benches_as_table(document, width)
+                                : (refuse("a plan", format), "");
+}
+
+std::string written_sheet(const SheetDocument& document, const std::string& format,
+                          std::size_t width) {
+  return format == "csv"        ? sheet_as_csv(document)
+         : format == "xlsx"     ? sheet_as_xlsx(document)
+         : format == "json"     ? sheet_as_json(document)
+         : format == "markdown" ? sheet_as_markdown(document)
+         : format == "html"     ? sheet_as_html(document)
+         : format == "table"    ? sheet_as_table(document, width)
+                                : (refuse("a plan", format), "");
+}
+
+}  // namespace
+
+const std::optional<std::string>& PlanAnswer::shortage() const {
+  static const std::optional<std::string> none;
+  return what_if ? what_if->shortage : plan ? plan->shortage : benches ? benches->shortage : none;
+}
+
+PlanOptions plan_options(const JobRequest& request, const AskedJob& asked) {
+  PlanOptions options;
+  if (!request.budget.empty()) {
+    options.budget = parse_amount(request.budget);
+  }
+  options.until_stopped = request.seconds.has_value() && !request.steps && !request.what_if;
+  options.steps = request.steps.value_or(0);
+  options.rest = asked.rest;
+  return options;
+}
+
+PlanAnswer answer_to(const JobRequest& request, const AskedJob& asked, RunControl& control) {
+  PlanAnswer answer;
+  answer.notes = asked.notes;
+  if (request.diagnose) {
+    answer.diagnosis = diagnosis_of(asked);
+    return answer;
+  }
+  answer.options = plan_options(request, asked);
+  answer.objective = request.objective == "cost" ? BenchObjective::cost : BenchObjective::makespan;
+  if (request.benches) {
+    answer.benches = make_bench_plan(
+        asked.job,
+        {.benches = *request.benches, .objective = answer.objective, .plan = answer.options},
+        control);
+    return answer;
+  }
+  answer.plan = make_run_plan(asked.job, answer.options, control);
+  if (request.shuffle) {
+    std::uint64_t exchanged = 0;
+    answer.plan = shuffled(*asked.job, std::move(*answer.plan), *request.shuffle, exchanged);
+    answer.notes.push_back(
+        fmt::format("shuffled with seed {}: {} stand where others stood that nothing tells apart",
+                    *request.shuffle, count_of(exchanged, "part")));
+  }
+  if (request.what_if) {
+    answer.what_if = what_if(*asked.job, *answer.plan, answer.options, control);
+    answer.what_if->notes = answer.notes;
+  }
+  return answer;
+}
+
+std::string written(const JobRequest& request, const AskedJob& asked, const PlanAnswer& answer,
+                    const std::string& format, std::size_t width) {
+  const Job& job = *asked.job;
+  if (answer.diagnosis) {
+    return format == "json"    ? diagnosis_as_json(job, *answer.diagnosis)
+           : format == "table" ? diagnosis_as_table(job, *answer.diagnosis, width)
+                               : (refuse("a diagnosis", format), "");
+  }
+  if (answer.what_if) {
+    return written_ranges(job, *answer.what_if, format);
+  }
+  if (answer.benches) {
+    BenchDocument document{.job = &job,
+                           .plan = &*answer.benches,
+                           .objective = answer.objective,
+                           .notes = answer.notes};
+    document.title = request.title.empty() ? document.title : request.title;
+    return written_benches(document, format, width);
+  }
+  SheetDocument document{.job = &job, .plan = &*answer.plan, .budget = answer.options.budget};
+  document.notes = answer.notes;
+  document.compact = request.compact;
+  document.title = request.title.empty() ? document.title : request.title;
+  return written_sheet(document, format, width);
+}
+
+}  // namespace changeover

@@ -1,0 +1,287 @@
+// Requests as documents: read back as they are, refused as they should be, and the same job whichever way a list comes.
+#include "changeover/plan/job_request.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "changeover/core/error.hpp"
+#include "io/request/request_document.hpp"
+#include "run_program.hpp"
+
+namespace changeover {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string refusal(const std::string& json, const std::string& name = "") {
+  try {
+    static_cast<void>(checked_job(job_request(json, name), Door::document));
+  } catch (const Error& fault) {
+    return fault.what();
+  }
+  return "taken";
+}
+
+// A value for every key, whatever it means together with others.
+JobRequest any_request(std::mt19937_64& random) {
+  JobRequest request;
+  const auto word = [&] {
+    static const std::vector<std::string> words{"a",  "Pump, large", "\"q\"", "é", "7",
+                                                "#x", " b ",         "=1",    "\n"};
+    return words[random() % words.size()];
+  };
+  for (const auto& option : job_table().options) {
+    if (random() % 2 == 0) {
+      continue;
+    }
+    const OptionRecord& record = option.record;
+    std::visit(
+        [&](auto field) {
+          auto& value = request.*field;
+          using Value = std::remove_cvref_t<decltype(value)>;
+          if constexpr (std::is_same_v<Value, bool>) {
+            value = true;
+          } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
+            value = random();
+          } else if constexpr (std::is_same_v<Value, std::optional<double>>) {
+            value = static_cast<double>(random() % 1000) / 7;
+          } else if constexpr (std::is_same_v<Value, std::string>) {
+            value = record.kind == ValueKind::amount ? "12.50"
+                    : record.kind == ValueKind::word ? std::string(record.words.back())
+                                                     : word();
+          } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+            value = {word(), word()};
+          } else {
+            switch (random() % 3) {
+              case 0:
+                value.file = "x.csv";
+                break;
+              case 1:
+                value.text = word();
+                break;
+              default:
+                value.rows.emplace();
+                for (std::uint64_t i = random() % 4; i > 0; --i) {
+                  ListRow row{{word(), word()}};
+                  if (record.shape == RowShape::weights) {
+                    row.fields.push_back("2.5");
+                  } else if (record.shape == RowShape::parts || record.shape == RowShape::slots) {
+                    row = {{word(), "12", "3"}};
+                  } else if (record.shape == RowShape::tests && random() % 2 == 0) {
+                    row.result = word();
+                  }
+                  value.rows->push_back(row);
+                }
+            }
+          }
+        },
+        option.field);
+  }
+  return request;
+}
+
+TEST(JobRequest, IsReadBackAsItWasWritten) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 2'000; ++i) {
+    const JobRequest request = any_request(random);
+    const std::string json = to_json(request);
+    ASSERT_EQ(job_request(json), request) << json;
+    ASSERT_EQ(to_json(job_request(json)), json);
+  }
+}
+
+TEST(JobRequest, EveryKeyAndFlagIsThereOnceAndEveryRuleKnowsItsKeys) {
+  std::set<std::string_view> keys;
+  std::set<std::string_view> flags;
+  for (const auto& option : job_table().options) {
+    EXPECT_TRUE(keys.insert(option.record.key).second) << option.record.key;
+    EXPECT_TRUE(flags.insert(option.record.flags).second) << option.record.flags;
+    EXPECT_FALSE(option.record.help.empty()) << option.record.key;
+    EXPECT_EQ(option.record.kind == ValueKind::list, option.record.shape != RowShape::none);
+  }
+  for (const OptionRule& rule : job_table().rules) {
+    for (const auto* const list : {&rule.keys, &rule.others}) {
+      for (const std::string_view key : *list) {
+        EXPECT_TRUE(keys.contains(key)) << key;
+      }
+    }
+  }
+}
+
+// Every rule refuses each of its pairs of keys, at both doors, in the words of the door.
+TEST(JobRequest, RulesHold) {
+  std::mt19937_64 random(2);
+  const auto set = [](JobRequest& request, std::string_view key) {
+    const auto& option = option_of(job_table(), key);
+    std::visit(
+        [&](auto field) {
+          auto& value = request.*field;
+          using Value = std::remove_cvref_t<decltype(value)>;
+          if constexpr (std::is_same_v<Value, bool>) {
+            value = true;
+          } else if constexpr (std::is_same_v<Value, std::string>) {
+            value = "1";
+          } else if constexpr (std::is_same_v<Value, RequestList>) {
+            value.text = "x";
+          } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+            value = {"1"};
+          } else {
+            value = 1;
+          }
+        },
+        option.field);
+  };
+  for (const OptionRule& rule : job_table().rules) {
+    const auto& others = rule.says == OptionRule::Says::exclude ? rule.keys : rule.others;
+    for (const std::string_view key : rule.keys) {
+      for (const std::string_view other : others) {
+        if (key == other) {
+          continue;
+        }
+        JobRequest request;
+        set(request, key);
+        if (rule.says != OptionRule::Says::only_with) {
+          set(request, other);
+        }
+        EXPECT_THROW(check_options(request, Door::document), BadOption) << key << ' ' << other;
+        EXPECT_THROW(check_options(request, Door::command_line), BadOption) << key << ' ' << other;
+      }
+    }
+  }
+}
+
+TEST(JobRequest, TheSameJobByFileTextAndRows) {
+  const test::TemporaryFolder folder;
+  const auto file = [&](const std::string& name, const std::string& text) {
+    test::spit(folder.file(name), text);
+    return folder.file(name);
+  };
+  const std::string parts =
+      "name,cost,slot\nXeon,3,CPU\nEpyc,2.5,CPU\nd1,1,disk\nd2,1,disk\nd3,1,disk\n";
+  const std::string never = "d1,d2\n";
+  const std::string weights = "Xeon,d1,5\n";
+  const std::string slots = "CPU,1,1\ndisk,1,2\n";
+  const std::string first = "Xeon,d1,d3\n";
+  const auto common = [](const std::string& lists) {
+    return R"({"at_once":3,"test_cost":1,)" + lists + "}";
+  };
+  const auto quoted = [](std::string text) {
+    std::string all = "\"";
+    for (const char c : text) {
+      all += c == '\n' ? std::string("\\n") : std::string(1, c);
+    }
+    return all + "\"";
+  };
+  const auto both = [&](auto&& as) {
+    return common("\"parts\":" + as("parts.csv", parts) + ",\"never\":" + as("never.csv", never) +
+                  ",\"weights\":" + as("weights.csv", weights) +
+                  ",\"slots\":" + as("slots.csv", slots) + ",\"first\":" + as("first.csv", first));
+  };
+  const std::vector<std::string> three{
+      both([&](const std::string& name, const std::string& text) {
+        return "{\"file\":" + quoted(file(name, text)) + "}";
+      }),
+      both([&](const std::string&, const std::string& text) {
+        return "{\"text\":" + quoted(text) + "}";
+      }),
+      common(
+          R"("parts":[{"name":"Xeon","cost":3,"slot":"CPU"},{"name":"Epyc","cost":"2.5","slot":"CPU"},)"
+          R"({"name":"d1","cost":1,"slot":"disk"},{"name":"d2","cost":1,"slot":"disk"},{"name":"d3","cost":1,"slot":"disk"}],)"
+          R"("never":[["d1","d2"]],"weights":[["Xeon","d1",5]],)"
+          R"("slots":[{"name":"CPU","least":1,"most":1},{"name":"disk","least":1,"most":2}],"first":[["Xeon","d1","d3"]])")};
+  std::vector<AskedJob> asked;
+  for (const std::string& json : three) {
+    asked.push_back(checked_job(job_request(json), Door::document));
+  }
+  for (const AskedJob& each : asked) {
+    const Job& job = *each.job;
+    const Job& one = *asked.front().job;
+    EXPECT_EQ(job.names, one.names);
+    EXPECT_EQ(job.change_costs, one.change_costs);
+    EXPECT_EQ(job.slot_of, one.slot_of);
+    EXPECT_EQ(job.first, one.first);
+    EXPECT_EQ(job.needed.size(), one.needed.size());
+    EXPECT_TRUE(job.never.contains(2, 3));
+    EXPECT_EQ(job.weights(0, 2), parse_amount("5"));
+  }
+}
+
+TEST(JobRequest, SaysWhatIsWrongAndWhere) {
+  const std::string base = R"({"at_once":3,"test_cost":1,"change_cost":1,)";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {R"([1])", "send an object of JSON"},
+      {R"({"a":1,"a":2})", "stands here twice"},
+      {R"({"format":"changeover-job/9"})", "format: write changeover-job/1"},
+      {base + R"("parts":9,"colour":1})", "no member 'colour'"},
+      {base + R"("parts":9,"parts":8})", "twice"},
+      {base + R"("parts":9,"items":8})", "parts says the same"},
+      {base + R"("parts":-1})", "items: write a whole number"},
+      {base + R"("parts":["a",{"name":"b","price":3}]})", "parts[1]: write \"name\" or"},
+      {base + R"("parts":["a",{"name":"b","cost":"x"}]})", "parts[1]: "},
+      {base + R"("parts":["a","b\u0007"]})", "parts[1]: control byte"},
+      {base + R"("parts":["a","a"]})", "parts[1]: a second part is called 'a'"},
+      {base + R"("parts":["a","b","c"],"pairs":[["a","b"],["a","d"]]})",
+       "pairs[1]: there is no part 'd'"},
+      {base + R"("parts":["a","b","c"],"pairs":[["part","name"]]})",
+       "pairs[0]: there is no part 'part'"},
+      {base + R"("parts":["a","b","c"],"pairs":["ab"]})", "pairs[0]: write [a,b]"},
+      {base + R"("parts":["a","b","c"],"pairs":{"files":"x"}})", "{\"file\":…}"},
+      {base + R"("parts":["a","b","c"],"pairs":{"file":"no such.csv"}})", "no such.csv"},
+      {base + R"("parts":["a","b","c"],"first":[[]]})", "first[0]: write [a,b,…]"},
+      {base + R"("parts":["a","b","c"],"done":[["a","x"]]})", "done: there is no part 'x'"},
+      {base + R"("parts":["a","b","c"],"done":[{"parts":["a"],"when":1}]})", "done[0]: write"},
+      {base + R"("parts":["a","b","c"],"slots":[{"least":1}]})", "slots[0]: write {\"name\""},
+      {base + R"("parts":9,"objective":"time"})", "objective: write one of makespan, cost"},
+      {base + R"("parts":9,"benches":2,"budget":3})", "budget has no meaning with benches"},
+      {base + R"("parts":9,"seconds":-1})", "seconds: write a number of seconds"},
+      {base + R"("parts":9,"what_if":1})", "what_if: write true or false"},
+      {base + R"("parts":9,"title":"a\u202eb"})", "title: "},
+      {R"({"parts":9,"at_once":3,"change_cost":1})", "give test_cost"},
+      {R"({"parts":9,"at_once":3,"test_cost":1})", "give change_cost"},
+      {R"({"parts":9,"at_once":18446744073709551616,"test_cost":1,"change_cost":1})",
+       "at_once: write a whole number"},
+  };
+  for (const auto& [json, says] : cases) {
+    EXPECT_THAT(refusal(json), HasSubstr(says)) << json;
+    EXPECT_EQ(refusal(json).find('\n'), std::string::npos) << json;
+  }
+  EXPECT_THAT(refusal("{\"parts\":9,\n \"at_once\":true}", "job.json"),
+              StartsWith("job.json:2:12: at_once: write a whole number"));
+}
+
+TEST(JobRequest, ABadByteNeverBecomesAnotherFault) {
+  std::mt19937_64 random(3);
+  const std::string good =
+      R"({"format":"changeover-job/1","parts":["a",{"name":"b","cost":2}],"at_once":2,"test_cost":1.5,"change_cost":"2","done":[["a","b"],{"parts":["a"],"result":"ok"}]})";
+  for (int i = 0; i < 20'000; ++i) {
+    std::string bad = good;
+    for (int j = 0; j < 1 + static_cast<int>(random() % 3); ++j) {
+      bad[random() % bad.size()] = static_cast<char>(random());
+    }
+    try {
+      static_cast<void>(checked_job(job_request(bad), Door::document));
+    } catch (const BadInput&) {
+    } catch (const ImpossibleParameters&) {
+    } catch (const MissingResource&) {
+    }
+  }
+}
+
+TEST(JobRequest, DoneTestsCountAsTheyAreSent) {
+  const auto asked = checked_job(
+      job_request(
+          R"({"parts":["slot_1","result","step","take_out"],"at_once":2,"test_cost":1,"change_cost":1,)"
+          R"("done":[["slot_1","result"],{"parts":["slot_1","step"],"result":"FAILED"},{"parts":["result","step"],"result":"skipped"}]})"),
+      Door::document);
+  EXPECT_EQ(asked.done.size(), 2U);
+  EXPECT_EQ(asked.job->met_only_in_failed, 1U);
+  EXPECT_EQ(asked.job->needed.size(), 5U);
+  EXPECT_EQ(asked.job->tests_done, 2U);
+}
+
+}  // namespace
+}  // namespace changeover
