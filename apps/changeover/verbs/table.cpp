@@ -1,7 +1,7 @@
 // changeover table: the best known design for every v and k of a range.
 #include <fmt/format.h>
 
-#include <map>
+#include <limits>
 
 #include "answer/answer.hpp"
 #include "answer/catalog/today.hpp"
@@ -10,6 +10,7 @@
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "io/table/table.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 
@@ -36,16 +37,24 @@ std::string construction(const PlannedCell& cell) {
   return cell.best ? cell.best->recipe.construction : "";
 }
 
-std::string as_csv(const Cells& cells) {
-  std::string text = "v,k,change,kind,b,lower_bound,status,construction\n";
+Table cell_table(const Cells& cells) {
+  std::vector<std::vector<std::string>> rows;
   for (const PlannedCell* cell : cells) {
     const Parameters& p = cell->parameters;
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", p.v, p.k, p.change, to_string(p.kind),
-                        cell->best ? fmt::format("{}", cell->best->b) : "",
-                        cell->impossible ? "" : fmt::format("{}", cell->bound.blocks),
-                        cell->status(), construction(*cell));
+    rows.push_back({std::to_string(p.v), std::to_string(p.k), std::to_string(p.change),
+                    std::string(to_string(p.kind)), cell->best ? std::to_string(cell->best->b) : "",
+                    cell->impossible ? "" : std::to_string(cell->bound.blocks),
+                    std::string(cell->status()), construction(*cell)});
   }
-  return text;
+  return table_of({{"v", number_column},
+                   {"k", number_column},
+                   {"change", number_column},
+                   {"kind", {}},
+                   {"b", number_column},
+                   {"lower_bound", number_column},
+                   {"status", {}},
+                   {"construction", {}}},
+                  std::move(rows));
 }
 
 // Lines of a catalog: the design of each cell, built to know its checksum.
@@ -81,59 +90,21 @@ std::string as_catalog(const Cells& cells, const TableRequest& request) {
   return text;
 }
 
-/// How a grid of v by k is written.
-struct GridStyle {
-  std::string before;  // everything
-  std::string row_start, between, row_end;
-  std::string after_head;  // given the number of columns
-  std::string after;
-  bool padded = false;
-};
-
-std::string as_grid(const Cells& cells, const GridStyle& style) {
-  std::map<std::uint64_t, std::map<std::uint64_t, const PlannedCell*>> rows;
-  std::map<std::uint64_t, std::size_t> widths;
-  for (const PlannedCell* cell : cells) {
-    rows[cell->parameters.v][cell->parameters.k] = cell;
-    std::size_t& width = widths[cell->parameters.k];
-    width = std::max({width, number(*cell).size(), fmt::format("k={}", cell->parameters.k).size()});
+// A row for each v, a column for each k of a range whose cells are by k, then v.
+Table grid(const Cells& cells, const TableRange& range) {
+  const std::size_t rows = range.v.to - range.v.from + 1;
+  Table grid{.rows = rows, .columns = {}};
+  grid.columns.push_back({"v",
+                          [&range](std::size_t row) { return std::to_string(range.v.from + row); },
+                          {.kind = ColumnKind::number, .least_width = 5}});
+  for (std::uint64_t k = range.k.from; k <= range.k.to; ++k) {
+    const std::size_t first = (k - range.k.from) * rows;
+    grid.columns.push_back(
+        {fmt::format("k={}", k),
+         [&cells, first](std::size_t row) { return number(*cells[first + row]); },
+         {.kind = ColumnKind::number}});
   }
-  const auto pad = [&](const std::string& text, std::size_t width) {
-    return style.padded ? fmt::format("{:>{}}", text, width) : text;
-  };
-  std::string text = style.before + style.row_start + pad("v", 5);
-  for (const auto& [k, width] : widths) {
-    text += style.between + pad(fmt::format("k={}", k), width);
-  }
-  text += style.row_end + style.after_head;
-  for (const auto& [v, row] : rows) {
-    text += style.row_start + pad(fmt::format("{}", v), 5);
-    for (const auto& [k, cell] : row) {
-      text += style.between + pad(number(*cell), widths[k]);
-    }
-    text += style.row_end;
-  }
-  return text + style.after;
-}
-
-GridStyle style_of(const std::string& format, const std::string& title, std::size_t columns) {
-  if (format == "markdown") {
-    std::string rule = "|---:|";
-    for (std::size_t i = 0; i < columns; ++i) {
-      rule += "---:|";
-    }
-    return {fmt::format("### {}\n\n", title), "| ", " | ", " |\n", rule + "\n", "\n", false};
-  }
-  if (format == "latex") {
-    return {fmt::format("% {}\n\\begin{{tabular}}{{r{}}}\n", title, std::string(columns, 'r')),
-            "",
-            " & ",
-            " \\\\\n",
-            "\\hline\n",
-            "\\end{tabular}\n",
-            false};
-  }
-  return {title + "\n", "", "  ", "\n", "", "\n", true};
+  return grid;
 }
 
 std::string title(const Cells& cells) {
@@ -163,6 +134,7 @@ std::string summary(const Cells& cells) {
 }
 
 Answer run(const TableRequest& request) {
+  constexpr std::size_t most_wide = std::numeric_limits<std::size_t>::max();  // a grid is one
   const TableRange range = table_range(request.k, request.v, request.change);
   const PlannedTable table = plan_table(range, request.anew ? Planned::anew : Planned::as_shipped);
   const std::string format = request.output.format();
@@ -170,13 +142,17 @@ Answer run(const TableRequest& request) {
   std::string text;
   for (const Kind kind : kinds_of(request.kind)) {
     const Cells cells = table.cells(kind);
-    text += as_grid(cells, style_of(format, title(cells),
-                                    static_cast<std::size_t>(range.k.to - range.k.from + 1)));
-    text += format == "table" ? summary(cells) + "\n" : "";
+    const Table shown = grid(cells, range);
+    text += format == "markdown"
+                ? fmt::format("### {}\n\n{}\n", title(cells), table_markdown(shown))
+            : format == "latex" ? fmt::format("% {}\n{}", title(cells), table_latex(shown))
+            : format == "table" ? fmt::format("{}\n{}\n{}\n", title(cells),
+                                              table_text(shown, most_wide), summary(cells))
+                                : "";
     all.insert(all.end(), cells.begin(), cells.end());
   }
   if (format == "json" || format == "csv") {
-    text = format == "json" ? table_json(all) + "\n" : as_csv(all);
+    text = format == "json" ? table_json(all) + "\n" : table_csv(cell_table(all));
   } else if (format == "catalog") {
     text = as_catalog(all, request);
   }

@@ -1,10 +1,10 @@
 #include "loadorder/pairs/closing.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "changeover/run/scope.hpp"
+#include "run/portable_math.hpp"
 
 namespace changeover {
 namespace {
@@ -329,7 +329,7 @@ void Closing::anneal(const Window& window, std::uint64_t work, Random& random,
     const double spent = static_cast<double>(work_ - start) / static_cast<double>(work);
     const double heat = 0.7 * (1 - spent) + 0.05;
     const double u = (static_cast<double>(random.next32()) + 1) / 4294967296.0;
-    const std::uint64_t limit = now + static_cast<std::uint64_t>(-heat * std::log(u));
+    const std::uint64_t limit = now + static_cast<std::uint64_t>(-heat * natural_log(u));
     const std::uint64_t loads = trial(window, limit);
     take_back(before);
     if (loads <= limit) {

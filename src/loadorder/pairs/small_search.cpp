@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <utility>
+
+#include "run/portable_math.hpp"
 
 namespace changeover {
 namespace {
@@ -246,6 +247,7 @@ SmallSearch::Found SmallSearch::anneal_words(Order order, std::uint64_t enough, 
                                              const std::function<bool()>& stop_wanted) {
   constexpr double hot = 0.6;
   constexpr double cold = 0.1;
+  const double octaves = natural_log(cold / hot) / natural_log(2);
   Player<Words> player(partners_, room_);
   std::uint64_t now = player.play(order, Closing::no_limit, nullptr);
   std::uint64_t best = now;
@@ -258,11 +260,11 @@ SmallSearch::Found SmallSearch::anneal_words(Order order, std::uint64_t enough, 
       if (stop_wanted()) {
         break;
       }
-      heat = hot * std::pow(cold / hot, static_cast<double>(i) / static_cast<double>(looks));
+      heat = hot * power_of_two(octaves * static_cast<double>(i) / static_cast<double>(looks));
     }
     Order other = changed(order, partners_, random);
     const double u = (static_cast<double>(random.next32()) + 1) / 4294967296.0;
-    const std::uint64_t limit = now + static_cast<std::uint64_t>(-heat * std::log(u));
+    const std::uint64_t limit = now + static_cast<std::uint64_t>(-heat * natural_log(u));
     const std::uint64_t loads = player.play(other, limit, nullptr);
     if (loads <= limit) {
       now = loads;

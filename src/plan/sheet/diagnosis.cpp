@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_sheet.hpp"
@@ -11,6 +10,7 @@
 #include "plan/job/fitting.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/job/setup_list.hpp"
+#include "run/portable_math.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -277,7 +277,7 @@ class NextTests {
     const auto hit = static_cast<std::size_t>(
         std::count_if(left.begin(), left.end(), [&](const Suspect& s) { return has(members, s); }));
     const std::size_t most = std::max(hit, left.size() - hit);
-    choice.worth = std::log(static_cast<double>(left.size()) / static_cast<double>(most)) /
+    choice.worth = natural_log(static_cast<double>(left.size()) / static_cast<double>(most)) /
                    (static_cast<double>(choice.cost.millionths) + 1.0);
     return choice;
   }

@@ -4,14 +4,14 @@
 #include "changeover/plan/diagnosis.hpp"
 #include "io/scan/place.hpp"
 #include "io/write/json_writer.hpp"
-#include "plan/sheet/layout.hpp"
+#include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
 namespace {
 
-Cell words_of(const Job& job, const std::vector<Suspect>& suspects) {
-  Cell cell;
+std::vector<std::string> words_of(const Job& job, const std::vector<Suspect>& suspects) {
+  std::vector<std::string> cell;
   for (const Suspect& suspect : suspects) {
     cell.push_back(in_words(suspect, job.names));
   }
@@ -42,93 +42,104 @@ void write(JsonWriter& json, const Job& job, const std::vector<Suspect>& suspect
   json.end_array();
 }
 
-std::string what_is_suspect(const Job& job, const Diagnosis& found) {
+// What the results leave, a line each.
+std::vector<std::string> what_is_suspect(const Job& job, const Diagnosis& found) {
   const std::string all = found.unread == 0 ? "all results" : "all results that are understood";
-  if (found.failed == 0 && found.unread > 0) {
-    return "No test failed as far as results are understood; one that is not may be a failure.\n";
-  }
   if (found.failed == 0) {
-    return "No test failed: nothing is suspect.\n";
+    return {found.unread == 0 ? "No test failed: nothing is suspect."
+                              : "No test failed as far as results are understood; one that is not "
+                                "may be a failure."};
   }
+  std::vector<std::string> lines;
   if (!found.suspects.empty()) {
-    std::string text = found.suspects.size() == 1
-                           ? fmt::format("One fault alone explains {}:\n", all)
-                           : fmt::format("One fault may explain {}, one of these {}:\n", all,
-                                         found.suspects.size());
+    lines.push_back(found.suspects.size() == 1
+                        ? fmt::format("One fault alone explains {}:", all)
+                        : fmt::format("One fault may explain {}, one of these {}:", all,
+                                      found.suspects.size()));
     for (const Suspect& suspect : found.suspects) {
-      text +=
-          fmt::format("  {} {}\n", suspect.other ? "pair" : "part", in_words(suspect, job.names));
+      lines.push_back(
+          fmt::format("  {} {}", suspect.other ? "pair" : "part", in_words(suspect, job.names)));
     }
-    return text;
+    return lines;
   }
-  std::string contradictions;
-  for (const auto& [failed, passed] : found.contradictions) {
-    const std::string what = joined(names_of(job, failed));
-    contradictions += failed.size() == passed.size()
-                          ? fmt::format("  {} failed and passed\n", what)
-                          : fmt::format("  {} failed, and passed as part of {}\n", what,
-                                        joined(names_of(job, passed)));
+  if (!found.contradictions.empty()) {
+    lines.emplace_back(
+        "Results contradict each other: a fault comes and goes, or a result is wrong.");
+    for (const auto& [failed, passed] : found.contradictions) {
+      const std::string what = joined(names_of(job, failed));
+      lines.push_back(failed.size() == passed.size()
+                          ? fmt::format("  {} failed and passed", what)
+                          : fmt::format("  {} failed, and passed as part of {}", what,
+                                        joined(names_of(job, passed))));
+    }
+    return lines;
   }
-  if (!contradictions.empty()) {
-    return "Results contradict each other: a fault comes and goes, or a result is wrong.\n" +
-           contradictions;
-  }
-  std::string text =
-      fmt::format("No part and no pair alone explains {}: there are two faults at least.\n", all);
-  if (found.two.empty()) {
-    return text + "Nor do two parts or pairs: there are three at least, or a result is wrong.\n";
-  }
-  text += "Two that do together:\n";
+  lines.push_back(
+      fmt::format("No part and no pair alone explains {}: there are two faults at least.", all));
+  lines.emplace_back(
+      found.two.empty()
+          ? "Nor do two parts or pairs: there are three at least, or a result is wrong."
+          : "Two that do together:");
   for (const auto& [one, other] : found.two) {
-    text += fmt::format("  {}, and {}\n", in_words(one, job.names), in_words(other, job.names));
+    lines.push_back(
+        fmt::format("  {}, and {}", in_words(one, job.names), in_words(other, job.names)));
   }
-  return text;
+  return lines;
+}
+
+Table next_tests(const Job& job, const std::vector<NextTest>& tests) {
+  const auto list = [&](std::string head, auto words) {
+    return TableColumn{std::move(head),
+                       [&tests, words](std::size_t i) { return TableCell(words(tests[i])); },
+                       {.kind = ColumnKind::list}};
+  };
+  return {.rows = tests.size(),
+          .columns = {
+              list("after", [](const NextTest& test) { return results(test.after); }),
+              list("take out", [&](const NextTest& test) { return names_of(job, test.take_out); }),
+              list("put in", [&](const NextTest& test) { return names_of(job, test.put_in); }),
+              list("set-up", [&](const NextTest& test) { return names_of(job, test.setup); }),
+              {"cost",
+               [&tests, money = Money(job)](std::size_t i) { return money(tests[i].cost); },
+               {.kind = ColumnKind::cost}},
+              list("if it fails",
+                   [&](const NextTest& test) { return words_of(job, test.if_it_fails); }),
+              list("if it passes",
+                   [&](const NextTest& test) { return words_of(job, test.if_it_passes); })}};
 }
 
 }  // namespace
 
-std::string diagnosis_as_table(const Job& job, const Diagnosis& found, std::size_t width) {
-  const Money money(job);
-  std::string text =
-      fmt::format("Diagnosis of {}: {} passed, {} failed{}\n",
-                  count_of(found.passed + found.failed + found.unread, "test"), found.passed,
-                  found.failed,
-                  found.unread == 0 ? "" : fmt::format(", {} not understood", found.unread)) +
-      what_is_suspect(job, found);
+TableDocument table_document(const Job& job, const Diagnosis& found) {
+  TableDocument made{
+      .headline = fmt::format(
+          "Diagnosis of {}: {} passed, {} failed{}",
+          count_of(found.passed + found.failed + found.unread, "test"), found.passed, found.failed,
+          found.unread == 0 ? "" : fmt::format(", {} not understood", found.unread)),
+      .lines = what_is_suspect(job, found)};
   for (const UnreadResult& each : found.first_unread) {
-    text += fmt::format("{}: the result {} is not understood; write pass or fail\n", each.place,
-                        shown(each.text));
+    made.lines.push_back(fmt::format("{}: the result {} is not understood; write pass or fail",
+                                     each.place, shown(each.text)));
   }
   if (found.unread > found.first_unread.size()) {
-    text += fmt::format("and {} more\n", found.unread - found.first_unread.size());
+    made.lines.push_back(fmt::format("and {} more", found.unread - found.first_unread.size()));
   }
   for (const std::string& note : found.notes) {
-    text += "note: " + note + "\n";
+    made.lines.push_back("note: " + note);
   }
-  if (found.tests.empty()) {
-    return found.suspects.size() < 2 ? text : text + "No test can tell them apart.\n";
+  if (!found.tests.empty()) {
+    made.sections.push_back(
+        {.heading = fmt::format("Tests that tell them apart, for at most {} in all",
+                                Money(job)(found.most_cost)),
+         .table = next_tests(job, found.tests)});
+  } else if (found.suspects.size() > 1) {
+    made.lines.emplace_back("No test can tell them apart.");
   }
-  text +=
-      fmt::format("\nTests that tell them apart, for at most {} in all\n", money(found.most_cost));
-  std::vector<std::vector<Cell>> rows;
-  rows.reserve(found.tests.size());
-  for (const NextTest& test : found.tests) {
-    rows.push_back({{results(test.after)},
-                    names_of(job, test.take_out),
-                    names_of(job, test.put_in),
-                    names_of(job, test.setup),
-                    {money(test.cost)},
-                    words_of(job, test.if_it_fails),
-                    words_of(job, test.if_it_passes)});
-  }
-  return text + laid_out({{"after"},
-                          {"take out"},
-                          {"put in"},
-                          {"set-up"},
-                          {"cost", true},
-                          {"if it fails"},
-                          {"if it passes"}},
-                         rows, width);
+  return made;
+}
+
+std::string diagnosis_as_table(const Job& job, const Diagnosis& found, std::size_t width) {
+  return document_text(table_document(job, found), width);
 }
 
 std::string diagnosis_as_json(const Job& job, const Diagnosis& found) {

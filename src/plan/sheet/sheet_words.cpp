@@ -122,14 +122,6 @@ std::vector<std::string> put_in_words(const Job& job, const RunStep& step) {
   return words;
 }
 
-std::string joined(const std::vector<std::string>& names, const std::string& between) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : between) + name;
-  }
-  return text;
-}
-
 std::string what_meets(const Job& job) { return job.triples.empty() ? "pairs" : "triples"; }
 
 std::uint64_t tested_by(const Job& job, const Candidate& candidate) {
@@ -209,11 +201,6 @@ std::vector<std::string> summary(const SheetDocument& document) {
   return lines;
 }
 
-std::string mounted_line(const Job& job) {
-  return job.mounted.empty() ? ""
-                             : "mounted all the time: " + joined(names_of(job, job.mounted)) + "\n";
-}
-
 Block without_mounted(const Job& job, const Block& setup) {
   Block rest;
   std::copy_if(setup.begin(), setup.end(), std::back_inserter(rest), [&](Element x) {
@@ -230,6 +217,40 @@ std::string difference(const SheetDocument& document, const Candidate& candidate
   const Money money(*document.job, document.budget);
   std::string text = "+" + money(candidate.cost - least);
   return least.millionths == 0 ? text : text + " (" + per_cent_above(candidate.cost, least) + ")";
+}
+
+std::vector<std::string> bench_summary(const BenchDocument& document) {
+  const Job& job = *document.job;
+  const BenchPlan& plan = *document.plan;
+  const Money money(job);
+  const bool triples = !job.triples.empty();
+  std::vector<std::string> lines{
+      fmt::format(
+          "{}, {} at a time, on {}: {}, {}", count_of(job.parts(), "part"), job.at_once,
+          plan.sheets.size() == 1 ? "1 bench" : fmt::format("{} benches", plan.sheets.size()),
+          count_of(plan.tests, "test"), count_of(plan.changes, "change")),
+      fmt::format("{} on the bench that costs most, {} together", money(plan.largest),
+                  money(plan.cost)),
+      fmt::format("{} of {} tested on some bench, checked by an independent count",
+                  triples ? plan.triples_tested : plan.pairs_tested,
+                  triples ? count_of(plan.triples_needed, "needed triple")
+                          : count_of(plan.pairs_needed, "needed pair")),
+      fmt::format("best for {}: {}",
+                  document.objective == BenchObjective::cost ? "the least cost together"
+                                                             : "the least largest cost",
+                  plan.candidates.front().name)};
+  lines.push_back(plan.largest == plan.largest_bound
+                      ? fmt::format("no plan is done for less than {} on each bench: {}",
+                                    money(plan.largest), plan.largest_reason)
+                      : fmt::format("lower bound for the bench that costs most: {}, since {}",
+                                    money(plan.largest_bound), plan.largest_reason));
+  lines.push_back(
+      fmt::format("lower bound for all benches together: {}, since their lists end to end are one "
+                  "list",
+                  money(plan.bound.cost)));
+  lines.push_back("every bench begins empty, and every bench can have every part");
+  lines.insert(lines.end(), document.notes.begin(), document.notes.end());
+  return lines;
 }
 
 }  // namespace changeover

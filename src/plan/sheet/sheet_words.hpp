@@ -6,6 +6,7 @@
 
 #include "changeover/plan/benches.hpp"
 #include "changeover/plan/sheet_formats.hpp"
+#include "io/table/table.hpp"
 #include "plan/job/words.hpp"
 
 namespace changeover {
@@ -27,10 +28,6 @@ class Money {
 /// What a step puts in, each "A for B" where it matters what it replaces.
 [[nodiscard]] std::vector<std::string> put_in_words(const Job& job, const RunStep& step);
 
-/// Names with commas between them.
-[[nodiscard]] std::string joined(const std::vector<std::string>& names,
-                                 const std::string& between = ", ");
-
 /// "17 tests, 20 changes, cost 117", and what is to be said of the budget and the bound, a line each.
 [[nodiscard]] std::vector<std::string> summary(const SheetDocument& document);
 
@@ -48,12 +45,6 @@ class Money {
 
 /// How many of them a step tests first.
 [[nodiscard]] std::uint64_t new_here(const Job& job, const RunStep& step);
-
-/// A text in a cell of a Markdown table: nothing in it is markup.
-[[nodiscard]] std::string markdown(const std::string& text);
-
-/// "mounted all the time: Pump", a line; empty if nothing is.
-[[nodiscard]] std::string mounted_line(const Job& job);
 
 /// The parts of a set-up but those that stay mounted, which are said once.
 [[nodiscard]] Block without_mounted(const Job& job, const Block& setup);

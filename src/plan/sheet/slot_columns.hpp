@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "changeover/plan/run_sheet.hpp"
@@ -12,20 +13,21 @@ namespace changeover {
 
 class SlotColumns {
  public:
-  /// As many as the set-ups of the sheet need; the job must outlive this.
-  SlotColumns(const Job& job, const RunSheet& sheet);
+  /// As many as the set-ups of the sheets need; the job must outlive this.
+  SlotColumns(const Job& job, const std::vector<const RunSheet*>& sheets);
 
   /// "slot_1", "slot_2", …; with slots "slot_1 CPU".
   [[nodiscard]] const std::vector<std::string>& heads() const { return heads_; }
 
-  /// By column: the part in it, or nothing.
-  [[nodiscard]] std::vector<std::optional<Element>> row(const Block& setup) const;
+  /// The part in a column, or nothing.
+  [[nodiscard]] std::optional<Element> part(const Block& setup, std::size_t column) const;
 
  private:
-  [[nodiscard]] std::vector<Block> by_slot(const Block& setup) const;
+  [[nodiscard]] std::size_t slot_of(Element x) const;
 
   const Job* job_;
-  std::vector<std::size_t> widths_;  // by slot, the last for none: how many columns its parts need
+  std::vector<std::pair<std::size_t, std::size_t>>
+      places_;  // by column: the slot, the last for none, and which of its parts
   std::vector<std::string> heads_;
 };
 

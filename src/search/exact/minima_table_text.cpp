@@ -13,6 +13,7 @@
 #include "changeover/search/minima_table.hpp"
 #include "core/printable.hpp"
 #include "io/scan/row_reader.hpp"
+#include "io/table/table.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 
@@ -148,44 +149,54 @@ std::string grid(const Rows& rows) {
     ks.insert(row->parameters.k);
     cells[row->parameters.v][row->parameters.k] = grid_cell(*row);
   }
-  std::string text = fmt::format("### {}\n\n| v |", title(rows.front()->parameters));
-  std::string rule = "|---:|";
+  std::vector<std::pair<std::string, ColumnStyle>> heads{{"v", number_column}};
   for (const std::uint64_t k : ks) {
-    text += fmt::format(" k={} |", k);
-    rule += "---:|";
+    heads.emplace_back(fmt::format("k={}", k), number_column);
   }
-  text += "\n" + rule + "\n";
+  std::vector<std::vector<std::string>> lines;
   for (auto& [v, row] : cells) {
-    text += fmt::format("| {} |", v);
+    lines.push_back({std::to_string(v)});
     for (const std::uint64_t k : ks) {
-      text += fmt::format(" {} |", row[k]);
+      lines.back().push_back(row[k]);
     }
-    text += "\n";
   }
-  return text + "\n";
+  return fmt::format("### {}\n\n{}\n", title(rows.front()->parameters),
+                     table_markdown(table_of(std::move(heads), std::move(lines))));
 }
 
 std::string proofs(const Rows& rows) {
-  std::string text =
-      "| design | bound on paper | minimum | design by | solving, s | checking, s | proof, bytes "
-      "| proof, steps |\n|---|---:|---:|---|---:|---:|---:|---:|\n";
+  std::vector<std::vector<std::string>> lines;
   for (const MinimaRow* row : rows) {
-    text += fmt::format("| {} | {} | {} | {} | {:.2f} | {:.2f} | {} | {} |\n",
-                        name(row->parameters), row->start, interval(*row), row->by,
-                        row->solve_seconds, row->check_seconds, row->proof_bytes, row->proof_steps);
+    lines.push_back({name(row->parameters), std::to_string(row->start), interval(*row), row->by,
+                     fmt::format("{:.2f}", row->solve_seconds),
+                     fmt::format("{:.2f}", row->check_seconds), std::to_string(row->proof_bytes),
+                     std::to_string(row->proof_steps)});
   }
-  return text + "\n";
+  return table_markdown(table_of({{"design", {}},
+                                  {"bound on paper", number_column},
+                                  {"minimum", number_column},
+                                  {"design by", {}},
+                                  {"solving, s", number_column},
+                                  {"checking, s", number_column},
+                                  {"proof, bytes", number_column},
+                                  {"proof, steps", number_column}},
+                                 std::move(lines))) +
+         "\n";
 }
 
 std::string open(const Rows& rows) {
-  std::string text =
-      "| design | bound on paper | between | design by | conflicts a step |\n"
-      "|---|---:|---:|---|---:|\n";
+  std::vector<std::vector<std::string>> lines;
   for (const MinimaRow* row : rows) {
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", name(row->parameters), row->start,
-                        interval(*row), row->by, row->limit);
+    lines.push_back({name(row->parameters), std::to_string(row->start), interval(*row), row->by,
+                     std::to_string(row->limit)});
   }
-  return text + "\n";
+  return table_markdown(table_of({{"design", {}},
+                                  {"bound on paper", number_column},
+                                  {"between", number_column},
+                                  {"design by", {}},
+                                  {"conflicts a step", number_column}},
+                                 std::move(lines))) +
+         "\n";
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "changeover/core/error.hpp"
-#include "plan/search/anneal/same_everywhere.hpp"
+#include "run/portable_math.hpp"
 
 namespace changeover {
 namespace {
@@ -17,7 +17,7 @@ class Annealer {
       : s_(&sequence), options_(options), random_(&random), penalty_(options.penalty) {
     constrained_ = s_->fitting().has_slots() || s_->job().never.size() > 0;
     constexpr double parts = 1024;
-    octaves_ = std::round(std::log2(options.hot / options.cold) * parts) / parts;
+    octaves_ = std::round(natural_log(options.hot / options.cold) / natural_log(2) * parts) / parts;
     constexpr std::size_t long_list = 20'000;
     note_seldom_ = s_->size() * s_->job().room() > long_list;
   }

@@ -10,26 +10,12 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
+#include "run/portable_math.hpp"
 #include "run/random.hpp"
 #include "run/threads.hpp"
 
 namespace changeover {
 namespace {
-
-// −ln of evenly spread numbers in (0,1), rounded so that every machine has the same.
-const std::vector<double>& logarithms() {
-  static const std::vector<double> table = [] {
-    constexpr std::size_t entries = 4096;
-    constexpr double digits = 1 << 20;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < entries; ++i) {
-      const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(entries);
-      values.push_back(std::round(-std::log(u) * digits) / digits);
-    }
-    return values;
-  }();
-  return table;
-}
 
 // What makes one state better than another: less of the first that differs.
 using Rank = std::tuple<std::uint64_t, std::int64_t, std::int64_t>;
@@ -122,7 +108,7 @@ class ListsAnnealer {
   void decide() {
     const double now = energy();
     const double rise = now - energy_;
-    if (rise > 0 && rise > temperature_ * logarithms()[random_->next() >> 52]) {
+    if (rise > 0 && rise > temperature_ * log_table()[random_->next() >> 52]) {
       lists_->undo();
       return;
     }

@@ -1,13 +1,11 @@
-// Run sheets as CSV, JSON and Markdown.
+// Run sheets for programs.
 #include <fmt/format.h>
 
 #include <optional>
 
 #include "changeover/plan/job.hpp"
-#include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/sheet_words.hpp"
-#include "plan/sheet/slot_columns.hpp"
 
 namespace changeover {
 namespace {
@@ -26,56 +24,7 @@ void write_ratio(JsonWriter& json, const std::optional<Ratio>& ratio) {
         : json.null();
 }
 
-std::string ratio_text(const std::optional<Ratio>& ratio) {
-  return ratio ? ratio->to_string() : std::string();
-}
-
-std::string markdown_list(const Job& job, const Block& parts) {
-  return markdown(joined(names_of(job, parts)));
-}
-
 }  // namespace
-
-std::string markdown(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (std::string_view("\\`*_{}[]<>#|~&").find(c) != std::string_view::npos) {
-      escaped += '\\';
-    }
-    escaped += c;
-  }
-  return escaped;
-}
-
-std::string sheet_as_csv(const SheetDocument& document) {
-  const Job& job = *document.job;
-  const Money money(job, document.budget);
-  const SlotColumns columns(job, document.plan->sheet);
-  std::vector<std::string> cells;  // by part: made once, for a part may be in every set-up
-  cells.reserve(job.names.size());
-  for (const std::string& name : job.names) {
-    cells.push_back("," + csv_cell(name));
-  }
-  std::string text = "step,take_out,put_in";
-  for (const std::string& head : columns.heads()) {
-    text += "," + csv_cell(head);
-  }
-  const bool weighs = !job.weights.empty();
-  text += fmt::format(",new_{},cost,cost_so_far{},result\n", what_meets(job),
-                      weighs ? ",weight_so_far" : "");
-  std::uint64_t number = job.tests_done;
-  for (const RunStep& step : document.plan->sheet.steps) {
-    text += fmt::format("{},{},{}", ++number, csv_cell(parts_text(step.take_out, job.names)),
-                        csv_cell(parts_text(step.put_in, job.names)));
-    for (const std::optional<Element> x : columns.row(step.setup)) {
-      text += x ? cells[*x] : ",";
-    }
-    text += fmt::format(",{},{},{}{},\n", new_here(job, step), money(step.cost),
-                        money(step.cost_so_far),
-                        weighs ? "," + to_string(step.weight_so_far) : std::string());
-  }
-  return text;
-}
 
 std::string sheet_as_json(const SheetDocument& document) {
   const Job& job = *document.job;
@@ -177,52 +126,6 @@ std::string sheet_as_json(const SheetDocument& document) {
   return json.take() + "\n";
 }
 
-std::string sheet_as_markdown(const SheetDocument& document) {
-  const Job& job = *document.job;
-  const RunPlan& plan = *document.plan;
-  const Money money(job, document.budget);
-  std::string text = "# " + markdown(document.title) + "\n\n";
-  for (const std::string& line : summary(document)) {
-    text += "- " + line + "\n";
-  }
-  if (!job.mounted.empty()) {
-    text += "- " + markdown(mounted_line(job));
-  }
-  text += fmt::format(
-      "\n| step | take out | put in | set-up | new {} | {}cost so far |\n"
-      "|---:|:---|:---|:---|---:|{}---:|\n",
-      what_meets(job), job.replaces() ? "cost | " : "", job.replaces() ? "---:|" : "");
-  std::uint64_t number = job.tests_done;
-  for (const RunStep& step : plan.sheet.steps) {
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {}{} |\n", ++number,
-                    markdown_list(job, step.take_out), markdown(joined(put_in_words(job, step))),
-                    markdown_list(job, without_mounted(job, step.setup)), new_here(job, step),
-                    job.replaces() ? money(step.cost) + " | " : "", money(step.cost_so_far));
-  }
-  text += fmt::format(
-      "\n| plan | tests | changes | cost | {} | dearer by | how |\n"
-      "|:---|---:|---:|---:|---:|---:|:---|\n",
-      what_meets(job));
-  for (const Candidate& candidate : plan.candidates) {
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", candidate.name, candidate.tests(),
-                        candidate.changes, money(candidate.cost), tested_by(job, candidate),
-                        difference(document, candidate), candidate.how);
-  }
-  return text;
-}
-
-std::string what_if_as_csv(const Job& job, const WhatIf& answer) {
-  const Money money(job);
-  std::string text = "from,to,tests,changes,change_cost,plan\n";
-  for (const WhatIf::Range& range : answer.ranges) {
-    text += fmt::format("{},{},{},{},{},{}\n", ratio_text(range.from), ratio_text(range.to),
-                        range.plan.tests(), range.plan.changes, money(range.plan.change_cost),
-                        csv_cell(range.plan.name));
-  }
-  return text;
-}
-
 std::string what_if_as_json(const Job& job, const WhatIf& answer) {
   const Money money(job);
   JsonWriter json;
@@ -246,18 +149,56 @@ std::string what_if_as_json(const Job& job, const WhatIf& answer) {
   return json.take() + "\n";
 }
 
-std::string what_if_as_markdown(const Job& job, const WhatIf& answer) {
-  std::string text = "| from | to | tests | changes | plan |\n|---:|---:|---:|---:|:---|\n";
-  for (const WhatIf::Range& range : answer.ranges) {
-    text += fmt::format("| {} | {} | {} | {} | {} |\n", range.from ? range.from->to_string() : "0",
-                        range.to ? range.to->to_string() : "any", range.plan.tests(),
-                        range.plan.changes, range.plan.name);
+std::string benches_as_json(const BenchDocument& document) {
+  const Job& job = *document.job;
+  const BenchPlan& plan = *document.plan;
+  const Money money(job);
+  JsonWriter json;
+  json.begin_object().key("format").value("changeover-benches/1");
+  json.key("title").value(document.title).key("benches").value(plan.sheets.size());
+  json.key("objective").value(document.objective == BenchObjective::cost ? "cost" : "makespan");
+  json.key("cost").raw(money(plan.cost)).key("makespan").raw(money(plan.largest));
+  json.key("tests").value(plan.tests).key("changes").value(plan.changes);
+  json.key("pairs_needed").value(plan.pairs_needed).key("pairs_tested").value(plan.pairs_tested);
+  json.key("triples_needed").value(plan.triples_needed);
+  json.key("triples_tested").value(plan.triples_tested);
+  json.key("lower_bound").begin_object().key("cost").raw(money(plan.bound.cost));
+  json.key("makespan").raw(money(plan.largest_bound));
+  json.key("cost_reason").value(plan.bound.reason);
+  json.key("makespan_reason").value(plan.largest_reason).end_object();
+  json.key("sheets").begin_array();
+  for (std::size_t bench = 0; bench < plan.sheets.size(); ++bench) {
+    const RunSheet& sheet = plan.sheets[bench];
+    json.begin_object().key("bench").value(bench + 1).key("tests").value(sheet.steps.size());
+    json.key("changes").value(sheet.changes).key("cost").raw(money(sheet.cost));
+    json.key("steps").begin_array();
+    std::uint64_t number = 0;
+    for (const RunStep& step : sheet.steps) {
+      json.begin_object().key("step").value(++number);
+      json.key("take_out").value(names_of(job, step.take_out));
+      json.key("put_in").value(names_of(job, step.put_in));
+      json.key("set_up").value(names_of(job, step.setup));
+      json.key("new_" + what_meets(job)).value(new_here(job, step));
+      if (job.replaces()) {
+        json.key("replaced").begin_array();
+        for (const auto& [out, in] : step.replaced) {
+          json.value(names_of(job, {out, in}));
+        }
+        json.end_array();
+      }
+      json.key("cost").raw(money(step.cost));
+      json.key("cost_so_far").raw(money(step.cost_so_far)).end_object();
+    }
+    json.end_array().end_object();
   }
-  const std::vector<std::string> notes = what_if_notes(job, answer);
-  for (std::size_t i = 0; i < notes.size(); ++i) {
-    text += (i == 0 ? "\n- " : "- ") + markdown(notes[i]) + "\n";
+  json.end_array().key("candidates").begin_array();
+  for (const BenchCandidate& c : plan.candidates) {
+    json.begin_object().key("name").value(c.name).key("how").value(c.how);
+    json.key("tests").value(c.tests).key("changes").value(c.changes);
+    json.key("cost").raw(money(c.cost)).key("makespan").raw(money(c.largest)).end_object();
   }
-  return text;
+  json.end_array().key("notes").value(document.notes).end_object();
+  return json.take() + "\n";
 }
 
 }  // namespace changeover

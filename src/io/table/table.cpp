@@ -1,0 +1,249 @@
+#include "io/table/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+
+#include "changeover/io/tables.hpp"
+#include "io/scan/row_reader.hpp"
+#include "io/write/csv_cell.hpp"
+
+namespace changeover {
+namespace {
+
+// A row of a table whose cells are texts.
+std::string row_of(const std::vector<std::string>& cells, std::string_view start,
+                   std::string_view between, std::string_view end) {
+  return fmt::format("{}{}{}", start, fmt::join(cells, between), end);
+}
+
+// The heads and then the rows, each as `write` makes it of its texts.
+template <typename Head, typename Cell, typename Write>
+void each_row(const Table& table, const std::vector<const TableColumn*>& columns, Head&& head,
+              Cell&& cell, Write&& write) {
+  std::vector<std::string> cells(columns.size());
+  std::transform(columns.begin(), columns.end(), cells.begin(),
+                 [&](const TableColumn* column) { return head(*column); });
+  write(cells);
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    std::transform(columns.begin(), columns.end(), cells.begin(),
+                   [&](const TableColumn* column) { return cell(*column, column->cell(row)); });
+    write(cells);
+  }
+}
+
+std::string class_of(std::string_view a, std::string_view b) {
+  return a.empty() && b.empty()
+             ? std::string()
+             : fmt::format(" class=\"{}{}{}\"", a, a.empty() || b.empty() ? "" : " ", b);
+}
+
+std::string html_head(const TableColumn& column) {
+  std::string text = html_text(column.head);
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  if (const std::size_t at = text.find('\n'); at != std::string::npos) {
+    text.replace(at, 1, "<br>");
+  }
+  return fmt::format("<th{}>{}</th>", class_of(is_right(column) ? "n" : "", column.style.head_css),
+                     text);
+}
+
+// The style puts dots between names that stand side by side.
+std::string html_list(const TableCell& cell) {
+  constexpr std::size_t wide_name = 26;
+  std::string text;
+  for (std::size_t i = 0; i < cell.words.size(); ++i) {
+    text += fmt::format("{}<span class=\"part{}{}\">{}</span>", i == 0 ? "" : " ",
+                        !cell.bold.empty() && cell.bold[i] ? " in" : "",
+                        display_width(cell.words[i]) > wide_name ? " wide" : "",
+                        html_text(cell.words[i]));
+  }
+  return text;
+}
+
+std::string html_boxes(const TableColumn& column) {
+  std::string text;
+  const auto boxes = 1 + std::count(column.head.begin(), column.head.end(), ' ');
+  for (std::ptrdiff_t i = 0; i < boxes; ++i) {
+    text += std::string(i == 0 ? "" : " ") + "<span class=\"box\"></span>";
+  }
+  return text;
+}
+
+std::string html_cell(const TableColumn& column, const TableCell& cell) {
+  switch (column.style.kind) {
+    case ColumnKind::list:
+      return html_list(cell);
+    case ColumnKind::choice:
+      return html_boxes(column);
+    default:
+      return html_text(joined(cell.words));
+  }
+}
+
+}  // namespace
+
+Table table_of(std::vector<std::pair<std::string, ColumnStyle>> heads,
+               std::vector<std::vector<std::string>> rows) {
+  Table table{.rows = rows.size(), .columns = {}};
+  const auto cells = std::make_shared<const std::vector<std::vector<std::string>>>(std::move(rows));
+  for (std::size_t c = 0; c < heads.size(); ++c) {
+    table.columns.push_back({std::move(heads[c].first),
+                             [cells, c](std::size_t row) { return cells->at(row).at(c); },
+                             std::move(heads[c].second)});
+  }
+  return table;
+}
+
+std::vector<const TableColumn*> columns_in(const Table& table, TableFormats format) {
+  std::vector<const TableColumn*> columns;
+  for (const TableColumn& column : table.columns) {
+    if ((column.style.in & format) != 0) {
+      columns.push_back(&column);
+    }
+  }
+  return columns;
+}
+
+std::string head_line(const TableColumn& column, TableFormats format) {
+  std::string head =
+      (format & for_programs) != 0 && !column.style.name.empty() ? column.style.name : column.head;
+  std::replace(head.begin(), head.end(), '\n', ' ');
+  return head;
+}
+
+bool is_right(const TableColumn& column) {
+  return column.style.kind == ColumnKind::number || column.style.kind == ColumnKind::cost;
+}
+
+std::string table_csv(const Table& table) {
+  std::string text;
+  each_row(
+      table, columns_in(table, in_csv),
+      [](const TableColumn& column) { return csv_cell(head_line(column, in_csv)); },
+      [](const TableColumn& column, const TableCell& cell) {
+        return csv_cell(column.style.kind == ColumnKind::list ? list_line(cell.words)
+                                                              : joined(cell.words));
+      },
+      [&](const std::vector<std::string>& cells) { text += row_of(cells, "", ",", "\n"); });
+  return text;
+}
+
+std::string table_markdown(const Table& table) {
+  const std::vector<const TableColumn*> columns = columns_in(table, in_markdown);
+  std::string rule = "|";
+  for (const TableColumn* column : columns) {
+    rule += is_right(*column) ? "---:|" : ":---|";
+  }
+  rule += "\n";
+  std::string text;
+  each_row(
+      table, columns,
+      [](const TableColumn& column) { return markdown_text(head_line(column, in_markdown)); },
+      [](const TableColumn&, const TableCell& cell) { return markdown_text(joined(cell.words)); },
+      [&](const std::vector<std::string>& cells) {
+        text += row_of(cells, "| ", " | ", " |\n") + std::exchange(rule, "");
+      });
+  return text;
+}
+
+std::string table_latex(const Table& table) {
+  const std::vector<const TableColumn*> columns = columns_in(table, in_latex);
+  std::string text = "\\begin{tabular}{";
+  for (const TableColumn* column : columns) {
+    text += is_right(*column) ? 'r' : 'l';
+  }
+  text += "}\n";
+  std::string rule = "\\hline\n";
+  each_row(
+      table, columns,
+      [](const TableColumn& column) { return latex_escaped(head_line(column, in_latex)); },
+      [](const TableColumn&, const TableCell& cell) { return latex_escaped(joined(cell.words)); },
+      [&](const std::vector<std::string>& cells) {
+        text += row_of(cells, "", " & ", " \\\\\n") + std::exchange(rule, "");
+      });
+  return text + "\\end{tabular}\n";
+}
+
+std::string table_html(const Table& table) {
+  const std::vector<const TableColumn*> columns = columns_in(table, in_html);
+  std::string text = table.frame.empty() ? "" : fmt::format("<div{}>\n", class_of(table.frame, ""));
+  text += fmt::format("<table{}>\n<thead><tr>", class_of(table.css, ""));
+  for (const TableColumn* column : columns) {
+    text += column->style.kind == ColumnKind::remark ? "" : html_head(*column);
+  }
+  text += "</tr></thead>\n<tbody>\n";
+  for (std::size_t row = 0; row < table.rows; ++row) {
+    std::string remarks;
+    for (const TableColumn* column : columns) {
+      if (column->style.kind == ColumnKind::remark) {
+        remarks += fmt::format("<br><span class=\"small\">{}</span>",
+                               html_cell(*column, column->cell(row)));
+      }
+    }
+    text += "<tr>";
+    for (const TableColumn* column : columns) {
+      if (column->style.kind != ColumnKind::remark) {
+        text += fmt::format(
+            "<td{}>{}{}</td>", class_of(is_right(*column) ? "n" : "", column->style.css),
+            html_cell(*column, column->cell(row)), column == columns.front() ? remarks : "");
+      }
+    }
+    text += "</tr>\n";
+  }
+  return text + "</tbody>\n</table>\n" + (table.frame.empty() ? "" : "</div>\n");
+}
+
+std::string joined(const std::vector<std::string>& words, std::string_view between) {
+  return fmt::format("{}", fmt::join(words, between));
+}
+
+std::string list_line(const std::vector<std::string>& words) {
+  std::vector<std::string> fields;
+  fields.reserve(words.size());
+  for (const std::string& word : words) {
+    fields.push_back(quoted(word));
+  }
+  return joined(fields);
+}
+
+std::string markdown_text(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("\\`*_{}[]<>#|~&").find(c) != std::string_view::npos) {
+      escaped += '\\';
+    }
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::string html_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace changeover

@@ -1,0 +1,281 @@
+#include "plan/sheet/sheet_document.hpp"
+
+#include <fmt/format.h>
+
+#include "plan/sheet/page_style.hpp"
+#include "plan/sheet/sheet_words.hpp"
+#include "plan/sheet/step_table.hpp"
+
+namespace changeover {
+namespace {
+
+// The lists of parts that matter to a whole sheet.
+void add_lists(TableDocument& document, const Job& job) {
+  if (!job.mounted.empty()) {
+    document.lists.push_back("mounted all the time: " + joined(names_of(job, job.mounted)));
+  }
+}
+
+std::vector<std::string> mounted_on_page(const Job& job) {
+  return job.mounted.empty()
+             ? std::vector<std::string>()
+             : std::vector{"Stay mounted: " + joined(names_of(job, job.mounted), " · ")};
+}
+
+void set_lines(TableDocument& document, std::vector<std::string> lines) {
+  document.headline = std::move(lines.front());
+  lines.erase(lines.begin());
+  document.lines = std::move(lines);
+}
+
+std::vector<Figure> figures_of(const SheetDocument& document) {
+  const Job& job = *document.job;
+  const RunPlan& plan = *document.plan;
+  const RunSheet& sheet = plan.sheet;
+  const Money money(job, document.budget);
+  const bool triples = !job.triples.empty();
+  const std::string what = triples ? "Triples" : "Pairs";
+  const std::uint64_t needed = triples ? sheet.triples_needed : sheet.pairs_needed;
+  const std::uint64_t tested = triples ? sheet.triples_tested : sheet.pairs_tested;
+  std::vector<Figure> figures;
+  const auto count = [&](std::string name, std::uint64_t n, unsigned in = in_html | in_workbook) {
+    figures.push_back({.name = std::move(name), .words = std::to_string(n), .in = in});
+  };
+  const auto amount = [&](std::string name, Amount a, unsigned in = in_html | in_workbook) {
+    figures.push_back(
+        {.name = std::move(name), .words = money(a), .kind = ColumnKind::cost, .in = in});
+  };
+  figures.push_back({.name = "Parts, at a time",
+                     .words = fmt::format("{}, {}", job.parts(), job.at_once),
+                     .in = in_html});
+  count("Parts", job.parts(), in_workbook);
+  count("At a time", job.at_once, in_workbook);
+  count("Tests", sheet.steps.size());
+  if (job.tests_done > 0) {
+    count("Tests done before", job.tests_done, in_workbook);
+  }
+  count("Changes", sheet.changes);
+  count(what + " needed", needed, in_workbook);
+  count(what + " tested", tested, in_workbook);
+  figures.push_back(
+      {.name = what + " tested", .words = fmt::format("{} of {}", tested, needed), .in = in_html});
+  amount("Cost of one test", job.test_cost, in_workbook);
+  amount("Cost of tests", sheet.cost - sheet.change_cost);
+  amount("Cost of changes", sheet.change_cost);
+  amount("Total cost", sheet.cost);
+  amount("Lower bound for all " + what_meets(job), plan.bound.cost, in_workbook);
+  if (document.budget) {
+    amount("Budget", *document.budget);
+  }
+  return figures;
+}
+
+const ColumnStyle remark{.kind = ColumnKind::remark};
+
+std::string text(std::uint64_t n) { return std::to_string(n); }
+
+Table compared(const SheetDocument& document) {
+  const Job& job = *document.job;
+  const Money money(job, document.budget);
+  std::vector<std::vector<std::string>> rows;
+  for (const Candidate& c : document.plan->candidates) {
+    rows.push_back({c.name, text(c.tests()), text(c.changes), money(c.cost),
+                    text(tested_by(job, c)), difference(document, c), c.how});
+  }
+  return table_of({{"plan", {}},
+                   {"tests", number_column},
+                   {"changes", number_column},
+                   {"cost", cost_column},
+                   {what_meets(job), number_column},
+                   {"dearer by", number_column},
+                   {"how", remark}},
+                  std::move(rows));
+}
+
+Table compared(const BenchDocument& document) {
+  const Money money(*document.job);
+  std::vector<std::vector<std::string>> rows;
+  for (const BenchCandidate& c : document.plan->candidates) {
+    rows.push_back(
+        {c.name, text(c.tests), text(c.changes), money(c.largest), money(c.cost), c.how});
+  }
+  return table_of({{"plan", {}},
+                   {"tests", number_column},
+                   {"changes", number_column},
+                   {"largest", cost_column},
+                   {"together", cost_column},
+                   {"how", remark}},
+                  std::move(rows));
+}
+
+Table parts(const Job& job, const Money& money) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < job.names.size(); ++i) {
+    const bool is_free = job.slots.empty() || job.slot_of[i] == no_slot;
+    rows.push_back(
+        {job.names[i], money(job.change_costs[i]), is_free ? "" : job.slots[job.slot_of[i]].name});
+  }
+  Table table =
+      table_of({{"part", {}}, {"change_cost", cost_column}, {"slot", {}}}, std::move(rows));
+  if (job.slots.empty()) {
+    table.columns.pop_back();
+  }
+  return table;
+}
+
+std::string bench_name(std::size_t bench) { return fmt::format("Bench {}", bench + 1); }
+
+// What the tests of each bench come to.
+Table benches(const std::vector<RunSheet>& sheets, const Money& money) {
+  std::vector<std::vector<std::string>> rows;
+  for (const RunSheet& sheet : sheets) {
+    rows.push_back({bench_name(rows.size()), text(sheet.steps.size()), text(sheet.changes),
+                    money(sheet.cost)});
+  }
+  return table_of(
+      {{"bench", {}}, {"tests", number_column}, {"changes", number_column}, {"cost", cost_column}},
+      std::move(rows));
+}
+
+}  // namespace
+
+TableDocument table_document(const SheetDocument& document) {
+  const Job& job = *document.job;
+  const Money money(job, document.budget);
+  TableDocument made{.title = document.title,
+                     .figures = figures_of(document),
+                     .page_lines = mounted_on_page(job),
+                     .style = std::string(page_style),
+                     .overview = "Plan"};
+  set_lines(made, summary(document));
+  add_lists(made, job);
+  if (!job.start.empty()) {
+    made.page_lines.push_back("Mounted before the first step: " +
+                              joined(names_of(job, job.start), " · "));
+  }
+  if (job.tests_done > 0) {
+    made.page_lines.push_back(fmt::format("{} done before.", count_of(job.tests_done, "test")));
+  }
+  made.sections = {
+      {.table = step_table(job, {&document.plan->sheet}, money, {.compact = document.compact}),
+       .sheet = "Run sheet"},
+      {.heading = "Compared", .table = compared(document), .in = everywhere & ~in_csv},
+      {.table = parts(job, money), .in = in_workbook, .sheet = "Parts"}};
+  return made;
+}
+
+TableDocument table_document(const BenchDocument& document) {
+  const Job& job = *document.job;
+  const std::vector<RunSheet>& sheets = document.plan->sheets;
+  const Money money(job);
+  TableDocument made{.title = document.title, .style = std::string(page_style), .overview = "Plan"};
+  set_lines(made, bench_summary(document));
+  add_lists(made, job);
+  made.sections.push_back({.heading = "Compared", .table = compared(document), .in = in_html});
+  std::vector<const RunSheet*> all;
+  for (std::size_t bench = 0; bench < sheets.size(); ++bench) {
+    const RunSheet& sheet = sheets[bench];
+    all.push_back(&sheet);
+    made.sections.push_back(
+        {.heading = fmt::format("{}: {}, {}, cost {}", bench_name(bench),
+                                count_of(sheet.steps.size(), "test"),
+                                count_of(sheet.changes, "change"), money(sheet.cost)),
+         .page_lines = mounted_on_page(job),
+         .table = step_table(job, {&sheet}, money, {}),
+         .in = everywhere & ~in_csv,
+         .css = "bench",
+         .sheet = bench_name(bench),
+         .sheet_head = fmt::format("{}: {}", document.title, bench_name(bench))});
+  }
+  made.sections.push_back({.table = step_table(job, all, money, {.benches = true}), .in = in_csv});
+  made.sections.push_back({.table = benches(sheets, money), .in = in_workbook});
+  made.sections.push_back(
+      {.heading = "Compared", .table = compared(document), .in = everywhere & ~in_csv & ~in_html});
+  made.sections.push_back({.table = parts(job, money), .in = in_workbook, .sheet = "Parts"});
+  return made;
+}
+
+TableDocument table_document(const Job& job, const WhatIf& answer) {
+  const Money money(job);
+  std::vector<std::vector<std::string>> rows;
+  for (const WhatIf::Range& range : answer.ranges) {
+    const std::string from = range.from ? range.from->to_string() : "";
+    const std::string to = range.to ? range.to->to_string() : "";
+    rows.push_back({range.from ? from : "0", range.to ? to : "any", from, to,
+                    text(range.plan.tests()), text(range.plan.changes),
+                    money(range.plan.change_cost), range.plan.name});
+  }
+  // A file for programs leaves an end empty where there is none.
+  const ColumnStyle shown{.kind = ColumnKind::number, .in = for_people};
+  const ColumnStyle in_file{.kind = ColumnKind::number, .in = for_programs};
+  TableSection section{
+      .heading =
+          answer.by_factor
+              ? "If all change costs are multiplied by a factor, the cheapest plan that is "
+                "known has"
+              : "At a ratio of change cost to test cost, the cheapest plan that is known has",
+      .table = table_of({{"from", shown},
+                         {"to", shown},
+                         {"from", in_file},
+                         {"to", in_file},
+                         {"tests", number_column},
+                         {"changes", number_column},
+                         {"change_cost", {.kind = ColumnKind::cost, .in = for_programs}},
+                         {"plan", {}}},
+                        std::move(rows))};
+  if (answer.asked) {
+    section.notes.push_back(fmt::format("Your costs are at the {} {}.",
+                                        answer.by_factor ? "factor" : "ratio",
+                                        answer.asked->to_string()));
+  }
+  if (job.needed.size() == 0) {
+    section.notes.emplace_back("Nothing is left to test.");
+  }
+  for (std::string& line : what_if_notes(job, answer)) {
+    section.notes.push_back(std::move(line));
+  }
+  return {.sections = {std::move(section)}};
+}
+
+std::string sheet_as_table(const SheetDocument& document, std::size_t width) {
+  return document_text(table_document(document), width);
+}
+std::string sheet_as_csv(const SheetDocument& document) {
+  return document_csv(table_document(document));
+}
+std::string sheet_as_markdown(const SheetDocument& document) {
+  return document_markdown(table_document(document));
+}
+std::string sheet_as_html(const SheetDocument& document) {
+  return document_html(table_document(document));
+}
+std::string sheet_as_xlsx(const SheetDocument& document) {
+  return document_workbook(table_document(document));
+}
+std::string benches_as_table(const BenchDocument& document, std::size_t width) {
+  return document_text(table_document(document), width);
+}
+std::string benches_as_csv(const BenchDocument& document) {
+  return document_csv(table_document(document));
+}
+std::string benches_as_markdown(const BenchDocument& document) {
+  return document_markdown(table_document(document));
+}
+std::string benches_as_html(const BenchDocument& document) {
+  return document_html(table_document(document));
+}
+std::string benches_as_xlsx(const BenchDocument& document) {
+  return document_workbook(table_document(document));
+}
+std::string what_if_as_table(const Job& job, const WhatIf& answer) {
+  constexpr std::size_t wide = 200;
+  return document_text(table_document(job, answer), wide);
+}
+std::string what_if_as_csv(const Job& job, const WhatIf& answer) {
+  return document_csv(table_document(job, answer));
+}
+std::string what_if_as_markdown(const Job& job, const WhatIf& answer) {
+  return document_markdown(table_document(job, answer));
+}
+
+}  // namespace changeover
