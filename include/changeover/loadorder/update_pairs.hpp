@@ -65,7 +65,7 @@ struct UpdateOptions {
   std::string journal;                           ///< path
   std::uint64_t checkpoint_every = 100;          ///< steps
   std::string job = {};                          ///< names what is computed
-  StepWorkOptions work = {};                     ///< which pairs: both ways, items alone, shuffled
+  ComputeRules work = {};                        ///< which pairs: both ways, items alone, shuffled
   const std::atomic<bool>* cancelled = nullptr;  ///< looked at after each step
   std::function<void(std::uint64_t step)> on_step = {};  ///< after each step
   std::function<void()> before_write = {};  ///< before anything is written; for tests of crashes

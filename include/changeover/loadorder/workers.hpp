@@ -68,6 +68,9 @@ class WorkerSplit {
   /// all workers if these are read in their order, each stream to its end. @throws BadInput if there is no such worker.
   [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
 
+  /// The steps of all workers, one worker after another. It may not outlive this.
+  [[nodiscard]] std::unique_ptr<StepSource> stream() const;
+
  private:
   friend WorkerSplit split_order(LoadOrder, std::uint64_t, std::uint64_t, std::uint64_t);
   friend WorkerSplit split_load_order(std::uint64_t, std::uint64_t, std::uint64_t,

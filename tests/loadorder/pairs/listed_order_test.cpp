@@ -8,7 +8,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/scope.hpp"
@@ -105,22 +104,16 @@ TEST(ListedOrder, LoadsWhatOccursAndNothingElse) {
 
 TEST(ListedOrder, CheckSeesEachPairAndEachLonelyItemThatIsMissed) {
   const WantedPairs wanted = listed(5, {{0, 1}, {1, 2}, {3, 3}});
-  LoadCheckOptions options;
-  options.wanted = wanted;
-  const auto verdict_of = [&](const std::vector<LoadStep>& steps) {
-    LoadCheck check(5, 2, options);
-    for (const LoadStep& step : steps) {
-      check.read(step);
-    }
-    return check.finish();
+  const auto verdict_of = [&](const std::vector<Step>& steps) {
+    return test::verdict_of(steps, {.items = 5, .room = 2, .wanted = wanted});
   };
-  const std::vector<LoadStep> right{{1, {}, {0, 1}}, {2, {0}, {2}}, {3, {1}, {3}}};
+  const std::vector<Step> right{{1, {}, {0, 1}}, {2, {0}, {2}}, {3, {1}, {3}}};
   EXPECT_TRUE(verdict_of(right).valid());
-  EXPECT_EQ(verdict_of({right[0], right[1]}).uncovered_example, "{3,3}");
-  EXPECT_EQ(verdict_of({right[0], {2, {1}, {2}}, {3, {2}, {3}}}).uncovered_example, "{1,2}");
+  EXPECT_EQ(verdict_of({right[0], right[1]}).example, "{3,3}");
+  EXPECT_EQ(verdict_of({right[0], {2, {1}, {2}}, {3, {2}, {3}}}).example, "{1,2}");
   EXPECT_EQ(verdict_of({right[0], {2, {}, {2}}}).fault, "step 2 loads 2 when memory is full");
   EXPECT_EQ(verdict_of({right[0], {2, {4}, {2}}}).fault, "step 2 evicts 4, which is not in memory");
-  EXPECT_THROW(LoadCheck(6, 2, options), BadInput);
+  EXPECT_THROW(ScheduleCheck({.items = 6, .room = 2, .wanted = wanted}), BadInput);
 }
 
 TEST(ListedOrder, IsTheSameForTheSameSeed) {
@@ -131,7 +124,7 @@ TEST(ListedOrder, IsTheSameForTheSameSeed) {
     const LoadOrder order = plan_load_order(wanted, 6, options);
     std::vector<Element> list;
     const auto steps = order.stream();
-    for (LoadStep step; steps->next(step);) {
+    for (Step step; steps->next(step);) {
       list.insert(list.end(), step.load.begin(), step.load.end());
     }
     return list;
