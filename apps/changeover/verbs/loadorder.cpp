@@ -169,6 +169,11 @@ Answer run(const LoadOrderRequest& request) {
     const auto order =
         std::make_shared<const TwoLevelOrder>(plan_two_levels(items, room, *request.fast_room));
     answer.write = [how, order](OutputFile& out) { show_loads(*order, how, out); };
+  } else if (request.workers && request.prefetch) {
+    const auto plan = std::make_shared<const PrefetchSplit>(
+        wanted.are_all() ? split_prefetch(items, room, *request.workers, options)
+                         : split_prefetch(wanted, room, *request.workers, options));
+    answer.write = [how, room, plan](OutputFile& out) { show_loads(*plan, room, how, out); };
   } else if (request.workers) {
     const auto split = std::make_shared<const WorkerSplit>(
         wanted.are_all() ? split_load_order(items, room, *request.workers, options)
@@ -218,13 +223,10 @@ void add_loadorder(Program& program) {
   verb.flag("--shuffle", request.shuffle, "pairs of a step in random order, by --seed");
   request.run.add_to(verb, "0s", request.output);
   request.output.add_to(verb, {"text", "jsonl", "csv"});
-  verb.exclude({"--workers", "--prefetch"});
   verb.exclude({"--new-pairs", "--prefetch"});
   verb.only_with({"--disjoint"}, {"--workers"});
-  verb.exclude({"--write-back", "--prefetch"});
   verb.never_with({"--fast-room"},
-                  {"--workers", "--prefetch", "--write-back", "--pairs", "--against",
-                   "--done-items", "--ordered", "--self", "--shuffle", "--time"});
+                  {"--workers", "--prefetch", "--pairs", "--against", "--done-items", "--time"});
   verb.only_with({"--item-bytes"}, {"--fast-room"});
   verb.require([&request = request] {
     if (request.write_back && request.workers && !request.disjoint) {
@@ -232,8 +234,9 @@ void add_loadorder(Program& program) {
           "--write-back --workers: two workers would change one item at once; add --disjoint"};
     }
   });
-  verb.never_with({"--disjoint"}, {"--pairs", "--against", "--done-items"});
-  verb.only_with({"--ordered", "--self", "--shuffle"}, {"--new-pairs", "--write-back"});
+  verb.never_with({"--disjoint"}, {"--prefetch", "--pairs", "--against", "--done-items"});
+  verb.only_with({"--ordered", "--self", "--shuffle"},
+                 {"--new-pairs", "--write-back", "--prefetch"});
   verb.exclude({"--pairs", "--against", "--done-items"});
   verb.never_with({"--time"}, {"--against", "--done-items"});
   verb.require([&request = request] {

@@ -1,20 +1,24 @@
-// Load orders for workers that step together and never hold one item twice: what training needs, where items change.
+// Load orders for workers that step together and never hold one item twice: what training needs,
+// where items change.
 //
 //     DisjointOrder order = plan_disjoint_order(64, 8, 4);
 //     order.facts().span;                      // what the slowest loads of all steps add up to
 //     StepWork work(order.stream(), order.rules());
 //     check_schedule(work, order.rules()).valid();   // true: disjoint at every step
 //
-// *A step.* All workers evict; all wait for each other; all load; all compute. So one barrier a step is enough, the one between
-// evicting and loading, and an item may go from one worker to another within a step. After the loads of a step no item is held
-// by two workers, so what one of them computes touches nothing of another's. A worker may have nothing to do in a step; every
+// *A step.* All workers evict; all wait for each other; all load; all compute. So one barrier a
+// step is enough, the one between evicting and loading, and an item may go from one worker to
+// another within a step. After the loads of a step no item is held by two workers, so what one of
+// them computes touches nothing of another's. A worker may have nothing to do in a step; every
 // worker has equally many.
 //
-// *The cost.* With a barrier a step takes as long as its slowest worker: the *span* is the sum over all steps of the most loads
-// that one worker has in it. Orders are told apart by span, then by the loads of all workers.
+// *The cost.* With a barrier a step takes as long as its slowest worker: the *span* is the sum over
+// all steps of the most loads that one worker has in it. Orders are told apart by span, then by the
+// loads of all workers.
 //
-// *Bounds.* The workers' lists of sets end to end are one list in which all pairs meet, so all loads together are at least
-// load_lower_bound(P, C); the busiest worker has at least makespan_lower_bound(P, C, W), and the span is no less than that.
+// *Bounds.* The workers' lists of sets end to end are one list in which all pairs meet, so all
+// loads together are at least load_lower_bound(P, C); the busiest worker has at least
+// makespan_lower_bound(P, C, W), and the span is no less than that.
 //
 // *Where orders come from.* One worker: plan_load_order(). Else the best of
 //   eras     W groups of n ≤ C−1 items stay, one at each worker, while all groups that are left pass, each at another worker in
@@ -56,7 +60,8 @@ class DisjointOrder {
  public:
   using Maker = std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>;
 
-  /// An order of your own: `maker` makes the steps of a worker, equally many for each. Nothing is checked.
+  /// An order of your own: `maker` makes the steps of a worker, equally many for each. Nothing is
+  /// checked.
   DisjointOrder(DisjointFacts facts, Maker maker)
       : facts_(std::move(facts)), maker_(std::move(maker)) {}
 
@@ -79,9 +84,10 @@ class DisjointOrder {
   Maker maker_;
 };
 
-/// The best order that is known, verified by ScheduleCheck. With `options.search_pairs` it is grown anew until the time is
-/// over, otherwise for a fixed amount of work. @throws as plan_load_order(); BadInput if there are less than W·C items, or W is 0 or
-/// exceeds 65,536; ImpossibleParameters above 65,535 items.
+/// The best order that is known, verified by ScheduleCheck. With `options.search_pairs` it is grown
+/// anew until the time is over, otherwise for a fixed amount of work. @throws as plan_load_order();
+/// BadInput if there are less than W·C items, or W is 0 or exceeds 65,536; ImpossibleParameters
+/// above 65,535 items.
 [[nodiscard]] DisjointOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room,
                                                 std::uint64_t workers,
                                                 const LoadOrderOptions& options = {});

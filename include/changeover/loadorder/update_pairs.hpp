@@ -8,7 +8,7 @@
 //       train(pair.first.bytes, pair.second.bytes);          // both may be written
 //     }, options);
 //
-// *Contract.* `update` is called once for each pair that LockstepWork gives, with the bytes of both items in memory: pairs of
+// *Contract.* `update` is called once for each pair that StepWork gives, with the bytes of both items in memory: pairs of
 // one worker one after another, those of different workers at the same time, in the order of the steps. No item is with two workers at
 // once, so `update` may write both items without a lock, and if it depends on nothing else the result depends on the order and the data
 // alone. A worker is a task of a pool of as many threads.

@@ -4,36 +4,40 @@
 #include <utility>
 
 namespace changeover {
-
 namespace {
 
-// In pairs: what the model of the summary says.
-std::uint64_t time_of(const LoadOrder& order, std::uint64_t room) {
-  const LoadOrderFacts& facts = order.facts();
-  StepWork schedule(order.stream(), {.items = facts.items,
-                                     .room = room,
-                                     .wanted = facts.wanted,
-                                     .compute = ComputeRules{},
-                                     .overlap = true});
+// In pairs: what the model of the summary says, of the worker that takes longest.
+std::uint64_t time_of(std::unique_ptr<StepSource> steps, std::uint64_t items, std::uint64_t room,
+                      const WantedPairs& wanted) {
+  StepWork schedule(
+      std::move(steps),
+      {.items = items, .room = room, .wanted = wanted, .compute = ComputeRules{}, .overlap = true});
+  std::uint64_t longest = 0;
   std::uint64_t total = 0;
   std::uint64_t overlap = 0;
   for (Step step; schedule.next(step);) {
+    if (step.number == 1) {
+      longest = std::max(longest, total + overlap);
+      total = overlap = 0;
+    }
     total += std::max<std::uint64_t>(overlap, step.load.size() * (room - 1)) + step.compute.size();
     overlap = step.overlap.size();
   }
-  return total + overlap;
+  return std::max(longest, total + overlap);
 }
 
 // `plan` makes an order for a room.
 template <typename Plan>
-PrefetchPlan better_way(std::uint64_t items, std::uint64_t room, Plan&& plan) {
-  LoadOrder whole = plan(room);
+auto better_way(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted, Plan&& plan)
+    -> Prefetched<decltype(plan(room))> {
+  auto whole = plan(room);
   if (room < 3 || items <= room) {
     return {std::move(whole), 0};
   }
   constexpr std::uint64_t most_compared = 2000;
-  LoadOrder less = plan(room - 1);
-  if (items <= most_compared && time_of(whole, room) <= time_of(less, room)) {
+  auto less = plan(room - 1);
+  if (items <= most_compared &&
+      time_of(whole.stream(), items, room, wanted) <= time_of(less.stream(), items, room, wanted)) {
     return {std::move(whole), 0};
   }
   return {std::move(less), 1};
@@ -43,14 +47,28 @@ PrefetchPlan better_way(std::uint64_t items, std::uint64_t room, Plan&& plan) {
 
 PrefetchPlan plan_prefetch(std::uint64_t items, std::uint64_t room,
                            const LoadOrderOptions& options) {
-  return better_way(items, room,
+  return better_way(items, room, {},
                     [&](std::uint64_t places) { return plan_load_order(items, places, options); });
 }
 
 PrefetchPlan plan_prefetch(const WantedPairs& wanted, std::uint64_t room,
                            const LoadOrderOptions& options) {
-  return better_way(wanted.items(), room,
+  return better_way(wanted.items(), room, wanted,
                     [&](std::uint64_t places) { return plan_load_order(wanted, places, options); });
+}
+
+PrefetchSplit split_prefetch(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
+                             const LoadOrderOptions& options) {
+  return better_way(items, room, {}, [&](std::uint64_t places) {
+    return split_load_order(items, places, workers, options);
+  });
+}
+
+PrefetchSplit split_prefetch(const WantedPairs& wanted, std::uint64_t room, std::uint64_t workers,
+                             const LoadOrderOptions& options) {
+  return better_way(wanted.items(), room, wanted, [&](std::uint64_t places) {
+    return split_load_order(wanted, places, workers, options);
+  });
 }
 
 }  // namespace changeover

@@ -113,7 +113,10 @@ class StepWork::State {
     std::size_t done = 0;
     for (std::size_t i = 0; i < to.load.size() && compute_.self; ++i) {
       if (from.is_new[i]) {
-        to.compute.emplace_back(to.load[i], to.load[i]);
+        const std::vector<Element>& early = from.evicted_first;
+        const bool waits =
+            rules_.overlap && std::find(early.begin(), early.end(), to.load[i]) == early.end();
+        (waits ? to.overlap : to.compute).emplace_back(to.load[i], to.load[i]);
       }
       if (rules_.lockstep > 0) {
         add(from.pairs, done, from.arrival_end[i], to.compute);

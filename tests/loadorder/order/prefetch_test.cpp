@@ -68,6 +68,49 @@ TEST(Prefetch, PlanLeavesAPlaceWhereItemsPassOneByOne) {
   EXPECT_EQ(plan_prefetch(9, 20).spare, 0U);
 }
 
+// Every way in which work can be asked for, with workers one after another.
+TEST(Prefetch, GoesWithWorkersStoresBothWaysAndItemsAlone) {
+  for (const std::uint64_t workers : {1U, 2U, 3U, 7U}) {
+    for (const std::uint64_t room : {2U, 3U, 6U, 20U}) {
+      for (const std::uint64_t items : {1U, 5U, 19U, 24U}) {
+        const PrefetchSplit plan = split_prefetch(items, room, workers);
+        ScheduleRules rules = rules_of(items, room);
+        rules.compute = ComputeRules{.ordered = true, .self = true, .shuffle = 5};
+        rules.store = workers == 1;
+        const std::vector<Step> steps = work_of(plan.order.stream(), rules);
+        const ScheduleVerdict verdict = test::verdict_of(steps, rules);
+        EXPECT_TRUE(verdict.valid()) << verdict.fault << " " << items << " " << room;
+        EXPECT_EQ(verdict.computed, items * items);
+        EXPECT_EQ(verdict.loads, plan.order.facts().loads);
+        if (rules.store) {
+          EXPECT_GE(verdict.stores, load_lower_bound(items, room).loads);
+          auto lost = steps;
+          lost.back().store.pop_back();
+          EXPECT_NE(test::verdict_of(lost, rules).fault.find("loses"), std::string::npos);
+        }
+      }
+    }
+  }
+}
+
+TEST(Prefetch, CheckSeesWhatIsStoredBeforeItsPairsAreComputed) {
+  ScheduleRules rules = rules_of(12, 6);
+  rules.store = true;
+  const LoadOrder order = plan_load_order(12, 5);  // with a place to spare all goes late
+  const std::vector<Step> right = work_of(order.stream(), rules);
+  ASSERT_TRUE(test::verdict_of(right, rules).valid());
+  int seen = 0;
+  for (std::size_t i = 1; i + 1 < right.size(); ++i) {
+    auto early = right;
+    early[i].late = 0;
+    seen += test::verdict_of(early, rules).valid() ? 0 : 1;
+  }
+  EXPECT_GT(seen, 5);
+  auto more = right;
+  more[1].late = more[1].evict.size() + 1;
+  EXPECT_NE(test::verdict_of(more, rules).fault.find("late"), std::string::npos);
+}
+
 TEST(Prefetch, CheckRejectsPairsThatWentOrHaveNotArrivedAndPairsTwice) {
   const LoadOrder order = plan_load_order(12, 4);
   const std::vector<Step> good = schedule_of(order, 4);

@@ -101,7 +101,7 @@ TEST(StepWork, CheckSeesWhatIsMissedRepeatedOrNotThere) {
   EXPECT_EQ(verdict_of(order, steps, options).repeated, 1U);
   steps = right;
   steps[0].compute.push_back(right.back().compute.back());
-  EXPECT_NE(verdict_of(order, steps, options).fault.find("not in memory"), std::string::npos);
+  EXPECT_NE(verdict_of(order, steps, options).fault.find("not both in memory"), std::string::npos);
   steps = right;
   steps[1].evict.push_back(steps[1].load.front());
   EXPECT_NE(verdict_of(order, steps, options).fault.find("evicts"), std::string::npos);

@@ -98,6 +98,30 @@ TEST(TwoLevels, BothLevelsAreCloseToTheirBoundsIfTheyAreFarApart) {
   EXPECT_LE(facts.transfers * 10, facts.transfer_bound.loads * 13);
 }
 
+TEST(TwoLevels, GoWithStoresBothWaysAndItemsAlone) {
+  for (const auto& [items, room, fast_room] :
+       {std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>{16, 8, 3},
+        {24, 15, 4},
+        {9, 4, 4}}) {
+    const TwoLevelOrder order = plan_two_levels(items, room, fast_room);
+    ScheduleRules rules = order.rules();
+    rules.compute = ComputeRules{.ordered = true, .self = true, .shuffle = 2};
+    rules.store = true;
+    const std::vector<Step> steps = work_of(order.stream(), rules);
+    const ScheduleVerdict verdict = verdict_of(steps, rules);
+    EXPECT_TRUE(verdict.valid()) << verdict.fault;
+    EXPECT_EQ(verdict.computed, items * items);
+    EXPECT_EQ(verdict.transfers, order.facts().transfers);
+    EXPECT_GE(verdict.stores, store_lower_bound(order.facts().load_bound, {}, items, true).loads);
+    auto lost = steps;
+    lost.back().store.pop_back();
+    EXPECT_NE(verdict_of(lost, rules).fault.find("loses"), std::string::npos);
+    auto held = steps;
+    held.back().fast_evict.clear();
+    EXPECT_NE(verdict_of(held, rules).fault.find("on the accelerator"), std::string::npos);
+  }
+}
+
 TEST(TwoLevels, ChecksRefuseWhatIsWrong) {
   const TwoLevelOrder order = plan_two_levels(16, 8, 3);
   const auto right = all_steps(*order.stream());

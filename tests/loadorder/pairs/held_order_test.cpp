@@ -88,12 +88,12 @@ TEST(HeldOrder, OfMillionsOfItemsIsMadeAsItGoes) {
 TEST(HeldOrder, IsPrefetchedAndSplit) {
   for (const WantedPairs& wanted : {WantedPairs::between(9, 14), WantedPairs::beyond(12, 20)}) {
     const PrefetchPlan plan = plan_prefetch(wanted, 5);
-    PrefetchSchedule schedule(plan.order.stream(), wanted.items(), 5, wanted);
-    PrefetchCheck check(wanted.items(), 5, wanted);
-    for (PrefetchStep step; schedule.next(step);) {
-      check.read(step);
-    }
-    const PrefetchVerdict verdict = check.finish();
+    const ScheduleRules rules{.items = wanted.items(),
+                              .room = 5,
+                              .wanted = wanted,
+                              .compute = ComputeRules{},
+                              .overlap = true};
+    const ScheduleVerdict verdict = verdict_of(work_of(plan.order.stream(), rules), rules);
     EXPECT_TRUE(verdict.valid()) << verdict.fault;
     EXPECT_EQ(verdict.computed, wanted.count());
     const WorkerSplit split = split_load_order(wanted, 5, 3);

@@ -148,22 +148,15 @@ TEST(ListedOrder, IsPrefetchedAndSplitAndRun) {
   const auto pairs = close_points(30, 90, 5);
   const WantedPairs wanted = listed(30, pairs);
   const PrefetchPlan plan = plan_prefetch(wanted, 6);
-  PrefetchSchedule schedule(plan.order.stream(), 30, 6, wanted);
-  PrefetchCheck check(30, 6, wanted);
-  std::vector<PrefetchStep> steps;
-  for (PrefetchStep step; schedule.next(step);) {
-    check.read(step);
-    steps.push_back(step);
-  }
-  const PrefetchVerdict verdict = check.finish();
+  ScheduleRules rules{
+      .items = 30, .room = 6, .wanted = wanted, .compute = ComputeRules{}, .overlap = true};
+  const std::vector<Step> steps = work_of(plan.order.stream(), rules);
+  const ScheduleVerdict verdict = verdict_of(steps, rules);
   EXPECT_TRUE(verdict.valid()) << verdict.fault;
   EXPECT_EQ(verdict.computed, 90U);
   // A pair that is not wanted is a fault, one that is left out is missing.
-  PrefetchCheck other(30, 6, listed(30, {pairs.begin() + 1, pairs.end()}));
-  for (const PrefetchStep& step : steps) {
-    other.read(step);
-  }
-  EXPECT_NE(other.finish().fault.find("which is not wanted"), std::string::npos);
+  rules.wanted = listed(30, {pairs.begin() + 1, pairs.end()});
+  EXPECT_NE(verdict_of(steps, rules).fault.find("which is not wanted"), std::string::npos);
 
   for (const std::uint64_t workers : {1U, 3U, 200U}) {
     const WorkerSplit split = split_load_order(wanted, 6, workers);

@@ -78,6 +78,18 @@ class Said {
     return rules_.store ? "; no change is lost" : "";
   }
 
+  /// What overlaps, for the head in JSON; one line about it.
+  std::string overlap(JsonWriter& json, const LoadOrderFacts& facts,
+                      std::uint64_t order_room) const {
+    json.key("order_room").value(order_room);
+    if (!facts.every_step_read) {
+      return facts.certificate + "; a pair may be computed more than once" + no_change_lost();
+    }
+    json.key("pairs").value(checked_.computed).key("overlapped").value(checked_.overlapped);
+    return fmt::format("simulated, all {} pairs computed once, {} of them while items load{}",
+                       checked_.computed, checked_.overlapped, no_change_lost());
+  }
+
   /// What is stored, for the head in JSON, and in text.
   std::string stores(JsonWriter& json, const LoadBound& bound) const {
     if (!rules_.store) {
@@ -225,32 +237,52 @@ void show_loads(const LoadOrder& order, const LoadsShown& how, OutputFile& out) 
   said.write(writer, to_follow(facts));
 }
 
-void show_loads(const WorkerSplit& split, const LoadsShown& how, OutputFile& out) {
+namespace {
+
+constexpr const char* spare_places[] = {"no place is kept for what is loading\n",
+                                        "one of the places is kept for what is loading\n"};
+constexpr const char* overlapping_step =
+    "each step: wait for load, compute before; evict first of the next step, start its loads; "
+    "compute the others; evict late\n";
+
+// `spare` is given if loads overlap computation; `room` includes it then.
+void show_split(const WorkerSplit& split, std::uint64_t room, std::optional<std::uint64_t> spare,
+                const LoadsShown& how, OutputFile& out) {
   const SplitFacts& facts = split.facts();
   // Groups of items have small orders, which were read.
   LoadOrderFacts whole = split.order().facts();
   whole.items = facts.items;
-  whole.room = facts.room;
+  whole.room = room;
   whole.loads = facts.loads;
   whole.explanation = facts.explanation;
   whole.certificate = facts.certificate;
-  Said said([&split] { return split.stream(); }, rules_of(whole), how);
-  said.check(facts.loads);
-  const std::string verified = certificate(whole) + said.verified();
+  const std::uint64_t workers = facts.workers.size();
+  const LoadBound makespan_bound = !spare ? facts.makespan_bound
+                                   : whole.wanted.are_all()
+                                       ? makespan_lower_bound(whole.items, room, workers)
+                                       : makespan_lower_bound(whole.wanted, room, workers);
+  ScheduleRules rules = rules_of(whole);
+  rules.overlap = spare.has_value();
+  Said said([&split] { return split.stream(); }, rules, how);
+  if (!spare || whole.every_step_read) {
+    said.check(facts.loads);
+  }
   JsonWriter json = head_of(whole, bound_for(whole), whole.steps);
-  json.key("workers").value(facts.workers.size()).key("makespan").value(facts.makespan);
-  json.key("makespan_bound").value(facts.makespan_bound.loads);
-  json.key("makespan_bound_reason").value(facts.makespan_bound.reason);
-  json.key("groups").value(facts.groups).key("verified").value(verified);
-  std::string text =
-      fmt::format("{}{} for {}, the busiest has {}, {}\n", sentence(whole),
-                  count_of(facts.loads, "load"), count_of(facts.workers.size(), "worker"),
-                  facts.makespan, over(facts.makespan, facts.makespan_bound));
+  json.key("workers").value(workers).key("makespan").value(facts.makespan);
+  json.key("makespan_bound").value(makespan_bound.loads);
+  json.key("makespan_bound_reason").value(makespan_bound.reason);
+  json.key("groups").value(facts.groups);
+  const std::string verified =
+      spare ? said.overlap(json, whole, facts.room) : certificate(whole) + said.verified();
+  json.key("verified").value(verified);
+  std::string text = fmt::format("{}{} for {}, the busiest has {}, {}\n", sentence(whole),
+                                 count_of(facts.loads, "load"), count_of(workers, "worker"),
+                                 facts.makespan, over(facts.makespan, makespan_bound));
   text += facts.groups == facts.items ? std::string()
                                       : fmt::format("items in {} groups, room for {} groups\n",
                                                     facts.groups, facts.group_room);
-  text += fmt::format("{}: {}\nbound: {}\nverified: {}\n", whole.method, whole.explanation,
-                      facts.makespan_bound.reason, verified);
+  text += fmt::format("{}{}: {}\nbound: {}\nverified: {}\n", spare ? spare_places[*spare] : "",
+                      whole.method, whole.explanation, makespan_bound.reason, verified);
   std::vector<std::uint64_t> loads;
   for (const WorkerFacts& worker : facts.workers) {
     text += fmt::format("worker {}: {} in {}\n", loads.size(), count_of(worker.loads, "load"),
@@ -259,8 +291,19 @@ void show_loads(const WorkerSplit& split, const LoadsShown& how, OutputFile& out
   }
   list_loads(json, loads);
   StepWriter writer = said.writer(out, true);
-  writer.begin(json.end_object().take(), text);
-  said.write(writer, to_follow(whole));
+  writer.begin(json.end_object().take(), text + (spare ? overlapping_step : ""));
+  said.write(writer, spare ? std::nullopt : to_follow(whole));
+}
+
+}  // namespace
+
+void show_loads(const WorkerSplit& split, const LoadsShown& how, OutputFile& out) {
+  show_split(split, split.facts().room, {}, how, out);
+}
+
+void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how,
+                OutputFile& out) {
+  show_split(plan.order, room, plan.spare, how, out);
 }
 
 void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how,
@@ -270,34 +313,20 @@ void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& 
   ScheduleRules rules = rules_of(facts);
   rules.overlap = true;
   Said said([&plan] { return plan.order.stream(); }, rules, how);
-  const std::uint64_t steps = facts.steps + (how.write_back ? 1 : 0);
-  const LoadBound bound = bound_for(facts);
-  JsonWriter json = head_of(facts, bound, steps);
-  json.key("order_room").value(plan.order.facts().room);
-  std::string certificate = facts.certificate;
   if (facts.every_step_read || how.write_back) {
     said.check(facts.loads);
   }
-  if (facts.every_step_read) {
-    certificate = fmt::format("simulated, all {} pairs computed once, {} of them while items load",
-                              said.checked().computed, said.checked().overlapped);
-    json.key("pairs").value(said.checked().computed);
-    json.key("overlapped").value(said.checked().overlapped);
-  } else {
-    certificate += "; a pair may be computed more than once";
-  }
-  certificate += said.no_change_lost();
+  const std::uint64_t steps = facts.steps + (how.write_back ? 1 : 0);
+  const LoadBound bound = bound_for(facts);
+  JsonWriter json = head_of(facts, bound, steps);
   const std::string stores = said.stores(json, bound);
+  const std::string verified = said.overlap(json, facts, plan.order.facts().room);
   StepWriter writer = said.writer(out, false);
-  writer.begin(json.key("verified").value(certificate).end_object().take(),
-               fmt::format("{}{} in {}, lower bound {}\n{} is kept for what is loading\n{}{}: {}\n"
-                           "verified: {}\n"
-                           "each step: wait for load, compute before; evict first of the next "
-                           "step, start its loads; "
-                           "compute the others; evict late\n",
+  writer.begin(json.key("verified").value(verified).end_object().take(),
+               fmt::format("{}{} in {}, lower bound {}\n{}{}{}: {}\nverified: {}\n{}",
                            sentence(facts), count_of(facts.loads, "load"), count_of(steps, "step"),
-                           bound.loads, plan.spare == 0 ? "no place" : "one of the places", stores,
-                           facts.method, facts.explanation, certificate));
+                           bound.loads, spare_places[plan.spare], stores, facts.method,
+                           facts.explanation, verified, overlapping_step));
   said.write(writer);
 }
 

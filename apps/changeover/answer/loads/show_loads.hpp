@@ -34,6 +34,8 @@ void show_loads(const DisjointOrder& order, const LoadsShown& how, OutputFile& o
 /// `room` counts what is on its way.
 void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how,
                 OutputFile& out);
+void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how,
+                OutputFile& out);
 /// With bytes if it is known how many an item has. @throws ImpossibleParameters if bytes exceed 64
 /// bits
 void show_loads(const TwoLevelOrder& order, const LoadsShown& how, OutputFile& out);
