@@ -144,7 +144,7 @@ void executor(benchmark::State& state) {
 std::vector<Element> sequence_of(const LoadOrder& order) {
   std::vector<Element> items;
   const auto steps = order.stream();
-  for (LoadStep step; steps->next(step);) {
+  for (Step step; steps->next(step);) {
     items.insert(items.end(), step.load.begin(), step.load.end());
   }
   return items;

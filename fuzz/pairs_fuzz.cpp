@@ -4,7 +4,6 @@
 #include <functional>
 #include <set>
 
-#include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 #include "changeover/run/scope.hpp"
@@ -52,9 +51,10 @@ void order_of(const std::shared_ptr<const PairGraph>& graph) {
   for (const std::uint64_t room : {2U, 3U, 7U}) {
     const LoadOrder order = plan_load_order(wanted, room, options);
     const auto steps = order.stream();
-    const LoadVerdict verdict = check_loads(*steps, graph->items(), room, {.wanted = wanted});
+    const ScheduleVerdict verdict =
+        check_schedule(*steps, {.items = graph->items(), .room = room, .wanted = wanted});
     must(verdict.valid() && verdict.loads == order.facts().loads,
-         "a load order is one: " + verdict.fault + verdict.uncovered_example);
+         "a load order is one: " + verdict.fault + verdict.example);
     must(verdict.loads >= load_lower_bound(wanted, room).loads, "no order is below its bound");
   }
 }

@@ -12,13 +12,13 @@
 namespace changeover {
 namespace {
 
-using Steps = std::vector<LoadStep>;
+using Steps = std::vector<Step>;
 
 class ListedSteps final : public StepSource {
  public:
   explicit ListedSteps(std::shared_ptr<const Steps> steps) : steps_(std::move(steps)) {}
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     if (position_ == steps_->size()) {
       return false;
     }
@@ -55,14 +55,14 @@ void check(std::uint64_t items, std::uint64_t room) {
   }
 }
 
-LoadStep first_step(std::uint64_t count) {
-  LoadStep step;
+Step first_step(std::uint64_t count) {
+  Step step;
   step.load.resize(static_cast<std::size_t>(count));
   std::iota(step.load.begin(), step.load.end(), 0U);
   return step;
 }
 
-LoadStep exchange(Element in, Element out) { return {0, {out}, {in}}; }
+Step exchange(Element in, Element out) { return {0, {out}, {in}}; }
 
 // Rounds of C−1 held items, the last place being the last entry of `memory`. With `hold_the_last`, what
 // passed last counts among those to be held next and one of the old ones becomes the place to pass.
@@ -112,7 +112,7 @@ class LeastRecentlyUsed {
       : room_(room), where_(static_cast<std::size_t>(items), order_.end()) {}
 
   void ask(Element x, Element y) {
-    LoadStep step;
+    Step step;
     touch(x, step);
     touch(y, step);
     if (!step.load.empty()) {
@@ -123,7 +123,7 @@ class LeastRecentlyUsed {
   [[nodiscard]] Steps take() { return std::move(steps_); }
 
  private:
-  void touch(Element x, LoadStep& step) {
+  void touch(Element x, Step& step) {
     if (where_[x] != order_.end()) {
       order_.splice(order_.begin(), order_, where_[x]);
       return;

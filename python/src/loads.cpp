@@ -24,7 +24,7 @@ struct Steps {
 
 py::tuple next_step(Steps& self) {
   const OneAtATime one(self.busy);
-  LoadStep step;
+  Step step;
   bool more = false;
   {
     const GilReleased released;

@@ -13,7 +13,7 @@ struct changeover_loadorder {
   explicit changeover_loadorder(changeover::LoadOrder given) : order(std::move(given)) {}
 
   changeover::LoadOrder order;
-  changeover::LoadStep step;
+  changeover::Step step;
   std::string error;
 };
 
@@ -75,7 +75,7 @@ int changeover_loadorder_next(changeover_loadorder* order, changeover_loadorder_
         if (!order->order.next(order->step)) {
           return CHANGEOVER_LOADORDER_END;
         }
-        const changeover::LoadStep& next = order->step;
+        const changeover::Step& next = order->step;
         *step = {next.number, next.evict.data(), next.evict.size(), next.load.data(),
                  next.load.size()};
         return CHANGEOVER_LOADORDER_STEP;

@@ -42,13 +42,8 @@ TEST_F(LoadOrderExamples, Disjoint) {
   DisjointOrder order = plan_disjoint_order(64, 8, 4);
   EXPECT_GE(order.facts().span,
             order.facts().makespan);  // what the slowest loads of all steps add up to
-  LockstepWork work(order);
-  LockstepCheck check(64, 8, 4);
-  std::vector<WorkStep> steps;  // one for each worker
-  while (work.next(steps)) {
-    check.read(steps);
-  }
-  EXPECT_TRUE(check.finish().valid());
+  StepWork work(order.stream(), order.rules());
+  EXPECT_TRUE(check_schedule(work, order.rules()).valid());  // disjoint at every step
 }
 
 class Distances final : public JobResults {
@@ -88,42 +83,16 @@ TEST_F(LoadOrderExamples, Checksum) {
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-TEST_F(LoadOrderExamples, LoadCheck) {
-  const std::uint64_t items = 64;
-  const std::uint64_t room = 16;
-  LoadOrder order = plan_load_order(items, room);
-  LoadCheck check(items, room);
-  LoadStep step;
-  while (order.next(step)) {
-    check.read(step);
-  }
-  LoadVerdict verdict = check.finish();
-  EXPECT_TRUE(verdict.valid());
-}
-
 TEST_F(LoadOrderExamples, LoadOrder) {
   StandardOutput output;
   LoadOrder order = plan_load_order(64, 16);
   EXPECT_GE(order.facts().loads, order.facts().bound.loads);
   EXPECT_EQ(order.facts().bound.loads, 144U);
-  LoadStep step;
+  Step step;
   while (order.next(step)) {  // one by one; nothing is kept
     std::cout << step.number << ": " << step.load.size() << '\n';
   }
   EXPECT_THAT(output.take(), HasSubstr(std::to_string(order.facts().steps) + ": 1\n"));
-}
-
-TEST_F(LoadOrderExamples, LoadStep) {
-  LoadOrder source = plan_load_order(20, 5);
-  std::size_t there = 0;
-  const auto drop = [&](const std::vector<Element>& items) { there -= items.size(); };
-  const auto fetch = [&](const std::vector<Element>& items) { there += items.size(); };
-  LoadStep step;
-  while (source.next(step)) {
-    drop(step.evict);
-    fetch(step.load);
-    EXPECT_LE(there, 5U);
-  }
 }
 
 TEST_F(LoadOrderExamples, Improve) {
@@ -162,19 +131,31 @@ TEST_F(LoadOrderExamples, Prefetch) {
   const auto drop = [&](const std::vector<Element>& items) { set(items, false); };
   const auto start_loads = [&](const std::vector<Element>& items) { set(items, false); };
   PrefetchPlan plan = plan_prefetch(64, 16);
-  PrefetchSchedule schedule(plan.order.stream(), 64, 16);
-  PrefetchStep step, next;
+  ScheduleRules rules{.items = 64, .room = 16, .compute = ComputeRules{}, .overlap = true};
+  StepWork schedule(plan.order.stream(), rules);
+  Step step, next;
   for (bool more = schedule.next(step); more; std::swap(step, next)) {
-    wait_for(step.load);   // these loads were started in the step before
-    compute(step.before);  // all pairs with what has to go first
+    wait_for(step.load);    // these loads were started in the step before
+    compute(step.compute);  // all pairs with what has to go first
     next = {};
     more = schedule.next(next);
-    drop(next.evict_first);
+    const auto late = next.evict.end() - static_cast<std::ptrdiff_t>(next.late);
+    drop({next.evict.begin(), late});
     start_loads(next.load);
     compute(step.overlap);  // meanwhile
-    drop(next.evict_late);
+    drop({late, next.evict.end()});
   }
   EXPECT_EQ(computed, 64U * 63 / 2);
+}
+
+TEST_F(LoadOrderExamples, Schedule) {
+  ScheduleRules rules{.items = 24, .room = 6, .compute = ComputeRules{}};
+  StepWork work(plan_load_order(24, 6).stream(), rules);
+  ScheduleCheck check(rules);
+  for (Step step; work.next(step);) {
+    check.read(step);
+  }
+  EXPECT_TRUE(check.finish().valid());  // each pair computed once, both items in memory
 }
 
 TEST_F(LoadOrderExamples, StepWork) {
@@ -184,28 +165,27 @@ TEST_F(LoadOrderExamples, StepWork) {
     loaded += load.size();
   };
   const auto compute = [&](const std::vector<ItemPair>& pairs) { computed += pairs.size(); };
-  LoadOrder order = plan_load_order(24, 6);
-  StepWork work(24, 6, {}, {.ordered = true, .self = true});
-  work.start(order.stream());
-  WorkStep step;
-  while (work.next(step)) {
-    move(step.loads.evict, step.loads.load);
-    compute(step.pairs);  // (i,j), (j,i) and (i,i), each once in all
+  std::size_t stored = 0;
+  const auto store = [&](const std::vector<Element>& items) { stored += items.size(); };
+  const ComputeRules both{.ordered = true, .self = true};
+  ScheduleRules rules{.items = 24, .room = 6, .compute = both};
+  rules.store = true;  // items change while they are held
+  StepWork work(plan_load_order(24, 6).stream(), rules);
+  for (Step step; work.next(step);) {
+    store(step.store);  // what was changed and goes now
+    move(step.evict, step.load);
+    compute(step.compute);  // (i,j), (j,i) and (i,i), each once in all
   }
   EXPECT_EQ(computed, 24U * 24U);
-  EXPECT_EQ(loaded, order.facts().loads);
+  EXPECT_EQ(loaded, plan_load_order(24, 6).facts().loads);
+  EXPECT_EQ(stored, loaded);
 }
 
 TEST_F(LoadOrderExamples, TwoLevels) {
   TwoLevelOrder order = plan_two_levels(200, 40, 8);
   EXPECT_GE(order.facts().loads, order.facts().load_bound.loads);          // from the disk
   EXPECT_GE(order.facts().transfers, order.facts().transfer_bound.loads);  // from memory
-  TwoLevelCheck check(200, 40, 8);
-  TwoLevelStep step;
-  for (auto steps = order.stream(); steps->next(step);) {
-    check.read(step);
-  }
-  EXPECT_TRUE(check.finish().valid());
+  EXPECT_TRUE(check_schedule(*order.stream(), order.rules()).valid());
 }
 
 TEST_F(LoadOrderExamples, UpdatePairs) {
@@ -245,7 +225,7 @@ TEST_F(LoadOrderExamples, Workers) {
   EXPECT_GE(split.facts().makespan, split.facts().makespan_bound.loads);
   for (std::uint64_t w = 0; w < 4; ++w) {
     auto steps = split.stream(w);  // its steps, numbered from 1; the first loads a full memory
-    LoadStep step;
+    Step step;
     std::uint64_t loads = 0;
     for (std::uint64_t number = 1; steps->next(step); ++number) {
       EXPECT_EQ(step.number, number);
@@ -254,22 +234,6 @@ TEST_F(LoadOrderExamples, Workers) {
     busiest = std::max(busiest, loads);
   }
   EXPECT_EQ(busiest, split.facts().makespan);
-}
-
-TEST_F(LoadOrderExamples, WriteBack) {
-  LoadOrder order = plan_load_order(24, 6);
-  StepWork work(24, 6);
-  work.start(order.stream());
-  WriteBack back(24);
-  StoreCheck check(24);
-  StoredStep stored;
-  while (work.next(stored.work)) {
-    back.read(stored);  // now stored.store says what is stored
-    check.read({&stored, 1});
-  }
-  back.finish(stored);  // a last step: all that is held goes
-  check.read({&stored, 1});
-  EXPECT_EQ(check.finish(), "");  // no change was lost, nothing stored in vain
 }
 
 TEST_F(LoadOrderExamples, InC) {

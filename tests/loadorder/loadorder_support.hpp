@@ -8,8 +8,10 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/step_work.hpp"
 
 namespace changeover::test {
 
@@ -23,7 +25,7 @@ struct Simulation {
 
   [[nodiscard]] std::uint64_t missing() const { return items * (items - 1) / 2 - met.size(); }
 
-  void take(const LoadStep& step, std::uint64_t room) {
+  void take(const Step& step, std::uint64_t room) {
     ++steps;
     if (step.number != steps) {
       fault = fmt::format("step {} is numbered {}", steps, step.number);
@@ -52,12 +54,35 @@ struct Simulation {
   }
 };
 
-/// Reads anything with next(LoadStep&) to its end.
+inline std::vector<Step> all_steps(StepSource& source) {
+  std::vector<Step> steps;
+  for (Step step; source.next(step);) {
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+/// With the work that the rules ask for.
+inline std::vector<Step> work_of(std::unique_ptr<StepSource> loads, const ScheduleRules& rules) {
+  StepWork work(std::move(loads), rules);
+  return all_steps(work);
+}
+
+inline ScheduleVerdict verdict_of(const std::vector<Step>& steps, const ScheduleRules& rules,
+                                  const CheckOptions& options = {}) {
+  ScheduleCheck check(rules, options);
+  for (const Step& step : steps) {
+    check.read(step);
+  }
+  return check.finish();
+}
+
+/// Reads anything with next(Step&) to its end.
 template <typename Steps>
 Simulation simulate(Steps& steps, std::uint64_t items, std::uint64_t room) {
   Simulation simulation;
   simulation.items = items;
-  LoadStep step;
+  Step step;
   while (steps.next(step)) {
     simulation.take(step, room);
   }

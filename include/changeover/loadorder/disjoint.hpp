@@ -1,25 +1,24 @@
-// Load orders for workers that step together and never hold one item twice: what training needs, where items change.
+// Load orders for workers that step together and never hold one item twice: what training needs,
+// where items change.
 //
 //     DisjointOrder order = plan_disjoint_order(64, 8, 4);
 //     order.facts().span;                      // what the slowest loads of all steps add up to
-//     LockstepWork work(order);
-//     LockstepCheck check(64, 8, 4);
-//     std::vector<WorkStep> steps;             // one for each worker
-//     while (work.next(steps)) {
-//       check.read(steps);
-//     }
-//     check.finish().valid();                  // true: disjoint at every step, each pair computed once
+//     StepWork work(order.stream(), order.rules());
+//     check_schedule(work, order.rules()).valid();   // true: disjoint at every step
 //
-// *A step.* All workers evict; all wait for each other; all load; all compute. So one barrier a step is enough, the one between
-// evicting and loading, and an item may go from one worker to another within a step. After the loads of a step no item is held
-// by two workers, so what one of them computes touches nothing of another's. A worker may have nothing to do in a step; every
+// *A step.* All workers evict; all wait for each other; all load; all compute. So one barrier a
+// step is enough, the one between evicting and loading, and an item may go from one worker to
+// another within a step. After the loads of a step no item is held by two workers, so what one of
+// them computes touches nothing of another's. A worker may have nothing to do in a step; every
 // worker has equally many.
 //
-// *The cost.* With a barrier a step takes as long as its slowest worker: the *span* is the sum over all steps of the most loads
-// that one worker has in it. Orders are told apart by span, then by the loads of all workers.
+// *The cost.* With a barrier a step takes as long as its slowest worker: the *span* is the sum over
+// all steps of the most loads that one worker has in it. Orders are told apart by span, then by the
+// loads of all workers.
 //
-// *Bounds.* The workers' lists of sets end to end are one list in which all pairs meet, so all loads together are at least
-// load_lower_bound(P, C); the busiest worker has at least makespan_lower_bound(P, C, W), and the span is no less than that.
+// *Bounds.* The workers' lists of sets end to end are one list in which all pairs meet, so all
+// loads together are at least load_lower_bound(P, C); the busiest worker has at least
+// makespan_lower_bound(P, C, W), and the span is no less than that.
 //
 // *Where orders come from.* One worker: plan_load_order(). Else the best of
 //   eras     W groups of n ≤ C−1 items stay, one at each worker, while all groups that are left pass, each at another worker in
@@ -36,7 +35,6 @@
 #include <string>
 #include <vector>
 
-#include "changeover/core/pair_set.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/step_work.hpp"
 
@@ -62,7 +60,8 @@ class DisjointOrder {
  public:
   using Maker = std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>;
 
-  /// An order of your own: `maker` makes the steps of a worker, equally many for each. Nothing is checked.
+  /// An order of your own: `maker` makes the steps of a worker, equally many for each. Nothing is
+  /// checked.
   DisjointOrder(DisjointFacts facts, Maker maker)
       : facts_(std::move(facts)), maker_(std::move(maker)) {}
 
@@ -71,76 +70,26 @@ class DisjointOrder {
   /// The steps of a worker, numbered from 1. @throws BadInput if there is no such worker.
   [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
 
+  /// The steps of all workers, by turns: the first one of each, the second one of each, …
+  [[nodiscard]] std::unique_ptr<StepSource> stream() const;
+
+  /// What they keep to, for StepWork and ScheduleCheck.
+  [[nodiscard]] ScheduleRules rules(const ComputeRules& compute = {}) const {
+    return {
+        .items = facts_.items, .room = facts_.room, .lockstep = facts_.workers, .compute = compute};
+  }
+
  private:
   DisjointFacts facts_;
   Maker maker_;
 };
 
-/// The best order that is known, verified by LockstepCheck. With `options.search_pairs` it is grown anew until the time is
-/// over, otherwise for a fixed amount of work. @throws as plan_load_order(); BadInput if there are less than W·C items, or W is 0 or
-/// exceeds 65,536; ImpossibleParameters above 65,535 items.
+/// The best order that is known, verified by ScheduleCheck. With `options.search_pairs` it is grown
+/// anew until the time is over, otherwise for a fixed amount of work. @throws as plan_load_order();
+/// BadInput if there are less than W·C items, or W is 0 or exceeds 65,536; ImpossibleParameters
+/// above 65,535 items.
 [[nodiscard]] DisjointOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room,
                                                 std::uint64_t workers,
                                                 const LoadOrderOptions& options = {});
-
-/// What each step of each worker computes: a pair belongs to the first step in which a worker holds both of its items, and
-/// with `self` an item alone to the first step that loads it.
-class LockstepWork {
- public:
-  explicit LockstepWork(const DisjointOrder& order, const StepWorkOptions& options = {});
-  ~LockstepWork();
-  LockstepWork(LockstepWork&&) noexcept;
-
-  /// The next step of every worker, by worker; false at the end.
-  bool next(std::vector<WorkStep>& steps);
-
- private:
-  struct State;
-  std::unique_ptr<State> state_;
-};
-
-struct LockstepVerdict {
-  std::string fault;  ///< the first step that is wrong; empty if none
-  std::uint64_t steps = 0;
-  std::uint64_t loads = 0;
-  std::uint64_t span = 0;
-  std::vector<std::uint64_t> worker_loads;
-  std::uint64_t computed = 0;  ///< pairs, with repetition, and items alone
-  std::uint64_t missing = 0;   ///< that were not computed
-  std::uint64_t repeated = 0;  ///< that were computed more than once
-
-  [[nodiscard]] bool valid() const {
-    return steps > 0 && fault.empty() && missing == 0 && repeated == 0;
-  }
-};
-
-/// Plays the steps of all workers and trusts nothing else. Checked of every step: all have its number; a worker evicts what it
-/// holds and loads what nobody holds after all have evicted; none holds more than `room`; a pair is computed by a worker that
-/// holds both items. At the end: each pair was computed once. Memory: C(P,2) bits, twice if pairs are ordered.
-class LockstepCheck {
- public:
-  /// @throws BadInput if a number is 0; MissingResource above 65,535 items.
-  LockstepCheck(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
-                const StepWorkOptions& options = {});
-
-  /// A step of all workers. After the first fault nothing is looked at any more.
-  void read(const std::vector<WorkStep>& steps);
-
-  [[nodiscard]] LockstepVerdict finish() const;
-
- private:
-  void fail(std::uint64_t worker, const std::string& what);
-  void evict(std::uint64_t worker, const WorkStep& step);
-  void load(std::uint64_t worker, const WorkStep& step);
-  void compute(std::uint64_t worker, const ItemPair& pair);
-
-  std::uint64_t room_;
-  StepWorkOptions options_;
-  std::vector<std::uint64_t> owner_;  // by item: its worker plus one, or 0
-  std::vector<std::uint64_t> held_;   // by worker: how many items
-  std::vector<PairSet> computed_;     // smaller item first; larger item first, if they are ordered
-  std::vector<bool> alone_;
-  LockstepVerdict verdict_;
-};
 
 }  // namespace changeover

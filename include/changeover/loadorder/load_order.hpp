@@ -2,7 +2,7 @@
 //
 //     LoadOrder order = plan_load_order(64, 16);
 //     order.facts().loads;                    // facts().bound.loads = 144 are needed
-//     LoadStep step;
+//     Step step;
 //     while (order.next(step)) {              // one by one; nothing is kept
 //       std::cout << step.number << ": " << step.load.size() << '\n';
 //     }
@@ -29,10 +29,10 @@
 //   improve    whatever you plug in: a local search, say, started from the best so far
 //
 // *Certificate.* For P ≤ `read_up_to` every step is read before plan_load_order() returns
-// (loadorder/load_check.hpp): C(P,2) bits of memory. For more items the streamed order is taken and
+// (loadorder/schedule.hpp): C(P,2) bits of memory. For more items the streamed order is taken and
 // certified by its structure: the differences of its base blocks (verify/difference.hpp) and the
 // argument of docs/loadorder.md; facts().certificate says which. Whoever streams such an order can
-// have it audited on the way (LoadCheck).
+// have it audited on the way (ScheduleCheck).
 #pragma once
 
 #include <cstdint>
@@ -42,48 +42,11 @@
 #include <string>
 #include <vector>
 
-#include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/loadorder/wanted_pairs.hpp"
+#include "changeover/loadorder/schedule.hpp"
 #include "changeover/run/control.hpp"
 
 namespace changeover {
-
-// Steps of a load order, and where they come from.
-//
-// Memory has room for C items. A step evicts some items, then loads some; after it, everything in memory
-// can meet. A StepSource hands out steps one at a time, so an order of 10⁹ steps needs no memory for them:
-//
-//     LoadStep step;
-//     while (source.next(step)) {
-//       drop(step.evict);
-//       fetch(step.load);
-//     }
-//
-// As with blocks, what a source hands out is a claim: loadorder/load_check.hpp decides.
-
-/// What happens before one stretch of computation.
-struct LoadStep {
-  std::uint64_t number = 0;    ///< from 1
-  std::vector<Element> evict;  ///< leave memory first
-  std::vector<Element> load;   ///< are loaded then
-
-  bool operator==(const LoadStep&) const = default;
-};
-
-/// A stream of steps.
-class StepSource {
- public:
-  virtual ~StepSource() = default;
-  StepSource(const StepSource&) = delete;
-  StepSource& operator=(const StepSource&) = delete;
-
-  /// Writes the next step into `step`, whose vectors are reused, and returns true; false at the end.
-  virtual bool next(LoadStep& step) = 0;
-
- protected:
-  StepSource() = default;
-};
 
 /// A number of loads that no order can go below.
 struct LoadBound {
@@ -138,7 +101,7 @@ class LoadOrder {
   [[nodiscard]] const LoadOrderFacts& facts() const { return facts_; }
 
   /// The next step; false at the end. O(1) amortised a load for streamed orders, O(C) otherwise.
-  bool next(LoadStep& step) { return reader_->next(step); }
+  bool next(Step& step) { return reader_->next(step); }
 
   /// Back to the first step.
   void rewind() { reader_ = maker_(); }

@@ -1,95 +1,59 @@
-// What each step of a load order computes, without a schedule of loads beside it (loadorder/prefetch.hpp has one).
+// What each step of a schedule computes and stores.
 //
-//     LoadOrder order = plan_load_order(24, 6);
-//     StepWork work(24, 6, {}, {.ordered = true, .self = true});
-//     work.start(order.stream());
-//     WorkStep step;
-//     while (work.next(step)) {
-//       move(step.loads.evict, step.loads.load);
-//       compute(step.pairs);                       // (i,j), (j,i) and (i,i), each once in all
+//     const ComputeRules both{.ordered = true, .self = true};
+//     ScheduleRules rules{.items = 24, .room = 6, .compute = both};
+//     rules.store = true;                          // items change while they are held
+//     StepWork work(plan_load_order(24, 6).stream(), rules);
+//     for (Step step; work.next(step);) {
+//       store(step.store);                         // what was changed and goes now
+//       move(step.evict, step.load);
+//       compute(step.compute);                     // (i,j), (j,i) and (i,i), each once in all
 //     }
 //
-// A pair belongs to the first step after whose loads both items are in memory, and an item with itself to the step that
-// first loads it; workers come one after another. For more than 65,535 items whose pairs are not listed, pairs are not kept in
-// mind: then every loaded item is computed against all in memory, and a pair may come again.
+// *Pairs.* A pair belongs to the first step after whose loads a worker has both items in memory,
+// and an item with itself to the step that first loads it. For more than 65,535 items whose pairs
+// are not listed, pairs are not kept in mind: then every loaded item is computed against all in
+// memory, and a pair may come again. Steps of two levels say themselves which pairs meet on the
+// accelerator for the first time.
 //
-// WorkCheck plays steps and trusts nothing else.
+// *Overlap* (loadorder/prefetch.hpp): what the next step evicts goes early as far as its loads need
+// the places, the pairs with it are computed first, and the others while the loads run.
+//
+// *Stores.* Computing a pair changes both of its items, computing an item alone changes it. What
+// was changed is stored when it is evicted, before anything is loaded, and at the end, in a last
+// step in which everything goes. So an item is stored once for each *stay* in memory in which it is
+// computed with. Workers one after another cannot change items: two of them would hold one.
+//
+// *The bound on stores* is that on loads: load_lower_bound(). For take any order with its pairs and
+// leave out each stay in which nothing is computed with its item. All pairs are still computed with
+// both items in memory, and every stay that is left has one load and one store. An item that
+// belongs to no pair need not be stored, and counts for nothing.
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
 
-class WantedSet;
-
-struct StepWorkOptions {
-  bool ordered = false;  ///< (i,j) and (j,i), as for the edges from partition i to partition j
-  bool self = false;     ///< (i,i), too
-  std::optional<std::uint64_t> shuffle = {};  ///< a seed: the pairs of a step in random order
-};
-
-struct WorkStep {
-  LoadStep loads;
-  std::vector<ItemPair> pairs;  ///< smaller item first unless they are ordered
-};
-
-class StepWork {
+class StepWork final : public StepSource {
  public:
-  StepWork(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {},
-           const StepWorkOptions& options = {});
-  ~StepWork();
-  StepWork(StepWork&&) noexcept;
+  /// Steps that say what is evicted and loaded, with the work that `rules` ask for. Without
+  /// rules.compute only stores and overlap are left out.
+  StepWork(std::unique_ptr<StepSource> steps, const ScheduleRules& rules);
+  ~StepWork() override;
 
-  /// The steps to come, from an empty memory; what was computed stays computed.
-  void start(std::unique_ptr<StepSource> steps);
-
-  /// The next step; false at the end.
-  bool next(WorkStep& step);
+  /// The next step; false at the end. O(C) a load.
+  bool next(Step& step) override;
 
  private:
-  struct State;
+  class State;
   std::unique_ptr<State> state_;
 };
 
-struct WorkVerdict {
-  std::string fault;           ///< the first step that is wrong; empty if none
-  std::uint64_t computed = 0;  ///< pairs, with repetition, and items with themselves
-  std::uint64_t missing = 0;   ///< that were not computed
-  std::uint64_t repeated = 0;  ///< that were computed more than once
-
-  [[nodiscard]] bool valid() const { return fault.empty() && missing == 0 && repeated == 0; }
-};
-
-/// Each wanted pair exactly once, when both items are in memory; each item with itself, if asked for, once. At most
-/// 65,535 items unless pairs are listed.
-class WorkCheck {
- public:
-  WorkCheck(std::uint64_t items, const WantedPairs& wanted, const StepWorkOptions& options);
-  ~WorkCheck();
-
-  /// Another worker's steps follow, from an empty memory.
-  void start_over();
-
-  void read(const WorkStep& step);
-  [[nodiscard]] WorkVerdict finish() const;
-
- private:
-  void compute(const ItemPair& pair, std::uint64_t step);
-
-  WantedPairs wanted_;
-  StepWorkOptions options_;
-  std::unique_ptr<WantedSet> upward_;    // smaller item first
-  std::unique_ptr<WantedSet> downward_;  // larger item first, if they are ordered
-  std::vector<bool> alone_;              // computed with itself
-  std::vector<bool> loaded_;
-  std::vector<bool> there_;
-  WorkVerdict verdict_;
-};
+/// Stores that no order of these loads can go below, given the bound on loads; `alone` says that
+/// items are computed alone, too.
+[[nodiscard]] LoadBound store_lower_bound(const LoadBound& loads, const WantedPairs& wanted,
+                                          std::uint64_t items, bool alone);
 
 }  // namespace changeover

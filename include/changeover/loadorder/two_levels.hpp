@@ -1,63 +1,38 @@
-// Load orders for two levels: items lie on a disk, C of them fit into memory, and c ≤ C of these on an accelerator, where every
-// pair must be together at some time.
+// Load orders for two levels: items lie on a disk, C of them fit into memory, and c ≤ C of these on
+// an accelerator, where every pair must be together at some time.
 //
 //     TwoLevelOrder order = plan_two_levels(200, 40, 8);
 //     order.facts().loads;                     // from the disk
 //     order.facts().transfers;                 // from memory to the accelerator
-//     TwoLevelCheck check(200, 40, 8);
-//     TwoLevelStep step;
-//     for (auto steps = order.stream(); steps->next(step);) {
-//       check.read(step);
-//     }
-//     check.finish().valid();                  // true
+//     check_schedule(*order.stream(), order.rules()).valid();     // true
 //
-// *A step.* Items leave the accelerator; items leave memory; items are loaded from the disk; items are transferred to the
-// accelerator; then the pairs are computed that are there together for the first time. What is on the accelerator stays in memory.
+// *A step.* Items leave the accelerator; items leave memory; items are loaded from the disk; items
+// are transferred to the accelerator; then the pairs are computed that are there together for the
+// first time. What is on the accelerator stays in memory.
 //
-// *Bounds.* What is in memory brings every pair together, too: loads are at least load_lower_bound(P, C), and transfers at least
-// load_lower_bound(P, c).
+// *Bounds.* What is in memory brings every pair together, too: loads are at least
+// load_lower_bound(P, C), and transfers at least load_lower_bound(P, c).
 //
-// *How.* The items are in G groups of g. An order of groups, with room for ⌊C/g⌋ of them, says what is loaded. When it has loaded a group,
-// the pairs of its items with those of the groups that it now meets for the first time are done at once: c − 1 of its
-// items stay on the accelerator while all others pass (plan_load_order() for two sets, or for new items). What the accelerator still has is not
-// transferred again. Groups of one item make loads few and transfers many, one a pair; groups of C/2 items the other way round. From
-// g ≈ c − 1 on a transfer brings some c − 1 pairs, and as long as g is much less than C a load brings some C − 1. Of the sizes that are tried
-// the one with the least loads / bound + transfers / bound is taken. Where c is not much less than C no size does well; then the order for the
-// accelerator alone, plan_load_order(P, c), may be better, with memory as a cache from which goes what is needed last.
+// *How.* The items are in G groups of g. An order of groups, with room for ⌊C/g⌋ of them, says what
+// is loaded. When it has loaded a group, the pairs of its items with those of the groups that it
+// now meets for the first time are done at once: c − 1 of its items stay on the accelerator while
+// all others pass (plan_load_order() for two sets, or for new items). What the accelerator still
+// has is not transferred again. Groups of one item make loads few and transfers many, one a pair;
+// groups of C/2 items the other way round. From g ≈ c − 1 on a transfer brings some c − 1 pairs,
+// and as long as g is much less than C a load brings some C − 1. Of the sizes that are tried the
+// one with the least loads / bound + transfers / bound is taken. Where c is not much less than C no
+// size does well; then the order for the accelerator alone, plan_load_order(P, c), may be better,
+// with memory as a cache from which goes what is needed last.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "changeover/core/pair_set.hpp"
 #include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
-
-struct TwoLevelStep {
-  std::uint64_t number = 0;         ///< from 1
-  std::vector<Element> fast_evict;  ///< leave the accelerator first,
-  std::vector<Element> evict;       ///< then memory;
-  std::vector<Element> load;        ///< come into memory,
-  std::vector<Element> fast_load;   ///< then to the accelerator
-  std::vector<ItemPair> pairs;  ///< are computed: together on the accelerator for the first time
-};
-
-class TwoLevelSource {
- public:
-  virtual ~TwoLevelSource() = default;
-  TwoLevelSource(const TwoLevelSource&) = delete;
-  TwoLevelSource& operator=(const TwoLevelSource&) = delete;
-
-  /// The next step; false at the end.
-  virtual bool next(TwoLevelStep& step) = 0;
-
- protected:
-  TwoLevelSource() = default;
-};
 
 struct TwoLevelFacts {
   std::uint64_t items = 0;
@@ -75,61 +50,31 @@ struct TwoLevelFacts {
 
 class TwoLevelOrder {
  public:
-  using Maker = std::function<std::unique_ptr<TwoLevelSource>()>;
+  using Maker = std::function<std::unique_ptr<StepSource>()>;
 
   /// An order of your own; nothing is checked.
   TwoLevelOrder(TwoLevelFacts facts, Maker maker)
       : facts_(std::move(facts)), maker_(std::move(maker)) {}
 
   [[nodiscard]] const TwoLevelFacts& facts() const { return facts_; }
-  [[nodiscard]] std::unique_ptr<TwoLevelSource> stream() const { return maker_(); }
+
+  /// What the steps keep to.
+  [[nodiscard]] ScheduleRules rules() const {
+    return {.items = facts_.items,
+            .room = facts_.room,
+            .fast_room = facts_.fast_room,
+            .compute = ComputeRules{}};
+  }
+  [[nodiscard]] std::unique_ptr<StepSource> stream() const { return maker_(); }
 
  private:
   TwoLevelFacts facts_;
   Maker maker_;
 };
 
-/// The best order that is known, verified by TwoLevelCheck. @throws BadInput unless 2 ≤ fast_room ≤ room and items ≥ 1;
-/// ImpossibleParameters above 65,535 items.
+/// The best order that is known, verified by ScheduleCheck. @throws BadInput unless 2 ≤ fast_room ≤
+/// room and items ≥ 1; ImpossibleParameters above 65,535 items.
 [[nodiscard]] TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room,
                                             std::uint64_t fast_room);
-
-struct TwoLevelVerdict {
-  std::string fault;  ///< the first step that is wrong; empty if none
-  std::uint64_t steps = 0;
-  std::uint64_t loads = 0;
-  std::uint64_t transfers = 0;
-  std::uint64_t computed = 0;
-  std::uint64_t missing = 0;   ///< pairs that were not computed
-  std::uint64_t repeated = 0;  ///< or more than once
-
-  [[nodiscard]] bool valid() const {
-    return steps > 0 && fault.empty() && missing == 0 && repeated == 0;
-  }
-};
-
-/// Plays steps and trusts nothing else: their numbers; what leaves is there, and what leaves memory is not on the accelerator; what is loaded
-/// is not in memory, what is transferred is in memory and not yet on the accelerator; room at both levels; each pair is computed once, with both
-/// items on the accelerator.
-class TwoLevelCheck {
- public:
-  /// @throws BadInput if a number is 0; MissingResource above 65,535 items.
-  TwoLevelCheck(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room);
-
-  void read(const TwoLevelStep& step);
-  [[nodiscard]] TwoLevelVerdict finish() const;
-
- private:
-  enum class Place : std::uint8_t { disk, memory, accelerator };
-  void move(const std::vector<Element>& items, Place from, Place to, const char* what);
-
-  std::uint64_t room_;
-  std::uint64_t fast_room_;
-  std::vector<Place> place_;
-  std::uint64_t in_memory_ = 0;  // those on the accelerator included
-  std::uint64_t on_accelerator_ = 0;
-  PairSet computed_;
-  TwoLevelVerdict verdict_;
-};
 
 }  // namespace changeover

@@ -8,7 +8,7 @@
 //       train(pair.first.bytes, pair.second.bytes);          // both may be written
 //     }, options);
 //
-// *Contract.* `update` is called once for each pair that LockstepWork gives, with the bytes of both items in memory: pairs of
+// *Contract.* `update` is called once for each pair that StepWork gives, with the bytes of both items in memory: pairs of
 // one worker one after another, those of different workers at the same time, in the order of the steps. No item is with two workers at
 // once, so `update` may write both items without a lock, and if it depends on nothing else the result depends on the order and the data
 // alone. A worker is a task of a pool of as many threads.
@@ -65,7 +65,7 @@ struct UpdateOptions {
   std::string journal;                           ///< path
   std::uint64_t checkpoint_every = 100;          ///< steps
   std::string job = {};                          ///< names what is computed
-  StepWorkOptions work = {};                     ///< which pairs: both ways, items alone, shuffled
+  ComputeRules work = {};                        ///< which pairs: both ways, items alone, shuffled
   const std::atomic<bool>* cancelled = nullptr;  ///< looked at after each step
   std::function<void(std::uint64_t step)> on_step = {};  ///< after each step
   std::function<void()> before_write = {};  ///< before anything is written; for tests of crashes

@@ -6,19 +6,20 @@
 //       auto steps = split.stream(w);          // its steps, numbered from 1; the first loads a full memory
 //     }
 //
-// *How.* An order is cut into W stretches of equally many steps; each worker begins by loading what is in
-// memory at its first step. A stretch costs what its steps load and C − (what its first step loads) more, so the
-// makespan is about L/W + C. The items of that order may be groups of items: P items in G groups, room
-// for C·G/P groups. For many workers and little room for saving, small first memories pay: all G and all
-// rooms up to C are compared by makespan, then by all loads.
+// *How.* An order is cut into W stretches of equally many steps; each worker begins by loading what
+// is in memory at its first step. A stretch costs what its steps load and C − (what its first step
+// loads) more, so the makespan is about L/W + C. The items of that order may be groups of items: P
+// items in G groups, room for C·G/P groups. For many workers and little room for saving, small
+// first memories pay: all G and all rooms up to C are compared by makespan, then by all loads.
 //
-// *The bound on the makespan.* A worker that loads ℓ items brings at most C(ℓ,2) pairs together if ℓ ≤ C, and
-// C(C,2) + (ℓ−C)(C−1) otherwise. W workers with at most ℓ loads bring all C(P,2) together only if W times that
-// is enough, and all items are loaded somewhere: ℓ ≥ ⌈P/W⌉. And whatever several workers load, end to end, is a list
-// of sets in which all pairs meet: W·ℓ ≥ (s+1)P − (s²−s+1)C for every s [docs/theorems.md, Theorem 5].
+// *The bound on the makespan.* A worker that loads ℓ items brings at most C(ℓ,2) pairs together if
+// ℓ ≤ C, and C(C,2) + (ℓ−C)(C−1) otherwise. W workers with at most ℓ loads bring all C(P,2)
+// together only if W times that is enough, and all items are loaded somewhere: ℓ ≥ ⌈P/W⌉. And
+// whatever several workers load, end to end, is a list of sets in which all pairs meet: W·ℓ ≥
+// (s+1)P − (s²−s+1)C for every s [docs/theorems.md, Theorem 5].
 //
-// *Verified.* For P ≤ 65,535 all workers' steps are read, and the pairs that met with any of them are all
-// pairs. Above that the stretches are those of an order that is certified by its structure.
+// *Verified.* For P ≤ 65,535 all workers' steps are read, and the pairs that met with any of them
+// are all pairs. Above that the stretches are those of an order that is certified by its structure.
 #pragma once
 
 #include <cstdint>
@@ -64,9 +65,13 @@ class WorkerSplit {
   /// The order of groups that was cut.
   [[nodiscard]] const LoadOrder& order() const { return order_; }
 
-  /// The steps of a worker, 0 ≤ worker < W. Steps of the order before its own are skipped by reading them, once for
-  /// all workers if these are read in their order, each stream to its end. @throws BadInput if there is no such worker.
+  /// The steps of a worker, 0 ≤ worker < W. Steps of the order before its own are skipped by
+  /// reading them, once for all workers if these are read in their order, each stream to its end.
+  /// @throws BadInput if there is no such worker.
   [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
+
+  /// The steps of all workers, one worker after another. It may not outlive this.
+  [[nodiscard]] std::unique_ptr<StepSource> stream() const;
 
  private:
   friend WorkerSplit split_order(LoadOrder, std::uint64_t, std::uint64_t, std::uint64_t);
@@ -88,9 +93,9 @@ class WorkerSplit {
 [[nodiscard]] LoadBound makespan_lower_bound(const WantedPairs& wanted, std::uint64_t room,
                                              std::uint64_t workers);
 
-/// Cuts an order of `groups` things into stretches for P items in as many groups, of ⌊P/G⌋ or ⌈P/G⌉ items
-/// with consecutive numbers. Nothing is verified. @throws BadInput if workers = 0 or exceeds 65,536, or if
-/// there are more groups than items.
+/// Cuts an order of `groups` things into stretches for P items in as many groups, of ⌊P/G⌋ or ⌈P/G⌉
+/// items with consecutive numbers. Nothing is verified. @throws BadInput if workers = 0 or exceeds
+/// 65,536, or if there are more groups than items.
 [[nodiscard]] WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
                                       std::uint64_t workers);
 
@@ -99,8 +104,8 @@ class WorkerSplit {
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
-/// The same for some pairs, whose items are not grouped. Two sets may be cut instead: then each worker has a part of one
-/// with a part of the other.
+/// The same for some pairs, whose items are not grouped. Two sets may be cut instead: then each
+/// worker has a part of one with a part of the other.
 [[nodiscard]] WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});

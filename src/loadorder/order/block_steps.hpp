@@ -22,7 +22,7 @@ class BlockSteps final : public StepSource {
         seen_(static_cast<std::size_t>(blocks_->parameters().v), 0),
         block_(static_cast<std::size_t>(blocks_->parameters().k)) {}
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     if (!blocks_->next(block_)) {
       return false;
     }

@@ -8,6 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
@@ -40,7 +41,7 @@ class GroupedSteps final : public StepSource {
   GroupedSteps(std::shared_ptr<const GroupedOrder> order, std::uint64_t worker)
       : order_(std::move(order)), worker_(worker) {}
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     const std::vector<std::vector<LockstepChange>>& steps = order_->order.steps;
     if (number_ > steps.size()) {
       return false;
@@ -225,6 +226,39 @@ std::unique_ptr<StepSource> DisjointOrder::stream(std::uint64_t worker) const {
   return maker_(worker);
 }
 
+namespace {
+
+/// By turns.
+class InLockstep final : public StepSource {
+ public:
+  explicit InLockstep(std::vector<std::unique_ptr<StepSource>> workers)
+      : workers_(std::move(workers)) {}
+
+  bool next(Step& step) override {
+    step.worker = turn_;
+    const bool more = workers_[turn_]->next(step);
+    turn_ = (turn_ + 1) % workers_.size();
+    return more;
+  }
+
+ private:
+  std::vector<std::unique_ptr<StepSource>> workers_;
+  std::size_t turn_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<StepSource> DisjointOrder::stream() const {
+  std::vector<std::unique_ptr<StepSource>> workers;
+  for (std::uint64_t w = 0; w < facts_.workers; ++w) {
+    workers.push_back(maker_(w));
+  }
+  if (workers.empty()) {
+    throw BadInput("an order of 0 workers: give at least 1");
+  }
+  return std::make_unique<InLockstep>(std::move(workers));
+}
+
 DisjointOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
                                   const LoadOrderOptions& options) {
   DisjointFacts facts;
@@ -246,13 +280,8 @@ DisjointOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::
   }
   DisjointOrder::Maker maker = best_steps(facts, options);
   const DisjointOrder order(facts, maker);
-  LockstepCheck check(items, room, workers);
-  LockstepWork work(order);
-  for (std::vector<WorkStep> steps; work.next(steps);) {
-    stop_if_asked();
-    check.read(steps);
-  }
-  const LockstepVerdict verdict = check.finish();
+  StepWork work(order.stream(), order.rules());
+  const ScheduleVerdict verdict = check_schedule(work, order.rules());
   if (!verdict.valid()) {
     throw InternalError(
         fmt::format("the order of {} items for {} workers with room for {} is "

@@ -10,7 +10,6 @@
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/block_steps.hpp"
@@ -105,7 +104,7 @@ Design start_of_search(const Candidate& best, const StreamedShape& shape) {
   }
   Design design({.v = shape.items, .k = shape.room, .change = 1, .kind = Kind::linear});
   Block block;
-  LoadStep step;
+  Step step;
   for (const auto steps = streamed_steps(shape); steps->next(step);) {
     for (const Element x : step.evict) {
       std::erase(block, x);
@@ -123,15 +122,16 @@ void certify_order(LoadOrder::Maker& maker, LoadOrderFacts& facts, const std::st
   if (!facts.every_step_read) {
     return;
   }
-  LoadCheckOptions options;
+  CheckOptions options;
   options.kept_as = std::move(kept_as);
-  const LoadVerdict verdict = check_loads(*maker(), facts.items, facts.room, options);
+  const ScheduleVerdict verdict =
+      check_schedule(*maker(), {.items = facts.items, .room = facts.room}, options);
   if (!verdict.valid() || verdict.loads != facts.loads || verdict.steps != facts.steps ||
       verdict.loads < facts.bound.loads) {
-    throw InternalError(fmt::format("the load order '{}' of {} items with room for {} is wrong: {}",
-                                    facts.method, facts.items, facts.room,
-                                    verdict.valid() ? "it does not keep its promise"
-                                                    : verdict.fault + verdict.uncovered_example));
+    throw InternalError(fmt::format(
+        "the load order '{}' of {} items with room for {} is wrong: {}", facts.method, facts.items,
+        facts.room,
+        verdict.valid() ? "it does not keep its promise" : verdict.fault + verdict.example));
   }
   facts.certificate = fmt::format("every step read, all {} pairs met", binomial(facts.items, 2));
 }
@@ -232,7 +232,7 @@ LoadOrder load_order_of(std::shared_ptr<const Design> design, std::string method
   facts.method = std::move(method);
   facts.explanation = std::move(explanation);
   LoadOrder::Maker maker = maker_of(design);
-  LoadStep step;
+  Step step;
   for (const auto reader = maker(); reader->next(step);) {
     facts.loads += step.load.size();
   }

@@ -122,7 +122,7 @@ class EraSteps final : public StepSource {
   EraSteps(const EraShape& shape, std::uint64_t worker)
       : shape_(shape), worker_(static_cast<std::size_t>(worker)), rounds_(shape) {}
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     if (place_ == length_ && !begin_round()) {
       return false;
     }

@@ -19,7 +19,7 @@ class OrderRelay {
     std::uint64_t step = 0;
     std::vector<bool> present;  // what is in memory
 
-    bool next(LoadStep& next_step);
+    bool next(Step& next_step);
   };
 
   /// The place that was left, if it is before step `before`; otherwise the beginning.

@@ -1,9 +1,9 @@
 // Internal: which step computes which pair.
 //
-// A pair belongs to the first step that has both items in memory; workers come one after another. Within
-// a step pairs are listed by the arrival of the later item, and those with an item that goes next come
-// before the others of the last arrival. What goes next goes first only as far as the next loads need its
-// place.
+// A pair belongs to the first step that has both items in memory; workers come one after another,
+// or step together. Within a step pairs are listed by the arrival of the later item, and those with
+// an item that goes next come before the others of the last arrival. What goes next goes first only
+// as far as the next loads need its place.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,12 @@
 
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_order.hpp"
-#include "changeover/loadorder/prefetch.hpp"
 #include "loadorder/pairs/wanted_set.hpp"
 
 namespace changeover {
 
 struct AssignedStep {
-  LoadStep step;
+  Step step;
   std::vector<Element> evicted_first;    ///< by the next step, before its loads start
   std::vector<Element> evicted_late;     ///< by the next step, when this one is over
   std::vector<bool> is_new;              ///< by place in step.load: never loaded before by anybody
@@ -31,9 +30,13 @@ struct AssignedStep {
 
 class PairAssigner {
  public:
-  PairAssigner(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {})
+  /// `lockstep`: so many workers step together; 0: one comes after another.
+  PairAssigner(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {},
+               std::size_t lockstep = 0)
       : room_(room),
         wanted_(wanted),
+        in_lockstep_(lockstep > 0),
+        memories_(std::max<std::size_t>(1, lockstep)),
         there_(static_cast<std::size_t>(items), false),
         loaded_(static_cast<std::size_t>(items), false) {
     if (items <= max_elements_in_memory || wanted.graph() != nullptr) {
@@ -43,45 +46,25 @@ class PairAssigner {
 
   /// The steps to come; memory is empty, what was computed stays computed.
   void start(std::unique_ptr<StepSource> steps) {
-    std::fill(there_.begin(), there_.end(), false);
-    memory_.clear();
+    forget();
     steps_ = std::move(steps);
-    has_ahead_ = steps_->next(ahead_);
+    has_ahead_ = !in_lockstep_ && steps_->next(ahead_);
+    worker_ = ahead_.worker;
   }
 
+  /// The next step of one worker at a time; the next worker's memory is empty.
   bool next(AssignedStep& out) {
     if (!has_ahead_) {
       return false;
     }
     std::swap(out.step, ahead_);
     has_ahead_ = steps_->next(ahead_);
-    for (const Element x : out.step.evict) {
-      there_[x] = false;
+    if (out.step.worker != worker_) {
+      forget();
+      worker_ = out.step.worker;
     }
-    std::erase_if(memory_, [&](Element x) { return !there_[x]; });
-    out.pairs.clear();
-    out.arrival_end.clear();
-    out.is_new.clear();
-    std::size_t last_arrival = 0;
-    for (const Element x : out.step.load) {
-      last_arrival = out.pairs.size();
-      const auto add = [&](Element y) { out.pairs.emplace_back(std::min(x, y), std::max(x, y)); };
-      if (done_) {
-        done_->insert_all(
-            x, memory_, [&](Element y) { return there_[y]; }, add);
-      } else {
-        for (const Element y : memory_) {
-          if (wanted_.contains(x, y)) {
-            add(y);
-          }
-        }
-      }
-      memory_.push_back(x);
-      there_[x] = true;
-      out.is_new.push_back(!loaded_[x]);
-      loaded_[x] = true;
-      out.arrival_end.push_back(out.pairs.size());
-    }
+    evict(out.step, memories_[0]);
+    const std::size_t last_arrival = arrive(out, memories_[0]);
     choose_first(out);
     for (const Element x : out.evicted_first) {
       there_[x] = false;  // for a moment: marks what goes
@@ -96,23 +79,80 @@ class PairAssigner {
     return true;
   }
 
+  /// The next step of all workers, which evict before anyone loads.
+  bool next_round(std::vector<AssignedStep>& out) {
+    for (std::size_t w = 0; w < out.size(); ++w) {
+      if (!steps_->next(out[w].step)) {
+        return false;
+      }
+      evict(out[w].step, memories_[w]);
+    }
+    for (std::size_t w = 0; w < out.size(); ++w) {
+      arrive(out[w], memories_[w]);
+    }
+    return true;
+  }
+
   /// What the step after the last one loads; nothing at the end.
   [[nodiscard]] const std::vector<Element>& loaded_next() const {
-    return has_ahead_ ? ahead_.load : nothing_;
+    return goes_on() ? ahead_.load : nothing_;
   }
 
   /// What is in memory after the last step, in order of arrival.
-  [[nodiscard]] const std::vector<Element>& memory() const { return memory_; }
+  [[nodiscard]] const std::vector<Element>& memory() const { return memories_[0]; }
 
  private:
+  void forget() {
+    std::fill(there_.begin(), there_.end(), false);
+    memories_.assign(memories_.size(), {});
+  }
+
+  // Whether the worker has another step.
+  [[nodiscard]] bool goes_on() const { return has_ahead_ && ahead_.worker == worker_; }
+
+  void evict(const Step& step, std::vector<Element>& memory) {
+    for (const Element x : step.evict) {
+      there_[x] = false;
+    }
+    std::erase_if(memory, [&](Element x) { return !there_[x]; });
+  }
+
+  // Where the pairs of the last one begin.
+  std::size_t arrive(AssignedStep& out, std::vector<Element>& memory) {
+    out.pairs.clear();
+    out.arrival_end.clear();
+    out.is_new.clear();
+    std::size_t last_arrival = 0;
+    for (const Element x : out.step.load) {
+      last_arrival = out.pairs.size();
+      const auto add = [&](Element y) { out.pairs.emplace_back(std::min(x, y), std::max(x, y)); };
+      if (done_) {
+        done_->insert_all(
+            x, memory, [&](Element y) { return there_[y]; }, add);
+      } else {
+        for (const Element y : memory) {
+          if (wanted_.contains(x, y)) {
+            add(y);
+          }
+        }
+      }
+      memory.push_back(x);
+      there_[x] = true;
+      out.is_new.push_back(!loaded_[x]);
+      loaded_[x] = true;
+      out.arrival_end.push_back(out.pairs.size());
+    }
+    return last_arrival;
+  }
+
   // Of what goes next, what came in this step goes last: all its pairs are still to be computed.
   void choose_first(AssignedStep& out) const {
     out.evicted_first.clear();
     out.evicted_late.clear();
-    if (!has_ahead_) {
+    if (!goes_on()) {
       return;
     }
-    const std::uint64_t needed = memory_.size() + ahead_.load.size();
+    const std::uint64_t needed = memories_[0].size() + ahead_.load.size();
     const std::size_t first = needed > room_ ? static_cast<std::size_t>(needed - room_) : 0;
     std::vector<Element> evicted = ahead_.evict;
     std::stable_partition(evicted.begin(), evicted.end(), [&](Element x) {
@@ -126,11 +166,13 @@ class PairAssigner {
 
   std::uint64_t room_;
   WantedPairs wanted_;
+  bool in_lockstep_;
   std::unique_ptr<StepSource> steps_;
-  LoadStep ahead_;
+  Step ahead_;
   std::vector<Element> nothing_;
   bool has_ahead_ = false;
-  std::vector<Element> memory_;
+  std::uint64_t worker_ = 0;
+  std::vector<std::vector<Element>> memories_;  // by worker, in lockstep
   std::vector<bool> there_;
   std::vector<bool> loaded_;
   std::optional<WantedSet> done_;

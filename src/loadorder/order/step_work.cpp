@@ -1,129 +1,257 @@
 #include "changeover/loadorder/step_work.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "loadorder/order/pair_assigner.hpp"
-#include "loadorder/order/shuffle_pairs.hpp"
-#include "loadorder/pairs/wanted_set.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
+namespace {
 
-struct StepWork::State {
-  State(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted,
-        const StepWorkOptions& how)
-      : assigner(items, room, wanted), options(how), random(how.shuffle.value_or(0)) {}
+void shuffle_pairs(std::vector<ItemPair>& pairs, Random& random) {
+  for (std::size_t i = pairs.size(); i > 1; --i) {
+    std::swap(pairs[i - 1], pairs[random.below(static_cast<std::uint32_t>(i))]);
+  }
+}
 
-  PairAssigner assigner;
-  AssignedStep assigned;
-  StepWorkOptions options;
-  Random random;
+}  // namespace
+
+class StepWork::State {
+ public:
+  State(std::unique_ptr<StepSource> steps, const ScheduleRules& rules)
+      : rules_(rules),
+        compute_(rules.compute.value_or(ComputeRules{})),
+        random_(compute_.shuffle.value_or(0)),
+        round_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))),
+        made_(round_.size()),
+        loaded_(static_cast<std::size_t>(rules.fast_room ? rules.items : 0), false) {
+    if (rules.store) {
+      changed_.assign(static_cast<std::size_t>(rules.items), false);
+      held_by_.assign(changed_.size(), 0);
+      fast_.assign(rules.fast_room ? changed_.size() : 0, false);
+    }
+    if (rules.fast_room) {
+      steps_ = std::move(steps);
+    } else {
+      assigner_.emplace(rules.items, rules.room, rules.wanted,
+                        static_cast<std::size_t>(rules.lockstep));
+      assigner_->start(std::move(steps));
+    }
+  }
+
+  bool next(Step& step) {
+    if (given_ == made_.size() || !begun_) {
+      begun_ = true;
+      given_ = 0;
+      if (over_ || !make()) {
+        given_ = made_.size();
+        return false;
+      }
+    }
+    std::swap(step, made_[given_++]);
+    return true;
+  }
+
+ private:
+  // The next step of all workers.
+  bool make() {
+    if (!read()) {
+      over_ = true;
+      if (!rules_.store) {
+        return false;
+      }
+      leave_all();
+      store();
+      return true;
+    }
+    for (std::size_t w = 0; w < round_.size(); ++w) {
+      if (!rules_.fast_room) {
+        put(round_[w], made_[w]);
+      }
+      finish(made_[w]);
+    }
+    last_ = {made_[0].number, made_[0].worker};
+    if (rules_.store) {
+      store();
+    }
+    return true;
+  }
+
+  bool read() {
+    if (rules_.fast_room) {
+      return steps_->next(made_[0]);
+    }
+    if (rules_.lockstep > 0) {
+      return assigner_->next_round(round_);
+    }
+    before_.first = std::move(round_[0].evicted_first);
+    before_.late = std::move(round_[0].evicted_late);
+    return assigner_->next(round_[0]);
+  }
+
+  void put(const AssignedStep& from, Step& to) {
+    to.number = from.step.number;
+    to.worker = from.step.worker;
+    to.load = from.step.load;
+    to.late = 0;
+    if (rules_.overlap) {
+      to.evict = before_.first;
+      to.evict.insert(to.evict.end(), before_.late.begin(), before_.late.end());
+      to.late = before_.late.size();
+    } else {
+      to.evict = from.step.evict;
+    }
+    to.compute.clear();
+    to.overlap.clear();
+    if (!rules_.compute) {
+      return;
+    }
+    // In lockstep an item alone comes with its arrival, otherwise before all pairs: journals rely
+    // on it.
+    std::size_t done = 0;
+    for (std::size_t i = 0; i < to.load.size() && compute_.self; ++i) {
+      if (from.is_new[i]) {
+        const std::vector<Element>& early = from.evicted_first;
+        const bool waits =
+            rules_.overlap && std::find(early.begin(), early.end(), to.load[i]) == early.end();
+        (waits ? to.overlap : to.compute).emplace_back(to.load[i], to.load[i]);
+      }
+      if (rules_.lockstep > 0) {
+        add(from.pairs, done, from.arrival_end[i], to.compute);
+        done = from.arrival_end[i];
+      }
+    }
+    const std::size_t middle = rules_.overlap ? from.before : from.pairs.size();
+    add(from.pairs, done, middle, to.compute);
+    add(from.pairs, middle, from.pairs.size(), to.overlap);
+  }
+
+  void add(const std::vector<ItemPair>& pairs, std::size_t begin, std::size_t end,
+           std::vector<ItemPair>& out) const {
+    for (std::size_t i = begin; i < end; ++i) {
+      out.push_back(pairs[i]);
+      if (compute_.ordered) {
+        out.emplace_back(pairs[i].second, pairs[i].first);
+      }
+    }
+  }
+
+  // What was changed and goes, before anybody loads.
+  void store() {
+    for (Step& step : made_) {
+      step.store.clear();
+      for (const Element x : step.fast_evict) {
+        fast_[x] = false;
+      }
+      for (const Element x : step.evict) {
+        held_by_[x] = 0;
+        if (changed_[x]) {
+          step.store.push_back(x);
+          changed_[x] = false;
+        }
+      }
+    }
+    for (const Step& step : made_) {
+      for (const Element x : step.load) {
+        held_by_[x] = step.worker + 1;
+      }
+      for (const Element x : step.fast_load) {
+        fast_[x] = true;
+      }
+      for (const std::vector<ItemPair>* const pairs : {&step.compute, &step.overlap}) {
+        for (const auto& [x, y] : *pairs) {
+          changed_[x] = changed_[y] = true;
+        }
+      }
+    }
+  }
+
+  // Pairs that came with their step, both ways and with items alone, if asked for; then their
+  // order.
+  void finish(Step& step) {
+    if (rules_.fast_room) {
+      std::vector<ItemPair> pairs;
+      for (const Element x : step.fast_load) {
+        if (compute_.self && !loaded_[x]) {
+          pairs.emplace_back(x, x);
+        }
+        loaded_[x] = true;
+      }
+      add(step.compute, 0, step.compute.size(), pairs);
+      std::swap(step.compute, pairs);
+    }
+    if (compute_.shuffle) {
+      shuffle_pairs(step.compute, random_);
+      shuffle_pairs(step.overlap, random_);
+    }
+  }
+
+  // A last step.
+  void leave_all() {
+    for (std::size_t w = 0; w < made_.size(); ++w) {
+      made_[w] = {};
+      made_[w].number = last_.number + 1;
+      made_[w].worker = last_.worker + w;
+    }
+    for (Element x = 0; x < held_by_.size(); ++x) {
+      if (held_by_[x] != 0) {
+        Step& step = made_[made_.size() > 1 ? static_cast<std::size_t>(held_by_[x] - 1) : 0];
+        step.evict.push_back(x);
+        if (!fast_.empty() && fast_[x]) {
+          step.fast_evict.push_back(x);
+        }
+      }
+    }
+    for (Step& step : made_) {
+      step.late = rules_.overlap ? step.evict.size() : 0;
+    }
+  }
+
+  ScheduleRules rules_;
+  ComputeRules compute_;
+  Random random_;
+  std::unique_ptr<StepSource> steps_;     // of two levels
+  std::optional<PairAssigner> assigner_;  // otherwise
+  std::vector<AssignedStep> round_;       // by worker, in lockstep
+  std::vector<Step> made_;
+  std::size_t given_ = 0;
+  bool begun_ = false;
+  bool over_ = false;
+  struct {
+    std::vector<Element> first, late;
+  } before_;                            // what the step before has chosen to go
+  std::vector<bool> loaded_;            // by item: was on the accelerator
+  std::vector<bool> changed_;           // by item: since it was loaded
+  std::vector<std::uint64_t> held_by_;  // by item: its worker plus one
+  std::vector<bool> fast_;              // by item: on the accelerator now
+  struct {
+    std::uint64_t number = 0, worker = 0;
+  } last_;  // of the last step, in lockstep of the first worker's
 };
 
-StepWork::StepWork(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted,
-                   const StepWorkOptions& options)
-    : state_(std::make_unique<State>(items, room, wanted, options)) {}
-
+StepWork::StepWork(std::unique_ptr<StepSource> steps, const ScheduleRules& rules)
+    : state_(std::make_unique<State>(std::move(steps), rules)) {}
 StepWork::~StepWork() = default;
-StepWork::StepWork(StepWork&&) noexcept = default;
 
-void StepWork::start(std::unique_ptr<StepSource> steps) {
-  state_->assigner.start(std::move(steps));
-}
+bool StepWork::next(Step& step) { return state_->next(step); }
 
-bool StepWork::next(WorkStep& step) {
-  AssignedStep& assigned = state_->assigned;
-  if (!state_->assigner.next(assigned)) {
-    return false;
-  }
-  step.loads = assigned.step;
-  step.pairs.clear();
-  if (state_->options.self) {
-    for (std::size_t i = 0; i < assigned.step.load.size(); ++i) {
-      if (assigned.is_new[i]) {
-        step.pairs.emplace_back(assigned.step.load[i], assigned.step.load[i]);
-      }
+LoadBound store_lower_bound(const LoadBound& loads, const WantedPairs& wanted, std::uint64_t items,
+                            bool alone) {
+  std::uint64_t without_pair = 0;
+  if (!alone && wanted.are_all()) {
+    without_pair = items == 1 ? 1 : 0;
+  } else if (!alone && wanted.graph() != nullptr) {
+    for (Element x = 0; x < wanted.items(); ++x) {
+      without_pair += wanted.needs(x) && wanted.graph()->partners(x).empty() ? 1U : 0U;
     }
   }
-  for (const auto& [x, y] : assigned.pairs) {
-    step.pairs.emplace_back(x, y);
-    if (state_->options.ordered) {
-      step.pairs.emplace_back(y, x);
-    }
-  }
-  if (state_->options.shuffle) {
-    shuffle_pairs(step.pairs, state_->random);
-  }
-  return true;
-}
-
-WorkCheck::WorkCheck(std::uint64_t items, const WantedPairs& wanted, const StepWorkOptions& options)
-    : wanted_(wanted),
-      options_(options),
-      upward_(std::make_unique<WantedSet>(wanted, items)),
-      downward_(options.ordered ? std::make_unique<WantedSet>(wanted, items) : nullptr),
-      alone_(static_cast<std::size_t>(items), false),
-      loaded_(alone_),
-      there_(alone_) {}
-
-WorkCheck::~WorkCheck() = default;
-
-void WorkCheck::start_over() { std::fill(there_.begin(), there_.end(), false); }
-
-void WorkCheck::compute(const ItemPair& pair, std::uint64_t step) {
-  const auto [x, y] = pair;
-  if (x >= there_.size() || y >= there_.size() || !there_[x] || !there_[y]) {
-    verdict_.fault = fmt::format("step {} computes ({},{}), which is not in memory", step, x, y);
-    return;
-  }
-  ++verdict_.computed;
-  bool is_new = false;
-  if (x == y && options_.self) {
-    is_new = !alone_[x];
-    alone_[x] = true;
-  } else if (x == y || (x > y && !options_.ordered) || !wanted_.contains(x, y)) {
-    verdict_.fault = fmt::format("step {} computes ({},{}), which is not wanted", step, x, y);
-    return;
-  } else {
-    is_new = (x < y ? upward_ : downward_)->insert(x, y);
-  }
-  verdict_.repeated += is_new ? 0U : 1U;
-}
-
-void WorkCheck::read(const WorkStep& step) {
-  if (!verdict_.fault.empty()) {
-    return;
-  }
-  const auto put = [&](const std::vector<Element>& items, bool present) {
-    for (const Element x : items) {
-      if (x >= there_.size() || there_[x] == present) {
-        verdict_.fault =
-            fmt::format("step {} {} {}", step.loads.number, present ? "loads" : "evicts", x);
-        return;
-      }
-      there_[x] = present;
-      loaded_[x] = true;
-    }
-  };
-  put(step.loads.evict, false);
-  put(step.loads.load, true);
-  for (const ItemPair& pair : step.pairs) {
-    if (verdict_.fault.empty()) {
-      compute(pair, step.loads.number);
-    }
-  }
-}
-
-WorkVerdict WorkCheck::finish() const {
-  WorkVerdict verdict = verdict_;
-  verdict.missing = upward_->missing() + (downward_ ? downward_->missing() : 0);
-  for (std::size_t x = 0; x < loaded_.size() && options_.self; ++x) {
-    verdict.missing += loaded_[x] && !alone_[x] ? 1U : 0U;
-  }
-  return verdict;
+  // A bound on loads counts each of them once.
+  const std::uint64_t least = loads.loads > without_pair ? loads.loads - without_pair : 0;
+  return {least,
+          "a stay in memory in which an item changes has a load and a store, and the other "
+          "stays can be left out"};
 }
 
 }  // namespace changeover

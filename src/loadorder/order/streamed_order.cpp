@@ -16,7 +16,7 @@ class StreamedSteps final : public StepSource {
   explicit StreamedSteps(const StreamedShape& shape)
       : shape_(shape), n_(shape.room - 1), v_(2 * shape.c * n_ + 1) {}
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     step.number = ++number_;
     step.load.clear();
     step.evict.clear();
@@ -61,12 +61,12 @@ class StreamedSteps final : public StepSource {
  private:
   enum class Stage : std::uint8_t { pass, swap, windows, join, end };
 
-  static void exchange(LoadStep& step, std::uint64_t in, std::uint64_t out) {
+  static void exchange(Step& step, std::uint64_t in, std::uint64_t out) {
     step.evict.push_back(static_cast<Element>(out));
     step.load.push_back(static_cast<Element>(in));
   }
 
-  void begin(LoadStep& step) {
+  void begin(Step& step) {
     const std::uint64_t p = shape_.items;
     if (p <= shape_.room) {
       fill(step, p);
@@ -89,13 +89,13 @@ class StreamedSteps final : public StepSource {
     }
   }
 
-  static void fill(LoadStep& step, std::uint64_t count) {
+  static void fill(Step& step, std::uint64_t count) {
     for (std::uint64_t x = 0; x < count; ++x) {
       step.load.push_back(static_cast<Element>(x));
     }
   }
 
-  bool pass(LoadStep& step) {
+  bool pass(Step& step) {
     next_ += next_ == skipped_ ? 1 : 0;
     if (next_ >= shape_.items) {
       return false;
@@ -130,7 +130,7 @@ class StreamedSteps final : public StepSource {
     }
   }
 
-  void swap(LoadStep& step) {
+  void swap(Step& step) {
     const std::uint64_t out = first_ - n_ + swapped_;
     std::uint64_t in = first_ + swapped_;
     if (into_windows_) {  // 1, …, n−1 and the first that passes; 0 is there
@@ -143,7 +143,7 @@ class StreamedSteps final : public StepSource {
     ++swapped_;
   }
 
-  bool window_step(LoadStep& step) {
+  bool window_step(Step& step) {
     if (passed_ == passing_count(window_)) {
       if (++window_ == v_) {
         stage_ = Stage::join;

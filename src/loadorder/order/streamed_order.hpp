@@ -53,7 +53,7 @@ struct StreamedShape {
 /// A reader. O(1) a load; memory O(1) but for the first step.
 [[nodiscard]] std::unique_ptr<StepSource> streamed_steps(const StreamedShape& shape);
 
-/// For LoadCheckOptions::kept_as: names by which a window is consecutive numbers, so that an item which passes needs one
+/// For CheckOptions::kept_as: names by which a window is consecutive numbers, so that an item which passes needs one
 /// cache line of pairs, and the next windows need the same lines. At P = 65,535 that made the
 /// check about half again as fast for C = 10, but 1.4 times as slow for C = 100, presumably since updates of one word
 /// wait for each other. So there are such names for rooms up to 32 only; otherwise, or without windows, none.

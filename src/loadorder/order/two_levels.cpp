@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "changeover/core/pair_set.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/pair_assigner.hpp"
 
@@ -60,7 +60,7 @@ struct Shape {
 };
 
 /// Groups are loaded as an order of groups says; then what is new is done on the accelerator.
-class Steps final : public TwoLevelSource {
+class Steps final : public StepSource {
  public:
   Steps(const Shape& shape, std::unique_ptr<StepSource> groups, std::uint64_t group_room)
       : shape_(shape),
@@ -72,13 +72,13 @@ class Steps final : public TwoLevelSource {
     assigner_.start(std::move(groups));
   }
 
-  bool next(TwoLevelStep& step) override {
+  bool next(Step& step) override {
     step.number = number_ + 1;
     step.fast_evict.clear();
     step.evict.clear();
     step.load.clear();
     step.fast_load.clear();
-    step.pairs.clear();
+    step.compute.clear();
     while (true) {
       if (inner_ && inner_->next(inner_step_)) {
         follow(step);
@@ -113,7 +113,7 @@ class Steps final : public TwoLevelSource {
   };
 
   // What follows the loads of some groups: for each of them what it meets for the first time.
-  void load_groups(TwoLevelStep& step) {
+  void load_groups(Step& step) {
     for (const Element group : groups_.step.evict) {
       shape_.put(group, step.evict);
     }
@@ -162,7 +162,7 @@ class Steps final : public TwoLevelSource {
   }
 
   // A step of the order for the accelerator; what is still there is not transferred again, and nothing leaves before it has to.
-  void follow(TwoLevelStep& step) {
+  void follow(Step& step) {
     for (const Element i : inner_step_.evict) {
       wanted_[(*names_)[i]] = false;
     }
@@ -191,7 +191,7 @@ class Steps final : public TwoLevelSource {
       for (const Element y : on_accelerator_) {
         if (!met_.contains(x, y)) {
           met_.insert(x, y);
-          step.pairs.emplace_back(std::min(x, y), std::max(x, y));
+          step.compute.emplace_back(std::min(x, y), std::max(x, y));
         }
       }
       on_accelerator_.push_back(x);
@@ -201,7 +201,7 @@ class Steps final : public TwoLevelSource {
   }
 
   // By value: it is erased from where it may stand.
-  void take_off(Element x, TwoLevelStep& step) {
+  void take_off(Element x, Step& step) {
     std::erase(on_accelerator_, x);
     fast_[x] = false;
     step.fast_evict.push_back(x);
@@ -214,7 +214,7 @@ class Steps final : public TwoLevelSource {
   std::vector<Task> tasks_;
   std::size_t next_task_ = 0;
   std::unique_ptr<StepSource> inner_;
-  LoadStep inner_step_;
+  Step inner_step_;
   const std::vector<Element>* names_ = nullptr;
   std::vector<bool> wanted_;             // by item: in the memory of the order that is followed
   std::vector<bool> fast_;               // by item: on the accelerator
@@ -231,18 +231,17 @@ TwoLevelOrder::Maker with_groups(const Shape& shape) {
   quick.planner = false;
   const auto groups =
       std::make_shared<const LoadOrder>(plan_load_order(shape.groups(), group_room, quick));
-  return [shape, groups, group_room]() -> std::unique_ptr<TwoLevelSource> {
+  return [shape, groups, group_room]() -> std::unique_ptr<StepSource> {
     return std::make_unique<Steps>(shape, groups->stream(), group_room);
   };
 }
 
 /// Steps that were made before.
-class KeptSteps final : public TwoLevelSource {
+class KeptSteps final : public StepSource {
  public:
-  explicit KeptSteps(std::shared_ptr<const std::vector<TwoLevelStep>> steps)
-      : steps_(std::move(steps)) {}
+  explicit KeptSteps(std::shared_ptr<const std::vector<Step>> steps) : steps_(std::move(steps)) {}
 
-  bool next(TwoLevelStep& step) override {
+  bool next(Step& step) override {
     if (next_ == steps_->size()) {
       return false;
     }
@@ -251,7 +250,7 @@ class KeptSteps final : public TwoLevelSource {
   }
 
  private:
-  std::shared_ptr<const std::vector<TwoLevelStep>> steps_;
+  std::shared_ptr<const std::vector<Step>> steps_;
   std::size_t next_ = 0;
 };
 
@@ -264,7 +263,7 @@ class Cache {
         place_(uses_.size(), Place::disk),
         met_(shape.items) {
     const LoadOrder order = plan_load_order(shape.items, shape.fast_room);
-    LoadStep step;
+    Step step;
     for (const auto steps = order.stream(); steps->next(step);) {
       for (const Element x : step.load) {
         uses_[x].push_back(step.number);
@@ -277,19 +276,18 @@ class Cache {
   }
 
   TwoLevelOrder::Maker run() {
-    const auto made = std::make_shared<std::vector<TwoLevelStep>>();
-    for (const LoadStep& step : steps_) {
+    const auto made = std::make_shared<std::vector<Step>>();
+    for (const Step& step : steps_) {
       made->push_back(follow(step));
     }
-    return
-        [made]() -> std::unique_ptr<TwoLevelSource> { return std::make_unique<KeptSteps>(made); };
+    return [made]() -> std::unique_ptr<StepSource> { return std::make_unique<KeptSteps>(made); };
   }
 
  private:
   enum class Place : std::uint8_t { disk, memory, accelerator };
 
-  TwoLevelStep follow(const LoadStep& step) {
-    TwoLevelStep out;
+  Step follow(const Step& step) {
+    Step out;
     out.number = step.number;
     out.fast_evict = step.evict;
     for (const Element x : step.evict) {
@@ -316,7 +314,7 @@ class Cache {
       for (const Element y : fast_) {
         if (!met_.contains(x, y)) {
           met_.insert(x, y);
-          out.pairs.emplace_back(std::min(x, y), std::max(x, y));
+          out.compute.emplace_back(std::min(x, y), std::max(x, y));
         }
       }
       fast_.push_back(x);
@@ -333,7 +331,7 @@ class Cache {
   }
 
   Shape shape_;
-  std::vector<LoadStep> steps_;
+  std::vector<Step> steps_;
   std::vector<std::vector<std::uint64_t>> uses_;  // by item: numbers of steps that transfer it
   std::vector<Place> place_;
   std::vector<Element> memory_;  // what is on the accelerator included
@@ -341,14 +339,12 @@ class Cache {
   PairSet met_;
 };
 
-TwoLevelVerdict verdict_of(const Shape& shape, const TwoLevelOrder::Maker& maker) {
-  TwoLevelCheck check(shape.items, shape.room, shape.fast_room);
-  TwoLevelStep step;
-  for (const auto steps = maker(); steps->next(step);) {
-    stop_if_asked();
-    check.read(step);
-  }
-  TwoLevelVerdict verdict = check.finish();
+ScheduleVerdict verdict_of(const Shape& shape, const TwoLevelOrder::Maker& maker) {
+  const ScheduleRules rules{.items = shape.items,
+                            .room = shape.room,
+                            .fast_room = shape.fast_room,
+                            .compute = ComputeRules{}};
+  ScheduleVerdict verdict = check_schedule(*maker(), rules);
   if (!verdict.valid()) {
     throw InternalError(fmt::format(
         "the order of {} items with room for {} and {}, in groups of {}, is wrong: {} {} missing",
@@ -399,14 +395,14 @@ TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint
     throw ImpossibleParameters(fmt::format(
         "{} items: two levels have at most {}; make items larger", items, max_elements_in_memory));
   }
-  const auto cost = [&](const TwoLevelVerdict& verdict) {
+  const auto cost = [&](const ScheduleVerdict& verdict) {
     return static_cast<double>(verdict.loads) / static_cast<double>(facts.load_bound.loads) +
            static_cast<double>(verdict.transfers) / static_cast<double>(facts.transfer_bound.loads);
   };
   // Each size is tried in full, as long as that takes no more than some seconds.
   constexpr std::uint64_t most_work = 30'000'000;
   const std::uint64_t pairs = binomial(items, 2) + items;
-  std::optional<TwoLevelVerdict> best;
+  std::optional<ScheduleVerdict> best;
   TwoLevelOrder::Maker best_maker;
   std::uint64_t work = 0;
   for (const std::uint64_t size : sizes_to_try(items, room, fast_room)) {
@@ -416,7 +412,7 @@ TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint
     }
     const Shape shape{items, room, fast_room, size};
     const TwoLevelOrder::Maker maker = with_groups(shape);
-    const TwoLevelVerdict verdict = verdict_of(shape, maker);
+    const ScheduleVerdict verdict = verdict_of(shape, maker);
     if (!best || cost(verdict) < cost(*best)) {
       best = verdict;
       best_maker = maker;
@@ -431,7 +427,7 @@ TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint
   if (facts.transfer_bound.loads <= most_kept) {
     const Shape shape{items, room, fast_room, 0};
     const TwoLevelOrder::Maker maker = Cache(shape).run();
-    const TwoLevelVerdict verdict = verdict_of(shape, maker);
+    const ScheduleVerdict verdict = verdict_of(shape, maker);
     if (cost(verdict) < cost(*best)) {
       best = verdict;
       best_maker = maker;

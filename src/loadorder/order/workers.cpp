@@ -9,7 +9,6 @@
 #include "bounds/stays.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/order_relay.hpp"
@@ -19,7 +18,7 @@
 
 namespace changeover {
 
-bool OrderRelay::Place::next(LoadStep& next_step) {
+bool OrderRelay::Place::next(Step& next_step) {
   if (!order->next(next_step)) {
     return false;
   }
@@ -54,8 +53,9 @@ namespace {
 class Stretch final : public StepSource {
  public:
   Stretch(std::shared_ptr<OrderRelay> relay, const LoadOrder& order, std::uint64_t first,
-          std::uint64_t count, std::uint64_t items)
-      : relay_(std::move(relay)),
+          std::uint64_t count, std::uint64_t items, std::uint64_t worker)
+      : worker_(worker),
+        relay_(std::move(relay)),
         at_(count == 0 ? OrderRelay::Place() : relay_->take(order, first)),
         first_(first),
         count_(count),
@@ -69,11 +69,12 @@ class Stretch final : public StepSource {
   Stretch(const Stretch&) = delete;
   Stretch& operator=(const Stretch&) = delete;
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     if (done_ == count_ || !(done_ == 0 ? start() : at_.next(inner_))) {
       return false;
     }
     step.number = ++done_;
+    step.worker = worker_;
     step.evict.clear();
     step.load.clear();
     for (const Element group : inner_.evict) {
@@ -111,11 +112,12 @@ class Stretch final : public StepSource {
     }
   }
 
+  std::uint64_t worker_;
   std::shared_ptr<OrderRelay> relay_;
   OrderRelay::Place at_;
   std::uint64_t first_, count_, items_, groups_;
   std::uint64_t done_ = 0;
-  LoadStep inner_;
+  Step inner_;
 };
 
 void check_workers(std::uint64_t workers) {
@@ -160,7 +162,7 @@ class StepSizes {
     loaded_.push_back(0);
     std::uint64_t held = 0;
     const auto steps = order.stream();
-    for (LoadStep step; steps->next(step);) {
+    for (Step step; steps->next(step);) {
       stop_if_asked();
       const std::uint64_t loads = size(step.load);
       held += loads - size(step.evict);
@@ -218,27 +220,39 @@ class StepSizes {
   std::vector<std::uint64_t> loaded_;  // before each step
 };
 
+class OneAfterAnother final : public StepSource {
+ public:
+  explicit OneAfterAnother(const WorkerSplit& split) : split_(split) {}
+
+  bool next(Step& step) override {
+    while (!steps_ || !steps_->next(step)) {
+      steps_.reset();  // leaves its place in the order to the next one
+      if (worker_ == split_.facts().workers.size()) {
+        return false;
+      }
+      steps_ = split_.stream(worker_++);
+    }
+    return true;
+  }
+
+ private:
+  const WorkerSplit& split_;
+  std::unique_ptr<StepSource> steps_;
+  std::uint64_t worker_ = 0;
+};
+
 void verify_split(const WorkerSplit& split) {
   const SplitFacts& facts = split.facts();
-  LoadCheckOptions options;
-  options.wanted = split.order().facts().wanted;
+  CheckOptions options;
   if (split.order().facts().method == "streamed" && facts.groups == facts.items) {
     options.kept_as = names_by_window(best_streamed_shape(facts.items, facts.room));
   }
-  LoadCheck check(facts.items, facts.room, options);
-  LoadStep step;
-  for (std::uint64_t w = 0; w < facts.workers.size(); ++w) {
-    check.start_over();
-    for (const auto steps = split.stream(w); steps->next(step);) {
-      stop_if_asked();
-      check.read(step);
-    }
-  }
-  const LoadVerdict verdict = check.finish();
+  const ScheduleRules rules{
+      .items = facts.items, .room = facts.room, .wanted = split.order().facts().wanted};
+  const ScheduleVerdict verdict = check_schedule(*split.stream(), rules, options);
   if (!verdict.valid() || verdict.loads != facts.loads) {
     throw InternalError(fmt::format("the split of {} items with room for {} is wrong: {}{}",
-                                    facts.items, facts.room, verdict.fault,
-                                    verdict.uncovered_example));
+                                    facts.items, facts.room, verdict.fault, verdict.example));
   }
 }
 
@@ -332,7 +346,12 @@ std::unique_ptr<StepSource> WorkerSplit::stream(std::uint64_t worker) const {
         fmt::format("worker {} of {}: they are numbered from 0", worker, facts_.workers.size()));
   }
   const WorkerFacts& facts = facts_.workers[static_cast<std::size_t>(worker)];
-  return std::make_unique<Stretch>(relay_, order_, facts.first_step, facts.steps, facts_.items);
+  return std::make_unique<Stretch>(relay_, order_, facts.first_step, facts.steps, facts_.items,
+                                   worker);
+}
+
+std::unique_ptr<StepSource> WorkerSplit::stream() const {
+  return std::make_unique<OneAfterAnother>(*this);
 }
 
 WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
@@ -379,8 +398,8 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
     } else if (worker.steps > 0 && sizes) {
       worker.loads = sizes->loads(worker.first_step - 1, worker.steps);
     } else if (worker.steps > 0) {
-      Stretch stretch(relay, order, worker.first_step, worker.steps, items);
-      for (LoadStep step; stretch.next(step);) {
+      Stretch stretch(relay, order, worker.first_step, worker.steps, items, w);
+      for (Step step; stretch.next(step);) {
         stop_if_asked();
         worker.loads += step.load.size();
       }

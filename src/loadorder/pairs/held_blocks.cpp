@@ -29,7 +29,7 @@ class BlockedSteps final : public StepSource {
   BlockedSteps(std::shared_ptr<const HeldBlocks> blocks, std::uint64_t items)
       : blocks_(std::move(blocks)), there_(static_cast<std::size_t>(items), false) {}
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     while (!steps_ || !steps_->next(step)) {
       if (at_ == blocks_->shapes.size()) {
         return false;

@@ -138,7 +138,7 @@ class HeldSteps final : public StepSource {
  public:
   explicit HeldSteps(HeldShape shape) : shape_(std::move(shape)), walk_(shape_) {}
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     if (!walk_.next(change_, false)) {
       return false;
     }

@@ -9,7 +9,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
@@ -29,7 +28,7 @@ class MoveSteps final : public StepSource {
  public:
   explicit MoveSteps(std::shared_ptr<const Moves> moves) : moves_(std::move(moves)) {}
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     if (at_ == moves_->size()) {
       return false;
     }
@@ -234,7 +233,7 @@ class ListSearch {
 // Each load with what goes for it.
 Moves moves_of(LoadOrder& order) {
   Moves moves;
-  for (LoadStep step; order.next(step);) {
+  for (Step step; order.next(step);) {
     for (std::size_t i = 0; i < step.load.size(); ++i) {
       moves.push_back({step.load[i], i < step.evict.size() ? step.evict[i] : LoadMove::nothing});
     }
@@ -270,15 +269,13 @@ std::uint64_t steps_of(const Moves& moves) {
 }
 
 void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts) {
-  LoadCheckOptions options;
-  options.wanted = facts.wanted;
-  const LoadVerdict verdict = check_loads(*maker(), facts.items, facts.room, options);
+  const ScheduleVerdict verdict =
+      check_schedule(*maker(), {.items = facts.items, .room = facts.room, .wanted = facts.wanted});
   if (!verdict.valid() || verdict.loads != facts.loads || verdict.steps != facts.steps ||
       verdict.loads < facts.bound.loads) {
-    throw InternalError(fmt::format("the load order for {} with room for {} is wrong: {}",
-                                    facts.wanted.describe(), facts.room,
-                                    verdict.valid() ? "it does not keep its promise"
-                                                    : verdict.fault + verdict.uncovered_example));
+    throw InternalError(fmt::format(
+        "the load order for {} with room for {} is wrong: {}", facts.wanted.describe(), facts.room,
+        verdict.valid() ? "it does not keep its promise" : verdict.fault + verdict.example));
   }
   const std::uint64_t pairs = facts.wanted.count();
   facts.certificate = pairs == 1 ? "every step read, the wanted pair met"

@@ -150,17 +150,14 @@ std::vector<RequestOption<R>> options() {
 std::vector<OptionRule> rules() {
   using Says = OptionRule::Says;
   return {
-      {Says::exclude, {"workers", "prefetch"}},
       {Says::exclude, {"new_pairs", "prefetch"}},
       {Says::only_with, {"disjoint"}, {"workers"}},
-      {Says::exclude, {"write_back", "prefetch"}},
       {Says::never_with,
        {"fast_room"},
-       {"workers", "prefetch", "write_back", "pairs", "against", "done_items", "ordered", "self",
-        "shuffle", "seconds"}},
+       {"workers", "prefetch", "pairs", "against", "done_items", "seconds"}},
       {Says::only_with, {"item_bytes"}, {"fast_room"}},
-      {Says::never_with, {"disjoint"}, {"pairs", "against", "done_items"}},
-      {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back"}},
+      {Says::never_with, {"disjoint"}, {"prefetch", "pairs", "against", "done_items"}},
+      {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},
       {Says::exclude, {"pairs", "against", "done_items"}},
       {Says::never_with, {"seconds"}, {"against", "done_items"}},
       {Says::only_with, {"threads"}, {"seconds"}},

@@ -7,7 +7,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/pair_assigner.hpp"
@@ -26,7 +25,7 @@ std::uint64_t hash_of(const LoadOrder& order) {
       hash = (hash ^ (value >> (8 * i) & 0xff)) * 1099511628211ULL;
     }
   };
-  LoadStep step;
+  Step step;
   for (const auto steps = order.stream(); steps->next(step);) {
     mix(step.evict.size());
     for (const Element x : step.evict) {
@@ -345,13 +344,11 @@ AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairC
   }
   if (!facts.every_step_read) {
     const auto steps = order.stream();
-    LoadCheckOptions wanted;
-    wanted.wanted = facts.wanted;
-    const LoadVerdict verdict = check_loads(*steps, facts.items, facts.room, wanted);
+    const ScheduleVerdict verdict =
+        check_schedule(*steps, {.items = facts.items, .room = facts.room, .wanted = facts.wanted});
     if (!verdict.valid() || verdict.steps != facts.steps) {
       throw BadInput(fmt::format("this is no load order of {} items with room for {}: {}{}",
-                                 facts.items, facts.room, verdict.fault,
-                                 verdict.uncovered_example));
+                                 facts.items, facts.room, verdict.fault, verdict.example));
     }
   }
   return Job(source, order, compute, options).run();

@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
+#include "changeover/loadorder/step_work.hpp"
 #include "core/checked.hpp"
 #include "loadorder/run/compute_pool.hpp"
 #include "loadorder/run/journal.hpp"
@@ -19,24 +20,23 @@ namespace changeover {
 namespace {
 
 /// Plays a whole order: whether it is one, and a checksum by which it is known again. @throws BadInput
-Checksum checksum_of(const DisjointOrder& order, const StepWorkOptions& options) {
+Checksum checksum_of(const DisjointOrder& order, const ComputeRules& compute) {
   const DisjointFacts& facts = order.facts();
-  LockstepCheck check(facts.items, facts.room, facts.workers, options);
-  LockstepWork work(order, options);
+  const ScheduleRules rules = order.rules(compute);
+  ScheduleCheck check(rules);
+  StepWork work(order.stream(), rules);
   Sha256 hash;
-  for (std::vector<WorkStep> steps; work.next(steps);) {
-    check.read(steps);
-    for (const WorkStep& step : steps) {
-      for (const std::vector<Element>& list : {step.loads.evict, step.loads.load}) {
-        hash.add(list.data(), list.size() * sizeof(Element));
-        hash.add("|");
-      }
-      for (const auto& [x, y] : step.pairs) {
-        hash.add(fmt::format("{},{} ", x, y));
-      }
+  for (Step step; work.next(step);) {
+    check.read(step);
+    for (const std::vector<Element>& list : {step.evict, step.load}) {
+      hash.add(list.data(), list.size() * sizeof(Element));
+      hash.add("|");
+    }
+    for (const auto& [x, y] : step.compute) {
+      hash.add(fmt::format("{},{} ", x, y));
     }
   }
-  const LockstepVerdict verdict = check.finish();
+  const ScheduleVerdict verdict = check.finish();
   if (!verdict.valid() || verdict.steps != facts.steps) {
     throw BadInput(fmt::format(
         "this is no order of {} items for {} workers with room for {}: {}{} pairs are missing",
@@ -95,7 +95,7 @@ class UpdateJob {
         options_(options),
         beside_(options.data + ".versions"),
         order_checksum_(checksum_of(order, options.work)),
-        work_(order, options.work),
+        work_(order.stream(), order.rules(options.work)),
         steps_(static_cast<std::size_t>(facts_.workers)),
         stores_(steps_.size()),
         held_(steps_.size()),
@@ -227,11 +227,13 @@ class UpdateJob {
 
   // What the next step of each worker stores, and what is changed and held after it. False at the end.
   bool plan_step() {
-    if (!work_.next(steps_)) {
-      return false;
+    for (Step& step : steps_) {
+      if (!work_.next(step)) {
+        return false;
+      }
     }
     for (std::size_t w = 0; w < steps_.size(); ++w) {
-      const LoadStep& loads = steps_[w].loads;
+      const Step& loads = steps_[w];
       stores_[w].clear();
       for (const Element x : loads.evict) {
         if (changed_[x]) {
@@ -243,9 +245,9 @@ class UpdateJob {
     }
     // Only now, for what one has dropped another may load.
     for (std::size_t w = 0; w < steps_.size(); ++w) {
-      const LoadStep& loads = steps_[w].loads;
+      const Step& loads = steps_[w];
       held_[w].insert(held_[w].end(), loads.load.begin(), loads.load.end());
-      for (const auto& [x, y] : steps_[w].pairs) {
+      for (const auto& [x, y] : steps_[w].compute) {
         changed_[x] = true;
         changed_[y] = true;
       }
@@ -321,20 +323,20 @@ class UpdateJob {
     store(items, pool);
     // Everybody has stored: an item may go from one worker to another.
     pool.run(steps_.size(), [&](std::size_t w) {
-      for (const Element x : steps_[w].loads.evict) {
+      for (const Element x : steps_[w].evict) {
         memories_[w].drop(x);
       }
-      for (const Element x : steps_[w].loads.load) {
+      for (const Element x : steps_[w].load) {
         items.read(x, memories_[w].take(x));
       }
-      for (const auto& [x, y] : steps_[w].pairs) {
+      for (const auto& [x, y] : steps_[w].compute) {
         update_({report_.steps_done, w, memories_[w].item(x), memories_[w].item(y)});
       }
     });
     for (std::size_t w = 0; w < steps_.size(); ++w) {
-      report_.loads += steps_[w].loads.load.size();
+      report_.loads += steps_[w].load.size();
       report_.stores += stores_[w].size();
-      report_.updates += steps_[w].pairs.size();
+      report_.updates += steps_[w].compute.size();
     }
   }
 
@@ -355,8 +357,8 @@ class UpdateJob {
   const UpdateOptions& options_;
   std::string beside_;
   Checksum order_checksum_;
-  LockstepWork work_;
-  std::vector<WorkStep> steps_;               // by worker: the step
+  StepWork work_;
+  std::vector<Step> steps_;                   // by worker: the step
   std::vector<std::vector<Element>> stores_;  // by worker: what it stores now
   std::vector<std::vector<Element>> held_;    // by worker
   std::vector<bool> changed_;                 // by item: since it was loaded or stored

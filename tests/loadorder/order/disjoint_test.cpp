@@ -15,14 +15,14 @@
 namespace changeover::test {
 namespace {
 
-using Steps = std::vector<std::vector<LoadStep>>;  // by worker
+using Steps = std::vector<std::vector<Step>>;  // by worker
 
 Steps steps_of(const DisjointOrder& order) {
   Steps all;
   for (std::uint64_t w = 0; w < order.facts().workers; ++w) {
     all.emplace_back();
     const auto steps = order.stream(w);
-    for (LoadStep step; steps->next(step);) {
+    for (Step step; steps->next(step);) {
       all.back().push_back(step);
     }
   }
@@ -109,7 +109,7 @@ TEST(Disjoint, ErasMeetTheDefinitionForAllNumbersOfGroups) {
         std::uint64_t loads = 0;
         for (std::size_t w = 0; w < all.size(); ++w) {
           const auto steps = era_steps(shape, w);
-          for (LoadStep step; steps->next(step);) {
+          for (Step step; steps->next(step);) {
             loads += step.load.size();
             all[w].push_back(step);
           }
@@ -209,73 +209,59 @@ TEST(Disjoint, NoOrderBeatsTheBoundAndSmallOnesAreTheBest) {
 TEST(Disjoint, CutsOfAnOrderForOneWorkerShareItems) {
   // What --workers alone gives: the check must see it.
   const WorkerSplit split = split_load_order(32, 8, 2);
-  LockstepCheck check(32, 8, 2);
+  ScheduleCheck check({.items = 32, .room = 8, .lockstep = 2});
   const auto first = split.stream(0);
   const auto second = split.stream(1);
-  for (std::vector<WorkStep> steps(2);
-       first->next(steps[0].loads) && second->next(steps[1].loads);) {
-    check.read(steps);
+  for (Step one, other; first->next(one) && second->next(other);) {
+    check.read(one);
+    check.read(other);
   }
-  EXPECT_NE(check.finish().fault.find("holds"), std::string::npos) << check.finish().fault;
+  EXPECT_NE(check.finish().fault.find("is in memory of worker"), std::string::npos)
+      << check.finish().fault;
 }
 
-// All steps of an order with what they compute.
-std::vector<std::vector<WorkStep>> work_of(const DisjointOrder& order,
-                                           const StepWorkOptions& options) {
-  std::vector<std::vector<WorkStep>> all;
-  LockstepWork work(order, options);
-  for (std::vector<WorkStep> steps; work.next(steps);) {
-    all.push_back(steps);
-  }
-  return all;
-}
-
-LockstepVerdict verdict_of(const std::vector<std::vector<WorkStep>>& all, std::uint64_t room,
-                           const StepWorkOptions& options = {}) {
-  LockstepCheck check(12, room, 2, options);
-  for (const auto& steps : all) {
-    check.read(steps);
-  }
-  return check.finish();
+ScheduleRules rules_with(std::uint64_t room, const ComputeRules& compute = {}) {
+  return {.items = 12, .room = room, .lockstep = 2, .compute = compute};
 }
 
 TEST(Disjoint, ChecksRefuseWhatIsWrong) {
   const DisjointOrder order = plan_disjoint_order(12, 4, 2);
-  const auto right = work_of(order, {});
-  ASSERT_TRUE(verdict_of(right, 4).valid());
-  EXPECT_EQ(verdict_of(right, 4).computed, 66U);
-  EXPECT_NE(verdict_of(right, 3).fault.find("memory is full"), std::string::npos);
+  const std::vector<Step> right = work_of(order.stream(), order.rules());  // by turns
+  ASSERT_TRUE(verdict_of(right, rules_with(4)).valid());
+  EXPECT_EQ(verdict_of(right, rules_with(4)).computed, 66U);
+  EXPECT_EQ(verdict_of(right, rules_with(4)).worker_loads, order.facts().worker_loads);
+  EXPECT_NE(verdict_of(right, rules_with(3)).fault.find("memory is full"), std::string::npos);
   const auto refused = [&](const std::string& says, const auto& change) {
     auto wrong = right;
     change(wrong);
-    const LockstepVerdict verdict = verdict_of(wrong, 4);
+    const ScheduleVerdict verdict = verdict_of(wrong, rules_with(4));
     EXPECT_FALSE(verdict.valid()) << says;
     EXPECT_NE(verdict.fault.find(says), std::string::npos) << says << ": " << verdict.fault;
   };
-  refused("is numbered", [](auto& all) { all[1][0].loads.number = 7; });
-  refused("which it does not hold", [](auto& all) { all[0][1].loads.evict.push_back(0); });
-  refused("which worker 0 holds",
-          [](auto& all) { all[0][1].loads.load[0] = all[0][0].loads.load[0]; });
-  refused("which is no item", [](auto& all) { all[0][1].loads.load[0] = 12; });
-  refused("without holding both", [](auto& all) { std::swap(all[0][0].pairs, all[0][1].pairs); });
-  refused("which is not wanted", [](auto& all) { all[0][0].pairs[0] = {0, 0}; });
-  refused("is of 1 workers", [](auto& all) { all[2].pop_back(); });
-  refused("", [](auto& all) { all[0][0].pairs.pop_back(); });
-  refused("", [](auto& all) { all[0][0].pairs.push_back(all[0][0].pairs[0]); });
+  refused("is numbered", [](auto& all) { all[2].number = 7; });
+  refused("which is not in memory", [](auto& all) { all[1].evict.push_back(0); });
+  refused("is in memory of worker 0", [](auto& all) { all[1].load[0] = all[0].load[0]; });
+  refused("which is not an item", [](auto& all) { all[1].load[0] = 12; });
+  refused("not both in memory", [](auto& all) { std::swap(all[0].compute, all[1].compute); });
+  refused("which is not wanted", [](auto& all) { all[0].compute[0] = {0, 0}; });
+  refused("comes where worker 1 is next", [](auto& all) { all.erase(all.begin() + 5); });
+  refused("is of 1 workers, not of 2", [](auto& all) { all.pop_back(); });
+  refused("", [](auto& all) { all[0].compute.pop_back(); });
+  refused("", [](auto& all) { all[0].compute.push_back(all[0].compute[0]); });
   auto repeated = right;
-  repeated[0][0].pairs.push_back(repeated[0][0].pairs[0]);
-  EXPECT_EQ(verdict_of(repeated, 4).repeated, 1U);
-  EXPECT_FALSE(verdict_of({}, 4).valid());
+  repeated[0].compute.push_back(repeated[0].compute[0]);
+  EXPECT_EQ(verdict_of(repeated, rules_with(4)).repeated, 1U);
+  EXPECT_FALSE(verdict_of({}, rules_with(4)).valid());
 }
 
 TEST(Disjoint, WorkHasBothWaysAndItemsAloneIfAskedTo) {
   const DisjointOrder order = plan_disjoint_order(12, 4, 2);
-  const StepWorkOptions options{.ordered = true, .self = true, .shuffle = 3};
-  const auto all = work_of(order, options);
-  const LockstepVerdict verdict = verdict_of(all, 4, options);
+  const ComputeRules both{.ordered = true, .self = true, .shuffle = 3};
+  const auto all = work_of(order.stream(), order.rules(both));
+  const ScheduleVerdict verdict = verdict_of(all, rules_with(4, both));
   EXPECT_TRUE(verdict.valid()) << verdict.fault;
   EXPECT_EQ(verdict.computed, 144U);
-  EXPECT_EQ(verdict_of(work_of(order, {}), 4, options).missing, 78U);
+  EXPECT_EQ(verdict_of(work_of(order.stream(), order.rules()), rules_with(4, both)).missing, 78U);
 }
 
 TEST(Disjoint, ComesCloseToTheBound) {
@@ -293,8 +279,9 @@ TEST(Disjoint, RefusesTooManyWorkersAndTooManyItems) {
   EXPECT_THROW(static_cast<void>(plan_disjoint_order(15, 4, 70'000)), BadInput);
   EXPECT_THROW(static_cast<void>(plan_disjoint_order(70'000, 4, 2)), ImpossibleParameters);
   EXPECT_THROW(static_cast<void>(plan_disjoint_order(12, 4, 2).stream(2)), BadInput);
-  EXPECT_THROW(LockstepCheck(70'000, 4, 2), MissingResource);
-  EXPECT_THROW(LockstepCheck(7, 4, 0), BadInput);
+  EXPECT_THROW(
+      ScheduleCheck({.items = 70'000, .room = 4, .lockstep = 2, .compute = ComputeRules{}}),
+      MissingResource);
 }
 
 }  // namespace

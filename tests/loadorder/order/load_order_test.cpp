@@ -9,7 +9,6 @@
 
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "loadorder_support.hpp"
 
 namespace changeover::test {
@@ -54,7 +53,7 @@ TEST(LoadOrder, StreamsWindowsRightForMoreItems) {
   for (const std::uint64_t room : {2U, 3U, 4U, 9U, 16U, 31U}) {
     for (std::uint64_t items = 41; items <= 260; items += 7) {
       LoadOrder order = plan_load_order(items, room, streamed);  // read by the library's check
-      LoadStep step;
+      Step step;
       std::uint64_t loads = 0;
       std::uint64_t steps = 0;
       while (order.next(step)) {
@@ -88,9 +87,9 @@ TEST(LoadOrder, LoadsEverythingAtOnceWhenItFits) {
   EXPECT_EQ(order.facts().steps, 1U);
   EXPECT_EQ(order.facts().bound.loads, 5U);
   EXPECT_EQ(order.facts().gap(), 0);
-  LoadStep step;
+  Step step;
   ASSERT_TRUE(order.next(step));
-  EXPECT_EQ(step, (LoadStep{1, {}, {0, 1, 2, 3, 4}}));
+  EXPECT_EQ(step, (Step{1, {}, {0, 1, 2, 3, 4}}));
   EXPECT_FALSE(order.next(step));
   EXPECT_EQ(plan_load_order(1, 2).facts().loads, 1U);
 }
@@ -100,10 +99,10 @@ TEST(LoadOrder, OfAMillionItemsStartsAtOnceAndIsAuditedOnTheWay) {
     LoadOrder order = plan_load_order(1'000'000, room);
     EXPECT_FALSE(order.facts().every_step_read);
     EXPECT_NE(order.facts().certificate.find("structure"), std::string::npos);
-    LoadCheckOptions watch;
+    CheckOptions watch;
     watch.all_pairs = false;
-    LoadCheck check(1'000'000, room, watch);
-    LoadStep step;
+    ScheduleCheck check({.items = 1'000'000, .room = room}, watch);
+    Step step;
     for (int i = 0; i < 1000 && order.next(step); ++i) {
       check.read(step);
     }
@@ -117,15 +116,15 @@ TEST(LoadOrder, OfAMillionItemsStartsAtOnceAndIsAuditedOnTheWay) {
 TEST(LoadOrder, TooLargeToKeepPairsInMindStillBringsAllOfAFewItemsTogether) {
   LoadOrder order = plan_load_order(70'000, 30'000);
   EXPECT_FALSE(order.facts().every_step_read);
-  LoadCheckOptions watch;
+  CheckOptions watch;
   watch.all_pairs = false;
-  LoadCheck check(70'000, 30'000, watch);
-  LoadStep step;
+  ScheduleCheck check({.items = 70'000, .room = 30'000}, watch);
+  Step step;
   while (order.next(step)) {
     check.read(step);
   }
-  const LoadVerdict verdict = check.finish();
-  EXPECT_TRUE(verdict.valid()) << verdict.fault << verdict.uncovered_example;
+  const ScheduleVerdict verdict = check.finish();
+  EXPECT_TRUE(verdict.valid()) << verdict.fault << verdict.example;
   EXPECT_EQ(verdict.loads, order.facts().loads);
 }
 

@@ -11,31 +11,25 @@
 namespace changeover::test {
 namespace {
 
-std::vector<WorkStep> steps_of(const LoadOrder& order, const StepWorkOptions& options) {
+ScheduleRules rules_of(const LoadOrder& order, const ComputeRules& compute) {
   const LoadOrderFacts& facts = order.facts();
-  StepWork work(facts.items, facts.room, facts.wanted, options);
-  work.start(order.stream());
-  std::vector<WorkStep> steps;
-  for (WorkStep step; work.next(step);) {
-    steps.push_back(step);
-  }
-  return steps;
+  return {.items = facts.items, .room = facts.room, .wanted = facts.wanted, .compute = compute};
 }
 
-WorkVerdict verdict_of(const LoadOrder& order, const std::vector<WorkStep>& steps,
-                       const StepWorkOptions& options) {
-  WorkCheck check(order.facts().items, order.facts().wanted, options);
-  for (const WorkStep& step : steps) {
-    check.read(step);
-  }
-  return check.finish();
+std::vector<Step> steps_of(const LoadOrder& order, const ComputeRules& compute) {
+  return work_of(order.stream(), rules_of(order, compute));
+}
+
+ScheduleVerdict verdict_of(const LoadOrder& order, const std::vector<Step>& steps,
+                           const ComputeRules& compute) {
+  return test::verdict_of(steps, rules_of(order, compute));
 }
 
 TEST(StepWork, HasEachPairInTheFirstStepThatHoldsIt) {
   for (const bool ordered : {false, true}) {
     for (const bool self : {false, true}) {
       for (const bool shuffled : {false, true}) {
-        StepWorkOptions options{.ordered = ordered, .self = self};
+        ComputeRules options{.ordered = ordered, .self = self};
         if (shuffled) {
           options.shuffle = 7;
         }
@@ -47,12 +41,12 @@ TEST(StepWork, HasEachPairInTheFirstStepThatHoldsIt) {
           EXPECT_EQ(steps.size(), facts.steps);
           std::map<ItemPair, int> times;
           std::set<Element> memory;
-          for (const WorkStep& step : steps) {
-            for (const Element x : step.loads.evict) {
+          for (const Step& step : steps) {
+            for (const Element x : step.evict) {
               memory.erase(x);
             }
-            memory.insert(step.loads.load.begin(), step.loads.load.end());
-            for (const ItemPair& pair : step.pairs) {
+            memory.insert(step.load.begin(), step.load.end());
+            for (const ItemPair& pair : step.compute) {
               ++times[pair];
               EXPECT_TRUE(memory.count(pair.first) == 1 && memory.count(pair.second) == 1);
             }
@@ -67,7 +61,7 @@ TEST(StepWork, HasEachPairInTheFirstStepThatHoldsIt) {
           for (const auto& [pair, count] : times) {
             EXPECT_EQ(count, 1);
           }
-          const WorkVerdict verdict = verdict_of(order, steps, options);
+          const ScheduleVerdict verdict = verdict_of(order, steps, options);
           EXPECT_TRUE(verdict.valid()) << verdict.fault;
           EXPECT_EQ(verdict.computed, times.size());
         }
@@ -84,10 +78,10 @@ TEST(StepWork, IsShuffledByTheSeedWithinItsStepOnly) {
   const auto other = steps_of(order, {.shuffle = 2});
   bool differ = false;
   for (std::size_t i = 0; i < plain.size(); ++i) {
-    EXPECT_EQ(first[i].pairs, again[i].pairs);
-    differ = differ || first[i].pairs != other[i].pairs;
-    auto sorted = first[i].pairs;
-    auto expected = plain[i].pairs;
+    EXPECT_EQ(first[i].compute, again[i].compute);
+    differ = differ || first[i].compute != other[i].compute;
+    auto sorted = first[i].compute;
+    auto expected = plain[i].compute;
     std::sort(sorted.begin(), sorted.end());
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(sorted, expected);
@@ -97,19 +91,19 @@ TEST(StepWork, IsShuffledByTheSeedWithinItsStepOnly) {
 
 TEST(StepWork, CheckSeesWhatIsMissedRepeatedOrNotThere) {
   const LoadOrder order = plan_load_order(9, 4);
-  const StepWorkOptions options{.ordered = true, .self = true};
+  const ComputeRules options{.ordered = true, .self = true};
   const auto right = steps_of(order, options);
   auto steps = right;
-  steps[2].pairs.pop_back();
+  steps[2].compute.pop_back();
   EXPECT_EQ(verdict_of(order, steps, options).missing, 1U);
   steps = right;
-  steps[2].pairs.push_back(steps[2].pairs.front());
+  steps[2].compute.push_back(steps[2].compute.front());
   EXPECT_EQ(verdict_of(order, steps, options).repeated, 1U);
   steps = right;
-  steps[0].pairs.push_back(right.back().pairs.back());
-  EXPECT_NE(verdict_of(order, steps, options).fault.find("not in memory"), std::string::npos);
+  steps[0].compute.push_back(right.back().compute.back());
+  EXPECT_NE(verdict_of(order, steps, options).fault.find("not both in memory"), std::string::npos);
   steps = right;
-  steps[1].loads.evict.push_back(steps[1].loads.load.front());
+  steps[1].evict.push_back(steps[1].load.front());
   EXPECT_NE(verdict_of(order, steps, options).fault.find("evicts"), std::string::npos);
   EXPECT_NE(verdict_of(order, right, {.ordered = true}).fault.find("not wanted"),
             std::string::npos);
@@ -118,17 +112,9 @@ TEST(StepWork, CheckSeesWhatIsMissedRepeatedOrNotThere) {
 
 TEST(StepWork, OfSeveralWorkersHasEachPairOnce) {
   const WorkerSplit split = split_load_order(20, 5, 3);
-  const StepWorkOptions options{.self = true};
-  StepWork work(20, 5, {}, options);
-  WorkCheck check(20, {}, options);
-  for (std::uint64_t w = 0; w < 3; ++w) {
-    work.start(split.stream(w));
-    check.start_over();
-    for (WorkStep step; work.next(step);) {
-      check.read(step);
-    }
-  }
-  const WorkVerdict verdict = check.finish();
+  const ComputeRules options{.self = true};
+  const ScheduleRules rules{.items = 20, .room = 5, .compute = options};
+  const ScheduleVerdict verdict = test::verdict_of(work_of(split.stream(), rules), rules);
   EXPECT_TRUE(verdict.valid()) << verdict.fault << verdict.missing << ' ' << verdict.repeated;
   EXPECT_EQ(verdict.computed, 190U + 20U);
 }

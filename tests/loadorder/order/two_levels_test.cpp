@@ -7,26 +7,18 @@
 #include <set>
 
 #include "changeover/core/error.hpp"
+#include "loadorder_support.hpp"
 
 namespace changeover::test {
 namespace {
 
-std::vector<TwoLevelStep> steps_of(const TwoLevelOrder& order) {
-  std::vector<TwoLevelStep> all;
-  TwoLevelStep step;
-  for (const auto steps = order.stream(); steps->next(step);) {
-    all.push_back(step);
-  }
-  return all;
-}
-
 /// The definition in sets. Empty, or what is wrong.
-std::string fault_of(const std::vector<TwoLevelStep>& all, std::uint64_t items, std::uint64_t room,
+std::string fault_of(const std::vector<Step>& all, std::uint64_t items, std::uint64_t room,
                      std::uint64_t fast_room) {
   std::set<Element> memory;
   std::set<Element> fast;
   std::set<std::pair<Element, Element>> met;
-  for (const TwoLevelStep& step : all) {
+  for (const Step& step : all) {
     for (const Element x : step.fast_evict) {
       if (fast.erase(x) != 1) {
         return fmt::format("step {}: {} is not on the accelerator", step.number, x);
@@ -58,7 +50,8 @@ std::string fault_of(const std::vector<TwoLevelStep>& all, std::uint64_t items, 
         }
       }
     }
-    if (computed != std::set<std::pair<Element, Element>>(step.pairs.begin(), step.pairs.end())) {
+    if (computed !=
+        std::set<std::pair<Element, Element>>(step.compute.begin(), step.compute.end())) {
       return fmt::format("step {} computes other pairs than those that meet first", step.number);
     }
   }
@@ -75,11 +68,11 @@ TEST(TwoLevels, OrdersMeetTheDefinitionAndTheBounds) {
         const std::string what = fmt::format("{} {} {}", items, room, fast_room);
         const TwoLevelOrder order = plan_two_levels(items, room, fast_room);
         const TwoLevelFacts& facts = order.facts();
-        const auto all = steps_of(order);
+        const auto all = all_steps(*order.stream());
         EXPECT_EQ(fault_of(all, items, room, fast_room), "") << what;
         std::uint64_t loads = 0;
         std::uint64_t transfers = 0;
-        for (const TwoLevelStep& step : all) {
+        for (const Step& step : all) {
           loads += step.load.size();
           transfers += step.fast_load.size();
         }
@@ -105,16 +98,39 @@ TEST(TwoLevels, BothLevelsAreCloseToTheirBoundsIfTheyAreFarApart) {
   EXPECT_LE(facts.transfers * 10, facts.transfer_bound.loads * 13);
 }
 
+TEST(TwoLevels, GoWithStoresBothWaysAndItemsAlone) {
+  for (const auto& [items, room, fast_room] :
+       {std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>{16, 8, 3},
+        {24, 15, 4},
+        {9, 4, 4}}) {
+    const TwoLevelOrder order = plan_two_levels(items, room, fast_room);
+    ScheduleRules rules = order.rules();
+    rules.compute = ComputeRules{.ordered = true, .self = true, .shuffle = 2};
+    rules.store = true;
+    const std::vector<Step> steps = work_of(order.stream(), rules);
+    const ScheduleVerdict verdict = verdict_of(steps, rules);
+    EXPECT_TRUE(verdict.valid()) << verdict.fault;
+    EXPECT_EQ(verdict.computed, items * items);
+    EXPECT_EQ(verdict.transfers, order.facts().transfers);
+    EXPECT_GE(verdict.stores, store_lower_bound(order.facts().load_bound, {}, items, true).loads);
+    auto lost = steps;
+    lost.back().store.pop_back();
+    EXPECT_NE(verdict_of(lost, rules).fault.find("loses"), std::string::npos);
+    auto held = steps;
+    held.back().fast_evict.clear();
+    EXPECT_NE(verdict_of(held, rules).fault.find("on the accelerator"), std::string::npos);
+  }
+}
+
 TEST(TwoLevels, ChecksRefuseWhatIsWrong) {
   const TwoLevelOrder order = plan_two_levels(16, 8, 3);
-  const auto right = steps_of(order);
-  const auto verdict_of = [&](const std::vector<TwoLevelStep>& all, std::uint64_t room = 8,
+  const auto right = all_steps(*order.stream());
+  const auto verdict_of = [&](const std::vector<Step>& all, std::uint64_t room = 8,
                               std::uint64_t fast_room = 3) {
-    TwoLevelCheck check(16, room, fast_room);
-    for (const TwoLevelStep& step : all) {
-      check.read(step);
-    }
-    return check.finish();
+    ScheduleRules rules = order.rules();
+    rules.room = room;
+    rules.fast_room = fast_room;
+    return test::verdict_of(all, rules);
   };
   ASSERT_TRUE(verdict_of(right).valid());
   EXPECT_EQ(verdict_of(right).computed, 120U);
@@ -124,21 +140,22 @@ TEST(TwoLevels, ChecksRefuseWhatIsWrong) {
   const auto refused = [&](const std::string& says, const auto& change) {
     auto wrong = right;
     change(wrong);
-    const TwoLevelVerdict verdict = verdict_of(wrong);
+    const ScheduleVerdict verdict = verdict_of(wrong);
     EXPECT_FALSE(verdict.valid()) << says;
     EXPECT_NE(verdict.fault.find(says), std::string::npos) << says << ": " << verdict.fault;
   };
   refused("is numbered", [](auto& all) { all[1].number = 9; });
   refused("transfers 15", [](auto& all) { all[0].fast_load[0] = 15; });
   refused("loads 16", [](auto& all) { all[0].load[0] = 16; });
-  refused("takes from the accelerator", [](auto& all) { all[0].fast_evict.push_back(0); });
+  refused("takes 0 from the accelerator", [](auto& all) { all[0].fast_evict.push_back(0); });
   refused("evicts", [](auto& all) {
     all[1].evict.push_back(all[1].fast_load[0]);
     all[1].evict.push_back(all[1].evict[0]);
   });
-  refused("without both", [](auto& all) { std::swap(all[0].pairs, all[1].pairs); });
-  refused("", [](auto& all) { all[1].pairs.pop_back(); });
-  refused("", [](auto& all) { all[1].pairs.push_back(all[1].pairs[0]); });
+  refused("not both on the accelerator",
+          [](auto& all) { std::swap(all[0].compute, all[1].compute); });
+  refused("", [](auto& all) { all[1].compute.pop_back(); });
+  refused("", [](auto& all) { all[1].compute.push_back(all[1].compute[0]); });
 }
 
 TEST(TwoLevels, RefusesWhatCannotBe) {
@@ -146,8 +163,8 @@ TEST(TwoLevels, RefusesWhatCannotBe) {
   EXPECT_THROW(static_cast<void>(plan_two_levels(16, 4, 1)), BadInput);
   EXPECT_THROW(static_cast<void>(plan_two_levels(0, 4, 2)), BadInput);
   EXPECT_THROW(static_cast<void>(plan_two_levels(70'000, 40, 4)), ImpossibleParameters);
-  EXPECT_THROW(TwoLevelCheck(70'000, 40, 4), MissingResource);
-  EXPECT_THROW(TwoLevelCheck(7, 0, 4), BadInput);
+  EXPECT_THROW(ScheduleCheck({.items = 7, .room = 4, .fast_room = 0}), BadInput);
+  EXPECT_THROW(ScheduleCheck({.items = 7, .room = 0, .fast_room = 4}), BadInput);
 }
 
 }  // namespace

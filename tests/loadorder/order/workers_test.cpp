@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "loadorder_support.hpp"
 
 namespace changeover::test {
@@ -58,14 +57,11 @@ TEST(Workers, AreNeverWorseThanForTheLargerQuestion) {
           const SplitFacts& facts = split.facts();
           EXPECT_LE(facts.makespan, all) << items << " " << room << " " << workers << " " << done;
           EXPECT_GE(facts.makespan, facts.makespan_bound.loads);
-          LoadCheckOptions options;
-          options.wanted = wanted;
-          LoadCheck check(items, room, options);
+          ScheduleCheck check({.items = items, .room = room, .wanted = wanted});
           std::uint64_t makespan = 0;
           for (std::uint64_t w = 0; w < workers; ++w) {
-            check.start_over();
             std::uint64_t loads = 0;
-            LoadStep step;
+            Step step;
             for (const auto steps = split.stream(w); steps->next(step);) {
               check.read(step);
               loads += step.load.size();
@@ -89,7 +85,7 @@ TEST(Workers, StretchesOfUnlikeStepsAreCutByLoads) {
   const LoadOrder order = plan_load_order(wanted, 4);
   std::vector<std::uint64_t> held;
   std::vector<std::uint64_t> loaded;
-  LoadStep step;
+  Step step;
   for (const auto steps = order.stream(); steps->next(step);) {
     held.push_back((held.empty() ? 0 : held.back()) + step.load.size() - step.evict.size());
     loaded.push_back(step.load.size());

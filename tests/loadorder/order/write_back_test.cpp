@@ -1,37 +1,32 @@
 // What is stored when items change: against plain counting, and wrong lists refused.
-#include "changeover/loadorder/write_back.hpp"
-
 #include <gtest/gtest.h>
 
 #include <map>
 
 #include "changeover/loadorder/disjoint.hpp"
+#include "changeover/loadorder/step_work.hpp"
+#include "loadorder_support.hpp"
 
 namespace changeover::test {
 namespace {
 
-std::vector<StoredStep> steps_of(const LoadOrder& order) {
+std::vector<Step> steps_of(const LoadOrder& order) {
   const LoadOrderFacts& facts = order.facts();
-  StepWork work(facts.items, facts.room, facts.wanted);
-  work.start(order.stream());
-  WriteBack back(facts.items);
-  std::vector<StoredStep> all;
-  StoredStep step;
-  while (work.next(step.work)) {
-    back.read(step);
-    all.push_back(step);
-  }
-  back.finish(step);
-  all.push_back(step);
-  return all;
+  return work_of(order.stream(), {.items = facts.items,
+                                  .room = facts.room,
+                                  .wanted = facts.wanted,
+                                  .compute = ComputeRules{},
+                                  .store = true});
 }
 
-std::string fault_of(const std::vector<StoredStep>& all, std::uint64_t items) {
-  StoreCheck check(items);
-  for (const StoredStep& step : all) {
-    check.read({&step, 1});
-  }
-  return check.finish();
+std::string fault_of(const std::vector<Step>& all, const LoadOrder& order) {
+  const LoadOrderFacts& facts = order.facts();
+  return verdict_of(all, {.items = facts.items,
+                          .room = facts.room,
+                          .wanted = facts.wanted,
+                          .compute = ComputeRules{},
+                          .store = true})
+      .fault;
 }
 
 TEST(WriteBack, StoresEachStayThatComputesOnceAndNothingElse) {
@@ -39,21 +34,21 @@ TEST(WriteBack, StoresEachStayThatComputesOnceAndNothingElse) {
        {std::pair<std::uint64_t, std::uint64_t>{1, 2}, {4, 9}, {9, 4}, {20, 5}, {30, 7}}) {
     const LoadOrder order = plan_load_order(items, room);
     const auto all = steps_of(order);
-    EXPECT_EQ(fault_of(all, items), "");
+    EXPECT_EQ(fault_of(all, order), "");
     // By the definition: a stay is from a load to an eviction.
     std::map<Element, bool> held;  // whether it changed
     std::uint64_t expected = 0;
     std::uint64_t stores = 0;
-    for (const StoredStep& step : all) {
-      for (const Element x : step.work.loads.evict) {
+    for (const Step& step : all) {
+      for (const Element x : step.evict) {
         expected += held.at(x) ? 1U : 0U;
         EXPECT_EQ(std::count(step.store.begin(), step.store.end(), x), held.at(x) ? 1 : 0);
         held.erase(x);
       }
-      for (const Element x : step.work.loads.load) {
+      for (const Element x : step.load) {
         held[x] = false;
       }
-      for (const auto& [x, y] : step.work.pairs) {
+      for (const auto& [x, y] : step.compute) {
         held.at(x) = held.at(y) = true;
       }
       stores += step.store.size();
@@ -70,9 +65,9 @@ TEST(WriteBack, ItemsWithoutAPairAreNotStored) {
   const WantedPairs wanted = WantedPairs::listed(std::make_shared<const PairGraph>(5, pairs));
   const LoadOrder order = plan_load_order(wanted, 2);
   const auto all = steps_of(order);
-  EXPECT_EQ(fault_of(all, 5), "");
+  EXPECT_EQ(fault_of(all, order), "");
   std::uint64_t stores = 0;
-  for (const StoredStep& step : all) {
+  for (const Step& step : all) {
     EXPECT_EQ(std::count(step.store.begin(), step.store.end(), 4U), 0);
     stores += step.store.size();
   }
@@ -83,42 +78,32 @@ TEST(WriteBack, ItemsWithoutAPairAreNotStored) {
 }
 
 TEST(WriteBack, ChecksRefuseWhatLosesAChangeOrStoresInVain) {
-  const auto right = steps_of(plan_load_order(12, 4));
-  ASSERT_EQ(fault_of(right, 12), "");
+  const LoadOrder order = plan_load_order(12, 4);
+  const auto right = steps_of(order);
+  ASSERT_EQ(fault_of(right, order), "");
   const auto refused = [&](const std::string& says, const auto& change) {
     auto wrong = right;
     change(wrong);
-    EXPECT_NE(fault_of(wrong, 12).find(says), std::string::npos)
-        << says << ": " << fault_of(wrong, 12);
+    EXPECT_NE(fault_of(wrong, order).find(says), std::string::npos)
+        << says << ": " << fault_of(wrong, order);
   };
   refused("loses what was changed", [](auto& all) { all[1].store.clear(); });
   refused("loses what was changed", [](auto& all) { all.back().store.pop_back(); });
   refused("has not changed", [](auto& all) { all[1].store.push_back(all[1].store[0]); });
-  refused("stores 11, which is not held", [](auto& all) { all[0].store.push_back(11); });
-  refused("which is not held", [](auto& all) { all[0].work.loads.load.pop_back(); });
-  refused("which is held or no item", [](auto& all) { all[0].work.loads.load.push_back(0); });
+  refused("stores 11, which is not in memory", [](auto& all) { all[0].store.push_back(11); });
+  refused("which are not both in memory", [](auto& all) { all[0].load.pop_back(); });
+  refused("when memory is full", [](auto& all) { all[0].load.push_back(0); });
   refused("still held at the end", [](auto& all) { all.pop_back(); });
 }
 
 TEST(WriteBack, OfDisjointWorkersLosesNoChange) {
   const DisjointOrder order = plan_disjoint_order(18, 4, 3);
-  LockstepWork work(order);
-  std::vector<WriteBack> backs(3, WriteBack(18));
-  StoreCheck check(18);
-  std::vector<StoredStep> stored(3);
-  for (std::vector<WorkStep> steps; work.next(steps);) {
-    for (std::size_t w = 0; w < 3; ++w) {
-      stored[w].work = steps[w];
-      backs[w].read(stored[w]);
-    }
-    check.read(stored);
-  }
-  for (std::size_t w = 0; w < 3; ++w) {
-    backs[w].finish(stored[w]);
-  }
-  check.read(stored);
-  EXPECT_EQ(check.finish(), "");
-  EXPECT_GE(backs[0].stores() + backs[1].stores() + backs[2].stores(), order.facts().bound.loads);
+  ScheduleRules rules = order.rules();
+  rules.store = true;
+  const ScheduleVerdict verdict = verdict_of(work_of(order.stream(), rules), rules);
+  EXPECT_TRUE(verdict.valid()) << verdict.fault;
+  EXPECT_EQ(verdict.steps, order.facts().steps + 1);
+  EXPECT_GE(verdict.stores, order.facts().bound.loads);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <rapidcheck/gtest.h>
 
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder/pairs/held_blocks.hpp"
@@ -76,27 +75,25 @@ TEST(HeldOrder, CountsLoadsWithoutMakingThem) {
 TEST(HeldOrder, OfMillionsOfItemsIsMadeAsItGoes) {
   const LoadOrder order = plan_load_order(WantedPairs::between(1'000'000, 2'000'000), 1000);
   EXPECT_FALSE(order.facts().every_step_read);
-  LoadCheckOptions options;
+  CheckOptions options;
   options.all_pairs = false;
-  options.wanted = order.facts().wanted;
   const WantedPairs small = WantedPairs::between(70'000, 100);
   const LoadOrder read = plan_load_order(small, 50);
-  options.wanted = small;
-  const auto steps = read.stream();
-  const LoadVerdict verdict = check_loads(*steps, 70'100, 50, options);
-  EXPECT_TRUE(verdict.valid()) << verdict.fault << verdict.uncovered_example;
+  const ScheduleVerdict verdict =
+      check_schedule(*read.stream(), {.items = 70'100, .room = 50, .wanted = small}, options);
+  EXPECT_TRUE(verdict.valid()) << verdict.fault << verdict.example;
   EXPECT_EQ(verdict.loads, read.facts().loads);
 }
 
 TEST(HeldOrder, IsPrefetchedAndSplit) {
   for (const WantedPairs& wanted : {WantedPairs::between(9, 14), WantedPairs::beyond(12, 20)}) {
     const PrefetchPlan plan = plan_prefetch(wanted, 5);
-    PrefetchSchedule schedule(plan.order.stream(), wanted.items(), 5, wanted);
-    PrefetchCheck check(wanted.items(), 5, wanted);
-    for (PrefetchStep step; schedule.next(step);) {
-      check.read(step);
-    }
-    const PrefetchVerdict verdict = check.finish();
+    const ScheduleRules rules{.items = wanted.items(),
+                              .room = 5,
+                              .wanted = wanted,
+                              .compute = ComputeRules{},
+                              .overlap = true};
+    const ScheduleVerdict verdict = verdict_of(work_of(plan.order.stream(), rules), rules);
     EXPECT_TRUE(verdict.valid()) << verdict.fault;
     EXPECT_EQ(verdict.computed, wanted.count());
     const WorkerSplit split = split_load_order(wanted, 5, 3);
@@ -165,19 +162,11 @@ TEST(HeldBlocks, SplitWhatFitsIntoMemory) {
 TEST(HeldBlocks, AreNotReadIfTheyAreTooMany) {
   const WantedPairs wanted = WantedPairs::between(100'000, 60'000);
   const WorkerSplit split = split_load_order(wanted, 2000, 4);
-  LoadCheckOptions options;
+  CheckOptions options;
   options.all_pairs = false;
-  options.wanted = wanted;
-  LoadCheck check(wanted.items(), 2000, options);
-  LoadStep step;
-  for (std::uint64_t w = 0; w < 4; ++w) {
-    check.start_over();
-    for (const auto steps = split.stream(w); steps->next(step);) {
-      check.read(step);
-    }
-  }
-  const LoadVerdict verdict = check.finish();
-  EXPECT_TRUE(verdict.valid()) << verdict.fault << verdict.uncovered_example;
+  const ScheduleVerdict verdict = check_schedule(
+      *split.stream(), {.items = wanted.items(), .room = 2000, .wanted = wanted}, options);
+  EXPECT_TRUE(verdict.valid()) << verdict.fault << verdict.example;
   EXPECT_EQ(verdict.loads, split.facts().loads);
 }
 

@@ -8,7 +8,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/scope.hpp"
@@ -105,22 +104,16 @@ TEST(ListedOrder, LoadsWhatOccursAndNothingElse) {
 
 TEST(ListedOrder, CheckSeesEachPairAndEachLonelyItemThatIsMissed) {
   const WantedPairs wanted = listed(5, {{0, 1}, {1, 2}, {3, 3}});
-  LoadCheckOptions options;
-  options.wanted = wanted;
-  const auto verdict_of = [&](const std::vector<LoadStep>& steps) {
-    LoadCheck check(5, 2, options);
-    for (const LoadStep& step : steps) {
-      check.read(step);
-    }
-    return check.finish();
+  const auto verdict_of = [&](const std::vector<Step>& steps) {
+    return test::verdict_of(steps, {.items = 5, .room = 2, .wanted = wanted});
   };
-  const std::vector<LoadStep> right{{1, {}, {0, 1}}, {2, {0}, {2}}, {3, {1}, {3}}};
+  const std::vector<Step> right{{1, {}, {0, 1}}, {2, {0}, {2}}, {3, {1}, {3}}};
   EXPECT_TRUE(verdict_of(right).valid());
-  EXPECT_EQ(verdict_of({right[0], right[1]}).uncovered_example, "{3,3}");
-  EXPECT_EQ(verdict_of({right[0], {2, {1}, {2}}, {3, {2}, {3}}}).uncovered_example, "{1,2}");
+  EXPECT_EQ(verdict_of({right[0], right[1]}).example, "{3,3}");
+  EXPECT_EQ(verdict_of({right[0], {2, {1}, {2}}, {3, {2}, {3}}}).example, "{1,2}");
   EXPECT_EQ(verdict_of({right[0], {2, {}, {2}}}).fault, "step 2 loads 2 when memory is full");
   EXPECT_EQ(verdict_of({right[0], {2, {4}, {2}}}).fault, "step 2 evicts 4, which is not in memory");
-  EXPECT_THROW(LoadCheck(6, 2, options), BadInput);
+  EXPECT_THROW(ScheduleCheck({.items = 6, .room = 2, .wanted = wanted}), BadInput);
 }
 
 TEST(ListedOrder, IsTheSameForTheSameSeed) {
@@ -131,7 +124,7 @@ TEST(ListedOrder, IsTheSameForTheSameSeed) {
     const LoadOrder order = plan_load_order(wanted, 6, options);
     std::vector<Element> list;
     const auto steps = order.stream();
-    for (LoadStep step; steps->next(step);) {
+    for (Step step; steps->next(step);) {
       list.insert(list.end(), step.load.begin(), step.load.end());
     }
     return list;
@@ -155,22 +148,15 @@ TEST(ListedOrder, IsPrefetchedAndSplitAndRun) {
   const auto pairs = close_points(30, 90, 5);
   const WantedPairs wanted = listed(30, pairs);
   const PrefetchPlan plan = plan_prefetch(wanted, 6);
-  PrefetchSchedule schedule(plan.order.stream(), 30, 6, wanted);
-  PrefetchCheck check(30, 6, wanted);
-  std::vector<PrefetchStep> steps;
-  for (PrefetchStep step; schedule.next(step);) {
-    check.read(step);
-    steps.push_back(step);
-  }
-  const PrefetchVerdict verdict = check.finish();
+  ScheduleRules rules{
+      .items = 30, .room = 6, .wanted = wanted, .compute = ComputeRules{}, .overlap = true};
+  const std::vector<Step> steps = work_of(plan.order.stream(), rules);
+  const ScheduleVerdict verdict = verdict_of(steps, rules);
   EXPECT_TRUE(verdict.valid()) << verdict.fault;
   EXPECT_EQ(verdict.computed, 90U);
   // A pair that is not wanted is a fault, one that is left out is missing.
-  PrefetchCheck other(30, 6, listed(30, {pairs.begin() + 1, pairs.end()}));
-  for (const PrefetchStep& step : steps) {
-    other.read(step);
-  }
-  EXPECT_NE(other.finish().fault.find("which is not wanted"), std::string::npos);
+  rules.wanted = listed(30, {pairs.begin() + 1, pairs.end()});
+  EXPECT_NE(verdict_of(steps, rules).fault.find("which is not wanted"), std::string::npos);
 
   for (const std::uint64_t workers : {1U, 3U, 200U}) {
     const WorkerSplit split = split_load_order(wanted, 6, workers);

@@ -144,7 +144,7 @@ class OneByOne final : public StepSource {
  public:
   explicit OneByOne(std::vector<LoadMove> moves) : moves_(std::move(moves)) {}
 
-  bool next(LoadStep& step) override {
+  bool next(Step& step) override {
     if (at_ == moves_.size()) {
       return false;
     }

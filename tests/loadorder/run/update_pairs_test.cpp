@@ -40,16 +40,13 @@ PairUpdater mixer() {
 }
 
 /// In memory: no executor, no files.
-std::string expected(const DisjointOrder& order, std::string data,
-                     const StepWorkOptions& how = {}) {
-  LockstepWork work(order, how);
-  for (std::vector<WorkStep> steps; work.next(steps);) {
-    for (const WorkStep& step : steps) {
-      for (const auto& [x, y] : step.pairs) {
-        const auto all = std::as_writable_bytes(std::span(data));
-        mix(all.subspan(x * item_bytes, item_bytes), all.subspan(y * item_bytes, item_bytes),
-            step.loads.number);
-      }
+std::string expected(const DisjointOrder& order, std::string data, const ComputeRules& how = {}) {
+  StepWork work(order.stream(), order.rules(how));
+  for (Step step; work.next(step);) {
+    for (const auto& [x, y] : step.compute) {
+      const auto all = std::as_writable_bytes(std::span(data));
+      mix(all.subspan(x * item_bytes, item_bytes), all.subspan(y * item_bytes, item_bytes),
+          step.number);
     }
   }
   return data;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
@@ -11,50 +12,71 @@
 
 namespace changeover::cli {
 
-void StepWriter::begin(const std::string& json, const std::string& text,
-                       const std::string& columns) {
-  out_.write(json_ ? json + "\n" : csv_ ? columns + "\n" : text + "\n");
+namespace {
+
+const char* name_of(Column column) {
+  static constexpr const char* names[] = {"worker",      "step",       "load",       "evict",
+                                          "store",       "new_pairs",  "before",     "compute",
+                                          "evict_first", "evict_late", "fast_evict", "fast_load"};
+  return names[static_cast<std::size_t>(column)];
 }
 
-void StepWriter::write(const LoadStep& step, std::optional<std::uint64_t> worker,
-                       const std::vector<ItemPair>* work, const std::vector<Element>* store) {
-  start(step.number, worker);
-  list("load", step.load);
-  list("evict", step.evict);
-  if (store != nullptr) {
-    list("store", *store);
+}  // namespace
+
+void StepWriter::begin(const std::string& json, const std::string& text) {
+  std::string names;
+  for (const Column column : columns_) {
+    names += names.empty() ? "" : ",";
+    names += name_of(column);
   }
-  if (work != nullptr) {
-    list("new_pairs", *work);
-  }
-  finish();
+  out_.write(json_ ? json + "\n" : csv_ ? names + "\n" : text + "\n");
 }
 
-void StepWriter::write(const PrefetchStep& step) {
-  start(step.number, {});
-  list("load", step.load);
-  if (json_) {  // the name that every order has
-    std::vector<Element> all = step.evict_first;
-    all.insert(all.end(), step.evict_late.begin(), step.evict_late.end());
-    list("evict", all);
+void StepWriter::write(const Step& step) {
+  const auto late = step.evict.end() - static_cast<std::ptrdiff_t>(step.late);
+  for (const Column column : columns_) {
+    switch (column) {
+      case Column::worker:
+        number(column, step.worker);
+        break;
+      case Column::step:
+        number(column, step.number);
+        break;
+      case Column::load:
+        list(column, step.load);
+        break;
+      case Column::evict:
+        list(column, step.evict);
+        break;
+      case Column::store:
+        list(column, step.store);
+        break;
+      case Column::new_pairs:
+      case Column::before:
+        list(column, step.compute);
+        break;
+      case Column::compute:
+        list(column, step.overlap);
+        break;
+      case Column::evict_first:
+        list(column, std::span(step.evict.begin(), late));
+        break;
+      case Column::evict_late:
+        list(column, std::span(late, step.evict.end()));
+        break;
+      case Column::fast_evict:
+        list(column, step.fast_evict);
+        break;
+      case Column::fast_load:
+        list(column, step.fast_load);
+        break;
+    }
   }
-  list("evict_first", step.evict_first);
-  list("evict_late", step.evict_late);
-  list("before", step.before);
-  list("compute", step.overlap);
-  finish();
-}
-
-void StepWriter::write(const TwoLevelStep& step, bool with_pairs) {
-  start(step.number, {});
-  list("fast_evict", step.fast_evict);
-  list("evict", step.evict);
-  list("load", step.load);
-  list("fast_load", step.fast_load);
-  if (with_pairs) {
-    list("new_pairs", step.pairs);
+  constexpr std::size_t piece = 1 << 16;
+  text_ += json_ ? "}\n" : "\n";
+  if (text_.size() >= piece) {
+    end();
   }
-  finish();
 }
 
 void StepWriter::end() {
@@ -82,47 +104,44 @@ void StepWriter::add(const ItemPair& pair) {
   text_ += json_ ? "]" : "";
 }
 
-void StepWriter::start(std::uint64_t number, std::optional<std::uint64_t> worker) {
-  if (worker) {
-    text_ += json_ ? "{\"worker\":" : csv_ ? "" : "worker ";
-    fmt::format_to(std::back_inserter(text_), "{}", *worker);
-    text_ += json_ ? ",\"step\":" : csv_ ? "," : " step ";
-  } else {
-    text_ += json_ ? "{\"step\":" : csv_ ? "" : "step ";
+void StepWriter::number(Column column, std::uint64_t value) {
+  const bool first = column == columns_.front();
+  text_ += first ? (json_ ? "{" : "") : (json_ || csv_ ? "," : " ");
+  if (!csv_) {
+    text_ += json_ ? "\"" : "";
+    text_ += name_of(column);
+    text_ += json_ ? "\":" : " ";
   }
-  fmt::format_to(std::back_inserter(text_), "{}", number);
-  text_ += json_ || csv_ ? "" : ":";
+  fmt::format_to(std::back_inserter(text_), "{}", value);
+  text_ += column == Column::step && !json_ && !csv_ ? ":" : "";
 }
 
-template <typename Member>
-void StepWriter::list(std::string name, const std::vector<Member>& members) {
+template <typename Members>
+void StepWriter::list(Column column, const Members& members) {
   if (json_) {
-    text_ += ",\"" + name + "\":[";
+    text_ += ",\"";
+    text_ += name_of(column);
+    text_ += "\":[";
   } else if (csv_) {
     text_ += ',';
   } else if (members.empty()) {
     return;
   } else {
+    std::string name = name_of(column);
     std::replace(name.begin(), name.end(), '_', ' ');
     text_ += (text_.back() == ':' ? " " : "; ") + name + " ";
   }
   const std::size_t cell = text_.size();
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    text_ += i == 0 ? "" : json_ ? "," : " ";
-    add(members[i]);
+  bool first = true;
+  for (const auto& member : members) {
+    text_ += first ? "" : json_ ? "," : " ";
+    add(member);
+    first = false;
   }
   if (csv_ && names_ != nullptr) {
     text_.replace(cell, std::string::npos, csv_cell(std::string_view(text_).substr(cell)));
   }
   text_ += json_ ? "]" : "";
-}
-
-void StepWriter::finish() {
-  constexpr std::size_t piece = 1 << 16;
-  text_ += json_ ? "}\n" : "\n";
-  if (text_.size() >= piece) {
-    end();
-  }
 }
 
 }  // namespace changeover::cli

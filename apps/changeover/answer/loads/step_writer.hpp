@@ -1,58 +1,68 @@
-// A load order, a step a line: what --json, --format csv and --format text say of a step.
+// A schedule, a step a line: what --json, --format csv and --format text say of a step.
 //
-//     StepWriter writer(out, "jsonl", names);
-//     writer.begin(json, text, "step,load,evict");
+//     StepWriter writer(out, "jsonl", names, {Column::step, Column::load, Column::evict});
+//     writer.begin(json, text);
 //     writer.write(step);
 //     writer.end();
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "changeover/io/output.hpp"
-#include "changeover/loadorder/load_order.hpp"
-#include "changeover/loadorder/prefetch.hpp"
-#include "changeover/loadorder/two_levels.hpp"
+#include "changeover/loadorder/schedule.hpp"
 
 namespace changeover::cli {
 
-/// Writes an order in a format: a head, then a line for each step. In text an empty list is not mentioned.
+/// What is said of a step, under this name.
+enum class Column : std::uint8_t {
+  worker,
+  step,
+  load,
+  evict,
+  store,
+  new_pairs,  ///< what is computed,
+  before,     ///< or, if loads overlap it, what is computed first,
+  compute,    ///< and what then
+  evict_first,
+  evict_late,
+  fast_evict,
+  fast_load
+};
+
+/// Writes a schedule in a format: a head, then a line for each step. In text an empty list is not
+/// mentioned.
 class StepWriter {
  public:
   /// Items are called by `names` unless there are none.
-  StepWriter(OutputFile& out, const std::string& format, const std::vector<std::string>* names)
+  StepWriter(OutputFile& out, const std::string& format, const std::vector<std::string>* names,
+             std::vector<Column> columns)
       : out_(out),
         json_(format == "jsonl"),
         csv_(format == "csv"),
-        names_(names != nullptr && !names->empty() ? names : nullptr) {}
+        names_(names != nullptr && !names->empty() ? names : nullptr),
+        columns_(std::move(columns)) {}
 
   /// The head in JSON or in text; in CSV the names of the columns.
-  void begin(const std::string& json, const std::string& text, const std::string& columns);
+  void begin(const std::string& json, const std::string& text);
 
-  /// `worker` is nothing if there is only one, `work` if it is not to be said what is computed, `store` what is stored.
-  void write(const LoadStep& step, std::optional<std::uint64_t> worker = {},
-             const std::vector<ItemPair>* work = nullptr,
-             const std::vector<Element>* store = nullptr);
-
-  void write(const PrefetchStep& step);
-  void write(const TwoLevelStep& step, bool with_pairs);
+  void write(const Step& step);
 
   void end();
 
  private:
   void add(Element item);
   void add(const ItemPair& pair);
-  void start(std::uint64_t number, std::optional<std::uint64_t> worker);
-  template <typename Member>
-  void list(std::string name, const std::vector<Member>& members);
-  void finish();
+  void number(Column column, std::uint64_t value);
+  template <typename Members>
+  void list(Column column, const Members& members);
 
   OutputFile& out_;
   bool json_;
   bool csv_;
   const std::vector<std::string>* names_;
+  std::vector<Column> columns_;
   std::string text_;
 };
 

@@ -6,7 +6,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
-#include "changeover/loadorder/load_check.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/load_request.hpp"
 #include "changeover/loadorder/workers.hpp"
@@ -68,20 +67,13 @@ class Account {
       : asked_(asked),
         every_(steps / most_samples + 1),
         met_(asked.items()),
-        check_(asked.items(), asked.room(),
-               {.all_pairs = true,
-                .watched = 64,
-                .seed = 1,
-                .kept_as = {},
-                .wanted = asked.wanted()}) {}
+        check_({.items = asked.items(), .room = asked.room(), .wanted = asked.wanted()}) {}
 
-  void begin_worker() {
-    check_.start_over();
-    memory_.clear();
-  }
-
-  void read(const LoadStep& step) {
+  void read(const Step& step) {
     check_.read(step);
+    if (step.number == 1) {
+      memory_.clear();
+    }
     for (const Element item : step.evict) {
       std::erase(memory_, item);
     }
@@ -103,10 +95,10 @@ class Account {
 
   /// @throws InternalError
   void finish(std::uint64_t loads) {
-    const LoadVerdict verdict = check_.finish();
+    const ScheduleVerdict verdict = check_.finish();
     if (!verdict.valid() || verdict.loads != loads) {
       throw InternalError(
-          fmt::format("the load order is wrong: {}{}", verdict.fault, verdict.uncovered_example));
+          fmt::format("the load order is wrong: {}{}", verdict.fault, verdict.example));
     }
     if (held_.empty() || (count_ - 1) % every_ != 0) {
       held_.push_back(memory_.size());
@@ -124,7 +116,7 @@ class Account {
   std::uint64_t every_;
   std::vector<Element> memory_;
   PairSet met_;
-  LoadCheck check_;
+  ScheduleCheck check_;
   std::uint64_t count_ = 0;
   std::uint64_t pairs_ = 0;
   std::vector<std::uint64_t> held_;
@@ -165,20 +157,15 @@ Response load_order(const Request& request) {
   json.key("step_count").value(steps).key("steps").begin_array();
   Account account(asked, steps);
   std::uint64_t written = 0;
-  for (std::uint64_t worker = 0; worker < question.workers; ++worker) {
-    const auto stream = split ? split->stream(worker) : order->stream();
-    if (split) {
-      account.begin_worker();
-    }
-    for (LoadStep step; stream->next(step);) {
-      account.read(step);
-      if (written++ < most_steps) {
-        json.begin_object().key("step").value(step.number);
-        if (split) {
-          json.key("worker").value(worker);
-        }
-        json.key("load").value(step.load).key("evict").value(step.evict).end_object();
+  const auto stream = split ? split->stream() : order->stream();
+  for (Step step; stream->next(step);) {
+    account.read(step);
+    if (written++ < most_steps) {
+      json.begin_object().key("step").value(step.number);
+      if (split) {
+        json.key("worker").value(step.worker);
       }
+      json.key("load").value(step.load).key("evict").value(step.evict).end_object();
     }
   }
   account.finish(loads);

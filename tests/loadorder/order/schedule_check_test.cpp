@@ -1,5 +1,5 @@
 // The check rejects what is wrong by one load, one eviction, one item.
-#include "changeover/loadorder/load_check.hpp"
+#include "changeover/loadorder/schedule.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -12,27 +12,16 @@
 namespace changeover::test {
 namespace {
 
-std::vector<LoadStep> steps_of(const LoadOrder& order) {
-  std::vector<LoadStep> steps;
-  LoadStep step;
-  for (const auto reader = order.stream(); reader->next(step);) {
-    steps.push_back(step);
-  }
-  return steps;
+std::vector<Step> steps_of(const LoadOrder& order) { return all_steps(*order.stream()); }
+
+ScheduleVerdict verdict_of(const std::vector<Step>& steps, std::uint64_t items, std::uint64_t room,
+                           const CheckOptions& options = {}) {
+  return test::verdict_of(steps, {.items = items, .room = room}, options);
 }
 
-LoadVerdict verdict_of(const std::vector<LoadStep>& steps, std::uint64_t items, std::uint64_t room,
-                       const LoadCheckOptions& options = {}) {
-  LoadCheck check(items, room, options);
-  for (const LoadStep& step : steps) {
-    check.read(step);
-  }
-  return check.finish();
-}
-
-TEST(LoadCheck, AcceptsWhatIsRightAndCountsIt) {
+TEST(ScheduleCheck, AcceptsWhatIsRightAndCountsIt) {
   const LoadOrder order = plan_load_order(20, 5);
-  const LoadVerdict verdict = verdict_of(steps_of(order), 20, 5);
+  const ScheduleVerdict verdict = verdict_of(steps_of(order), 20, 5);
   EXPECT_TRUE(verdict.valid());
   EXPECT_EQ(verdict.loads, order.facts().loads);
   EXPECT_EQ(verdict.steps, order.facts().steps);
@@ -40,9 +29,9 @@ TEST(LoadCheck, AcceptsWhatIsRightAndCountsIt) {
   EXPECT_EQ(verdict.watched_items, 20U);
 }
 
-TEST(LoadCheck, RejectsEachSingleMutationOfATightOrder) {
+TEST(ScheduleCheck, RejectsEachSingleMutationOfATightOrder) {
   // 21 blocks of a tight SCCD(12,4): nothing can be spared.
-  const std::vector<LoadStep> good = steps_of(plan_load_order(12, 4));
+  const std::vector<Step> good = steps_of(plan_load_order(12, 4));
   ASSERT_TRUE(verdict_of(good, 12, 4).valid());
   for (std::size_t i = 0; i < good.size(); ++i) {
     auto dropped = good;
@@ -71,27 +60,27 @@ TEST(LoadCheck, RejectsEachSingleMutationOfATightOrder) {
   twice[1].evict.clear();
   EXPECT_NE(verdict_of(twice, 13, 6).fault.find("which is in memory"), std::string::npos);
   EXPECT_NE(verdict_of(good, 12, 3).fault.find("full"), std::string::npos);
-  EXPECT_EQ(verdict_of(good, 13, 4).uncovered, 12U);
+  EXPECT_EQ(verdict_of(good, 13, 4).missing, 12U);
   EXPECT_FALSE(verdict_of({}, 1, 2).valid());
 }
 
-TEST(LoadCheck, FollowsAFewItemsWhenNotAllPairsAreAskedFor) {
-  LoadCheckOptions few;
+TEST(ScheduleCheck, FollowsAFewItemsWhenNotAllPairsAreAskedFor) {
+  CheckOptions few;
   few.all_pairs = false;
   few.watched = 12;
-  std::vector<LoadStep> steps = steps_of(plan_load_order(12, 4));
+  std::vector<Step> steps = steps_of(plan_load_order(12, 4));
   EXPECT_TRUE(verdict_of(steps, 12, 4, few).valid());
   steps.pop_back();
   EXPECT_FALSE(verdict_of(steps, 12, 4, few).valid());
   few.watched = 3;
   EXPECT_EQ(verdict_of(steps, 12, 4, few).watched_items, 3U);
-  EXPECT_THROW(LoadCheck(70'000, 4), MissingResource);
-  EXPECT_THROW(LoadCheck(0, 4), BadInput);
+  EXPECT_THROW(ScheduleCheck({.items = 70'000, .room = 4}), MissingResource);
+  EXPECT_THROW(ScheduleCheck({.items = 0, .room = 4}), BadInput);
 }
 
-TEST(LoadCheck, HasTheSameVerdictUnderOtherNames) {
-  const std::vector<LoadStep> good = steps_of(plan_load_order(12, 4));
-  LoadCheckOptions renamed;
+TEST(ScheduleCheck, HasTheSameVerdictUnderOtherNames) {
+  const std::vector<Step> good = steps_of(plan_load_order(12, 4));
+  CheckOptions renamed;
   for (Element x = 0; x < 12; ++x) {
     renamed.kept_as.push_back((5 * x + 3) % 12);
   }
@@ -99,48 +88,47 @@ TEST(LoadCheck, HasTheSameVerdictUnderOtherNames) {
   for (std::size_t i = 1; i < good.size(); ++i) {
     auto dropped = good;
     dropped.resize(i);
-    const LoadVerdict own = verdict_of(dropped, 12, 4);
-    const LoadVerdict other = verdict_of(dropped, 12, 4, renamed);
+    const ScheduleVerdict own = verdict_of(dropped, 12, 4);
+    const ScheduleVerdict other = verdict_of(dropped, 12, 4, renamed);
     EXPECT_FALSE(other.valid()) << i;
-    EXPECT_EQ(other.uncovered, own.uncovered) << i;
+    EXPECT_EQ(other.missing, own.missing) << i;
     EXPECT_EQ(other.loads, own.loads) << i;
   }
   // Names are translated back: 0 and 1 never meet.
-  LoadCheck check(3, 2, {.kept_as = {2, 0, 1}});
+  ScheduleCheck check({.items = 3, .room = 2}, {.kept_as = {2, 0, 1}});
   check.read({1, {}, {0, 2}});
   check.read({2, {0}, {1}});
-  EXPECT_EQ(check.finish().uncovered_example, "{0,1}");
+  EXPECT_EQ(check.finish().example, "{0,1}");
   for (const auto& names : std::vector<std::vector<Element>>{{0, 1}, {0, 1, 1}, {0, 1, 3}}) {
-    EXPECT_THROW(LoadCheck(3, 2, {.kept_as = names}), BadInput);
+    EXPECT_THROW(ScheduleCheck({.items = 3, .room = 2}, {.kept_as = names}), BadInput);
   }
 }
 
-TEST(LoadCheck, StartsOverWithAnEmptyMemoryForTheNextWorker) {
-  LoadCheck check(3, 2);
+TEST(ScheduleCheck, StartsOverWithAnEmptyMemoryForTheNextWorker) {
+  ScheduleCheck check({.items = 3, .room = 2});
   check.read({1, {}, {0, 1}});
-  check.start_over();
-  check.read({1, {}, {1, 2}});
-  check.read({2, {1}, {0}});
+  check.read({.number = 1, .load = {1, 2}, .worker = 1});
+  check.read({.number = 2, .evict = {1}, .load = {0}, .worker = 1});
   EXPECT_TRUE(check.finish().valid()) << check.finish().fault;
 }
 
-RC_GTEST_PROP(LoadCheck, AgreesWithTheSimulation, ()) {
+RC_GTEST_PROP(ScheduleCheck, AgreesWithTheSimulation, ()) {
   const auto items = *rc::gen::inRange<std::uint64_t>(2, 30);
   const auto room = *rc::gen::inRange<std::uint64_t>(2, 10);
   LoadOrderOptions options;
   options.constructions = false;
-  std::vector<LoadStep> steps = steps_of(plan_load_order(items, room, options));
+  std::vector<Step> steps = steps_of(plan_load_order(items, room, options));
   // Drop the loads of some steps at the end: legal, but pairs may be missing.
   const auto cut = *rc::gen::inRange<std::size_t>(0, 4);
   steps.resize(steps.size() - std::min(cut, steps.size() - 1));
   Simulation simulation;
   simulation.items = items;
-  for (const LoadStep& step : steps) {
+  for (const Step& step : steps) {
     simulation.take(step, room);
   }
-  const LoadVerdict verdict = verdict_of(steps, items, room);
+  const ScheduleVerdict verdict = verdict_of(steps, items, room);
   RC_ASSERT(verdict.fault.empty() == simulation.fault.empty());
-  RC_ASSERT(verdict.uncovered == simulation.missing());
+  RC_ASSERT(verdict.missing == simulation.missing());
   RC_ASSERT(verdict.loads == simulation.loads);
 }
 

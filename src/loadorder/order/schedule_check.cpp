@@ -1,0 +1,422 @@
+// Plays a schedule. It shares no code with what makes one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/schedule.hpp"
+#include "changeover/run/scope.hpp"
+#include "loadorder/order/met_pairs.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t most_followed = 65'536;  // workers
+constexpr std::uint64_t absent = ~std::uint64_t{0};
+
+/// Which pairs were computed, each way, and which items alone.
+struct Computed {
+  Computed(const ScheduleRules& rules, bool all_pairs)
+      : alone(static_cast<std::size_t>(rules.items), false), loaded(alone) {
+    if (all_pairs || rules.wanted.graph() != nullptr) {
+      upward.emplace(rules.wanted, rules.items);
+    }
+    if (upward && rules.compute->ordered) {
+      downward.emplace(rules.wanted, rules.items);
+    }
+  }
+
+  // {x,y}, in this order. Whether it is new, as far as pairs are followed.
+  bool insert(Element x, Element y) {
+    std::optional<SeenPairs>& pairs = x < y ? upward : downward;
+    return !pairs || pairs->insert(x, y);
+  }
+
+  std::optional<SeenPairs> upward;    // smaller item first
+  std::optional<SeenPairs> downward;  // larger item first
+  std::vector<bool> alone;
+  std::vector<bool> loaded;
+};
+
+/// Items that change: how often, and how much of that is where.
+struct Changes {
+  explicit Changes(std::size_t items)
+      : all(items, 0), on_disk(items, 0), in_memory(items, absent) {}
+
+  std::vector<std::uint64_t> all;
+  std::vector<std::uint64_t> on_disk;
+  std::vector<std::uint64_t> in_memory;  // or absent
+};
+
+}  // namespace
+
+class ScheduleCheck::State {
+ public:
+  State(const ScheduleRules& rules, const CheckOptions& options)
+      : rules_(rules),
+        workers_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))) {
+    if (rules.items == 0 || rules.room == 0 || rules.fast_room == std::uint64_t{0}) {
+      throw BadInput(fmt::format(
+          "a load order of {} items with room for {}{}: give at least 1 of each", rules.items,
+          rules.room, rules.fast_room ? " and for 0 on the accelerator" : ""));
+    }
+    if (!rules.wanted.are_all() && rules.wanted.items() != rules.items) {
+      throw BadInput(
+          fmt::format("pairs of {} items are wanted of {}", rules.wanted.items(), rules.items));
+    }
+    const auto items = static_cast<std::size_t>(rules.items);
+    place_.assign(items, 0);
+    if (rules.lockstep > 0) {
+      owner_.assign(items, 0);
+      round_.resize(workers_.size());
+    }
+    if (rules.fast_room) {
+      fast_.assign(items, false);
+    }
+    if (rules.overlap) {
+      goes_late_.assign(items, false);
+    }
+    if (rules.compute) {
+      computed_.emplace(rules, options.all_pairs);
+      verdict_.watched_items = computed_->upward ? rules.items : 0;
+    } else {
+      met_.emplace(rules, options);
+    }
+    if (rules.store) {
+      changes_.emplace(items);
+    }
+  }
+
+  void read(const Step& step) {
+    if (!verdict_.fault.empty()) {
+      return;
+    }
+    if (rules_.lockstep == 0) {
+      if (step.worker != worker_) {
+        if (step.worker >= most_followed) {
+          return fail(step, fmt::format("is not of one of {} workers", most_followed));
+        }
+        begin(step.worker);
+      }
+      play({&step, 1});
+      return;
+    }
+    if (step.worker != in_round_) {
+      fail(step, fmt::format("comes where worker {} is next", in_round_));
+      return;
+    }
+    round_[in_round_++] = step;
+    if (in_round_ == round_.size()) {
+      in_round_ = 0;
+      play(round_);
+    }
+  }
+
+  ScheduleVerdict finish() {
+    if (in_round_ > 0 && verdict_.fault.empty()) {
+      fail(round_[0], fmt::format("is of {} workers, not of {}", in_round_, round_.size()));
+    }
+    end();
+    ScheduleVerdict verdict = verdict_;
+    if (met_) {
+      met_->report(verdict);
+      return verdict;
+    }
+    for (const std::optional<SeenPairs>* const pairs : {&computed_->upward, &computed_->downward}) {
+      verdict.missing += *pairs ? (*pairs)->missing() : 0;
+    }
+    for (std::size_t x = 0; x < place_.size() && rules_.compute->self; ++x) {
+      verdict.missing += computed_->loaded[x] && !computed_->alone[x] ? 1U : 0U;
+    }
+    return verdict;
+  }
+
+ private:
+  struct Worker {
+    std::uint64_t number = 0;  // of its last step
+    std::vector<Element> memory;
+    std::uint64_t on_accelerator = 0;
+    std::vector<ItemPair> overlap;  // what is still to be computed of its last step
+  };
+
+  void fail(const Step& step, const std::string& what) {
+    if (verdict_.fault.empty()) {
+      verdict_.fault = rules_.lockstep > 0 || step.worker > 0
+                           ? fmt::format("step {} of worker {} {}", step.number, step.worker, what)
+                           : fmt::format("step {} {}", step.number, what);
+    }
+  }
+
+  Worker& of(const Step& step) {
+    return workers_[rules_.lockstep > 0 ? static_cast<std::size_t>(step.worker) : 0];
+  }
+
+  [[nodiscard]] bool holds(const Step& step, Element x) const {
+    return x < place_.size() && place_[x] != 0 && (owner_.empty() || owner_[x] == step.worker);
+  }
+
+  // All workers do one thing before any does the next.
+  void play(std::span<const Step> steps) {
+    ++verdict_.steps;
+    std::uint64_t slowest = 0;
+    for (const Step& step : steps) {
+      start(step);
+      slowest = std::max<std::uint64_t>(slowest, step.load.size());
+    }
+    verdict_.span += slowest;
+    for (const Step& step : steps) {
+      load(step);
+    }
+    if (rules_.compute) {
+      for (const Step& step : steps) {
+        compute(step, step.compute, false);
+        of(step).overlap = step.overlap;
+      }
+    }
+  }
+
+  void start(const Step& step) {
+    Worker& worker = of(step);
+    if (step.number != ++worker.number) {
+      return fail(step, fmt::format("is numbered so where {} is next", worker.number));
+    }
+    for (const Element x : step.fast_evict) {
+      if (fast_.empty() || !holds(step, x) || !fast_[x]) {
+        return fail(step, fmt::format("takes {} from the accelerator, where it is not", x));
+      }
+      fast_[x] = false;
+      --worker.on_accelerator;
+    }
+    if (step.late > (rules_.overlap ? step.evict.size() : 0)) {
+      return fail(step, fmt::format("evicts {} items late, of {}", step.late, step.evict.size()));
+    }
+    const auto late = step.evict.end() - static_cast<std::ptrdiff_t>(step.late);
+    const std::span<const Element> first(step.evict.begin(), late);
+    const std::span<const Element> last(late, step.evict.end());
+    mark_late(last, true);
+    store(step, false);
+    evict(step, first);
+    if (verdict_.fault.empty() && worker.memory.size() + step.load.size() > rules_.room) {
+      fail(step, fmt::format("loads {} when memory is full",
+                             step.load[rules_.room - worker.memory.size()]));
+    }
+    if (rules_.overlap) {
+      compute(step, std::exchange(worker.overlap, {}), true);
+      store(step, true);
+      mark_late(last, false);
+      evict(step, last);
+    }
+  }
+
+  void mark_late(std::span<const Element> items, bool late) {
+    for (const Element x : items) {
+      if (x < goes_late_.size()) {
+        goes_late_[x] = late;
+      }
+    }
+  }
+
+  // What is evicted late is stored late.
+  void store(const Step& step, bool late) {
+    for (const Element x : step.store) {
+      if (!changes_ || !verdict_.fault.empty() ||
+          (x < goes_late_.size() && goes_late_[x] != late) || (x >= goes_late_.size() && late)) {
+        continue;
+      }
+      if (!holds(step, x)) {
+        return fail(step, fmt::format("stores {}, which is not in memory", x));
+      }
+      if (changes_->in_memory[x] == changes_->on_disk[x]) {
+        return fail(step, fmt::format("stores {}, which has not changed", x));
+      }
+      changes_->on_disk[x] = changes_->in_memory[x];
+      ++verdict_.stores;
+    }
+  }
+
+  void evict(const Step& step, std::span<const Element> items) {
+    std::vector<Element>& memory = of(step).memory;
+    for (const Element x : items) {
+      if (!verdict_.fault.empty()) {
+        return;
+      }
+      if (!holds(step, x) || (!fast_.empty() && fast_[x])) {
+        return fail(step, fmt::format("evicts {}, which is {}", x,
+                                      holds(step, x) ? "on the accelerator" : "not in memory"));
+      }
+      const std::uint32_t place = place_[x] - 1;
+      const Element moved = memory.back();
+      memory[place] = moved;
+      place_[moved] = place + 1;
+      memory.pop_back();
+      place_[x] = 0;
+      if (met_) {
+        met_->leave(x, place);
+      }
+      if (changes_) {
+        changes_->in_memory[x] = absent;
+        if (changes_->on_disk[x] != changes_->all[x]) {
+          return fail(step, fmt::format("evicts {} and loses what was changed", x));
+        }
+      }
+    }
+  }
+
+  void load(const Step& step) {
+    if (!verdict_.fault.empty()) {
+      return;
+    }
+    Worker& worker = of(step);
+    for (const Element x : step.load) {
+      if (x >= place_.size() || place_[x] != 0) {
+        return fail(
+            step, fmt::format("loads {}, which is {}", x,
+                              x >= place_.size() ? "not an item"
+                              : owner_.empty()   ? "in memory"
+                                               : fmt::format("in memory of worker {}", owner_[x])));
+      }
+      if (met_) {
+        met_->arrive(x, worker.memory, place_);
+      } else {
+        computed_->loaded[x] = true;
+      }
+      worker.memory.push_back(x);
+      place_[x] = static_cast<std::uint32_t>(worker.memory.size());
+      if (!owner_.empty()) {
+        owner_[x] = static_cast<std::uint32_t>(step.worker);
+      }
+      if (changes_) {
+        changes_->in_memory[x] = changes_->on_disk[x];
+      }
+    }
+    verdict_.most_in_memory =
+        std::max<std::uint64_t>(verdict_.most_in_memory, worker.memory.size());
+    for (const Element x : step.fast_load) {
+      if (fast_.empty() || !holds(step, x) || fast_[x]) {
+        return fail(step, fmt::format("transfers {}, which is not in memory, or has been", x));
+      }
+      if (worker.on_accelerator == *rules_.fast_room) {
+        return fail(step, fmt::format("transfers {} when the accelerator is full", x));
+      }
+      fast_[x] = true;
+      ++worker.on_accelerator;
+    }
+    count(step, step.load.size(), verdict_.loads, verdict_.worker_loads);
+    count(step, step.fast_load.size(), verdict_.transfers, verdict_.worker_transfers);
+  }
+
+  static void count(const Step& step, std::uint64_t number, std::uint64_t& all,
+                    std::vector<std::uint64_t>& by_worker) {
+    all += number;
+    if (step.worker >= by_worker.size()) {
+      by_worker.resize(static_cast<std::size_t>(step.worker) + 1, 0);
+    }
+    by_worker[static_cast<std::size_t>(step.worker)] += number;
+  }
+
+  void compute(const Step& step, const std::vector<ItemPair>& pairs, bool overlapped) {
+    for (const auto& [x, y] : pairs) {
+      if (!verdict_.fault.empty()) {
+        return;
+      }
+      const auto there = [&](Element z) { return holds(step, z) && (fast_.empty() || fast_[z]); };
+      if (!there(x) || !there(y)) {
+        return fail(step, fmt::format("computes ({},{}), which are not both {}", x, y,
+                                      fast_.empty() ? "in memory" : "on the accelerator"));
+      }
+      if (x == y ? !rules_.compute->self
+                 : (x > y && !rules_.compute->ordered) || !rules_.wanted.contains(x, y)) {
+        return fail(step, fmt::format("computes ({},{}), which is not wanted", x, y));
+      }
+      bool is_new = !computed_->alone[x];
+      if (x == y) {
+        computed_->alone[x] = true;
+      } else {
+        is_new = computed_->insert(x, y);
+      }
+      ++verdict_.computed;
+      verdict_.repeated += is_new ? 0U : 1U;
+      verdict_.overlapped += overlapped ? 1U : 0U;
+      for (const Element z : {x, y}) {
+        if (changes_) {
+          ++changes_->all[z];
+          ++changes_->in_memory[z];
+        }
+      }
+    }
+  }
+
+  // The workers have no more steps.
+  void end() {
+    for (std::size_t w = 0; w < workers_.size() && verdict_.fault.empty(); ++w) {
+      Step last;
+      last.worker = rules_.lockstep > 0 ? w : worker_;
+      last.number = workers_[w].number;
+      compute(last, std::exchange(workers_[w].overlap, {}), false);
+      if (changes_ && !workers_[w].memory.empty()) {
+        fail(last, fmt::format("is the last, and {} is still held at the end",
+                               workers_[w].memory.front()));
+      }
+    }
+  }
+
+  // The next worker, from an empty memory.
+  void begin(std::uint64_t worker) {
+    end();
+    for (const Element x : workers_[0].memory) {
+      place_[x] = 0;
+      if (!fast_.empty()) {
+        fast_[x] = false;
+      }
+    }
+    workers_[0] = {};
+    if (met_) {
+      met_->clear();
+    }
+    worker_ = worker;
+  }
+
+  ScheduleRules rules_;
+  ScheduleVerdict verdict_;
+  std::vector<Worker> workers_;       // one if they come one after another
+  std::uint64_t worker_ = 0;          // which one it is then
+  std::vector<std::uint32_t> place_;  // by item: index in its memory plus one, 0 if it is in none
+  std::vector<std::uint32_t> owner_;  // by item: its worker; empty if there is one at a time
+  std::vector<bool> fast_;            // by item: on the accelerator; empty if there is none
+  std::vector<bool> goes_late_;       // by item; empty if nothing overlaps
+  std::optional<MetPairs> met_;
+  std::optional<Computed> computed_;
+  std::optional<Changes> changes_;
+  std::vector<Step> round_;  // the step of all workers that comes in
+  std::size_t in_round_ = 0;
+};
+
+ScheduleCheck::ScheduleCheck(const ScheduleRules& rules, const CheckOptions& options)
+    : state_(std::make_unique<State>(rules, options)) {}
+ScheduleCheck::~ScheduleCheck() = default;
+ScheduleCheck::ScheduleCheck(ScheduleCheck&&) noexcept = default;
+
+void ScheduleCheck::read(const Step& step) { state_->read(step); }
+
+ScheduleVerdict ScheduleCheck::finish() { return state_->finish(); }
+
+ScheduleVerdict check_schedule(StepSource& steps, const ScheduleRules& rules,
+                               const CheckOptions& options) {
+  ScheduleCheck check(rules, options);
+  Step step;
+  constexpr std::uint64_t steps_between_looks = 4096;
+  for (std::uint64_t count = 0; steps.next(step); ++count) {
+    check.read(step);
+    if (count % steps_between_looks == 0) {
+      stop_if_asked();
+      if (progress_due()) {
+        report_progress({.phase = "checking the load order", .steps = count, .unit = "steps"});
+      }
+    }
+  }
+  return check.finish();
+}
+
+}  // namespace changeover
