@@ -164,6 +164,7 @@ first_cell=$(find site/data/cell -type f | head -n 1)
 for put in 'mkdir -p site/data/cell/mine; echo a >site/data/cell/mine/a' 'echo mine >site/data/mine.json' 'mkdir site/data/empty' \
   'mkfifo site/data/pipe' 'ln -s /etc/passwd site/data/link' 'ln -s cell site/data/cells' 'rm site/index.html; mkdir site/index.html' \
   'echo more >>site/index.html' "rm '$first_cell'; ln -s /etc/passwd '$first_cell'" "rm '$first_cell'; mkfifo '$first_cell'" \
+  'echo mine >site/.changeover-unfinished' 'echo ../site/index.html >site/.changeover-unfinished' \
   'echo "changeover 0.1.0" >site/.changeover-explorer' 'rm site/.changeover-explorer' \
   'rm site/.changeover-explorer; ln -s /etc/passwd site/.changeover-explorer'; do
   cp -a site good-site
@@ -175,6 +176,55 @@ for put in 'mkdir -p site/data/cell/mine; echo a >site/data/cell/mine/a' 'echo m
   [[ $(listing) == "$kept" ]] || fault "export over what is not its own changed it: $put"
   rm -rf site && mv good-site site
 done
+# A list that no export wrote says nothing about files, and is found out in a moment.
+list=site/.changeover-explorer
+for put in 'printf "%064d  /etc/passwd\n" 0 >>$list' 'printf "%064d  ../mine\n" 0 >>$list' 'printf "%064d  data//x\n" 0 >>$list' \
+  'printf "%064d  data/own/\n" 0 >>$list; mkdir site/data/own' 'tail -n 1 good-site/.changeover-explorer >>$list' \
+  'head -c 700 good-site/.changeover-explorer >$list' 'head -c 300000 /dev/urandom >$list' 'truncate -s 20G $list'; do
+  cp -a site good-site
+  eval "$put"
+  kept=$(find site -printf '%p %y %s\n' | sort)
+  run 60 "$CHANGEOVER" "${small[@]}" site
+  attacks=$((attacks + 1))
+  [[ $code == 4 && $said == *"$list"*'no export wrote'* ]] || fault "export over a list that no export wrote ($put): exit code $code $said"
+  [[ $(find site -printf '%p %y %s\n' | sort) == "$kept" ]] || fault "export over a list that no export wrote changed the site: $put"
+  rm -rf site && mv good-site site
+done
+ln -s nowhere away
+run 60 "$CHANGEOVER" "${small[@]}" away
+attacks=$((attacks + 1))
+[[ $code == 4 && $said == *'leads nowhere'* ]] || fault "export to a link that leads nowhere: exit code $code $said"
+# What somebody puts there while the export works stays.
+"$CHANGEOVER" serve --assets pages --k 3..5 --v 5..40 --export site >"$out" 2>"$err" </dev/null &
+process=$!
+for ((tries = 0; tries < 600; ++tries)); do
+  [[ -z $(find . -maxdepth 1 -name 'site.new-*') ]] || break
+  sleep 0.01
+done
+echo mine >site/data/mine
+wait "$process"
+code=$?
+heard
+attacks=$((attacks + 1))
+[[ $code == 4 && $(cat site/data/mine) == mine && -z $(find . -maxdepth 1 -name 'site.new-*') ]] ||
+  fault "export over what came while it worked: exit code $code $said"
+rm -f site/data/mine
+# Whoever may not read the earlier site may not read the next one.
+chmod 700 site
+run 120 "$CHANGEOVER" "${small[@]}" site
+attacks=$((attacks + 1))
+[[ $code == 0 && $(stat -c %a site) == 700 ]] || fault "export over a private site: exit code $code, mode $(stat -c %a site)"
+(umask 027; run 120 "$CHANGEOVER" "${small[@]}" masked)
+[[ $(stat -c %a masked) == 750 ]] || fault 'export: the umask is ignored'
+# Killed between any two steps of putting it there: the next export clears what was left.
+if command -v strace >/dev/null && strace -o /dev/null true; then
+  for step in renameat2:1 unlink:1 unlink:9 rmdir:1; do
+    strace -f --seccomp-bpf -o /dev/null -e trace="${step%:*}" -e inject="${step%:*}:signal=KILL:when=${step#*:}" "$CHANGEOVER" "${small[@]}" site >"$out" 2>"$err"
+    run 120 "$CHANGEOVER" "${small[@]}" site
+    attacks=$((attacks + 1))
+    [[ $code == 0 && -z $(find . -maxdepth 1 -name 'site.new-*') ]] || fault "export after a kill at $step: exit code $code $said"
+  done
+fi
 # A file that is gone is no loss, and what is named like a site that was left is somebody's.
 rm "$first_cell"
 cp -a site site.new-abcdef
