@@ -58,6 +58,14 @@ void read_part(const nlohmann::json& part, Job& job) {
   if (!named && !part.is_string()) {
     throw Refusal{422, where + ": write {\"name\":…,\"cost\":…}, or the name alone"};
   }
+  if (named) {
+    for (const auto& [key, value] : part.items()) {
+      if (key != "name" && key != "cost") {
+        throw Refusal{422, fmt::format("{}: {} is not read here; a part has name and cost", where,
+                                       printable(key))};
+      }
+    }
+  }
   const std::string name = named ? part["name"].get<std::string>() : part.get<std::string>();
   if (const auto defect = text_defect(name)) {
     throw Refusal{422, fmt::format("{}: {}", where, *defect)};
