@@ -175,7 +175,7 @@ Listed listed_in_columns(const py::object& given) {
   });
   // Rows that were left out leave numbers that say nothing.
   const bool says_nothing =
-      is_range || (has_names && index.attr("name").is_none() && has_numbered_rows(frame));
+      index.attr("name").is_none() && (is_range || (has_names && has_numbered_rows(frame)));
   if (!says_nothing) {
     if (py::hasattr(index, "levels")) {
       throw py::type_error("parts: an index of several levels; give reset_index() of it");
