@@ -162,6 +162,6 @@ def say_all_in_one_line(module) -> None:
             setattr(each, "__new__", _not_by_hand)
         for name, method in list(vars(each).items()):
             described = (getattr(method, "__doc__", None) or "").startswith(f"{name}(self: ")
-            if described and (name == "__init__" or not name.startswith("__")):
+            if described and (name in ("__init__", "__setstate__") or not name.startswith("__")):
                 shown = owner if name == "__init__" else f"{owner}.{name}"
                 setattr(each, name, in_one_line(method, classes, shown, each))

@@ -1,6 +1,7 @@
 #include "arguments.hpp"
 
 #include "changeover/core/error.hpp"
+#include "core/printable.hpp"
 
 namespace changeover::python {
 
@@ -22,7 +23,7 @@ std::string quoted(const std::string& words) {
   while (end < words.size() && (static_cast<unsigned char>(words[end]) & 0xC0U) == 0x80U) {
     --end;  // not within a character
   }
-  return "'" + words.substr(0, end) + (end < words.size() ? "…'" : "'");
+  return "'" + printable(words.substr(0, end)) + (end < words.size() ? "…'" : "'");
 }
 
 namespace {
@@ -34,17 +35,51 @@ bool is_mapping(const py::handle& value) {
 
 }  // namespace
 
+bool is_text(const py::handle& value) {
+  return py::isinstance<py::str>(value) ||
+         py::isinstance(value, py::module_::import("collections").attr("UserString"));
+}
+
+bool is_bytes(const py::handle& value) {
+  return py::isinstance<py::bytes>(value) || py::isinstance<py::bytearray>(value) ||
+         (PyMemoryView_Check(value.ptr()) != 0 && words_of(value.attr("format")) == "B");
+}
+
+bool is_missing(const py::handle& value) {
+  if (value.is_none()) {
+    return true;
+  }
+  const std::string type = words_of(py::type::of(value).attr("__name__"));
+  if (type == "NAType" || type == "NaTType") {
+    return true;  // of pandas
+  }
+  if (is_text(value)) {
+    return false;
+  }
+  // NaN alone is not what it is. An array has no answer.
+  const auto differs = py::reinterpret_steal<py::object>(
+      unless_python_ends([&] { return PyObject_RichCompare(value.ptr(), value.ptr(), Py_NE); }));
+  const int is_nan = differs ? PyObject_IsTrue(differs.ptr()) : -1;
+  if (is_nan < 0) {
+    PyErr_Clear();
+  }
+  return is_nan == 1;
+}
+
 void require_iterable(const char* argument, const char* holds, const py::handle& value) {
   const std::string begin = std::string(argument) + " has " + holds + ", ";
-  if (py::isinstance<py::str>(value)) {
+  if (is_text(value)) {
     throw py::type_error(begin + "and is a list of them, not a string");
   }
-  if (py::isinstance<py::bytes>(value) || py::isinstance<py::bytearray>(value)) {
+  if (is_bytes(value)) {
     throw py::type_error(begin + "and is a list of them, not bytes");
   }
   if (is_mapping(value)) {
     throw py::type_error(begin +
                          "and is a list of them, not a dict; what its keys lead to would be lost");
+  }
+  if (is_data_frame(value)) {
+    throw py::type_error(begin + "not a DataFrame; give its rows, or one of its columns");
   }
   if (!py::isinstance<py::iterable>(value)) {
     throw py::type_error(begin + "not " + quoted(words_of(py::repr(value))));
@@ -63,10 +98,22 @@ bool is_data_frame(const py::handle& value) {
   return py::hasattr(value, "itertuples") && py::hasattr(value, "columns");
 }
 
-py::object rows_of(const py::object& value) {
-  return is_data_frame(value)
-             ? value.attr("itertuples")(py::arg("index") = false, py::arg("name") = py::none())
-             : value;
+bool has_numbered_rows(const py::handle& table) {
+  const py::object index = table.attr("index");
+  return py::hasattr(index, "dtype") &&
+         std::string_view("iu").find(words_of(index.attr("dtype").attr("kind"))) !=
+             std::string_view::npos;
+}
+
+py::object rows_of(const char* argument, const py::object& value) {
+  if (!is_data_frame(value)) {
+    return value;
+  }
+  if (!has_numbered_rows(value)) {
+    throw py::type_error(std::string(argument) +
+                         ": the index of the DataFrame would be lost; give reset_index() of it");
+  }
+  return value.attr("itertuples")(py::arg("index") = false, py::arg("name") = py::none());
 }
 
 bool leads_from_keys(const py::handle& value) {

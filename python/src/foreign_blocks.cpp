@@ -122,8 +122,9 @@ std::optional<Table> from_buffer(const py::object& blocks) {
 Design from_iterables(const py::object& blocks, const ReadOptions& options) {
   JsonWriter json;
   json.begin_array();
-  require_ordered("blocks", "lists of elements", blocks);
-  for_each(rows_of(blocks), [&](const py::handle& block) {
+  const py::object rows = rows_of("blocks", blocks);
+  require_ordered("blocks", "lists of elements", rows);
+  for_each(rows, [&](const py::handle& block) {
     require_iterable("blocks", "lists of elements", block);
     json.begin_array();
     for_each(block, [&](const py::handle& element) {

@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "long_work.hpp"
+#include "plan/job/part_columns.hpp"
 
 namespace changeover::python {
 namespace {
@@ -45,7 +46,7 @@ std::vector<std::string> words_in(const char* argument, const py::handle& parts)
 template <typename MakeRow>
 RequestList rows_from(const char* argument, const py::object& given, const MakeRow& make) {
   RequestList list{.file = {}, .text = {}, .rows = std::vector<ListRow>()};
-  for_each(rows_of(given), [&](const py::handle& row) {
+  for_each(given, [&](const py::handle& row) {
     if (list.rows->size() == most_rows) {
       throw BadInput(std::string(argument) + " has more than 4194304 rows; give each once");
     }
@@ -63,15 +64,15 @@ ListRow pair_in(const char* argument, const py::handle& pair) {
 }
 
 RequestList pairs_in(const char* argument, const py::object& pairs) {
-  require_iterable(argument, "pairs of parts", pairs);
-  RequestList list =
-      rows_from(argument, pairs, [&](const py::handle& pair) { return pair_in(argument, pair); });
-  return list;
+  const py::object rows = rows_of(argument, pairs);
+  require_iterable(argument, "pairs of parts", rows);
+  return rows_from(argument, rows, [&](const py::handle& pair) { return pair_in(argument, pair); });
 }
 
 RequestList setups_in(const char* argument, const py::object& setups) {
-  require_ordered(argument, "set-ups, lists of parts", setups);
-  return rows_from(argument, setups,
+  const py::object rows = rows_of(argument, setups);
+  require_ordered(argument, "set-ups, lists of parts", rows);
+  return rows_from(argument, rows,
                    [&](const py::handle& setup) { return ListRow{words_in(argument, setup)}; });
 }
 
@@ -88,12 +89,13 @@ std::string result_in(const py::handle& result, const char* wanted) {
 RequestList tests_in(const py::object& tests) {
   const char* const wanted =
       "done has set-ups, lists of parts, each alone or as (set-up, result), where result is True, False, None or a text";
-  require_iterable("done", "set-ups, lists of parts", tests);
+  const py::object rows = rows_of("done", tests);
+  require_iterable("done", "set-ups, lists of parts", rows);
   const auto with_result = [&](const py::handle& setup, const py::handle& result) {
     std::string said = result_in(result, wanted);
     return ListRow{words_in("done", setup), std::move(said)};
   };
-  return rows_from("done", tests, [&](const py::handle& test) {
+  return rows_from("done", rows, [&](const py::handle& test) {
     if (py::isinstance<py::dict>(test)) {
       const auto both = py::reinterpret_borrow<py::dict>(test);
       const bool has_result = both.contains("result");
@@ -106,9 +108,7 @@ RequestList tests_in(const py::object& tests) {
     }
     const bool may_be_two = py::isinstance<py::tuple>(test) && py::len(test) == 2;
     const auto two = may_be_two ? py::reinterpret_borrow<py::tuple>(test) : py::tuple();
-    const bool is_two =
-        may_be_two && (py::isinstance<py::list>(two[0]) || py::isinstance<py::tuple>(two[0]) ||
-                       py::isinstance<py::set>(two[0]));
+    const bool is_two = may_be_two && py::isinstance<py::iterable>(two[0]) && !is_text(two[0]);
     return is_two ? with_result(two[0], two[1]) : ListRow{words_in("done", test)};
   });
 }
@@ -122,35 +122,101 @@ struct Listed {
   std::vector<std::string> slots;  // by part; empty where none has one
 };
 
+// A column that would be dropped, or read as something else than it says, is refused: a file of it gets a note about that, which
+// nobody would see here.
+void check_columns(const py::object& frame) {
+  std::vector<std::string> names;
+  std::vector<std::string> costs;
+  std::vector<std::string> slots;
+  std::vector<std::string> others;
+  std::size_t numbered = 0;  // without a heading
+  for_each(frame.attr("columns"), [&](const py::handle& column) {
+    const std::string heading = words_of(column);
+    numbered += PyIndex_Check(column.ptr()) != 0 ? 1U : 0U;
+    (heads_parts(heading)   ? names
+     : heads_slots(heading) ? slots
+     : heads_costs(heading) ? costs
+                            : others)
+        .push_back(heading);
+  });
+  constexpr std::size_t names_and_costs = 2;
+  if (numbered == py::len(frame.attr("columns")) && numbered <= names_and_costs) {
+    return;
+  }
+  if (names.empty() && !others.empty()) {
+    names.push_back(others.front());
+    others.erase(others.begin());
+  }
+  if (names.empty()) {
+    throw BadInput("parts: no column has the names; call one of them name");
+  }
+  for (const auto* const each : {&names, &costs, &slots}) {
+    others.insert(others.end(), each->begin() + (each->empty() ? 0 : 1), each->end());
+  }
+  if (!others.empty()) {
+    throw BadInput(
+        "parts: the column " + quoted(others.front()) +
+        " is not read; leave it out, or have one column each called name, cost and slot");
+  }
+}
+
 // A table of columns is read as a file of it would be: the same headers, the same refusals.
 Listed listed_in_columns(const py::object& given) {
   py::object frame = given;
   const py::object index = frame.attr("index");
-  if (words_of(py::type::of(index).attr("__name__")) != "RangeIndex") {
-    frame = frame.attr("rename_axis")(
-        index.attr("name").is_none() ? py::str("name") : py::object(index.attr("name")));
+  const bool is_range = words_of(py::type::of(index).attr("__name__")) == "RangeIndex";
+  bool has_names = false;
+  for_each(frame.attr("columns"), [&](const py::handle& column) {
+    has_names = has_names || heads_parts(words_of(column));
+  });
+  // Rows that were left out leave numbers that say nothing.
+  const bool says_nothing =
+      index.attr("name").is_none() && (is_range || (has_names && has_numbered_rows(frame)));
+  if (!says_nothing) {
+    if (py::hasattr(index, "levels")) {
+      throw py::type_error("parts: an index of several levels; give reset_index() of it");
+    }
+    frame = frame.attr("rename_axis")(index.attr("name").is_none()
+                                          ? py::str(has_names ? "index" : "name")
+                                          : py::object(index.attr("name")));
     frame = frame.attr("reset_index")();  // The names are beside the columns.
   }
+  check_columns(frame);
   const py::object text = py::module_::import("io").attr("StringIO")();
   const py::object writer = py::module_::import("csv").attr("writer")(text);
   writer.attr("writerow")(frame.attr("columns"));
-  for_each(rows_of(frame), [&](const py::handle& row) {
+  const py::object rows =
+      frame.attr("itertuples")(py::arg("index") = false, py::arg("name") = py::none());
+  std::size_t count = 0;
+  for_each(rows, [&](const py::handle& row) {
+    ++count;
     py::list fields;
     for_each(row, [&](const py::handle& field) {
-      const bool is_missing =
-          field.is_none() || words_of(field) == "nan" || words_of(field) == "<NA>";
-      fields.append(is_missing ? py::object(py::str(""))
-                               : py::reinterpret_borrow<py::object>(field));
+      fields.append(is_missing(field) ? py::object(py::str(""))
+                                      : py::reinterpret_borrow<py::object>(field));
     });
     writer.attr("writerow")(fields);
   });
   const auto input = input_from_text(words_of(text.attr("getvalue")()), "parts");
   PartList list = read_parts(*input, Header::given);
+  if (list.names.size() != count) {
+    throw BadInput("parts: a row without a name; name the part");
+  }
   Listed listed{std::move(list.names), {}, std::move(list.slots)};
   for (const auto& cost : list.change_costs) {
     listed.costs.push_back(cost ? to_string(*cost) : "");
   }
   return listed;
+}
+
+// What has items inside is no name, nor is what is missing.
+std::string name_of(const py::handle& part) {
+  const bool is_several = !is_text(part) && (is_bytes(part) || py::isinstance<py::iterable>(part));
+  if (is_several || is_missing(part)) {
+    throw py::type_error("parts has names, texts or numbers, not " +
+                         quoted(words_of(py::repr(part))));
+  }
+  return words_of(part);
 }
 
 Listed listed_one_by_one(const py::object& parts) {
@@ -159,9 +225,14 @@ Listed listed_one_by_one(const py::object& parts) {
     if (listed.names.size() == max_parts) {
       throw BadInput(too_many_or_few);
     }
-    listed.names.push_back(words_of(part));
+    listed.names.push_back(name_of(part));
   };
   if (leads_from_keys(parts)) {
+    if (py::hasattr(parts, "index") && has_numbered_rows(parts)) {
+      throw py::type_error(
+          "parts is a Series with numbers as its index; give list(...) of it if its values are "
+          "names, to_dict() of it if they are costs");
+    }
     // Read as it is now: to read it runs code of the caller, which may change it.
     for_each(py::list(parts.attr("items")()), [&](const py::handle& item) {
       const auto [part, cost] = item.cast<std::pair<py::object, py::object>>();
@@ -180,8 +251,14 @@ Listed listed_one_by_one(const py::object& parts) {
 
 // The parts by number, by name, or by name with their costs and slots.
 void take_parts(const GivenJob& given, JobRequest& request) {
-  const py::object& parts = given.parts;
-  const bool is_number = py::isinstance<py::int_>(parts);
+  const bool is_number =
+      PyIndex_Check(given.parts.ptr()) != 0 && !py::isinstance<py::iterable>(given.parts);
+  const py::object parts =
+      is_number ? py::reinterpret_steal<py::object>(PyNumber_Index(given.parts.ptr()))
+                : given.parts;
+  if (!parts) {
+    throw py::error_already_set();
+  }
   if (is_number && !(parts >= py::int_(2) && parts <= py::int_(max_parts))) {
     throw BadInput(too_many_or_few);
   }
@@ -336,11 +413,14 @@ Block parts_named(const Job& job, const char* argument, const py::handle& parts)
 }
 
 std::optional<TestResult> result_named(const py::handle& result) {
-  if (result.is_none()) {
+  if (is_missing(result)) {
     return TestResult::none;
   }
-  if (py::isinstance<py::bool_>(result)) {
-    return result.cast<bool>() ? TestResult::pass : TestResult::fail;
+  const bool is_numpys =
+      py::hasattr(result, "dtype") && words_of(result.attr("dtype").attr("kind")) == "b";
+  if (py::isinstance<py::bool_>(result) || is_numpys) {
+    return py::bool_(py::reinterpret_borrow<py::object>(result)) ? TestResult::pass
+                                                                 : TestResult::fail;
   }
   return py::isinstance<py::str>(result) ? std::optional(result_of(words_of(result)))
                                          : std::nullopt;

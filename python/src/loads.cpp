@@ -44,8 +44,9 @@ std::shared_ptr<const PairGraph> pairs_in(std::optional<std::uint64_t> items,
   }
   std::vector<ItemPair> listed;
   std::uint64_t most = 0;
-  require_iterable("pairs", "rows of two items", pairs);
-  for_each(rows_of(pairs), [&](const py::handle& row) {
+  const py::object rows = rows_of("pairs", pairs);
+  require_iterable("pairs", "rows of two items", rows);
+  for_each(rows, [&](const py::handle& row) {
     require_iterable("pairs", "rows of two items", row);
     Element ends[2] = {};
     std::size_t count = 0;

@@ -141,6 +141,10 @@ class Calls(unittest.TestCase):
         self.assertIn("users_only is ", self.said(changeover.catalog.entries, best_only=1, users_only="x"))
         self.assertTrue(design.is_same_as(design, 1))
 
+    def test_a_state_that_is_none_is_refused_in_one_line(self):
+        for state in ({}, None, b"x", [1]):
+            self.assertIn("__setstate__(): ", self.said(changeover.Design.__new__(changeover.Design).__setstate__, state))
+
     def test_functions_can_be_sent_to_other_processes(self):
         for function in (changeover.design, changeover.verify, changeover.catalog.find, changeover.Design.expand):
             self.assertIs(pickle.loads(pickle.dumps(function)), function)

@@ -1,5 +1,6 @@
 """Jobs with all that they may be told: run sheets with slots, pairs, budgets, load orders for some pairs, larger designs."""
 
+import collections
 import itertools
 import signal
 import unittest
@@ -169,6 +170,71 @@ class Plans(unittest.TestCase):
         # A pair and a set-up have no order, and neither have pairs.
         self.assertEqual(self.plan("a b c".split(), 2, never=[pair]).cost, self.plan("a b c".split(), 2, never={("b", "a")}).cost)
         self.assertEqual(len(self.plan((name for name in "abc"), 2, pairs=(pair for _ in range(2))).steps), 1)
+
+    def test_what_is_no_name_is_refused(self):
+        for wrong in (("x", 5), ["x"], {"name": "x"}, None, b"x", bytearray(b"x"), float("nan"), Decimal("nan"), range(2)):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(TypeError, r"^parts has names, texts or numbers, not .*$"):
+                self.plan(["a", wrong, "b"], 2)
+        for wrong in (memoryview(b"abc"), collections.UserString("abc")):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(TypeError, "^parts has names"):
+                self.plan(wrong, 2)
+        self.assertEqual(self.plan([1, 2.5, Decimal("3"), "x"], 2).tests, 6)
+
+    def test_numbers_and_results_of_numpy_are_what_they_say(self):
+        try:
+            import numpy
+        except ImportError:
+            self.skipTest("NumPy is not installed")
+        self.assertEqual(self.plan(numpy.int64(5), 2).tests, self.plan(5, 2).tests)
+        with self.assertRaisesRegex(TypeError, "^parts has names, texts or numbers"):
+            self.plan(numpy.array([["a", "b"], ["c", "d"]]), 2)
+        setup = ["a", "b"]
+        for result, same in ((numpy.bool_(True), True), (numpy.bool_(False), False), (float("nan"), None)):
+            plain = self.plan(list("abc"), 2, done=[(setup, same)])
+            with self.subTest(result=result):
+                self.assertEqual(self.plan(list("abc"), 2, done=[(numpy.array(setup), result)]).steps, plain.steps)
+                self.assertEqual(self.plan(list("abc"), 2, done=[(frozenset(setup), result)]).cost, plain.cost)
+
+    def test_nothing_of_a_table_is_dropped(self):
+        try:
+            import pandas
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        frame = pandas.DataFrame
+        plan = lambda parts, **more: self.plan(parts, 2, **more)
+        columns = {"name": ["nan", "b", "c", "d"], "cost": [1, 2, 3, 4]}
+        # Rows that were left out leave gaps in the index, and a part may be called "nan".
+        self.assertEqual(plan(frame(columns)[lambda each: each.cost != 2]).cost, plan({"nan": 1, "c": 3, "d": 4}).cost)
+        for wrong, said in (
+            (frame({"name": ["a", None, "c"]}), "a row without a name"),
+            (frame({"name": ["a", "b"], "weight": [5, 6]}), "the column 'weight' is not read"),
+            (frame({**columns, "colour": "red"}), "the column 'colour' is not read"),
+            (frame({**columns, "part": "x"}), "the column 'part' is not read"),
+            (frame(columns, index=list("pqrs")), "the column 'index' is not read"),
+            (frame(columns, index=pandas.Index(range(4, 8), name="id")), "the column 'id' is not read"),
+            (frame({"cost": [1, 2]}), "no column has the names"),
+            (frame([["a", 1, 2], ["b", 3, 4]]), "is not read"),
+        ):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(changeover.BadInput, said):
+                plan(wrong)
+        for wrong in (pandas.Series(["a", "b"]), pandas.Series([5, 6]), pandas.Series(["a", "b"], index=[3, 5])):
+            with self.subTest(wrong=wrong), self.assertRaisesRegex(TypeError, "^parts is a Series with numbers"):
+                plan(wrong)
+        self.assertEqual(plan(list(pandas.Series(["a", "b"]))).tests, 1)
+        # Within a list a table would be the names of its columns; an index says something.
+        table = frame({"a": [1], "b": [2]})
+        for name in ("pairs", "never", "first", "done"):
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name} has parts, not a DataFrame"):
+                plan(list("abcd"), **{name: [table]})
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}: the index .* would be lost"):
+                plan(list("abcd"), **{name: frame({"x": ["b"], "y": ["c"]}, index=["a"])})
+        with self.assertRaisesRegex(TypeError, "^start has parts, not a DataFrame"):
+            plan(list("abcd"), start=table)
+        with self.assertRaisesRegex(TypeError, "^blocks has lists of elements, not a DataFrame"):
+            changeover.Design([table, table])
+        with self.assertRaises(TypeError) as told:
+            changeover.design(7, 3).blocks[table]
+        self.assertNotIn("\n", str(told.exception))
 
     def test_columns_are_read_as_a_file_of_them_would_be(self):
         try:

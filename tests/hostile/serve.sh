@@ -88,6 +88,23 @@ done
 alive '100 connections that stay open'
 for socket in "${held[@]}"; do exec {socket}>&-; done
 
+# More than the server takes from one address: they only hold connections, and make room.
+if ulimit -n 2048 2>/dev/null; then
+  held=()
+  for ((i = 0; i < 600; ++i)); do
+    exec {socket}<>"/dev/tcp/127.0.0.1/$port" || break
+    held+=("$socket")
+    ((i % 2 == 0)) || printf 'POST /api/verify HTTP/1.1\r\nHost: 127.0.0.1:%s\r\nContent-Length: 60000000\r\n\r\n0 1' "$port" >&"$socket"
+  done
+  for ((tries = 0; tries < 100; ++tries)); do
+    ask GET '/api/bounds?v=20&k=5&kind=linear'
+    [[ $status != 200 ]] || break
+    sleep 0.1
+  done
+  alive '600 connections that stay open'
+  for socket in "${held[@]}"; do exec {socket}>&-; done
+fi
+
 # Bodies of every kind of wrong.
 for body in '' '[' "$(printf '[%.0s' {1..5000})" '{"parts":1e999}' $'\x01\x02' '{"a":"\ud800"}' '<!DOCTYPE x [<!ENTITY a "b">]>'; do
   for target in /api/verify /api/plan /api/loadorder /api/draw '/api/verify?v=99999999999'; do
@@ -164,6 +181,7 @@ first_cell=$(find site/data/cell -type f | head -n 1)
 for put in 'mkdir -p site/data/cell/mine; echo a >site/data/cell/mine/a' 'echo mine >site/data/mine.json' 'mkdir site/data/empty' \
   'mkfifo site/data/pipe' 'ln -s /etc/passwd site/data/link' 'ln -s cell site/data/cells' 'rm site/index.html; mkdir site/index.html' \
   'echo more >>site/index.html' "rm '$first_cell'; ln -s /etc/passwd '$first_cell'" "rm '$first_cell'; mkfifo '$first_cell'" \
+  'echo mine >site/.changeover-unfinished' 'echo ../site/index.html >site/.changeover-unfinished' \
   'echo "changeover 0.1.0" >site/.changeover-explorer' 'rm site/.changeover-explorer' \
   'rm site/.changeover-explorer; ln -s /etc/passwd site/.changeover-explorer'; do
   cp -a site good-site
@@ -175,6 +193,57 @@ for put in 'mkdir -p site/data/cell/mine; echo a >site/data/cell/mine/a' 'echo m
   [[ $(listing) == "$kept" ]] || fault "export over what is not its own changed it: $put"
   rm -rf site && mv good-site site
 done
+# A list that no export wrote says nothing about files, and is found out in a moment.
+list=site/.changeover-explorer
+for put in 'printf "%064d  /etc/passwd\n" 0 >>site/.changeover-explorer' 'printf "%064d  ../mine\n" 0 >>site/.changeover-explorer' 'printf "%064d  data//x\n" 0 >>site/.changeover-explorer' \
+  'printf "%064d  data/own/\n" 0 >>site/.changeover-explorer; mkdir site/data/own' 'tail -n 1 good-site/.changeover-explorer >>site/.changeover-explorer' \
+  'head -c 700 good-site/.changeover-explorer >site/.changeover-explorer' 'head -c 300000 /dev/urandom >site/.changeover-explorer' 'truncate -s 20G site/.changeover-explorer'; do
+  cp -a site good-site
+  eval "$put"
+  kept=$(find site -printf '%p %y %s\n' | sort)
+  run 60 "$CHANGEOVER" "${small[@]}" site
+  attacks=$((attacks + 1))
+  [[ $code == 4 && $said == *"$list"*'no export wrote'* ]] || fault "export over a list that no export wrote ($put): exit code $code $said"
+  [[ $(find site -printf '%p %y %s\n' | sort) == "$kept" ]] || fault "export over a list that no export wrote changed the site: $put"
+  rm -rf site && mv good-site site
+done
+ln -s nowhere away
+run 60 "$CHANGEOVER" "${small[@]}" away
+attacks=$((attacks + 1))
+[[ $code == 4 && $said == *'leads nowhere'* ]] || fault "export to a link that leads nowhere: exit code $code $said"
+# What somebody puts there while the export works stays.
+"$CHANGEOVER" serve --assets pages --k 3..5 --v 5..40 --export site >"$out" 2>"$err" </dev/null &
+process=$!
+for ((tries = 0; tries < 600; ++tries)); do
+  [[ -z $(find . -maxdepth 1 -name 'site.new-*') ]] || break
+  sleep 0.01
+done
+echo mine >site/data/mine
+wait "$process"
+code=$?
+heard
+attacks=$((attacks + 1))
+[[ $code == 4 && $(cat site/data/mine) == mine && -z $(find . -maxdepth 1 -name 'site.new-*') ]] ||
+  fault "export over what came while it worked: exit code $code $said"
+rm -f site/data/mine
+# Whoever may not read the earlier site may not read the next one.
+chmod 700 site
+run 120 "$CHANGEOVER" "${small[@]}" site
+attacks=$((attacks + 1))
+[[ $code == 0 && $(stat -c %a site) == 700 ]] || fault "export over a private site: exit code $code, mode $(stat -c %a site)"
+(umask 027; run 120 "$CHANGEOVER" "${small[@]}" masked)
+[[ $(stat -c %a masked) == 750 ]] || fault 'export: the umask is ignored'
+# Killed between any two steps of putting it there: the next export clears what was left.
+if command -v strace >/dev/null && strace -o /dev/null true; then
+  steps=(unlink:1)
+  ((rounds == 1)) || steps=(renameat2:1 syncfs:1 unlink:1 unlink:2 unlink:9 rmdir:1 rmdir:3)
+  for step in "${steps[@]}"; do
+    strace -f --seccomp-bpf -o /dev/null -e trace="${step%:*}" -e inject="${step%:*}:signal=KILL:when=${step#*:}" "$CHANGEOVER" "${small[@]}" site >"$out" 2>"$err"
+    run 120 "$CHANGEOVER" "${small[@]}" site
+    attacks=$((attacks + 1))
+    [[ $code == 0 && -z $(find . -maxdepth 1 -name 'site.new-*') ]] || fault "export after a kill at $step: exit code $code $said"
+  done
+fi
 # A file that is gone is no loss, and what is named like a site that was left is somebody's.
 rm "$first_cell"
 cp -a site site.new-abcdef

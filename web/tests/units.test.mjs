@@ -176,3 +176,40 @@ test('files that a page makes itself', () => {
   assert.equal(asText({ ...design, labels: ['a', 'b', 'c'], blocks: [[0, 1], [1, 2]] }), '# changeover design v=3 k=2 change=1 kind=linear\n# labels: a b c\na b\nb c\n');
   assert.equal(asCsv(design), 'block,element_1,element_2,v,change,kind\n1,"a,b",c,3,1,linear\n2,c,d,3,1,linear\n');
 });
+
+test('lists of parts: every field counts, or is refused by its name', async () => {
+  const { partsOf, wantedPairs, emptyJob } = await load('pages/plan/job.ts');
+  const read = (text) => partsOf(text).map(({ name, cost }) => (cost === null ? name : `${name}=${cost}`)).join(' ');
+  for (const [text, parts] of [
+    ['a\nb', 'a b'],
+    ['a,1\rb,2\r', 'a=1 b=2'],
+    ['\ufeffNAME,Cost\r\na,1\r\n"b ""c"" d",2', 'a=1 b "c" d=2'],
+    ['Bauteil;Kosten [EUR]\na;1,5', 'a=1.5'],
+    ['cost\tname\n1\ta', 'a=1'],
+    ['"#1 pump",5\n# a comment\nb,2', '#1 pump=5 b=2'],
+    ['"a\tb",5\nc,\t6', 'a\tb=5 c=6'],
+    ['Europe\nAsia', 'Europe Asia'],
+    ['"a;b"\n"c;d"', 'a;b c;d'],
+    ['slot\nfan', 'slot fan'],
+  ]) {
+    assert.equal(read(text), parts, JSON.stringify(text));
+  }
+  for (const [text, said] of [
+    ['name,slot\na,1\nb,2', 'the column “slot” is not used'],
+    ['Name,SLOT\na,CPU\nb,CPU', 'the column “SLOT” is not used'],
+    ['name,weight\na,1\nb,2', 'the column “weight” is not used'],
+    ['Bauteil,Platz\na,1\nb,2', 'the column “Platz” is not used'],
+    ['pump,n/a\nvalve,2', 'the column “n/a” is not used'],
+    ['a,1,CPU\nb,2,CPU', 'column 3 is not used'],
+    ['name,cost,price\na,1,2', 'the column “price” is not used'],
+    ['"a,1\nb,2', 'a quotation mark opens a field that does not end'],
+    ['PK\u0003\u0004', 'not text'],
+    ['a\u0000b', 'not text'],
+  ]) {
+    assert.throws(() => read(text), (fault) => fault.message.includes(said), JSON.stringify(text));
+  }
+  const job = { ...emptyJob(), parts: partsOf('a\nb\nc'), pairMode: 'only' };
+  assert.equal(wantedPairs({ ...job, pairs: 'a,b\nb,c' }).length, 2);
+  assert.throws(() => wantedPairs({ ...job, pairs: 'a,b,c' }), /third field/);
+  assert.throws(() => wantedPairs({ ...job, pairs: 'a,b,2.5' }), /third field/);
+});

@@ -113,6 +113,11 @@ Answer write_site(const ServeRequest& request) {
     const serve::SiteSummary site =
         serve::export_site(request.site, range, pages, catalog, running->control());
     running->finish();
+    if (site.kept) {
+      status_line().say(fmt::format(
+          "changeover: the site is there; what could not be removed of the earlier one is in {}",
+          printable(*site.kept)));
+    }
     return text_answer(
         fmt::format("{}: {} with {:.1f} MB, {} and {}\n", printable(request.site),
                     count_of(site.files, "file"), static_cast<double>(site.bytes) / 1e6,

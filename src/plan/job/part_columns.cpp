@@ -24,19 +24,6 @@ bool like_a_number(std::string_view text) {
   return !text.empty() && std::string_view("0123456789.,+-").find(text.front()) != text.npos;
 }
 
-bool heads_costs(std::string_view text) {
-  constexpr std::array<std::string_view, 10> words{
-      "cost", "price", "preis", "kosten", "prix", "prec", "co\xc3\xbb", "aufwand", "eur", "usd"};
-  const std::string word = lower(text);
-  return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view each) { return word.find(each) != word.npos; });
-}
-
-bool heads_slots(std::string_view text) {
-  const std::string word = lower(text);
-  return word == "slot" || word == "slots";
-}
-
 bool has_word_of_headers(const Row& row) {
   return std::any_of(row.begin(), row.end(), [](const Field& field) {
     return heads_parts(field.text) || heads_costs(field.text) || heads_slots(field.text);
@@ -151,6 +138,19 @@ std::string lower(std::string_view text) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   });
   return result;
+}
+
+bool heads_costs(std::string_view text) {
+  constexpr std::array<std::string_view, 10> words{
+      "cost", "price", "preis", "kosten", "prix", "prec", "co\xc3\xbb", "aufwand", "eur", "usd"};
+  const std::string word = lower(text);
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view each) { return word.find(each) != word.npos; });
+}
+
+bool heads_slots(std::string_view text) {
+  const std::string word = lower(text);
+  return word == "slot" || word == "slots";
 }
 
 bool heads_parts(std::string_view text) {

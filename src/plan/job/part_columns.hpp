@@ -32,6 +32,10 @@ struct PartColumns {
 /// Whether a text is what heads a column of parts: "Part", "component 2", "sample".
 [[nodiscard]] bool heads_parts(std::string_view text);
 
+/// The same for a column of costs ("Change cost", "Preis"), and of slots.
+[[nodiscard]] bool heads_costs(std::string_view text);
+[[nodiscard]] bool heads_slots(std::string_view text);
+
 /// Lower case, of ASCII letters only.
 [[nodiscard]] std::string lower(std::string_view text);
 

@@ -1,7 +1,9 @@
 // Clients that are slow, many, gone, or speak no HTTP.
 #include <gmock/gmock.h>
 
+#include <memory>
 #include <thread>
+#include <vector>
 
 #include "served.hpp"
 
@@ -74,6 +76,31 @@ TEST(HardTimes, WhoIsGoneIsNoticed) {
   patient.send("POST /api/verify HTTP/1.1\r\n" + host + "Content-Length: 6\r\n\r\n0 1 2\n");
   patient.end();
   EXPECT_EQ(patient.reply().status, 200);
+}
+
+// Nor do clients that stay and only hold connections keep others out.
+TEST(HardTimes, WhoHoldsManyConnectionsMakesRoom) {
+  serve::ExplorerSettings settings;
+  settings.deadlines = {.head = std::chrono::hours(1),
+                        .body = std::chrono::hours(1),
+                        .reading = std::chrono::hours(1),
+                        .crowd = 50,
+                        .in_a_crowd = std::chrono::milliseconds(100)};
+  const OwnServer own(settings);
+  const std::string host = "Host: 127.0.0.1:" + std::to_string(own.port()) + "\r\n";
+  std::vector<std::unique_ptr<Connection>> all;
+  for (int i = 0; i < 150; ++i) {
+    all.push_back(std::make_unique<Connection>(own.port()));
+    all.back()->send(i % 3 == 0   ? ""
+                     : i % 3 == 1 ? "GET / HTTP/1.1\r\n"
+                                  : "POST /api/verify HTTP/1.1\r\n" + host +
+                                        "Content-Length: 60000000\r\n\r\n0 1 2\n");
+  }
+  EXPECT_TRUE(eventually([&] { return own.server->connections() <= 50; }));
+  EXPECT_EQ(get(own.port(), "/api/search").status, 200);
+  EXPECT_FALSE(all.front()->read_more());  // the first came first
+  // Those who are no crowd are waited for.
+  EXPECT_GE(own.server->connections(), 40);
 }
 
 TEST(HardTimes, WhoNeverReadsIsLetGo) {

@@ -84,6 +84,31 @@ TEST_F(Heads, TwoLengthsEndTheConnection) {
   }
 }
 
+TEST_F(Heads, TwoLengthsOfWhatIsRefusedAnywayAreAnsweredToo) {
+  for (const char* const line : {"PUT /api/verify", "POST /nowhere", "POST /api/search"}) {
+    EXPECT_GE(reply_to(std::string(line) + " HTTP/1.1",
+                       host() + "Origin: http://evil.example\r\nContent-Length: 0\r\n"
+                                "Content-Length: 0\r\n")
+                  .status,
+              400)
+        << line;
+  }
+}
+
+// So does a length that is missing, or that only others would see.
+TEST_F(Heads, NoLengthEndsTheConnection) {
+  for (const char* const length : {"", "Content-Length : 61\r\n", "Content-Length\t: 61\r\n",
+                                   "Transfer-Encoding : chunked\r\n"}) {
+    Connection connection(port());
+    connection.send("POST /api/verify HTTP/1.1\r\n" + host() + length +
+                    "\r\nGET /api/about HTTP/1.1\r\n" + host() + "\r\n");
+    while (connection.read_more()) {
+    }
+    EXPECT_THAT(connection.text(), HasSubstr(*length == '\0' ? "HTTP/1.1 411" : "HTTP/1.1 400"));
+    EXPECT_EQ(connection.text().find("HTTP/1.1", 1), std::string::npos) << connection.text();
+  }
+}
+
 TEST_F(Heads, AFormIsNoFile) {
   const auto post = [](const std::string& type, const std::string& body) {
     Connection connection(port());

@@ -175,8 +175,9 @@ SiteSummary export_site(const std::string& folder, const SiteRange& range, const
   for (const std::uint64_t change : range.changes) {
     site.write_change(change);
   }
-  workshop.put_in_place();
-  return {.files = workshop.files(),
+  const auto kept = workshop.put_in_place();
+  return {.kept = kept,
+          .files = workshop.files(),
           .bytes = workshop.bytes(),
           .cells = site.cells(),
           .designs = site.designs()};

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct SiteRange {
 };
 
 struct SiteSummary {
+  std::optional<std::string> kept = {};  ///< where what could not be removed of the earlier one is
   std::uint64_t files = 0;
   std::uint64_t bytes = 0;
   std::uint64_t cells = 0;

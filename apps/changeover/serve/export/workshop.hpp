@@ -4,17 +4,20 @@
 //     workshop.write("data/a.json", text);
 //     workshop.put_in_place();                  // and the earlier one is gone
 //
-// The folder keeps a list of its files with their checksums. Where one stands at the place already, each of its files must be on
-// its list and as it was written, at every depth; otherwise nothing is changed. Only files of a list are ever removed.
+// The folder keeps a list of its files (own_files.hpp). Where one stands at the place already, each of its files must be on its
+// list and as it was written, at every depth; otherwise nothing is changed. Only files of a list are ever removed. The new folder
+// has the permissions of the one that it replaces.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "serve/export/own_files.hpp"
 
 namespace changeover::serve {
 
@@ -50,15 +53,16 @@ class Workshop {
   /// A file below the folder; from any thread. @throws MissingResource
   void write(const std::string& name, std::string_view bytes);
 
-  /// Writes the list and puts the folder at its place, on the disk; the earlier one goes. @throws MissingResource
-  void put_in_place();
+  /// Writes the list and puts the folder at its place, on the disk; the earlier one goes. What somebody put into that at the last
+  /// moment, or what cannot be removed, stays beside the place; its folder is returned then.
+  /// @throws MissingResource, also if what is at the place has changed since; Stopped.
+  [[nodiscard]] std::optional<std::string> put_in_place();
 
   [[nodiscard]] std::uint64_t files() const { return list_.size(); }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
 
  private:
-  using List = std::map<std::string, std::string>;  // by name below the folder: its checksum
-
+  void refuse_what_is_no_site();
   void make_folder();
   void announce(const std::string& name);
 
@@ -66,10 +70,12 @@ class Workshop {
   std::filesystem::path work_;
   OpenFolder folder_;  // of it, locked
   bool there_ = false;
-  List earlier_;  // what was at the place
+  std::string said_;  // the place in the words of the caller
+  std::filesystem::perms mode_{};
+  bool in_place_ = false;
   int announced_ = -1;
   std::mutex mutex_;
-  List list_;
+  OwnFiles::List list_;
   std::uint64_t bytes_ = 0;
 };
 

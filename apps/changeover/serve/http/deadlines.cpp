@@ -2,7 +2,9 @@
 
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace changeover::serve {
 
@@ -69,6 +71,36 @@ static bool has_gone(int socket) {
   return ::recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0;
 }
 
+void Deadlines::let_go(int socket, Open& open, Clock::time_point now) const {
+  if (open.stage == Stage::body || (open.stage == Stage::head && open.begun)) {
+    static_cast<void>(
+        ::send(socket, timed_out_.data(), timed_out_.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
+  }
+  // Whoever reads from it sees the end, and closes it.
+  ::shutdown(socket, SHUT_RDWR);
+  open = {Stage::answer, now};
+}
+
+void Deadlines::make_room(Clock::time_point now) {
+  if (open_.size() <= settings_.crowd) {
+    return;
+  }
+  using Waiting = std::map<int, Open>::value_type;
+  std::vector<Waiting*> waiting;
+  for (Waiting& each : open_) {
+    const Stage stage = each.second.stage;
+    if (stage != Stage::answer && stage != Stage::listening &&
+        now - each.second.since > settings_.in_a_crowd) {
+      waiting.push_back(&each);
+    }
+  }
+  std::ranges::sort(waiting, {}, [](const Waiting* each) { return each->second.since; });
+  waiting.resize(std::min(waiting.size(), open_.size() - settings_.crowd));
+  for (Waiting* const each : waiting) {
+    let_go(each->first, each->second, now);
+  }
+}
+
 void Deadlines::run() {
   constexpr std::chrono::milliseconds between_looks{200};
   std::unique_lock lock(mutex_);
@@ -79,15 +111,10 @@ void Deadlines::run() {
         ::shutdown(socket, SHUT_RDWR);
         open = {Stage::answer, now};
       } else if (is_late(open, now)) {
-        if (open.stage == Stage::body || (open.stage == Stage::head && open.begun)) {
-          static_cast<void>(
-              ::send(socket, timed_out_.data(), timed_out_.size(), MSG_DONTWAIT | MSG_NOSIGNAL));
-        }
-        // Whoever reads from it sees the end, and closes it.
-        ::shutdown(socket, SHUT_RDWR);
-        open = {Stage::answer, now};
+        let_go(socket, open, now);
       }
     }
+    make_room(now);
   }
 }
 

@@ -28,6 +28,10 @@ class Deadlines {
     Seconds head{20};
     Seconds body{60};
     Seconds reading{300};
+    // With more connections than this, those that were waited for longest make room, after this time: whoever only holds
+    // connections keeps nobody out. Of one address the server takes twice as many.
+    std::size_t crowd = 250;
+    Seconds in_a_crowd{0.5};
   };
 
   /// `timed_out` is sent to who is too slow with a request that has begun, before the connection is closed.
@@ -54,6 +58,8 @@ class Deadlines {
     bool begun = false;
   };
   void run();
+  void make_room(Clock::time_point now);
+  void let_go(int socket, Open& open, Clock::time_point now) const;
   [[nodiscard]] bool is_late(const Open& open, Clock::time_point now) const;
 
   Settings settings_;

@@ -93,15 +93,15 @@ std::string lower_case(std::string text) {
 }
 
 std::string refused_as_text(const Refusal& refusal) {
-  static const std::map<int, std::string_view> words{{400, "Bad Request"},
-                                                     {408, "Request Timeout"},
-                                                     {413, "Content Too Large"},
-                                                     {414, "URI Too Long"},
-                                                     {431, "Request Header Fields Too Large"}};
+  static const std::map<int, std::string_view> words{
+      {400, "Bad Request"},     {408, "Request Timeout"},
+      {411, "Length Required"}, {413, "Content Too Large"},
+      {414, "URI Too Long"},    {431, "Request Header Fields Too Large"}};
   const Response response = refused(refusal);
-  std::string text =
-      fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n", refusal.status,
-                  words.at(refusal.status), response.type, response.body->size());
+  const auto word = words.find(refusal.status);
+  std::string text = fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n",
+                                 refusal.status, word == words.end() ? "Refused" : word->second,
+                                 response.type, response.body->size());
   for (const auto& [name, value] : security_headers()) {
     text += fmt::format("{}: {}\r\n", name, value);
   }

@@ -51,6 +51,7 @@ struct Exchange {
   std::size_t head_bytes = 0;  // of the head, as far as libmicrohttpd hands it out
   std::size_t expected = 0;    // bytes of the body
   std::size_t held = 0;
+  bool blank_in_name = false;  // of a header: others read "Content-Length : 3" as a length
   bool begun = false;
   bool dispatched = false;
   bool refused_at_once = false;
@@ -233,6 +234,7 @@ struct Server::State::Calls {
     exchange.head_bytes += value_size + std::string_view("\r\n").size() +
                            (apart > key_size && apart < bytes_of_a_head ? apart : key_size + usual);
     const std::string name = lower_case({key, key_size});
+    exchange.blank_in_name = exchange.blank_in_name || name.find_first_of(" \t") != name.npos;
     std::string text(value, value_size);
     text.erase(text.find_last_not_of(" \t") + 1);
     if (!request.headers.emplace(name, std::move(text)).second) {
@@ -338,6 +340,9 @@ std::optional<Refusal> Server::State::head_defect(const Exchange& exchange) {
   if (head != nullptr && head->header_size > exchange.head_bytes) {
     return Refusal{400, "the head of the request has zero bytes, or blanks in its first line"};
   }
+  if (exchange.blank_in_name) {
+    return Refusal{400, "there is a blank in the name of a header"};
+  }
   constexpr auto all =
       static_cast<MHD_ValueKind>(MHD_HEADER_KIND | MHD_COOKIE_KIND | MHD_GET_ARGUMENT_KIND);
   const int fields = MHD_get_connection_values(exchange.connection, all, nullptr, nullptr);
@@ -366,7 +371,9 @@ void Server::State::begin(Exchange& exchange, const char* method) {
     check(exchange);
   } catch (const Refusal& refusal) {
     exchange.response = refused(refusal);
-    if (std::ranges::find(request.repeated, "content-length") != request.repeated.end()) {
+    constexpr int length_required = 411;
+    if (refusal.status == length_required ||
+        std::ranges::find(request.repeated, "content-length") != request.repeated.end()) {
       // Where the next request begins cannot be known.
       refuse_at_once(exchange, refusal);
       return;

@@ -116,19 +116,22 @@ export function about(cost: number): string {
 
 /** Cells of a table as spreadsheets copy it (tabs) or write it (CSV with commas or semicolons, fields quoted or not). */
 export function cells(text: string): string[][] {
-  const lines = text.replaceAll('\r\n', '\n').replace(/^\ufeff/, '');
-  const separator = lines.includes('\t') ? '\t' : /^[^\n,]*;/m.test(lines) ? ';' : ',';
+  const lines = text.replace(/\r\n?/g, '\n').replace(/^\ufeff/, '');
+  const bare = lines.replace(/"[^"]*"/g, '').trimStart(); // What is in quotes separates nothing.
+  const separator = /^[^\n]*\t/.test(bare) || !/[,;]/.test(bare) ? '\t' : /^[^\n,]*;/m.test(bare) ? ';' : ',';
   const rows: string[][] = [];
   let row: string[] = [];
   let field = '';
   let quoted = false;
+  let comment = false; // The row begins with #, and not within quotes.
   const endRow = () => {
     row.push(field.trim());
     field = '';
-    if (row.some((each) => each !== '') && !row[0]!.startsWith('#')) {
+    if (row.some((each) => each !== '') && !comment) {
       rows.push(row);
     }
     row = [];
+    comment = false;
   };
   for (let i = 0; i < lines.length; ++i) {
     const letter = lines[i]!;
@@ -150,8 +153,12 @@ export function cells(text: string): string[][] {
     } else if (letter === '\n') {
       endRow();
     } else {
+      comment ||= letter === '#' && row.length === 0 && field.trim() === '';
       field += letter;
     }
+  }
+  if (quoted) {
+    throw new Error('a quotation mark opens a field that does not end: close it with another');
   }
   endRow();
   return rows;
@@ -161,7 +168,10 @@ export function cells(text: string): string[][] {
 const headings = {
   name: /^(name|part|component|item|device|module)s?$/i,
   cost: /^((change|swap|set-?up|mounting)[ _-]?)?(cost|price)s?$/i,
+  slot: /^slots?$/i,
 };
+/** In a row that is one of headings: more words for costs. */
+const saysCost = /cost|price|preis|kosten|prix|coû|aufwand|eur|usd/i;
 
 /**
  * Parts of a pasted table or a file: a name and, if there is one, a cost; with or without a first row of headings.
@@ -176,7 +186,7 @@ export function partsOf(text: string): Part[] {
   const first = rows[0] ?? [];
   const heads =
     headings.name.test(first[0] ?? '') ||
-    first.some((cell) => headings.cost.test(cell)) ||
+    first.some((cell, column) => headings.cost.test(cell) || (column > 0 && headings.slot.test(cell))) ||
     (rows.length > 1 && first.length > 1 && !numeric(first[1]) && first[1] !== '' && numeric(rows[1]![1]));
   const list = heads ? rows.slice(1) : rows;
   const find = (heading: RegExp, otherwise: number) => {
@@ -184,7 +194,8 @@ export function partsOf(text: string): Part[] {
     return found < 0 ? otherwise : found;
   };
   const name = find(headings.name, 0);
-  const cost = find(headings.cost, name === 0 && !(heads && first.length > 2) ? 1 : -1);
+  // A column is not read as a cost because of its place where it says something else.
+  const cost = find(saysCost, !heads || (name === 0 && first.length === 2 && first[1] === '') ? 1 : -1);
   for (let column = 0; column < Math.max(first.length, ...list.map((row) => row.length)); ++column) {
     if (column !== name && column !== cost && list.some((row) => (row[column] ?? '') !== '')) {
       const which = heads && first[column] ? `the column “${first[column]}”` : `column ${column + 1}`;
@@ -201,7 +212,10 @@ export function partsOf(text: string): Part[] {
 function listed(job: Job): [string, string][] {
   const names = new Set(job.parts.map(({ name }) => name));
   return cells(job.pairs).map((row, i) => {
-    const [one = '', other = ''] = row.filter((each) => each !== '');
+    const [one = '', other = '', third] = row.filter((each) => each !== '');
+    if (third !== undefined) {
+      throw new Error(`pair ${i + 1}: “${third}” is a third field: write two parts with a comma between`);
+    }
     for (const name of [one, other]) {
       if (!names.has(name)) {
         throw new Error(`pair ${i + 1}: ${name === '' ? 'write two parts with a comma between' : `“${name}” is not in the list of parts`}`);
