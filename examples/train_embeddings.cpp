@@ -296,7 +296,7 @@ double loss(const Job& job, const Buckets& buckets) {
 int run(const Job& job) {
   const Buckets buckets(job.edges, job.parts);
   const std::uint64_t item_bytes = buckets.part_size() * job.dimension * sizeof(float);
-  const DisjointOrder order = plan_disjoint_order(job.parts, job.room, job.workers);
+  const LoadOrder order = plan_disjoint_order(job.parts, job.room, job.workers);
   begin_embeddings(job, item_bytes);
   Trainer trainer(job, buckets);
   UpdateOptions options{.data = job.embeddings, .item_bytes = item_bytes, .journal = job.journal};

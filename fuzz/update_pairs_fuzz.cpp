@@ -14,7 +14,7 @@ constexpr std::uint64_t items = 12;
 constexpr std::uint64_t item_bytes = 8;
 
 UpdateReport run(const Scratch& scratch) {
-  static const DisjointOrder order = plan_disjoint_order(items, 4, 2);
+  static const LoadOrder order = plan_disjoint_order(items, 4, 2);
   UpdateOptions options{
       .data = scratch.file("data"), .item_bytes = item_bytes, .journal = scratch.file("journal")};
   options.checkpoint_every = 1;

@@ -39,11 +39,11 @@ TEST_F(LoadOrderExamples, ItemSource) {
 }
 
 TEST_F(LoadOrderExamples, Disjoint) {
-  DisjointOrder order = plan_disjoint_order(64, 8, 4);
+  LoadOrder order = plan_disjoint_order(64, 8, 4);
   EXPECT_GE(order.facts().span,
-            order.facts().makespan);  // what the slowest loads of all steps add up to
-  StepWork work(order.stream(), order.rules());
-  EXPECT_TRUE(check_schedule(work, order.rules()).valid());  // disjoint at every step
+            order.facts().makespan());  // what the slowest loads of all steps add up to
+  StepWork work(order.stream(), order.rules(ComputeRules{}));
+  EXPECT_TRUE(check_schedule(work, order.rules(ComputeRules{})).valid());  // disjoint at every step
 }
 
 class Distances final : public JobResults {
@@ -182,10 +182,10 @@ TEST_F(LoadOrderExamples, StepWork) {
 }
 
 TEST_F(LoadOrderExamples, TwoLevels) {
-  TwoLevelOrder order = plan_two_levels(200, 40, 8);
-  EXPECT_GE(order.facts().loads, order.facts().load_bound.loads);          // from the disk
+  LoadOrder order = plan_two_levels(200, 40, 8);
+  EXPECT_GE(order.facts().loads, order.facts().bound.loads);               // from the disk
   EXPECT_GE(order.facts().transfers, order.facts().transfer_bound.loads);  // from memory
-  EXPECT_TRUE(check_schedule(*order.stream(), order.rules()).valid());
+  EXPECT_TRUE(check_schedule(*order.stream(), order.rules(ComputeRules{})).valid());
 }
 
 TEST_F(LoadOrderExamples, UpdatePairs) {
@@ -195,7 +195,7 @@ TEST_F(LoadOrderExamples, UpdatePairs) {
     a[0] = b[0] = std::byte{1};
     ++trained;
   };
-  DisjointOrder order = plan_disjoint_order(24, 5, 2);
+  LoadOrder order = plan_disjoint_order(24, 5, 2);
   UpdateOptions options{.data = "embeddings.f32", .item_bytes = 4096, .journal = "job.journal"};
   options.checkpoint_every = 10;
   UpdateReport report = update_pairs(

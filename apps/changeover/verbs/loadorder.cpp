@@ -4,7 +4,9 @@
 #include "answer/loads/show_loads.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/disjoint.hpp"
 #include "changeover/loadorder/load_request.hpp"
+#include "changeover/loadorder/two_levels.hpp"
 #include "request/request_options.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
@@ -100,13 +102,10 @@ Answer run(const LoadOrderRequest& typed) {
   // Made now, so that what cannot be is said before anything is written.
   Answer answer;
   const LoadsShown how = shown(request);
-  if (request.disjoint) {
-    const auto order = std::make_shared<const DisjointOrder>(
-        plan_disjoint_order(items, room, *request.workers, options));
-    answer.write = [how, order](OutputFile& out) { show_loads(*order, how, out); };
-  } else if (request.fast_room) {
-    const auto order =
-        std::make_shared<const TwoLevelOrder>(plan_two_levels(items, room, *request.fast_room));
+  if (request.disjoint || (request.fast_room && !request.workers)) {
+    const auto order = std::make_shared<const LoadOrder>(
+        request.disjoint ? plan_disjoint_order(items, room, *request.workers, options)
+                         : plan_two_levels(items, room, *request.fast_room));
     answer.write = [how, order](OutputFile& out) { show_loads(*order, how, out); };
   } else if (request.workers && request.prefetch) {
     const auto plan = std::make_shared<const PrefetchSplit>(
@@ -115,8 +114,9 @@ Answer run(const LoadOrderRequest& typed) {
     answer.write = [how, room, plan](OutputFile& out) { show_loads(*plan, room, how, out); };
   } else if (request.workers) {
     const auto split = std::make_shared<const WorkerSplit>(
-        wanted.are_all() ? split_load_order(items, room, *request.workers, options)
-                         : split_load_order(wanted, room, *request.workers, options));
+        request.fast_room  ? split_two_levels(items, room, *request.fast_room, *request.workers)
+        : wanted.are_all() ? split_load_order(items, room, *request.workers, options)
+                           : split_load_order(wanted, room, *request.workers, options));
     answer.write = [how, split](OutputFile& out) { show_loads(*split, how, out); };
   } else if (request.prefetch) {
     const auto plan = std::make_shared<const PrefetchPlan>(

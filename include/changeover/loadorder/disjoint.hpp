@@ -1,10 +1,10 @@
 // Load orders for workers that step together and never hold one item twice: what training needs,
 // where items change.
 //
-//     DisjointOrder order = plan_disjoint_order(64, 8, 4);
+//     LoadOrder order = plan_disjoint_order(64, 8, 4);
 //     order.facts().span;                      // what the slowest loads of all steps add up to
-//     StepWork work(order.stream(), order.rules());
-//     check_schedule(work, order.rules()).valid();   // true: disjoint at every step
+//     StepWork work(order.stream(), order.rules(ComputeRules{}));
+//     check_schedule(work, order.rules(ComputeRules{})).valid();   // true: disjoint at every step
 //
 // *A step.* All workers evict; all wait for each other; all load; all compute. So one barrier a
 // step is enough, the one between evicting and loading, and an item may go from one worker to
@@ -29,67 +29,17 @@
 //   round robin   2W groups, two at each worker: the rounds of a tournament. Span P.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/step_work.hpp"
 
 namespace changeover {
 
-struct DisjointFacts {
-  std::uint64_t items = 0;
-  std::uint64_t room = 0;  ///< of each worker
-  std::uint64_t workers = 0;
-  std::uint64_t steps = 0;     ///< of each worker
-  std::uint64_t loads = 0;     ///< of all workers
-  std::uint64_t makespan = 0;  ///< loads of the busiest worker
-  std::uint64_t span = 0;      ///< the most loads of one worker in a step, added up over all steps
-  LoadBound bound;             ///< no order of any workers has fewer loads together
-  LoadBound makespan_bound;    ///< no order has a smaller makespan, nor a smaller span
-  std::string method;
-  std::string explanation;
-  std::string certificate;
-  std::vector<std::uint64_t> worker_loads;
-};
-
-class DisjointOrder {
- public:
-  using Maker = std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>;
-
-  /// An order of your own: `maker` makes the steps of a worker, equally many for each. Nothing is
-  /// checked.
-  DisjointOrder(DisjointFacts facts, Maker maker)
-      : facts_(std::move(facts)), maker_(std::move(maker)) {}
-
-  [[nodiscard]] const DisjointFacts& facts() const { return facts_; }
-
-  /// The steps of a worker, numbered from 1. @throws BadInput if there is no such worker.
-  [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
-
-  /// The steps of all workers, by turns: the first one of each, the second one of each, …
-  [[nodiscard]] std::unique_ptr<StepSource> stream() const;
-
-  /// What they keep to, for StepWork and ScheduleCheck.
-  [[nodiscard]] ScheduleRules rules(const ComputeRules& compute = {}) const {
-    return {
-        .items = facts_.items, .room = facts_.room, .lockstep = facts_.workers, .compute = compute};
-  }
-
- private:
-  DisjointFacts facts_;
-  Maker maker_;
-};
-
 /// The best order that is known, verified by ScheduleCheck. With `options.search_pairs` it is grown
 /// anew until the time is over, otherwise for a fixed amount of work. @throws as plan_load_order();
 /// BadInput if there are less than W·C items, or W is 0 or exceeds 65,536; ImpossibleParameters
 /// above 65,535 items.
-[[nodiscard]] DisjointOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room,
-                                                std::uint64_t workers,
-                                                const LoadOrderOptions& options = {});
+[[nodiscard]] LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room,
+                                            std::uint64_t workers,
+                                            const LoadOrderOptions& options = {});
 
 }  // namespace changeover

@@ -7,18 +7,20 @@
 //       std::cout << step.number << ": " << step.load.size() << '\n';
 //     }
 //
-// *What an order is.* In a step some items are evicted and some loaded; at most C are in memory. Its cost
-// is the number of loads, those of the first step included; orders with equally many are told apart by
-// their steps. An m-change covering design with b blocks of C elements is an order of b steps and
-// C + m(b−1) loads: m = 1 is the natural choice, since its steps cover most pairs a load.
+// *What an order is.* In a step some items are evicted and some loaded; at most C are in memory.
+// Its cost is the number of loads, those of the first step included; orders with equally many are
+// told apart by their steps. An m-change covering design with b blocks of C elements is an order of
+// b steps and C + m(b−1) loads: m = 1 is the natural choice, since its steps cover most pairs a
+// load.
 //
-// *The lower bound.* P ≤ C needs P loads. Otherwise any order has at least C + b₁ − 1, b₁ a lower bound on
-// the blocks of a linear single-change design SCCD(P,C). For let an order be given, also one whose steps
-// load several items. Write its loads one by one, x₁, …, x_L, and be lazy: evict only when memory is
-// full, then an item that the order has evicted by the end of the step, and skip a load of what is still
-// there. What is in memory after a step then contains what the order has there, so all pairs still meet,
-// and no load was added. As P > C, memory fills up, and from then on it holds C items that change one at
-// a time: a linear SCCD(P,C) of as many blocks as there are loads from the C-th on. So L ≥ C + b₁ − 1.
+// *The lower bound.* P ≤ C needs P loads. Otherwise any order has at least C + b₁ − 1, b₁ a lower
+// bound on the blocks of a linear single-change design SCCD(P,C). For let an order be given, also
+// one whose steps load several items. Write its loads one by one, x₁, …, x_L, and be lazy: evict
+// only when memory is full, then an item that the order has evicted by the end of the step, and
+// skip a load of what is still there. What is in memory after a step then contains what the order
+// has there, so all pairs still meet, and no load was added. As P > C, memory fills up, and from
+// then on it holds C items that change one at a time: a linear SCCD(P,C) of as many blocks as there
+// are loads from the C-th on. So L ≥ C + b₁ − 1.
 //
 // *Where orders come from.* The best of
 //   registry   every construction for m = 1, 2, 3, circular ones read as linear (P ≤ 2,000 or P < 16C)
@@ -54,22 +56,27 @@ struct LoadBound {
   std::string reason;  ///< one line of plain mathematics
 };
 
-/// The bound of the summary above. @throws BadInput if items = 0 or room < 2; ImpossibleParameters if
-/// there are more than 2³² − 1 items.
+/// The bound of the summary above. @throws BadInput if items = 0 or room < 2; ImpossibleParameters
+/// if there are more than 2³² − 1 items.
 [[nodiscard]] LoadBound load_lower_bound(std::uint64_t items, std::uint64_t room);
 
 /// What is known of an order before its first step.
-struct LoadOrderFacts {
+struct LoadOrderFacts : ScheduleFacts {
   std::uint64_t items = 0;
-  std::uint64_t room = 0;
-  std::uint64_t loads = 0;
-  std::uint64_t steps = 0;
-  LoadBound bound;
+  std::uint64_t room = 0;   ///< of each worker
+  LoadBound bound;          ///< no order of any workers has fewer loads together
   std::string method;       ///< name of a construction, "one-step", "streamed" or "improved"
   std::string explanation;  ///< one line: how the steps are made
   std::string certificate;  ///< one line: how it was verified
   bool every_step_read = false;
   WantedPairs wanted = {};  ///< the pairs that meet
+
+  std::uint64_t lockstep = 0;  ///< workers (loadorder/disjoint.hpp); 0: one, or one after another
+  LoadBound makespan_bound =
+      {};  ///< no order of these workers has a smaller makespan, nor a smaller span
+  std::optional<std::uint64_t> fast_room = {};  ///< of an accelerator (loadorder/two_levels.hpp)
+  LoadBound transfer_bound = {};                ///< no order transfers less to it
+  std::uint64_t group_items = 0;                ///< of its groups; 0 if items are not grouped
 
   /// loads / bound − 1.
   [[nodiscard]] double gap() const;
@@ -80,12 +87,14 @@ struct LoadOrderOptions {
   /// bound is attained or for more than `improve_up_to` items. The result is verified.
   std::function<std::optional<Design>(const Design& start, std::uint64_t least_blocks)> improve;
   std::uint64_t improve_up_to = 2000;
-  /// Orders of at most so many items are read, step by step, before they are handed out; at most 65,535.
+  /// Orders of at most so many items are read, step by step, before they are handed out; at most
+  /// 65,535.
   std::uint64_t read_up_to = 65'535;
   bool constructions = true;  ///< whether the registry is asked
   bool planner = true;        ///< and then the planner
-  /// Of an order for listed pairs: given a search that goes on until the control of its thread (run/scope.hpp) wants to
-  /// stop, calls it. Without it the search does a fixed amount of work, a few seconds at most.
+  /// Of an order for listed pairs: given a search that goes on until the control of its thread
+  /// (run/scope.hpp) wants to stop, calls it. Without it the search does a fixed amount of work, a
+  /// few seconds at most.
   std::function<void(const std::function<void()>& search)> search_pairs = {};
   std::uint64_t seed = 1;  ///< of that search
 };
@@ -100,8 +109,23 @@ class LoadOrder {
 
   [[nodiscard]] const LoadOrderFacts& facts() const { return facts_; }
 
+  /// What the steps keep to, for StepWork and ScheduleCheck.
+  [[nodiscard]] ScheduleRules rules(const std::optional<ComputeRules>& compute = {}) const {
+    return {.items = facts_.items,
+            .room = facts_.room,
+            .fast_room = facts_.fast_room,
+            .lockstep = facts_.lockstep,
+            .wanted = facts_.wanted,
+            .compute = compute};
+  }
+
   /// The next step; false at the end. O(1) amortised a load for streamed orders, O(C) otherwise.
-  bool next(Step& step) { return reader_->next(step); }
+  bool next(Step& step) {
+    if (!reader_) {
+      rewind();
+    }
+    return reader_->next(step);
+  }
 
   /// Back to the first step.
   void rewind() { reader_ = maker_(); }
@@ -109,10 +133,13 @@ class LoadOrder {
   /// Another reader, at the first step. It may be used on another thread and outlive this.
   [[nodiscard]] std::unique_ptr<StepSource> stream() const { return maker_(); }
 
+  /// The steps of one worker of those in lockstep. @throws BadInput if there is no such worker.
+  [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
+
  private:
   LoadOrderFacts facts_;
   Maker maker_;
-  std::unique_ptr<StepSource> reader_;
+  std::unique_ptr<StepSource> reader_;  // none before the first step is asked for
 };
 
 /// The best order that is known. Bound by reading it, see `read_up_to`: 10⁷ to 10⁸ pairs a second.
@@ -121,16 +148,17 @@ class LoadOrder {
 [[nodiscard]] LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
                                         const LoadOrderOptions& options = {});
 
-/// The same for the pairs that are wanted: docs/loadorder.md says how. Orders for listed pairs are kept in memory, 8 bytes
-/// a load, and always read; others above `read_up_to` are certified by their structure.
+/// The same for the pairs that are wanted: docs/loadorder.md says how. Orders for listed pairs are
+/// kept in memory, 8 bytes a load, and always read; others above `read_up_to` are certified by
+/// their structure.
 [[nodiscard]] LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
                                         const LoadOrderOptions& options = {});
 
 /// The loads that no order for these pairs can go below. @throws as above
 [[nodiscard]] LoadBound load_lower_bound(const WantedPairs& wanted, std::uint64_t room);
 
-/// A linear design as an order; steps load what a block introduces. @throws BadInput if it is circular
-/// (set its kind to linear first) or has no block.
+/// A linear design as an order; steps load what a block introduces. @throws BadInput if it is
+/// circular (set its kind to linear first) or has no block.
 [[nodiscard]] LoadOrder load_order_of(std::shared_ptr<const Design> design, std::string method,
                                       std::string explanation);
 

@@ -31,6 +31,7 @@
 // computed.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -53,7 +54,7 @@ struct Step {
   std::vector<ItemPair> overlap = {};  ///< computed while the loads of the next step run
   std::size_t late = 0;  ///< so many of `evict`, the last ones, leave when the step before is over,
                          ///< the others before the loads start
-  std::vector<Element> store = {};       ///< have changed, and are written before they are evicted
+  std::vector<Element> store = {};       ///< those of `evict`, in its order, that have changed
   std::vector<Element> fast_evict = {};  ///< leave the accelerator
   std::vector<Element> fast_load = {};   ///< come from memory to the accelerator
   std::uint64_t worker = 0;              ///< from 0
@@ -90,11 +91,9 @@ struct ScheduleRules {
   std::uint64_t items = 0;
   std::uint64_t room = 0;                       ///< of each worker
   std::optional<std::uint64_t> fast_room = {};  ///< of these on an accelerator, where pairs meet
-  std::uint64_t lockstep =
-      0;  ///< so many workers step together and share no item; 0: one after another
+  std::uint64_t lockstep = 0;  ///< workers that step together; 0: one, or one after another
   WantedPairs wanted = {};
-  std::optional<ComputeRules> compute =
-      {};                ///< each pair is computed once; otherwise every pair meets
+  std::optional<ComputeRules> compute = {};  ///< each pair once; otherwise every pair meets
   bool overlap = false;  ///< loads run while pairs of the step before are computed
   bool store = false;    ///< what is computed changes its items
 };
@@ -110,7 +109,12 @@ struct ScheduleFacts {
   std::uint64_t span = 0;        ///< in lockstep: the most loads of one worker in a step, added up
   std::uint64_t most_in_memory = 0;
   std::vector<std::uint64_t> worker_loads;
-  std::vector<std::uint64_t> worker_transfers;
+
+  /// The loads of the busiest worker.
+  [[nodiscard]] std::uint64_t makespan() const {
+    return worker_loads.empty() ? loads
+                                : *std::max_element(worker_loads.begin(), worker_loads.end());
+  }
 };
 
 struct ScheduleVerdict : ScheduleFacts {

@@ -39,7 +39,7 @@ namespace changeover {
 class StepWork final : public StepSource {
  public:
   /// Steps that say what is evicted and loaded, with the work that `rules` ask for. Without
-  /// rules.compute only stores and overlap are left out.
+  /// rules.compute no pairs are said, so nothing changes and nothing is stored.
   StepWork(std::unique_ptr<StepSource> steps, const ScheduleRules& rules);
   ~StepWork() override;
 

@@ -1,10 +1,10 @@
 // Load orders for two levels: items lie on a disk, C of them fit into memory, and c ≤ C of these on
 // an accelerator, where every pair must be together at some time.
 //
-//     TwoLevelOrder order = plan_two_levels(200, 40, 8);
+//     LoadOrder order = plan_two_levels(200, 40, 8);
 //     order.facts().loads;                     // from the disk
 //     order.facts().transfers;                 // from memory to the accelerator
-//     check_schedule(*order.stream(), order.rules()).valid();     // true
+//     check_schedule(*order.stream(), order.rules(ComputeRules{})).valid();     // true
 //
 // *A step.* Items leave the accelerator; items leave memory; items are loaded from the disk; items
 // are transferred to the accelerator; then the pairs are computed that are there together for the
@@ -25,56 +25,13 @@
 // with memory as a cache from which goes what is needed last.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <string>
-
 #include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
 
-struct TwoLevelFacts {
-  std::uint64_t items = 0;
-  std::uint64_t room = 0;
-  std::uint64_t fast_room = 0;
-  std::uint64_t group_items = 0;  ///< g; 0 if items are not grouped
-  std::uint64_t steps = 0;
-  std::uint64_t loads = 0;
-  std::uint64_t transfers = 0;
-  LoadBound load_bound;
-  LoadBound transfer_bound;
-  std::string explanation;
-  std::string certificate;
-};
-
-class TwoLevelOrder {
- public:
-  using Maker = std::function<std::unique_ptr<StepSource>()>;
-
-  /// An order of your own; nothing is checked.
-  TwoLevelOrder(TwoLevelFacts facts, Maker maker)
-      : facts_(std::move(facts)), maker_(std::move(maker)) {}
-
-  [[nodiscard]] const TwoLevelFacts& facts() const { return facts_; }
-
-  /// What the steps keep to.
-  [[nodiscard]] ScheduleRules rules() const {
-    return {.items = facts_.items,
-            .room = facts_.room,
-            .fast_room = facts_.fast_room,
-            .compute = ComputeRules{}};
-  }
-  [[nodiscard]] std::unique_ptr<StepSource> stream() const { return maker_(); }
-
- private:
-  TwoLevelFacts facts_;
-  Maker maker_;
-};
-
 /// The best order that is known, verified by ScheduleCheck. @throws BadInput unless 2 ≤ fast_room ≤
 /// room and items ≥ 1; ImpossibleParameters above 65,535 items.
-[[nodiscard]] TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room,
-                                            std::uint64_t fast_room);
+[[nodiscard]] LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room,
+                                        std::uint64_t fast_room);
 
 }  // namespace changeover

@@ -1,7 +1,7 @@
 // Runs an order whose items change: training, out of core, with several workers, that goes on after a crash as if there had been
 // none.
 //
-//     DisjointOrder order = plan_disjoint_order(24, 5, 2);
+//     LoadOrder order = plan_disjoint_order(24, 5, 2);
 //     UpdateOptions options{.data = "embeddings.f32", .item_bytes = 4096, .journal = "job.journal"};
 //     options.checkpoint_every = 10;
 //     UpdateReport report = update_pairs(order, [&](const PairUpdate& pair) {
@@ -86,7 +86,7 @@ struct UpdateReport {
 
 /// Runs a job to its end. @throws BadInput if the order is none, the data are not its items, or the journal is another job's or says
 /// otherwise than the data; MissingResource if something cannot be read or written, or is in use; whatever `update` throws.
-UpdateReport update_pairs(const DisjointOrder& order, const PairUpdater& update,
+UpdateReport update_pairs(const LoadOrder& order, const PairUpdater& update,
                           const UpdateOptions& options);
 
 }  // namespace changeover

@@ -104,6 +104,12 @@ class WorkerSplit {
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
+/// An order for two levels (loadorder/two_levels.hpp) in stretches, each worker with memory and an
+/// accelerator of its own: what both levels of the busiest worker move is as little as stretches
+/// allow. Verified. @throws as plan_two_levels() and split_order().
+[[nodiscard]] WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room,
+                                           std::uint64_t fast_room, std::uint64_t workers);
+
 /// The same for some pairs, whose items are not grouped. Two sets may be cut instead: then each
 /// worker has a part of one with a part of the other.
 [[nodiscard]] WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room,

@@ -127,24 +127,24 @@ void tend(Garden& garden, std::uint64_t items, std::uint64_t room, std::uint64_t
 }
 
 // With few items left beside those that are held, groups that move together are better than single items.
-void consider_groups(std::optional<GroupedOrder>& best, const DisjointFacts& facts,
+void consider_groups(std::optional<GroupedOrder>& best, const LoadOrderFacts& facts,
                      std::uint64_t seed) {
   constexpr std::uint64_t most_room = 8;
   constexpr std::uint64_t most_groups = 120;
   constexpr std::uint64_t work = 20'000'000;
   const auto consider = [&](GroupedOrder order) {
-    if (!best || order.cost(facts.workers) < best->cost(facts.workers)) {
+    if (!best || order.cost(facts.lockstep) < best->cost(facts.lockstep)) {
       best = std::move(order);
     }
   };
-  if (const std::uint64_t groups = 2 * facts.workers;
+  if (const std::uint64_t groups = 2 * facts.lockstep;
       ceil_div(facts.items, groups) <= facts.room / 2) {
-    consider({facts.items, groups, 2, round_robin_order(facts.workers)});
+    consider({facts.items, groups, 2, round_robin_order(facts.lockstep)});
   }
   for (std::uint64_t room = 2; room <= std::min(most_room, facts.room / 2); ++room) {
     const std::uint64_t groups = ceil_div(facts.items, facts.room / room);
-    if (groups <= most_groups && groups >= room * facts.workers) {
-      Garden garden(groups, room, facts.workers, seed);
+    if (groups <= most_groups && groups >= room * facts.lockstep) {
+      Garden garden(groups, room, facts.lockstep, seed);
       tend(garden, groups, room, work);
       if (garden.best()) {
         consider({facts.items, groups, room, *garden.best()});
@@ -153,12 +153,12 @@ void consider_groups(std::optional<GroupedOrder>& best, const DisjointFacts& fac
   }
 }
 
-std::optional<GroupedOrder> grown_order(const DisjointFacts& facts,
+std::optional<GroupedOrder> grown_order(const LoadOrderFacts& facts,
                                         const LoadOrderOptions& options) {
   std::optional<GroupedOrder> best;
   if (facts.items <= most_items_to_grow) {
     constexpr std::uint64_t work = 400'000'000;
-    Garden garden(facts.items, facts.room, facts.workers, options.seed);
+    Garden garden(facts.items, facts.room, facts.lockstep, options.seed);
     tend(garden, facts.items, facts.room, work);
     if (options.search_pairs) {
       options.search_pairs([&garden] {
@@ -179,26 +179,28 @@ std::optional<GroupedOrder> grown_order(const DisjointFacts& facts,
   return best;
 }
 
+using WorkerMaker = std::function<std::unique_ptr<StepSource>(std::uint64_t worker)>;
+
 // Says in `facts` what it is.
-DisjointOrder::Maker best_steps(DisjointFacts& facts, const LoadOrderOptions& options) {
-  if (facts.workers == 1) {
+WorkerMaker best_steps(LoadOrderFacts& facts, const LoadOrderOptions& options) {
+  if (facts.lockstep == 1) {
     const auto order =
         std::make_shared<const LoadOrder>(plan_load_order(facts.items, facts.room, options));
     facts.method = order->facts().method;
     facts.explanation = order->facts().explanation;
     return [order](std::uint64_t) { return order->stream(); };
   }
-  const EraShape shape = best_eras(facts.items, facts.room, facts.workers);
+  const EraShape shape = best_eras(facts.items, facts.room, facts.lockstep);
   const EraCost eras = cost_of_eras(shape);
   std::optional<GroupedOrder> grown = grown_order(facts, options);
-  if (!grown || std::pair(eras.span, eras.loads) < grown->cost(facts.workers)) {
+  if (!grown || std::pair(eras.span, eras.loads) < grown->cost(facts.lockstep)) {
     facts.method = "eras";
     facts.explanation = fmt::format(
         "{} groups of at most {} items: one stays at each worker while the others pass in turn.",
         shape.groups, ceil_div(shape.items, shape.groups));
     return [shape](std::uint64_t worker) { return era_steps(shape, worker); };
   }
-  if (grown->groups == 2 * facts.workers && grown->room == 2) {
+  if (grown->groups == 2 * facts.lockstep && grown->room == 2) {
     facts.method = "round robin";
     facts.explanation = fmt::format(
         "{} groups, two at each worker, which keeps one and takes the other from another worker.",
@@ -216,23 +218,14 @@ DisjointOrder::Maker best_steps(DisjointFacts& facts, const LoadOrderOptions& op
   return [order](std::uint64_t worker) { return std::make_unique<GroupedSteps>(order, worker); };
 }
 
-}  // namespace
-
-std::unique_ptr<StepSource> DisjointOrder::stream(std::uint64_t worker) const {
-  if (worker >= facts_.workers) {
-    throw BadInput(
-        fmt::format("worker {} of {}: they are numbered from 0", worker, facts_.workers));
-  }
-  return maker_(worker);
-}
-
-namespace {
-
 /// By turns.
 class InLockstep final : public StepSource {
  public:
-  explicit InLockstep(std::vector<std::unique_ptr<StepSource>> workers)
-      : workers_(std::move(workers)) {}
+  InLockstep(const WorkerMaker& maker, std::uint64_t workers) {
+    for (std::uint64_t w = 0; w < workers; ++w) {
+      workers_.push_back(maker(w));
+    }
+  }
 
   bool next(Step& step) override {
     step.worker = turn_;
@@ -248,23 +241,12 @@ class InLockstep final : public StepSource {
 
 }  // namespace
 
-std::unique_ptr<StepSource> DisjointOrder::stream() const {
-  std::vector<std::unique_ptr<StepSource>> workers;
-  for (std::uint64_t w = 0; w < facts_.workers; ++w) {
-    workers.push_back(maker_(w));
-  }
-  if (workers.empty()) {
-    throw BadInput("an order of 0 workers: give at least 1");
-  }
-  return std::make_unique<InLockstep>(std::move(workers));
-}
-
-DisjointOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
-                                  const LoadOrderOptions& options) {
-  DisjointFacts facts;
+LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint64_t workers,
+                              const LoadOrderOptions& options) {
+  LoadOrderFacts facts;
   facts.items = items;
   facts.room = room;
-  facts.workers = workers;
+  facts.lockstep = workers;
   facts.bound = load_lower_bound(items, room);
   facts.makespan_bound = makespan_lower_bound(items, room, workers);
   if (workers > 1 && items / workers < room) {
@@ -278,21 +260,22 @@ DisjointOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::
         fmt::format("{} items: disjoint workers have at most {}; make items larger", items,
                     max_elements_in_memory));
   }
-  DisjointOrder::Maker maker = best_steps(facts, options);
-  const DisjointOrder order(facts, maker);
-  StepWork work(order.stream(), order.rules());
-  const ScheduleVerdict verdict = check_schedule(work, order.rules());
+  const WorkerMaker worker = best_steps(facts, options);
+  LoadOrder::Maker maker = [worker, workers] {
+    return std::make_unique<InLockstep>(worker, workers);
+  };
+  const LoadOrder order(facts, maker);
+  const ScheduleRules rules = order.rules(ComputeRules{});
+  StepWork work(order.stream(), rules);
+  const ScheduleVerdict verdict = check_schedule(work, rules);
   if (!verdict.valid()) {
     throw InternalError(
         fmt::format("the order of {} items for {} workers with room for {} is "
                     "wrong: {} {} pairs missing",
                     items, workers, room, verdict.fault, verdict.missing));
   }
-  facts.steps = verdict.steps;
-  facts.loads = verdict.loads;
-  facts.span = verdict.span;
-  facts.worker_loads = verdict.worker_loads;
-  facts.makespan = *std::max_element(facts.worker_loads.begin(), facts.worker_loads.end());
+  static_cast<ScheduleFacts&>(facts) = verdict;
+  facts.every_step_read = true;
   facts.certificate =
       fmt::format("every step read: no item held twice at once, {} pairs computed, each once",
                   verdict.computed);

@@ -87,6 +87,26 @@ void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t 
   }
 }
 
+/// The steps of one worker.
+class OfWorker final : public StepSource {
+ public:
+  OfWorker(std::unique_ptr<StepSource> all, std::uint64_t worker)
+      : all_(std::move(all)), worker_(worker) {}
+
+  bool next(Step& step) override {
+    while (all_->next(step)) {
+      if (step.worker == worker_) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  std::unique_ptr<StepSource> all_;
+  std::uint64_t worker_;
+};
+
 LoadOrder::Maker maker_of(std::shared_ptr<const Design> design) {
   return [design] {
     return std::make_unique<BlockSteps>(std::make_unique<DesignSource>(*design), design);
@@ -155,7 +175,15 @@ double LoadOrderFacts::gap() const {
 }
 
 LoadOrder::LoadOrder(LoadOrderFacts facts, Maker maker)
-    : facts_(std::move(facts)), maker_(std::move(maker)), reader_(maker_()) {}
+    : facts_(std::move(facts)), maker_(std::move(maker)) {}
+
+std::unique_ptr<StepSource> LoadOrder::stream(std::uint64_t worker) const {
+  const std::uint64_t workers = std::max<std::uint64_t>(1, facts_.lockstep);
+  if (worker >= workers) {
+    throw BadInput(fmt::format("worker {} of {}: they are numbered from 0", worker, workers));
+  }
+  return std::make_unique<OfWorker>(stream(), worker);
+}
 
 LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
                           const LoadOrderOptions& options) {

@@ -18,6 +18,7 @@ class OrderRelay {
     std::unique_ptr<StepSource> order;
     std::uint64_t step = 0;
     std::vector<bool> present;  // what is in memory
+    std::vector<bool> fast;     // what is on the accelerator
 
     bool next(Step& next_step);
   };

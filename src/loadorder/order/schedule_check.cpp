@@ -75,9 +75,6 @@ class ScheduleCheck::State {
     if (rules.fast_room) {
       fast_.assign(items, false);
     }
-    if (rules.overlap) {
-      goes_late_.assign(items, false);
-    }
     if (rules.compute) {
       computed_.emplace(rules, options.all_pairs);
       verdict_.watched_items = computed_->upward ? rules.items : 0;
@@ -195,8 +192,7 @@ class ScheduleCheck::State {
     const auto late = step.evict.end() - static_cast<std::ptrdiff_t>(step.late);
     const std::span<const Element> first(step.evict.begin(), late);
     const std::span<const Element> last(late, step.evict.end());
-    mark_late(last, true);
-    store(step, false);
+    stored_ = 0;
     evict(step, first);
     if (verdict_.fault.empty() && worker.memory.size() + step.load.size() > rules_.room) {
       fail(step, fmt::format("loads {} when memory is full",
@@ -204,38 +200,14 @@ class ScheduleCheck::State {
     }
     if (rules_.overlap) {
       compute(step, std::exchange(worker.overlap, {}), true);
-      store(step, true);
-      mark_late(last, false);
       evict(step, last);
     }
-  }
-
-  void mark_late(std::span<const Element> items, bool late) {
-    for (const Element x : items) {
-      if (x < goes_late_.size()) {
-        goes_late_[x] = late;
-      }
+    if (changes_ && stored_ < step.store.size()) {
+      fail(step, fmt::format("stores {}, which it does not evict then", step.store[stored_]));
     }
   }
 
-  // What is evicted late is stored late.
-  void store(const Step& step, bool late) {
-    for (const Element x : step.store) {
-      if (!changes_ || !verdict_.fault.empty() ||
-          (x < goes_late_.size() && goes_late_[x] != late) || (x >= goes_late_.size() && late)) {
-        continue;
-      }
-      if (!holds(step, x)) {
-        return fail(step, fmt::format("stores {}, which is not in memory", x));
-      }
-      if (changes_->in_memory[x] == changes_->on_disk[x]) {
-        return fail(step, fmt::format("stores {}, which has not changed", x));
-      }
-      changes_->on_disk[x] = changes_->in_memory[x];
-      ++verdict_.stores;
-    }
-  }
-
+  // What is stored has its place among what is evicted.
   void evict(const Step& step, std::span<const Element> items) {
     std::vector<Element>& memory = of(step).memory;
     for (const Element x : items) {
@@ -256,11 +228,24 @@ class ScheduleCheck::State {
         met_->leave(x, place);
       }
       if (changes_) {
-        changes_->in_memory[x] = absent;
-        if (changes_->on_disk[x] != changes_->all[x]) {
-          return fail(step, fmt::format("evicts {} and loses what was changed", x));
-        }
+        leave_changed(step, x);
       }
+    }
+  }
+
+  void leave_changed(const Step& step, Element x) {
+    Changes& c = *changes_;
+    if (stored_ < step.store.size() && step.store[stored_] == x) {
+      ++stored_;
+      ++verdict_.stores;
+      if (c.in_memory[x] == c.on_disk[x]) {
+        fail(step, fmt::format("stores {}, which has not changed", x));
+      }
+      c.on_disk[x] = c.in_memory[x];
+    }
+    c.in_memory[x] = absent;
+    if (c.on_disk[x] != c.all[x]) {
+      fail(step, fmt::format("evicts {} and loses what was changed", x));
     }
   }
 
@@ -303,17 +288,12 @@ class ScheduleCheck::State {
       fast_[x] = true;
       ++worker.on_accelerator;
     }
-    count(step, step.load.size(), verdict_.loads, verdict_.worker_loads);
-    count(step, step.fast_load.size(), verdict_.transfers, verdict_.worker_transfers);
-  }
-
-  static void count(const Step& step, std::uint64_t number, std::uint64_t& all,
-                    std::vector<std::uint64_t>& by_worker) {
-    all += number;
-    if (step.worker >= by_worker.size()) {
-      by_worker.resize(static_cast<std::size_t>(step.worker) + 1, 0);
+    if (step.worker >= verdict_.worker_loads.size()) {
+      verdict_.worker_loads.resize(static_cast<std::size_t>(step.worker) + 1, 0);
     }
-    by_worker[static_cast<std::size_t>(step.worker)] += number;
+    verdict_.worker_loads[static_cast<std::size_t>(step.worker)] += step.load.size();
+    verdict_.loads += step.load.size();
+    verdict_.transfers += step.fast_load.size();
   }
 
   void compute(const Step& step, const std::vector<ItemPair>& pairs, bool overlapped) {
@@ -385,10 +365,10 @@ class ScheduleCheck::State {
   std::vector<std::uint32_t> place_;  // by item: index in its memory plus one, 0 if it is in none
   std::vector<std::uint32_t> owner_;  // by item: its worker; empty if there is one at a time
   std::vector<bool> fast_;            // by item: on the accelerator; empty if there is none
-  std::vector<bool> goes_late_;       // by item; empty if nothing overlaps
   std::optional<MetPairs> met_;
   std::optional<Computed> computed_;
   std::optional<Changes> changes_;
+  std::size_t stored_ = 0;   // so many of a step's stores were made
   std::vector<Step> round_;  // the step of all workers that comes in
   std::size_t in_round_ = 0;
 };

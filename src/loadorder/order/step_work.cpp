@@ -171,7 +171,7 @@ class StepWork::State {
   // Pairs that came with their step, both ways and with items alone, if asked for; then their
   // order.
   void finish(Step& step) {
-    if (rules_.fast_room) {
+    if (rules_.fast_room && (compute_.ordered || compute_.self)) {
       std::vector<ItemPair> pairs;
       for (const Element x : step.fast_load) {
         if (compute_.self && !loaded_[x]) {

@@ -225,7 +225,7 @@ class Steps final : public StepSource {
 };
 
 /// The order with groups of a size.
-TwoLevelOrder::Maker with_groups(const Shape& shape) {
+LoadOrder::Maker with_groups(const Shape& shape) {
   const std::uint64_t group_room = shape.room / shape.group_items;
   LoadOrderOptions quick;
   quick.planner = false;
@@ -275,7 +275,7 @@ class Cache {
     }
   }
 
-  TwoLevelOrder::Maker run() {
+  LoadOrder::Maker run() {
     const auto made = std::make_shared<std::vector<Step>>();
     for (const Step& step : steps_) {
       made->push_back(follow(step));
@@ -339,7 +339,7 @@ class Cache {
   PairSet met_;
 };
 
-ScheduleVerdict verdict_of(const Shape& shape, const TwoLevelOrder::Maker& maker) {
+ScheduleVerdict verdict_of(const Shape& shape, const LoadOrder::Maker& maker) {
   const ScheduleRules rules{.items = shape.items,
                             .room = shape.room,
                             .fast_room = shape.fast_room,
@@ -379,12 +379,12 @@ std::vector<std::uint64_t> sizes_to_try(std::uint64_t items, std::uint64_t room,
 
 }  // namespace
 
-TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room) {
-  TwoLevelFacts facts;
+LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room) {
+  LoadOrderFacts facts;
   facts.items = items;
   facts.room = room;
   facts.fast_room = fast_room;
-  facts.load_bound = load_lower_bound(items, room);
+  facts.bound = load_lower_bound(items, room);
   facts.transfer_bound = load_lower_bound(items, fast_room);
   if (fast_room > room) {
     throw BadInput(fmt::format(
@@ -396,14 +396,14 @@ TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint
         "{} items: two levels have at most {}; make items larger", items, max_elements_in_memory));
   }
   const auto cost = [&](const ScheduleVerdict& verdict) {
-    return static_cast<double>(verdict.loads) / static_cast<double>(facts.load_bound.loads) +
+    return static_cast<double>(verdict.loads) / static_cast<double>(facts.bound.loads) +
            static_cast<double>(verdict.transfers) / static_cast<double>(facts.transfer_bound.loads);
   };
   // Each size is tried in full, as long as that takes no more than some seconds.
   constexpr std::uint64_t most_work = 30'000'000;
   const std::uint64_t pairs = binomial(items, 2) + items;
   std::optional<ScheduleVerdict> best;
-  TwoLevelOrder::Maker best_maker;
+  LoadOrder::Maker best_maker;
   std::uint64_t work = 0;
   for (const std::uint64_t size : sizes_to_try(items, room, fast_room)) {
     work += 4 * pairs;
@@ -411,7 +411,7 @@ TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint
       break;
     }
     const Shape shape{items, room, fast_room, size};
-    const TwoLevelOrder::Maker maker = with_groups(shape);
+    const LoadOrder::Maker maker = with_groups(shape);
     const ScheduleVerdict verdict = verdict_of(shape, maker);
     if (!best || cost(verdict) < cost(*best)) {
       best = verdict;
@@ -426,7 +426,7 @@ TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint
   constexpr std::uint64_t most_kept = 100'000;  // transfers
   if (facts.transfer_bound.loads <= most_kept) {
     const Shape shape{items, room, fast_room, 0};
-    const TwoLevelOrder::Maker maker = Cache(shape).run();
+    const LoadOrder::Maker maker = Cache(shape).run();
     const ScheduleVerdict verdict = verdict_of(shape, maker);
     if (cost(verdict) < cost(*best)) {
       best = verdict;
@@ -437,9 +437,8 @@ TwoLevelOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint
           "is needed last.";
     }
   }
-  facts.steps = best->steps;
-  facts.loads = best->loads;
-  facts.transfers = best->transfers;
+  static_cast<ScheduleFacts&>(facts) = *best;
+  facts.every_step_read = true;
   facts.certificate = fmt::format(
       "every step read: room at both levels, {} pairs computed on the accelerator, each once",
       best->computed);

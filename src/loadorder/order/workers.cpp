@@ -9,6 +9,7 @@
 #include "bounds/stays.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/two_levels.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/order_relay.hpp"
@@ -23,12 +24,16 @@ bool OrderRelay::Place::next(Step& next_step) {
     return false;
   }
   ++step;
-  for (const Element x : next_step.evict) {
-    present[x] = false;
-  }
-  for (const Element x : next_step.load) {
-    present[x] = true;
-  }
+  const auto mark = [](std::vector<bool>& there, const Step& from, auto leave, auto come) {
+    for (const Element x : from.*leave) {
+      there[x] = false;
+    }
+    for (const Element x : from.*come) {
+      there[x] = true;
+    }
+  };
+  mark(present, next_step, &Step::evict, &Step::load);
+  mark(fast, next_step, &Step::fast_evict, &Step::fast_load);
   return true;
 }
 
@@ -39,7 +44,8 @@ OrderRelay::Place OrderRelay::take(const LoadOrder& order, std::uint64_t before)
       return std::exchange(left_, {});
     }
   }
-  return {order.stream(), 0, std::vector<bool>(static_cast<std::size_t>(order.facts().items))};
+  const std::vector<bool> nothing(static_cast<std::size_t>(order.facts().items));
+  return {order.stream(), 0, nothing, nothing};
 }
 
 void OrderRelay::give(Place place) {
@@ -60,7 +66,8 @@ class Stretch final : public StepSource {
         first_(first),
         count_(count),
         items_(items),
-        groups_(order.facts().items) {}
+        groups_(order.facts().items),
+        two_levels_(order.facts().fast_room) {}
   ~Stretch() override {
     if (done_ == count_ && at_.order) {
       relay_->give(std::move(at_));
@@ -83,6 +90,11 @@ class Stretch final : public StepSource {
     for (const Element group : inner_.load) {
       expand(group, step.load);
     }
+    if (two_levels_) {  // whose items are not grouped
+      step.fast_evict = inner_.fast_evict;
+      step.fast_load = inner_.fast_load;
+      step.compute = inner_.compute;
+    }
     return true;
   }
 
@@ -94,11 +106,16 @@ class Stretch final : public StepSource {
         return false;
       }
     }
-    inner_.evict.clear();
-    inner_.load.clear();
+    for (std::vector<Element>* const list :
+         {&inner_.evict, &inner_.load, &inner_.fast_evict, &inner_.fast_load}) {
+      list->clear();
+    }
     for (Element x = 0; x < groups_; ++x) {
       if (at_.present[x]) {
         inner_.load.push_back(x);
+      }
+      if (at_.fast[x]) {
+        inner_.fast_load.push_back(x);
       }
     }
     return true;
@@ -116,6 +133,7 @@ class Stretch final : public StepSource {
   std::shared_ptr<OrderRelay> relay_;
   OrderRelay::Place at_;
   std::uint64_t first_, count_, items_, groups_;
+  bool two_levels_;
   std::uint64_t done_ = 0;
   Step inner_;
 };
@@ -145,17 +163,19 @@ Grouping cost(std::uint64_t groups, std::uint64_t room, std::uint64_t size, std:
           size * (busy * room + change * (steps - busy))};
 }
 
-// What the steps of an order of groups hold and load, in items.
+// What the steps of an order of groups hold and load, in items; a transfer to an accelerator
+// counts, too, if it has a weight.
 class StepSizes {
  public:
-  StepSizes(const LoadOrder& order, std::uint64_t items) {
+  StepSizes(const LoadOrder& order, std::uint64_t items, std::uint64_t load = 1,
+            std::uint64_t transfer = 0) {
     const LoadOrderFacts& whole = order.facts();
-    const auto size = [&](const std::vector<Element>& groups) {
+    const auto size = [&](const std::vector<Element>& groups, const std::vector<Element>& fast) {
       std::uint64_t sum = 0;
       for (const Element group : groups) {
         sum += (group + std::uint64_t{1}) * items / whole.items - group * items / whole.items;
       }
-      return sum;
+      return sum * load + fast.size() * transfer;
     };
     held_.reserve(static_cast<std::size_t>(whole.steps));
     loaded_.reserve(static_cast<std::size_t>(whole.steps) + 1);
@@ -164,15 +184,16 @@ class StepSizes {
     const auto steps = order.stream();
     for (Step step; steps->next(step);) {
       stop_if_asked();
-      const std::uint64_t loads = size(step.load);
-      held += loads - size(step.evict);
-      held_.push_back(static_cast<std::uint32_t>(held));
+      const std::uint64_t loads = size(step.load, step.fast_load);
+      held += loads - size(step.evict, step.fast_evict);
+      held_.push_back(held);
       loaded_.push_back(loaded_.back() + loads);
     }
   }
 
   [[nodiscard]] std::uint64_t steps() const { return held_.size(); }
-  /// The loads of a worker whose share begins with step `first`, counted from 0: what is in memory then, and all after it.
+  /// The loads of a worker whose share begins with step `first`, counted from 0: what is in memory
+  /// then, and all after it.
   [[nodiscard]] std::uint64_t loads(std::uint64_t first, std::uint64_t count) const {
     return held_[first] + loaded_[first + count] - loaded_[first + 1];
   }
@@ -186,8 +207,8 @@ class StepSizes {
     return static_cast<std::uint64_t>(std::upper_bound(begin, loaded_.end(), left) - begin);
   }
 
-  /// The number of steps of each share, as many shares as needed, so that none has more than `most` loads; nothing if a step
-  /// alone has more.
+  /// The number of steps of each share, as many shares as needed, so that none has more than `most`
+  /// loads; nothing if a step alone has more.
   [[nodiscard]] std::vector<std::uint64_t> shares(std::uint64_t most) const {
     std::vector<std::uint64_t> counts;
     for (std::uint64_t first = 0; first < steps();) {
@@ -201,7 +222,8 @@ class StepSizes {
     return counts;
   }
 
-  /// Shares for so many workers whose largest has as few loads as can be: with contiguous shares, by bisection.
+  /// Shares for so many workers whose largest has as few loads as can be: with contiguous shares,
+  /// by bisection.
   [[nodiscard]] std::vector<std::uint64_t> best_shares(std::uint64_t workers) const {
     std::uint64_t low = 1;
     std::uint64_t high = loaded_.back();
@@ -216,7 +238,7 @@ class StepSizes {
   }
 
  private:
-  std::vector<std::uint32_t> held_;    // after each step
+  std::vector<std::uint64_t> held_;    // after each step
   std::vector<std::uint64_t> loaded_;  // before each step
 };
 
@@ -247,8 +269,14 @@ void verify_split(const WorkerSplit& split) {
   if (split.order().facts().method == "streamed" && facts.groups == facts.items) {
     options.kept_as = names_by_window(best_streamed_shape(facts.items, facts.room));
   }
-  const ScheduleRules rules{
-      .items = facts.items, .room = facts.room, .wanted = split.order().facts().wanted};
+  const LoadOrderFacts& whole = split.order().facts();
+  ScheduleRules rules{.items = facts.items,
+                      .room = facts.room,
+                      .fast_room = whole.fast_room,
+                      .wanted = whole.wanted};
+  if (rules.fast_room) {
+    rules.compute = ComputeRules{};
+  }
   const ScheduleVerdict verdict = check_schedule(*split.stream(), rules, options);
   if (!verdict.valid() || verdict.loads != facts.loads) {
     throw InternalError(fmt::format("the split of {} items with room for {} is wrong: {}{}",
@@ -361,6 +389,10 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
   if (whole.items > items) {
     throw BadInput(fmt::format("{} items cannot be put into {} groups", items, whole.items));
   }
+  if (whole.lockstep > 1) {
+    throw BadInput(fmt::format("an order for {} workers in lockstep cannot be cut for others",
+                               whole.lockstep));
+  }
   SplitFacts facts;
   facts.items = items;
   facts.room = room;
@@ -374,7 +406,7 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
   const std::uint64_t first_loads = std::min(whole.room, whole.items);
   const std::uint64_t change =
       whole.steps > 1 ? (whole.loads - first_loads) / (whole.steps - 1) : 0;
-  const bool alike = whole.items == items && whole.wanted.are_all() &&
+  const bool alike = whole.items == items && whole.wanted.are_all() && !whole.fast_room &&
                      whole.loads == first_loads + change * (whole.steps - 1);
   // Shares of equal numbers of steps, unless steps differ: then shares whose loads are even.
   constexpr std::uint64_t most_steps_cut = 10'000'000;
@@ -382,7 +414,11 @@ WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room
   std::optional<StepSizes> sizes;
   if (!alike && whole.steps <= most_steps_cut) {
     sizes.emplace(order, items);
-    counts = sizes->best_shares(workers);
+    // Of two levels what both move, measured by the fewest there can be.
+    counts = whole.fast_room
+                 ? StepSizes(order, items, whole.transfer_bound.loads, whole.bound.loads)
+                       .best_shares(workers)
+                 : sizes->best_shares(workers);
     facts.cut_by_loads = workers > 1;
   }
   const auto relay = std::make_shared<OrderRelay>();
@@ -451,6 +487,14 @@ WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room, std::uint6
     verify_split(split);
     split.facts_.certificate = fmt::format("every step read, all {} pairs met", binomial(items, 2));
   }
+  return split;
+}
+
+WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room,
+                             std::uint64_t workers) {
+  check_workers(workers);
+  WorkerSplit split = split_order(plan_two_levels(items, room, fast_room), items, room, workers);
+  verify_split(split);
   return split;
 }
 

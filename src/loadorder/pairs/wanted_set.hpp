@@ -36,7 +36,6 @@ class WantedSet {
       }
       listed_[*place] = true;
     }
-    ++size_;
     return true;
   }
 
@@ -61,37 +60,10 @@ class WantedSet {
     }
   }
 
-  [[nodiscard]] std::uint64_t missing() const {
-    return wanted_.are_all() ? pairs_->missing() : wanted_.count() - size_;
-  }
-
-  /// A pair that is wanted and not in the set.
-  [[nodiscard]] std::optional<ItemPair> example() const {
-    std::optional<ItemPair> found;
-    if (pairs_) {
-      // Wanted pairs are not rare, and what is not wanted comes first if at all.
-      pairs_->for_each_missing(missing() == 0 ? 0 : ~std::uint64_t{0}, [&](Element x, Element y) {
-        if (!found && wanted_.contains(x, y)) {
-          found = {x, y};
-        }
-      });
-      return found;
-    }
-    for (Element x = 0; x < wanted_.items() && size_ < wanted_.count(); ++x) {
-      for (const Element y : wanted_.graph()->partners(x)) {
-        if (x < y && !listed_[*wanted_.graph()->place(x, y)]) {
-          return ItemPair{x, y};
-        }
-      }
-    }
-    return std::nullopt;
-  }
-
  private:
   WantedPairs wanted_;
   std::optional<PairSet> pairs_;
   std::vector<bool> listed_;
-  std::uint64_t size_ = 0;
 };
 
 }  // namespace changeover

@@ -154,7 +154,7 @@ std::vector<OptionRule> rules() {
       {Says::only_with, {"disjoint"}, {"workers"}},
       {Says::never_with,
        {"fast_room"},
-       {"workers", "prefetch", "pairs", "against", "done_items", "seconds"}},
+       {"disjoint", "prefetch", "pairs", "against", "done_items", "seconds"}},
       {Says::only_with, {"item_bytes"}, {"fast_room"}},
       {Says::never_with, {"disjoint"}, {"prefetch", "pairs", "against", "done_items"}},
       {Says::only_with, {"ordered", "self", "shuffle"}, {"new_pairs", "write_back", "prefetch"}},

@@ -19,9 +19,13 @@
 namespace changeover {
 namespace {
 
+std::uint64_t workers_of(const LoadOrderFacts& facts) {
+  return std::max<std::uint64_t>(1, facts.lockstep);
+}
+
 /// Plays a whole order: whether it is one, and a checksum by which it is known again. @throws BadInput
-Checksum checksum_of(const DisjointOrder& order, const ComputeRules& compute) {
-  const DisjointFacts& facts = order.facts();
+Checksum checksum_of(const LoadOrder& order, const ComputeRules& compute) {
+  const LoadOrderFacts& facts = order.facts();
   const ScheduleRules rules = order.rules(compute);
   ScheduleCheck check(rules);
   StepWork work(order.stream(), rules);
@@ -40,7 +44,7 @@ Checksum checksum_of(const DisjointOrder& order, const ComputeRules& compute) {
   if (!verdict.valid() || verdict.steps != facts.steps) {
     throw BadInput(fmt::format(
         "this is no order of {} items for {} workers with room for {}: {}{} pairs are missing",
-        facts.items, facts.workers, facts.room,
+        facts.items, workers_of(facts), facts.room,
         verdict.fault.empty() ? std::string() : verdict.fault + "; ", verdict.missing));
   }
   return hash.finish();
@@ -89,14 +93,14 @@ class Memory {
 
 class UpdateJob {
  public:
-  UpdateJob(const DisjointOrder& order, const PairUpdater& update, const UpdateOptions& options)
+  UpdateJob(const LoadOrder& order, const PairUpdater& update, const UpdateOptions& options)
       : facts_(order.facts()),
         update_(update),
         options_(options),
         beside_(options.data + ".versions"),
         order_checksum_(checksum_of(order, options.work)),
         work_(order.stream(), order.rules(options.work)),
-        steps_(static_cast<std::size_t>(facts_.workers)),
+        steps_(static_cast<std::size_t>(workers_of(facts_))),
         stores_(steps_.size()),
         held_(steps_.size()),
         changed_(static_cast<std::size_t>(facts_.items), false) {}
@@ -140,10 +144,10 @@ class UpdateJob {
     }
     before_write();
     items.begin();
-    for (std::uint64_t w = 0; w < facts_.workers; ++w) {
+    for (std::uint64_t w = 0; w < workers_of(facts_); ++w) {
       memories_.emplace_back(std::min(facts_.room, facts_.items), options_.item_bytes);
     }
-    ComputePool pool(static_cast<unsigned>(facts_.workers));
+    ComputePool pool(static_cast<unsigned>(workers_of(facts_)));
     go_on(journal, items, pool);
     if (goes_on) {
       journal.begin();
@@ -352,7 +356,7 @@ class UpdateJob {
     items.commit();
   }
 
-  const DisjointFacts& facts_;
+  const LoadOrderFacts& facts_;
   const PairUpdater& update_;
   const UpdateOptions& options_;
   std::string beside_;
@@ -368,11 +372,11 @@ class UpdateJob {
 
 }  // namespace
 
-UpdateReport update_pairs(const DisjointOrder& order, const PairUpdater& update,
+UpdateReport update_pairs(const LoadOrder& order, const PairUpdater& update,
                           const UpdateOptions& options) {
-  if (order.facts().workers > most_job_threads) {
-    throw BadInput(
-        fmt::format("{} workers: a job has at most {}", order.facts().workers, most_job_threads));
+  const std::uint64_t workers = workers_of(order.facts());
+  if (workers > most_job_threads) {
+    throw BadInput(fmt::format("{} workers: a job has at most {}", workers, most_job_threads));
   }
   return UpdateJob(order, update, options).run();
 }

@@ -17,9 +17,9 @@ namespace {
 
 using Steps = std::vector<std::vector<Step>>;  // by worker
 
-Steps steps_of(const DisjointOrder& order) {
+Steps steps_of(const LoadOrder& order) {
   Steps all;
-  for (std::uint64_t w = 0; w < order.facts().workers; ++w) {
+  for (std::uint64_t w = 0; w < order.facts().lockstep; ++w) {
     all.emplace_back();
     const auto steps = order.stream(w);
     for (Step step; steps->next(step);) {
@@ -74,14 +74,14 @@ TEST(Disjoint, OrdersOfAllKindsMeetTheDefinition) {
     for (const std::uint64_t room : {2U, 3U, 4U, 7U}) {
       for (const std::uint64_t more : {0U, 1U, 7U, 16U}) {
         const std::uint64_t items = workers * room + more;
-        const DisjointOrder order = plan_disjoint_order(items, room, workers);
-        const DisjointFacts& facts = order.facts();
+        const LoadOrder order = plan_disjoint_order(items, room, workers);
+        const LoadOrderFacts& facts = order.facts();
         const std::string what = fmt::format("{} {} {}", items, room, workers);
         const Steps all = steps_of(order);
         EXPECT_EQ(fault_of(all, items, room), "") << what;
         EXPECT_GE(facts.loads, facts.bound.loads) << what;
-        EXPECT_GE(facts.makespan, facts.makespan_bound.loads) << what;
-        EXPECT_GE(facts.span, facts.makespan) << what;
+        EXPECT_GE(facts.makespan(), facts.makespan_bound.loads) << what;
+        EXPECT_GE(facts.span, facts.makespan()) << what;
         std::uint64_t loads = 0;
         std::uint64_t span = 0;
         for (std::size_t s = 0; s < all[0].size(); ++s) {
@@ -199,7 +199,7 @@ std::uint64_t fewest_loads(unsigned items, unsigned room) {
 TEST(Disjoint, NoOrderBeatsTheBoundAndSmallOnesAreTheBest) {
   for (const auto& [items, room] : {std::pair(4U, 2U), {5U, 2U}}) {
     const std::uint64_t fewest = fewest_loads(items, room);
-    const DisjointFacts facts = plan_disjoint_order(items, room, 2).facts();
+    const LoadOrderFacts facts = plan_disjoint_order(items, room, 2).facts();
     EXPECT_GE(fewest, facts.bound.loads) << items << " " << room;
     EXPECT_GE(facts.loads, fewest) << items << " " << room;
     EXPECT_LE(facts.loads, fewest + 2) << items << " " << room;
@@ -225,8 +225,8 @@ ScheduleRules rules_with(std::uint64_t room, const ComputeRules& compute = {}) {
 }
 
 TEST(Disjoint, ChecksRefuseWhatIsWrong) {
-  const DisjointOrder order = plan_disjoint_order(12, 4, 2);
-  const std::vector<Step> right = work_of(order.stream(), order.rules());  // by turns
+  const LoadOrder order = plan_disjoint_order(12, 4, 2);
+  const std::vector<Step> right = work_of(order.stream(), order.rules(ComputeRules{}));  // by turns
   ASSERT_TRUE(verdict_of(right, rules_with(4)).valid());
   EXPECT_EQ(verdict_of(right, rules_with(4)).computed, 66U);
   EXPECT_EQ(verdict_of(right, rules_with(4)).worker_loads, order.facts().worker_loads);
@@ -255,13 +255,15 @@ TEST(Disjoint, ChecksRefuseWhatIsWrong) {
 }
 
 TEST(Disjoint, WorkHasBothWaysAndItemsAloneIfAskedTo) {
-  const DisjointOrder order = plan_disjoint_order(12, 4, 2);
+  const LoadOrder order = plan_disjoint_order(12, 4, 2);
   const ComputeRules both{.ordered = true, .self = true, .shuffle = 3};
   const auto all = work_of(order.stream(), order.rules(both));
   const ScheduleVerdict verdict = verdict_of(all, rules_with(4, both));
   EXPECT_TRUE(verdict.valid()) << verdict.fault;
   EXPECT_EQ(verdict.computed, 144U);
-  EXPECT_EQ(verdict_of(work_of(order.stream(), order.rules()), rules_with(4, both)).missing, 78U);
+  EXPECT_EQ(
+      verdict_of(work_of(order.stream(), order.rules(ComputeRules{})), rules_with(4, both)).missing,
+      78U);
 }
 
 TEST(Disjoint, ComesCloseToTheBound) {
@@ -279,6 +281,7 @@ TEST(Disjoint, RefusesTooManyWorkersAndTooManyItems) {
   EXPECT_THROW(static_cast<void>(plan_disjoint_order(15, 4, 70'000)), BadInput);
   EXPECT_THROW(static_cast<void>(plan_disjoint_order(70'000, 4, 2)), ImpossibleParameters);
   EXPECT_THROW(static_cast<void>(plan_disjoint_order(12, 4, 2).stream(2)), BadInput);
+  EXPECT_THROW(static_cast<void>(split_order(plan_disjoint_order(12, 4, 2), 12, 4, 2)), BadInput);
   EXPECT_THROW(
       ScheduleCheck({.items = 70'000, .room = 4, .lockstep = 2, .compute = ComputeRules{}}),
       MissingResource);

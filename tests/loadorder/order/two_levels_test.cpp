@@ -7,6 +7,7 @@
 #include <set>
 
 #include "changeover/core/error.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "loadorder_support.hpp"
 
 namespace changeover::test {
@@ -66,8 +67,8 @@ TEST(TwoLevels, OrdersMeetTheDefinitionAndTheBounds) {
           continue;
         }
         const std::string what = fmt::format("{} {} {}", items, room, fast_room);
-        const TwoLevelOrder order = plan_two_levels(items, room, fast_room);
-        const TwoLevelFacts& facts = order.facts();
+        const LoadOrder order = plan_two_levels(items, room, fast_room);
+        const LoadOrderFacts& facts = order.facts();
         const auto all = all_steps(*order.stream());
         EXPECT_EQ(fault_of(all, items, room, fast_room), "") << what;
         std::uint64_t loads = 0;
@@ -79,7 +80,7 @@ TEST(TwoLevels, OrdersMeetTheDefinitionAndTheBounds) {
         EXPECT_EQ(loads, facts.loads) << what;
         EXPECT_EQ(transfers, facts.transfers) << what;
         EXPECT_EQ(all.size(), facts.steps) << what;
-        EXPECT_GE(loads, facts.load_bound.loads) << what;
+        EXPECT_GE(loads, facts.bound.loads) << what;
         EXPECT_GE(transfers, facts.transfer_bound.loads) << what;
       }
     }
@@ -87,14 +88,14 @@ TEST(TwoLevels, OrdersMeetTheDefinitionAndTheBounds) {
 }
 
 TEST(TwoLevels, EverythingInMemoryIsLoadedOnceAndTransferredAsForOneLevel) {
-  const TwoLevelFacts facts = plan_two_levels(40, 40, 6).facts();
+  const LoadOrderFacts facts = plan_two_levels(40, 40, 6).facts();
   EXPECT_EQ(facts.loads, 40U);
   EXPECT_EQ(facts.transfers, plan_load_order(40, 6).facts().loads);
 }
 
 TEST(TwoLevels, BothLevelsAreCloseToTheirBoundsIfTheyAreFarApart) {
-  const TwoLevelFacts facts = plan_two_levels(300, 60, 7).facts();
-  EXPECT_LE(facts.loads * 10, facts.load_bound.loads * 14);
+  const LoadOrderFacts facts = plan_two_levels(300, 60, 7).facts();
+  EXPECT_LE(facts.loads * 10, facts.bound.loads * 14);
   EXPECT_LE(facts.transfers * 10, facts.transfer_bound.loads * 13);
 }
 
@@ -103,8 +104,8 @@ TEST(TwoLevels, GoWithStoresBothWaysAndItemsAlone) {
        {std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>{16, 8, 3},
         {24, 15, 4},
         {9, 4, 4}}) {
-    const TwoLevelOrder order = plan_two_levels(items, room, fast_room);
-    ScheduleRules rules = order.rules();
+    const LoadOrder order = plan_two_levels(items, room, fast_room);
+    ScheduleRules rules = order.rules(ComputeRules{});
     rules.compute = ComputeRules{.ordered = true, .self = true, .shuffle = 2};
     rules.store = true;
     const std::vector<Step> steps = work_of(order.stream(), rules);
@@ -112,7 +113,7 @@ TEST(TwoLevels, GoWithStoresBothWaysAndItemsAlone) {
     EXPECT_TRUE(verdict.valid()) << verdict.fault;
     EXPECT_EQ(verdict.computed, items * items);
     EXPECT_EQ(verdict.transfers, order.facts().transfers);
-    EXPECT_GE(verdict.stores, store_lower_bound(order.facts().load_bound, {}, items, true).loads);
+    EXPECT_GE(verdict.stores, store_lower_bound(order.facts().bound, {}, items, true).loads);
     auto lost = steps;
     lost.back().store.pop_back();
     EXPECT_NE(verdict_of(lost, rules).fault.find("loses"), std::string::npos);
@@ -122,12 +123,39 @@ TEST(TwoLevels, GoWithStoresBothWaysAndItemsAlone) {
   }
 }
 
+TEST(TwoLevels, OfSeveralWorkersComputeEachPairOnceAtOneOfThem) {
+  for (const std::uint64_t workers : {1U, 2U, 3U, 50U}) {
+    for (const auto& [items, room, fast_room] :
+         {std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>{24, 15, 4},
+          {30, 8, 3},
+          {5, 5, 2}}) {
+      const WorkerSplit split = split_two_levels(items, room, fast_room, workers);
+      ScheduleRules rules = split.order().rules(ComputeRules{});
+      const std::vector<Step> steps = all_steps(*split.stream());
+      const ScheduleVerdict verdict = verdict_of(steps, rules);
+      EXPECT_TRUE(verdict.valid()) << verdict.fault;
+      EXPECT_EQ(verdict.computed, items * (items - 1) / 2);
+      EXPECT_EQ(verdict.loads, split.facts().loads);
+      EXPECT_EQ(verdict.makespan(), split.facts().makespan);
+      EXPECT_GE(verdict.makespan(), split.facts().makespan_bound.loads);
+      EXPECT_GE(verdict.transfers, split.order().facts().transfers);
+      // Who computes a pair that another has computed is seen, and so is who starts with a full
+      // accelerator.
+      auto repeated = steps;
+      repeated.back().compute.push_back(repeated.back().compute.front());
+      EXPECT_EQ(verdict_of(repeated, rules).repeated, 1U);
+      rules.fast_room = fast_room - 1;
+      EXPECT_NE(verdict_of(steps, rules).fault.find("accelerator is full"), std::string::npos);
+    }
+  }
+}
+
 TEST(TwoLevels, ChecksRefuseWhatIsWrong) {
-  const TwoLevelOrder order = plan_two_levels(16, 8, 3);
+  const LoadOrder order = plan_two_levels(16, 8, 3);
   const auto right = all_steps(*order.stream());
   const auto verdict_of = [&](const std::vector<Step>& all, std::uint64_t room = 8,
                               std::uint64_t fast_room = 3) {
-    ScheduleRules rules = order.rules();
+    ScheduleRules rules = order.rules(ComputeRules{});
     rules.room = room;
     rules.fast_room = fast_room;
     return test::verdict_of(all, rules);

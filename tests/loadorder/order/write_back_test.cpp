@@ -71,6 +71,11 @@ TEST(WriteBack, ItemsWithoutAPairAreNotStored) {
     EXPECT_EQ(std::count(step.store.begin(), step.store.end(), 4U), 0);
     stores += step.store.size();
   }
+  auto in_vain = all;
+  for (Step& step : in_vain) {
+    step.store = step.evict;
+  }
+  EXPECT_NE(fault_of(in_vain, order).find("stores 4, which has not changed"), std::string::npos);
   EXPECT_EQ(order.facts().loads, 4U);
   EXPECT_EQ(stores, 3U);
   EXPECT_EQ(store_lower_bound(order.facts().bound, wanted, 5, false).loads, 3U);
@@ -89,16 +94,17 @@ TEST(WriteBack, ChecksRefuseWhatLosesAChangeOrStoresInVain) {
   };
   refused("loses what was changed", [](auto& all) { all[1].store.clear(); });
   refused("loses what was changed", [](auto& all) { all.back().store.pop_back(); });
-  refused("has not changed", [](auto& all) { all[1].store.push_back(all[1].store[0]); });
-  refused("stores 11, which is not in memory", [](auto& all) { all[0].store.push_back(11); });
+  refused("which it does not evict then",
+          [](auto& all) { all[1].store.push_back(all[1].store[0]); });
+  refused("stores 11, which it does not evict then", [](auto& all) { all[0].store.push_back(11); });
   refused("which are not both in memory", [](auto& all) { all[0].load.pop_back(); });
   refused("when memory is full", [](auto& all) { all[0].load.push_back(0); });
   refused("still held at the end", [](auto& all) { all.pop_back(); });
 }
 
 TEST(WriteBack, OfDisjointWorkersLosesNoChange) {
-  const DisjointOrder order = plan_disjoint_order(18, 4, 3);
-  ScheduleRules rules = order.rules();
+  const LoadOrder order = plan_disjoint_order(18, 4, 3);
+  ScheduleRules rules = order.rules(ComputeRules{});
   rules.store = true;
   const ScheduleVerdict verdict = verdict_of(work_of(order.stream(), rules), rules);
   EXPECT_TRUE(verdict.valid()) << verdict.fault;

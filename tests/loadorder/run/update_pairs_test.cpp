@@ -40,7 +40,7 @@ PairUpdater mixer() {
 }
 
 /// In memory: no executor, no files.
-std::string expected(const DisjointOrder& order, std::string data, const ComputeRules& how = {}) {
+std::string expected(const LoadOrder& order, std::string data, const ComputeRules& how = {}) {
   StepWork work(order.stream(), order.rules(how));
   for (Step step; work.next(step);) {
     for (const auto& [x, y] : step.compute) {
@@ -67,7 +67,7 @@ TEST(UpdatePairs, GivesWhatIsComputedInMemory) {
         {12, 4, 2},
         {30, 5, 3},
         {16, 2, 8}}) {
-    const DisjointOrder order = plan_disjoint_order(items, room, workers);
+    const LoadOrder order = plan_disjoint_order(items, room, workers);
     for (const std::uint64_t every : {1U, 4U, 1000U}) {
       const TemporaryFolder folder;
       spit(folder.file("data"), content(items));
@@ -89,7 +89,7 @@ TEST(UpdatePairs, GivesWhatIsComputedInMemory) {
 }
 
 // Runs the job in a process that kills itself before its n-th write. Whether it came to its end.
-bool run_until(const DisjointOrder& order, UpdateOptions options, int n) {
+bool run_until(const LoadOrder& order, UpdateOptions options, int n) {
   const pid_t child = ::fork();
   if (child == 0) {
     std::atomic<int> left = n;
@@ -111,7 +111,7 @@ bool run_until(const DisjointOrder& order, UpdateOptions options, int n) {
 }
 
 TEST(UpdatePairs, KilledBeforeAnyWriteGoesOnToTheSameResult) {
-  const DisjointOrder order = plan_disjoint_order(8, 2, 2);
+  const LoadOrder order = plan_disjoint_order(8, 2, 2);
   const std::string right = expected(order, content(8));
   bool finished = false;
   int n = 1;
@@ -129,7 +129,7 @@ TEST(UpdatePairs, KilledBeforeAnyWriteGoesOnToTheSameResult) {
 }
 
 TEST(UpdatePairs, KilledAtAnyMomentGoesOnToTheSameResult) {
-  const DisjointOrder order = plan_disjoint_order(24, 4, 2);
+  const LoadOrder order = plan_disjoint_order(24, 4, 2);
   const std::string right = expected(order, content(24));
   const TemporaryFolder folder;
   spit(folder.file("data"), content(24));
@@ -163,7 +163,7 @@ TEST(UpdatePairs, KilledAtAnyMomentGoesOnToTheSameResult) {
 }
 
 TEST(UpdatePairs, WithoutTheJournalWhatIsHalfChangedIsRefusedUnchanged) {
-  const DisjointOrder order = plan_disjoint_order(12, 3, 2);
+  const LoadOrder order = plan_disjoint_order(12, 3, 2);
   const TemporaryFolder folder;
   spit(folder.file("data"), content(12));
   ASSERT_FALSE(run_until(order, options_in(folder), 60));
@@ -214,7 +214,7 @@ TEST(UpdatePairs, WithoutTheJournalWhatIsHalfChangedIsRefusedUnchanged) {
 }
 
 TEST(UpdatePairs, ADamagedJournalOrSecondFileIsRefusedUnchanged) {
-  const DisjointOrder order = plan_disjoint_order(12, 3, 2);
+  const LoadOrder order = plan_disjoint_order(12, 3, 2);
   const TemporaryFolder folder;
   spit(folder.file("data"), content(12));
   ASSERT_FALSE(run_until(order, options_in(folder, 1), 90));
@@ -248,7 +248,7 @@ TEST(UpdatePairs, ADamagedJournalOrSecondFileIsRefusedUnchanged) {
 }
 
 TEST(UpdatePairs, StopsWithACheckpointWhenItIsCancelled) {
-  const DisjointOrder order = plan_disjoint_order(20, 4, 2);
+  const LoadOrder order = plan_disjoint_order(20, 4, 2);
   const TemporaryFolder folder;
   spit(folder.file("data"), content(20));
   std::atomic<bool> cancelled = false;
@@ -272,7 +272,7 @@ TEST(UpdatePairs, StopsWithACheckpointWhenItIsCancelled) {
 }
 
 TEST(UpdatePairs, RefusesWhatIsWrongAndEndsWithWhatIsThrown) {
-  const DisjointOrder order = plan_disjoint_order(12, 3, 2);
+  const LoadOrder order = plan_disjoint_order(12, 3, 2);
   const TemporaryFolder folder;
   UpdateOptions options = options_in(folder);
   EXPECT_THROW(update_pairs(order, mixer(), options), BadInput);
@@ -280,8 +280,8 @@ TEST(UpdatePairs, RefusesWhatIsWrongAndEndsWithWhatIsThrown) {
   EXPECT_THROW(update_pairs(order, mixer(), options), BadInput);
   spit(folder.file("data"), content(12));
   // An order that misses a step.
-  DisjointFacts facts = order.facts();
-  const DisjointOrder idle(facts, [](std::uint64_t) { return plan_load_order(3, 3).stream(); });
+  LoadOrderFacts facts = order.facts();
+  const LoadOrder idle(facts, [] { return plan_load_order(3, 3).stream(); });
   EXPECT_THROW(update_pairs(idle, mixer(), options), BadInput);
   EXPECT_THROW(update_pairs(
                    order,

@@ -27,93 +27,325 @@ std::string over(std::uint64_t count, const LoadBound& bound) {
                    bound.loads);
 }
 
-/// A schedule as it is said: its steps, made anew for each reading, and what they keep to.
+/// A schedule as it is said: the head by what it is about, then its steps, which are made anew for
+/// each reading.
 class Said {
  public:
   using Maker = std::function<std::unique_ptr<StepSource>()>;
 
-  Said(Maker loads, ScheduleRules rules, const LoadsShown& how)
-      : loads_(std::move(loads)), rules_(std::move(rules)), how_(how) {
-    rules_.store = how.write_back;
-    if (how.new_pairs || how.write_back || rules_.overlap || rules_.fast_room) {
+  Said(LoadOrderFacts facts, Maker loads, const LoadsShown& how)
+      : facts_(std::move(facts)),
+        loads_(std::move(loads)),
+        how_(how),
+        rules_{.items = facts_.items,
+               .room = facts_.room,
+               .fast_room = facts_.fast_room,
+               .lockstep = facts_.lockstep,
+               .wanted = facts_.wanted,
+               .store = how.write_back} {
+    if (how.new_pairs || how.write_back || facts_.fast_room) {
       rules_.compute = how.compute;
     }
   }
 
+  /// Loads overlap computation: of the room so much is left to them.
+  void overlap(std::uint64_t spare) {
+    spare_ = spare;
+    rules_.overlap = true;
+    rules_.compute = how_.compute;
+  }
+  /// The steps are those of workers one after another.
+  void split(const SplitFacts& split) { split_ = &split; }
+
+  void show(OutputFile& out) {
+    if (check_anew()) {
+      check();
+    }
+    const std::string verified = how_verified();
+    JsonWriter json;
+    json.begin_object();
+    std::string text = about(json);
+    json.key("verified").value(verified);
+    if (split_ != nullptr || facts_.lockstep > 0) {
+      json.key("worker_loads").begin_array();
+      for (const std::uint64_t loads : facts_.worker_loads) {
+        json.value(loads);
+      }
+      json.end_array();
+    }
+    text += "verified: " + verified + "\n" + at_the_end();
+    const PairGraph* const graph = facts_.wanted.graph();
+    StepWriter writer(out, how_.format, graph != nullptr ? &graph->names() : nullptr, columns());
+    writer.begin(json.end_object().take(), text);
+    write(writer);
+  }
+
+ private:
   [[nodiscard]] std::unique_ptr<StepSource> steps() const {
     return rules_.compute ? std::make_unique<StepWork>(loads_(), rules_) : loads_();
   }
 
-  /// Whether it is kept in mind which pairs were computed.
+  // Whether it is kept in mind which pairs were computed.
   [[nodiscard]] bool each_pair_once() const {
-    return rules_.items <= max_elements_in_memory || rules_.wanted.graph() != nullptr;
+    return facts_.items <= max_elements_in_memory || facts_.wanted.graph() != nullptr;
   }
 
-  /// Reads the steps that say what is computed; they have so many loads. @throws InternalError
-  void check(std::uint64_t loads) {
-    if (!rules_.compute) {
-      return;
+  // Two levels have been read unless more is asked for, and what is too much to be kept in mind is
+  // not read twice.
+  [[nodiscard]] bool check_anew() const {
+    if (!rules_.compute || rules_.store) {
+      return rules_.store;
     }
+    const ComputeRules& asked = how_.compute;
+    return spare_             ? facts_.every_step_read
+           : facts_.fast_room ? split_ != nullptr || asked.ordered || asked.self || asked.shuffle
+                              : each_pair_once();
+  }
+
+  // Reads the steps that say what is computed. @throws InternalError
+  void check() {
     CheckOptions options;
     options.all_pairs = each_pair_once();
     checked_ = check_schedule(*steps(), rules_, options);
-    if (!checked_.valid() || checked_.loads != loads) {
+    if (!checked_.valid() || checked_.loads != facts_.loads ||
+        (facts_.lockstep > 0 && checked_.span != facts_.span)) {
       throw InternalError(fmt::format("what the steps do is wrong: {} missing, {} repeated; {}",
                                       checked_.missing, checked_.repeated, checked_.fault));
     }
+    if (split_ != nullptr) {
+      facts_.transfers = checked_.transfers;
+    }
   }
-  [[nodiscard]] const ScheduleVerdict& checked() const { return checked_; }
 
-  /// One line about it, after that about the loads.
-  [[nodiscard]] std::string verified() const {
+  // One line.
+  [[nodiscard]] std::string how_verified() const {
+    const std::string lost = rules_.store ? "; no change is lost" : "";
+    const std::string computed = fmt::format("{} computed", count_of(checked_.computed, "pair"));
+    if (spare_ && facts_.every_step_read) {
+      return fmt::format("simulated, all {} pairs computed once, {} of them while items load{}",
+                         checked_.computed, checked_.overlapped, lost);
+    }
+    if (checked_.steps > 0 && facts_.lockstep > 0) {
+      return fmt::format("every step read: no item held twice at once, {}, each once{}", computed,
+                         lost);
+    }
+    if (checked_.steps > 0 && facts_.fast_room) {
+      return fmt::format("every step read: room at both levels, {} on the accelerator, each once{}",
+                         computed, lost);
+    }
+    std::string line = facts_.certificate;
+    if (follow()) {
+      line += "; 64 items are followed while it is written";
+    }
+    if (rules_.compute && !facts_.fast_room && facts_.lockstep == 0) {
+      line += each_pair_once() && !spare_ ? "; " + computed + ", each once"
+                                          : "; a pair may be computed more than once";
+    }
+    return line + lost;
+  }
+
+  [[nodiscard]] bool follow() const { return !facts_.every_step_read && !spare_; }
+
+  // The lines before the one that says how it was verified; what it is about has its keys in
+  // `json`.
+  std::string about(JsonWriter& json) const {
+    const LoadBound bound = facts_.wanted.are_all() ? load_lower_bound(facts_.items, facts_.room)
+                                                    : load_lower_bound(facts_.wanted, facts_.room);
+    const std::uint64_t workers = split_ != nullptr ? split_->workers.size() : facts_.lockstep;
+    const std::uint64_t steps = facts_.steps + (rules_.store ? 1 : 0);
+    json.key("items").value(facts_.items).key("room").value(facts_.room);
+    if (!facts_.wanted.are_all()) {
+      json.key("wanted").value(facts_.wanted.describe());
+      json.key("wanted_pairs").value(facts_.wanted.count());
+    }
+    if (facts_.fast_room) {
+      json.key("fast_room").value(*facts_.fast_room);
+    }
+    json.key("loads").value(facts_.loads);
+    if (facts_.fast_room) {
+      json.key("transfers").value(facts_.transfers);
+    }
+    json.key("steps").value(steps);
+    json.key("lower_bound").value(bound.loads).key("lower_bound_reason").value(bound.reason);
+    if (facts_.fast_room) {
+      json.key("transfer_bound").value(facts_.transfer_bound.loads);
+      json.key("transfer_bound_reason").value(facts_.transfer_bound.reason);
+      if (how_.item_bytes) {
+        json.key("item_bytes").value(*how_.item_bytes);
+        json.key("bytes_loaded").value(checked_multiply(facts_.loads, *how_.item_bytes));
+        json.key("bytes_transferred").value(checked_multiply(facts_.transfers, *how_.item_bytes));
+      }
+      if (facts_.group_items > 0) {
+        json.key("group_items").value(facts_.group_items);
+      }
+    } else {
+      json.key("method").value(facts_.method);
+    }
+    json.key("explanation").value(facts_.explanation);
+    if (workers > 0) {
+      json.key("workers").value(workers).key("makespan").value(facts_.makespan());
+      if (facts_.lockstep > 0) {
+        json.key("span").value(facts_.span);
+      }
+      json.key("makespan_bound").value(facts_.makespan_bound.loads);
+      json.key("makespan_bound_reason").value(facts_.makespan_bound.reason);
+    }
+    if (split_ != nullptr && !facts_.fast_room) {
+      json.key("groups").value(split_->groups);
+    }
+    if (spare_) {
+      json.key("order_room").value(facts_.room - *spare_);
+      if (facts_.every_step_read) {
+        json.key("pairs").value(checked_.computed).key("overlapped").value(checked_.overlapped);
+      }
+    }
+    std::string stores;
+    if (rules_.store) {
+      const LoadBound least =
+          store_lower_bound(bound, facts_.wanted, facts_.items, how_.compute.self);
+      json.key("stores").value(checked_.stores).key("store_bound").value(least.loads);
+      stores = fmt::format("{}, at least {}: {}\n", count_of(checked_.stores, "store"), least.loads,
+                           least.reason);
+    }
+    if (facts_.lockstep > 0) {
+      json.key("disjoint").value(true);
+    }
+    const bool plain = workers == 0 && !spare_ && !facts_.fast_room;
+    if (plain) {
+      json.key("gap").value(facts_.gap());
+    }
+    const std::string method = facts_.fast_room ? facts_.explanation + "\n"
+                                                : facts_.method + ": " + facts_.explanation + "\n";
+    return in_short(bound, steps) + stores + (plain ? hint() : "") + method + bounds(bound);
+  }
+
+  // The first lines.
+  [[nodiscard]] std::string in_short(const LoadBound& bound, std::uint64_t steps) const {
+    const std::string loads = count_of(facts_.loads, "load");
+    const std::string spare = !spare_
+                                  ? ""
+                                  : fmt::format("{} is kept for what is loading\n",
+                                                *spare_ == 0 ? "no place" : "one of the places");
+    if (facts_.lockstep > 0) {
+      return fmt::format(
+          "{}, {} with room for {}, no item at two of them: {} in {}, {}\n"
+          "the busiest worker has {}; the slowest of each step add up to {}, {}\n",
+          count_of(facts_.items, "item"), count_of(facts_.lockstep, "worker"), facts_.room, loads,
+          count_of(steps, "step"), over(facts_.loads, bound), count_of(facts_.makespan(), "load"),
+          facts_.span, over(facts_.span, facts_.makespan_bound));
+    }
+    const std::string busiest =
+        split_ == nullptr
+            ? ""
+            : fmt::format("{} for {}, the busiest has {}, {}\n", loads,
+                          count_of(split_->workers.size(), "worker"), facts_.makespan(),
+                          over(facts_.makespan(), facts_.makespan_bound));
+    if (facts_.fast_room) {
+      return fmt::format(
+          "{}, room for {} in memory and {} of them on the accelerator: {}\n{}"
+          "from the disk: {}\nto the accelerator: {}\n",
+          count_of(facts_.items, "item"), facts_.room, *facts_.fast_room, count_of(steps, "step"),
+          busiest, level(facts_.loads, "load", bound),
+          level(facts_.transfers, "transfer", facts_.transfer_bound));
+    }
+    const std::string what = fmt::format(
+        "{}, room for {}: ",
+        facts_.wanted.are_all() ? count_of(facts_.items, "item") : facts_.wanted.describe(),
+        facts_.room);
+    if (split_ != nullptr) {
+      const std::string groups = split_->groups == facts_.items
+                                     ? ""
+                                     : fmt::format("items in {} groups, room for {} groups\n",
+                                                   split_->groups, split_->group_room);
+      return what + busiest + groups + spare;
+    }
+    return fmt::format(
+        "{}{} in {}, {}\n{}", what, loads, count_of(steps, "step"),
+        spare_ ? fmt::format("lower bound {}", bound.loads) : over(facts_.loads, bound), spare);
+  }
+
+  // How often items move to a level, the bytes, the fewest there can be.
+  [[nodiscard]] std::string level(std::uint64_t count, const std::string& what,
+                                  const LoadBound& bound) const {
+    const std::string bytes =
+        how_.item_bytes ? fmt::format(" ({} bytes)", checked_multiply(count, *how_.item_bytes))
+                        : "";
+    return fmt::format("{}{}, {}", count_of(count, what), bytes, over(count, bound));
+  }
+
+  // How to get fewer loads, where that may help.
+  [[nodiscard]] std::string hint() const {
+    const bool may_help =
+        facts_.wanted.graph() != nullptr ||
+        (facts_.wanted.are_all() && facts_.items <= LoadOrderOptions().improve_up_to);
+    return facts_.gap() > 0 && !how_.searched && may_help
+               ? "--time 30s may find an order with fewer\n"
+               : "";
+  }
+
+  [[nodiscard]] std::string bounds(const LoadBound& bound) const {
+    if (facts_.fast_room) {
+      return fmt::format(
+          "bound of the loads: {}\nbound of the transfers: {}\n{}", bound.reason,
+          facts_.transfer_bound.reason,
+          split_ == nullptr ? "" : "bound of the busiest: " + facts_.makespan_bound.reason + "\n");
+    }
+    if (facts_.lockstep > 0) {
+      return fmt::format("bound: {}\nbound of the busiest: {}\n", bound.reason,
+                         facts_.makespan_bound.reason);
+    }
+    if (split_ != nullptr) {
+      return "bound: " + facts_.makespan_bound.reason + "\n";
+    }
+    return spare_ ? "" : "bound: " + bound.reason + "\n";
+  }
+
+  [[nodiscard]] std::string at_the_end() const {
     std::string text;
-    if (rules_.compute) {
-      text = each_pair_once()
-                 ? fmt::format("; {} computed, each once", count_of(checked_.computed, "pair"))
-                 : "; a pair may be computed more than once";
+    for (std::size_t w = 0; split_ != nullptr && w < split_->workers.size(); ++w) {
+      text += fmt::format("worker {}: {} in {}\n", w, count_of(split_->workers[w].loads, "load"),
+                          count_of(split_->workers[w].steps, "step"));
     }
-    return text + no_change_lost();
-  }
-  [[nodiscard]] std::string no_change_lost() const {
-    return rules_.store ? "; no change is lost" : "";
-  }
-
-  /// What overlaps, for the head in JSON; one line about it.
-  std::string overlap(JsonWriter& json, const LoadOrderFacts& facts,
-                      std::uint64_t order_room) const {
-    json.key("order_room").value(order_room);
-    if (!facts.every_step_read) {
-      return facts.certificate + "; a pair may be computed more than once" + no_change_lost();
+    if (spare_) {
+      text +=
+          "each step: wait for load, compute before; evict first of the next step, start its loads; "
+          "compute the others; evict late\n";
+    } else if (facts_.lockstep > 0) {
+      text += fmt::format("each step: all {}evict, wait for each other, load, compute\n",
+                          rules_.store ? "store and " : "");
+    } else if (facts_.fast_room) {
+      text += fmt::format("each step: fast evict, {}evict, load, fast load, compute\n",
+                          rules_.store ? "store, " : "");
     }
-    json.key("pairs").value(checked_.computed).key("overlapped").value(checked_.overlapped);
-    return fmt::format("simulated, all {} pairs computed once, {} of them while items load{}",
-                       checked_.computed, checked_.overlapped, no_change_lost());
+    return text;
   }
 
-  /// What is stored, for the head in JSON, and in text.
-  std::string stores(JsonWriter& json, const LoadBound& bound) const {
-    if (!rules_.store) {
-      return "";
-    }
-    const LoadBound least =
-        store_lower_bound(bound, rules_.wanted, rules_.items, how_.compute.self);
-    json.key("stores").value(checked_.stores).key("store_bound").value(least.loads);
-    return fmt::format("{}, at least {}: {}\n", count_of(checked_.stores, "store"), least.loads,
-                       least.reason);
+  [[nodiscard]] std::vector<Column> columns() const {
+    std::vector<Column> all;
+    const auto add = [&](bool asked, std::initializer_list<Column> columns) {
+      all.insert(all.end(), columns.begin(), asked ? columns.end() : columns.begin());
+    };
+    const bool fast = facts_.fast_room.has_value();
+    add(split_ != nullptr || facts_.lockstep > 0, {Column::worker});
+    all.push_back(Column::step);
+    add(fast, {Column::fast_evict});
+    add(!fast, {Column::load});
+    // In JSON the name that every order has.
+    add(!rules_.overlap || how_.format == "jsonl", {Column::evict});
+    add(rules_.store, {Column::store});
+    add(fast, {Column::load, Column::fast_load});
+    add(rules_.overlap, {Column::evict_first, Column::evict_late, Column::before, Column::compute});
+    add(how_.new_pairs, {Column::new_pairs});
+    return all;
   }
 
-  [[nodiscard]] StepWriter writer(OutputFile& out, bool workers) const {
-    const PairGraph* const graph = rules_.wanted.graph();
-    return {out, how_.format, graph != nullptr ? &graph->names() : nullptr, columns(workers)};
-  }
-
-  /// The steps. `follow`: an order that was not read before, with its loads, is followed on the
-  /// way.
-  void write(StepWriter& writer, std::optional<std::uint64_t> follow = {}) const {
+  // The steps; an order that was not read before is followed on the way.
+  void write(StepWriter& writer) const {
     std::optional<ScheduleCheck> audit;
-    if (follow) {
+    if (follow()) {
       ScheduleRules loads = rules_;
       loads.compute = {};
+      loads.store = false;
       CheckOptions options;
       options.all_pairs = false;
       options.seed = how_.seed;
@@ -128,7 +360,7 @@ class Said {
     }
     if (audit) {
       const ScheduleVerdict verdict = audit->finish();
-      if (!verdict.valid() || verdict.loads != *follow) {  // before the output appears
+      if (!verdict.valid() || verdict.loads != facts_.loads) {  // before the output appears
         throw InternalError(
             fmt::format("the load order is wrong: {}{}", verdict.fault, verdict.example));
       }
@@ -136,118 +368,17 @@ class Said {
     writer.end();
   }
 
- private:
-  [[nodiscard]] std::vector<Column> columns(bool workers) const {
-    std::vector<Column> all;
-    const auto add = [&](bool asked, std::initializer_list<Column> columns) {
-      all.insert(all.end(), columns.begin(), asked ? columns.end() : columns.begin());
-    };
-    const bool fast = rules_.fast_room.has_value();
-    add(workers, {Column::worker});
-    all.push_back(Column::step);
-    add(fast, {Column::fast_evict});
-    add(!fast, {Column::load});
-    add(!rules_.overlap || how_.format == "jsonl",
-        {Column::evict});  // the name that every order has
-    add(rules_.store, {Column::store});
-    add(fast, {Column::load, Column::fast_load});
-    add(rules_.overlap, {Column::evict_first, Column::evict_late, Column::before, Column::compute});
-    add(how_.new_pairs, {Column::new_pairs});
-    return all;
-  }
-
+  LoadOrderFacts facts_;
   Maker loads_;
-  ScheduleRules rules_;
   const LoadsShown& how_;
-  ScheduleVerdict checked_;
+  ScheduleRules rules_;
+  std::optional<std::uint64_t> spare_;
+  const SplitFacts* split_ = nullptr;
+  ScheduleVerdict checked_;  // no steps if it was not checked anew
 };
 
-/// What orders of all kinds say first.
-JsonWriter head_of(const LoadOrderFacts& facts, const LoadBound& bound, std::uint64_t steps) {
-  JsonWriter json;
-  json.begin_object().key("items").value(facts.items).key("room").value(facts.room);
-  if (!facts.wanted.are_all()) {
-    json.key("wanted").value(facts.wanted.describe());
-    json.key("wanted_pairs").value(facts.wanted.count());
-  }
-  json.key("loads").value(facts.loads).key("steps").value(steps);
-  json.key("lower_bound").value(bound.loads).key("lower_bound_reason").value(bound.reason);
-  json.key("method").value(facts.method).key("explanation").value(facts.explanation);
-  return json;
-}
-
-void list_loads(JsonWriter& json, const std::vector<std::uint64_t>& loads) {
-  json.key("worker_loads").begin_array();
-  for (const std::uint64_t each : loads) {
-    json.value(each);
-  }
-  json.end_array();
-}
-
-std::string sentence(const LoadOrderFacts& facts) {
-  return fmt::format(
-      "{}, room for {}: ",
-      facts.wanted.are_all() ? count_of(facts.items, "item") : facts.wanted.describe(), facts.room);
-}
-
-LoadBound bound_for(const LoadOrderFacts& facts) {
-  return facts.wanted.are_all() ? load_lower_bound(facts.items, facts.room)
-                                : load_lower_bound(facts.wanted, facts.room);
-}
-
-// How to get fewer loads, where that may help.
-std::string hint(const LoadsShown& how, const LoadOrderFacts& facts) {
-  const bool may_help = facts.wanted.graph() != nullptr ||
-                        (facts.wanted.are_all() && facts.items <= LoadOrderOptions().improve_up_to);
-  return facts.gap() > 0 && !how.searched && may_help ? "--time 30s may find an order with fewer\n"
-                                                      : "";
-}
-
-// About the loads; an order that was not read before is followed.
-std::string certificate(const LoadOrderFacts& facts) {
-  return facts.every_step_read ? facts.certificate
-                               : facts.certificate + "; 64 items are followed while it is written";
-}
-
-std::optional<std::uint64_t> to_follow(const LoadOrderFacts& facts) {
-  return facts.every_step_read ? std::nullopt : std::optional(facts.loads);
-}
-
-ScheduleRules rules_of(const LoadOrderFacts& facts) {
-  return {.items = facts.items, .room = facts.room, .wanted = facts.wanted};
-}
-
-}  // namespace
-
-void show_loads(const LoadOrder& order, const LoadsShown& how, OutputFile& out) {
-  const LoadOrderFacts& facts = order.facts();
-  Said said([&order] { return order.stream(); }, rules_of(facts), how);
-  said.check(facts.loads);
-  const std::string verified = certificate(facts) + said.verified();
-  const std::uint64_t steps = facts.steps + (how.write_back ? 1 : 0);
-  JsonWriter json = head_of(facts, facts.bound, steps);
-  const std::string stores = said.stores(json, facts.bound);
-  json.key("gap").value(facts.gap()).key("verified").value(verified).end_object();
-  StepWriter writer = said.writer(out, false);
-  writer.begin(json.take(),
-               fmt::format("{}{} in {}, {}\n{}{}{}: {}\nbound: {}\nverified: {}\n", sentence(facts),
-                           count_of(facts.loads, "load"), count_of(steps, "step"),
-                           over(facts.loads, facts.bound), stores, hint(how, facts), facts.method,
-                           facts.explanation, facts.bound.reason, verified));
-  said.write(writer, to_follow(facts));
-}
-
-namespace {
-
-constexpr const char* spare_places[] = {"no place is kept for what is loading\n",
-                                        "one of the places is kept for what is loading\n"};
-constexpr const char* overlapping_step =
-    "each step: wait for load, compute before; evict first of the next step, start its loads; "
-    "compute the others; evict late\n";
-
-// `spare` is given if loads overlap computation; `room` includes it then.
-void show_split(const WorkerSplit& split, std::uint64_t room, std::optional<std::uint64_t> spare,
-                const LoadsShown& how, OutputFile& out) {
+// With the whole room, of which the order may leave some.
+Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how) {
   const SplitFacts& facts = split.facts();
   // Groups of items have small orders, which were read.
   LoadOrderFacts whole = split.order().facts();
@@ -256,169 +387,47 @@ void show_split(const WorkerSplit& split, std::uint64_t room, std::optional<std:
   whole.loads = facts.loads;
   whole.explanation = facts.explanation;
   whole.certificate = facts.certificate;
-  const std::uint64_t workers = facts.workers.size();
-  const LoadBound makespan_bound = !spare ? facts.makespan_bound
-                                   : whole.wanted.are_all()
-                                       ? makespan_lower_bound(whole.items, room, workers)
-                                       : makespan_lower_bound(whole.wanted, room, workers);
-  ScheduleRules rules = rules_of(whole);
-  rules.overlap = spare.has_value();
-  Said said([&split] { return split.stream(); }, rules, how);
-  if (!spare || whole.every_step_read) {
-    said.check(facts.loads);
-  }
-  JsonWriter json = head_of(whole, bound_for(whole), whole.steps);
-  json.key("workers").value(workers).key("makespan").value(facts.makespan);
-  json.key("makespan_bound").value(makespan_bound.loads);
-  json.key("makespan_bound_reason").value(makespan_bound.reason);
-  json.key("groups").value(facts.groups);
-  const std::string verified =
-      spare ? said.overlap(json, whole, facts.room) : certificate(whole) + said.verified();
-  json.key("verified").value(verified);
-  std::string text = fmt::format("{}{} for {}, the busiest has {}, {}\n", sentence(whole),
-                                 count_of(facts.loads, "load"), count_of(workers, "worker"),
-                                 facts.makespan, over(facts.makespan, makespan_bound));
-  text += facts.groups == facts.items ? std::string()
-                                      : fmt::format("items in {} groups, room for {} groups\n",
-                                                    facts.groups, facts.group_room);
-  text += fmt::format("{}{}: {}\nbound: {}\nverified: {}\n", spare ? spare_places[*spare] : "",
-                      whole.method, whole.explanation, makespan_bound.reason, verified);
-  std::vector<std::uint64_t> loads;
+  whole.makespan_bound = room == facts.room ? facts.makespan_bound
+                         : whole.wanted.are_all()
+                             ? makespan_lower_bound(whole.items, room, facts.workers.size())
+                             : makespan_lower_bound(whole.wanted, room, facts.workers.size());
+  whole.worker_loads.clear();
   for (const WorkerFacts& worker : facts.workers) {
-    text += fmt::format("worker {}: {} in {}\n", loads.size(), count_of(worker.loads, "load"),
-                        count_of(worker.steps, "step"));
-    loads.push_back(worker.loads);
+    whole.worker_loads.push_back(worker.loads);
   }
-  list_loads(json, loads);
-  StepWriter writer = said.writer(out, true);
-  writer.begin(json.end_object().take(), text + (spare ? overlapping_step : ""));
-  said.write(writer, spare ? std::nullopt : to_follow(whole));
+  Said said(
+      std::move(whole), [&split] { return split.stream(); }, how);
+  said.split(facts);
+  return said;
 }
 
 }  // namespace
 
-void show_loads(const WorkerSplit& split, const LoadsShown& how, OutputFile& out) {
-  show_split(split, split.facts().room, {}, how, out);
+void show_loads(const LoadOrder& order, const LoadsShown& how, OutputFile& out) {
+  Said(
+      order.facts(), [&order] { return order.stream(); }, how)
+      .show(out);
 }
 
-void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how,
-                OutputFile& out) {
-  show_split(plan.order, room, plan.spare, how, out);
+void show_loads(const WorkerSplit& split, const LoadsShown& how, OutputFile& out) {
+  said_of(split, split.facts().room, how).show(out);
 }
 
 void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how,
                 OutputFile& out) {
   LoadOrderFacts facts = plan.order.facts();
   facts.room = room;
-  ScheduleRules rules = rules_of(facts);
-  rules.overlap = true;
-  Said said([&plan] { return plan.order.stream(); }, rules, how);
-  if (facts.every_step_read || how.write_back) {
-    said.check(facts.loads);
-  }
-  const std::uint64_t steps = facts.steps + (how.write_back ? 1 : 0);
-  const LoadBound bound = bound_for(facts);
-  JsonWriter json = head_of(facts, bound, steps);
-  const std::string stores = said.stores(json, bound);
-  const std::string verified = said.overlap(json, facts, plan.order.facts().room);
-  StepWriter writer = said.writer(out, false);
-  writer.begin(json.key("verified").value(verified).end_object().take(),
-               fmt::format("{}{} in {}, lower bound {}\n{}{}{}: {}\nverified: {}\n{}",
-                           sentence(facts), count_of(facts.loads, "load"), count_of(steps, "step"),
-                           bound.loads, spare_places[plan.spare], stores, facts.method,
-                           facts.explanation, verified, overlapping_step));
-  said.write(writer);
+  Said said(
+      std::move(facts), [&plan] { return plan.order.stream(); }, how);
+  said.overlap(plan.spare);
+  said.show(out);
 }
 
-void show_loads(const DisjointOrder& order, const LoadsShown& how, OutputFile& out) {
-  const DisjointFacts& facts = order.facts();
-  Said said([&order] { return order.stream(); }, order.rules(), how);
-  said.check(facts.loads);
-  const bool anew = how.new_pairs || how.write_back;
-  if (anew && said.checked().span != facts.span) {
-    throw InternalError("the order of the workers takes longer than was promised");
-  }
-  const std::string verified =
-      anew ? fmt::format("every step read: no item held twice at once, {} computed, each once{}",
-                         count_of(said.checked().computed, "pair"), said.no_change_lost())
-           : facts.certificate;
-  LoadOrderFacts whole;
-  whole.items = facts.items;
-  whole.room = facts.room;
-  whole.loads = facts.loads;
-  whole.method = facts.method;
-  whole.explanation = facts.explanation;
-  const std::uint64_t steps = facts.steps + (how.write_back ? 1 : 0);
-  JsonWriter json = head_of(whole, facts.bound, steps);
-  json.key("workers").value(facts.workers).key("makespan").value(facts.makespan);
-  json.key("span").value(facts.span);
-  json.key("makespan_bound").value(facts.makespan_bound.loads);
-  json.key("makespan_bound_reason").value(facts.makespan_bound.reason);
-  const std::string stores = said.stores(json, facts.bound);
-  json.key("disjoint").value(true).key("verified").value(verified);
-  list_loads(json, facts.worker_loads);
-  StepWriter writer = said.writer(out, true);
-  writer.begin(json.end_object().take(),
-               fmt::format("{}, {} with room for {}, no item at two of them: {} in {}, {}\n"
-                           "the busiest worker has {}; the slowest of each step add up to {}, {}\n"
-                           "{}{}: {}\nbound: {}\nbound of the busiest: {}\nverified: {}\n"
-                           "each step: all {}evict, wait for each other, load, compute\n",
-                           count_of(facts.items, "item"), count_of(facts.workers, "worker"),
-                           facts.room, count_of(facts.loads, "load"), count_of(steps, "step"),
-                           over(facts.loads, facts.bound), count_of(facts.makespan, "load"),
-                           facts.span, over(facts.span, facts.makespan_bound), stores, facts.method,
-                           facts.explanation, facts.bound.reason, facts.makespan_bound.reason,
-                           verified, how.write_back ? "store and " : ""));
-  said.write(writer);
-}
-
-void show_loads(const TwoLevelOrder& order, const LoadsShown& how, OutputFile& out) {
-  const TwoLevelFacts& facts = order.facts();
-  Said said([&order] { return order.stream(); }, order.rules(), how);
-  std::string verified = facts.certificate;
-  if (how.write_back || how.compute.ordered || how.compute.self || how.compute.shuffle) {
-    said.check(facts.loads);
-    verified = fmt::format(
-        "every step read: room at both levels, {} computed on the accelerator, each once{}",
-        count_of(said.checked().computed, "pair"), said.no_change_lost());
-  }
-  const std::uint64_t steps = facts.steps + (how.write_back ? 1 : 0);
-  JsonWriter json;
-  json.begin_object().key("items").value(facts.items).key("room").value(facts.room);
-  json.key("fast_room").value(facts.fast_room).key("loads").value(facts.loads);
-  json.key("transfers").value(facts.transfers).key("steps").value(steps);
-  json.key("lower_bound").value(facts.load_bound.loads);
-  json.key("lower_bound_reason").value(facts.load_bound.reason);
-  json.key("transfer_bound").value(facts.transfer_bound.loads);
-  json.key("transfer_bound_reason").value(facts.transfer_bound.reason);
-  const std::string stores = said.stores(json, facts.load_bound);
-  if (how.item_bytes) {
-    json.key("item_bytes").value(*how.item_bytes);
-    json.key("bytes_loaded").value(checked_multiply(facts.loads, *how.item_bytes));
-    json.key("bytes_transferred").value(checked_multiply(facts.transfers, *how.item_bytes));
-  }
-  if (facts.group_items > 0) {
-    json.key("group_items").value(facts.group_items);
-  }
-  json.key("explanation").value(facts.explanation).key("verified").value(verified).end_object();
-  // How often items move to a level, the bytes, the fewest there can be.
-  const auto level = [&](std::uint64_t count, const std::string& what, const LoadBound& bound) {
-    const std::string bytes =
-        how.item_bytes ? fmt::format(" ({} bytes)", checked_multiply(count, *how.item_bytes)) : "";
-    return fmt::format("{}{}, {}", count_of(count, what), bytes, over(count, bound));
-  };
-  StepWriter writer = said.writer(out, false);
-  writer.begin(json.take(),
-               fmt::format("{}, room for {} in memory and {} of them on the accelerator: {}\n"
-                           "from the disk: {}\nto the accelerator: {}\n{}{}\n"
-                           "bound of the loads: {}\nbound of the transfers: {}\nverified: {}\n"
-                           "each step: fast evict, {}evict, load, fast load, compute\n",
-                           count_of(facts.items, "item"), facts.room, facts.fast_room,
-                           count_of(steps, "step"), level(facts.loads, "load", facts.load_bound),
-                           level(facts.transfers, "transfer", facts.transfer_bound), stores,
-                           facts.explanation, facts.load_bound.reason, facts.transfer_bound.reason,
-                           verified, how.write_back ? "store, " : ""));
-  said.write(writer);
+void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how,
+                OutputFile& out) {
+  Said said = said_of(plan.order, room, how);
+  said.overlap(plan.spare);
+  said.show(out);
 }
 
 }  // namespace changeover::cli

@@ -6,9 +6,7 @@
 #include <string>
 
 #include "changeover/io/output.hpp"
-#include "changeover/loadorder/disjoint.hpp"
 #include "changeover/loadorder/prefetch.hpp"
-#include "changeover/loadorder/two_levels.hpp"
 #include "changeover/loadorder/workers.hpp"
 
 namespace changeover::cli {
@@ -21,23 +19,20 @@ struct LoadsShown {
   bool searched = false;    ///< whether a search for fewer loads was asked for
   std::uint64_t seed =
       1;  ///< of the items that are followed while an order is written that was not read before
-  std::optional<std::uint64_t> item_bytes = {};
+  std::optional<std::uint64_t> item_bytes = {};  ///< of two levels
 };
 
 // What the steps compute and store is checked first, as it will be written. @throws InternalError
 
+/// In lockstep the steps of all workers with the same number come after one another. @throws
+/// ImpossibleParameters if bytes exceed 64 bits
 void show_loads(const LoadOrder& order, const LoadsShown& how, OutputFile& out);
 /// One worker after another.
 void show_loads(const WorkerSplit& split, const LoadsShown& how, OutputFile& out);
-/// The steps of all workers with the same number after one another.
-void show_loads(const DisjointOrder& order, const LoadsShown& how, OutputFile& out);
 /// `room` counts what is on its way.
 void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how,
                 OutputFile& out);
 void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how,
                 OutputFile& out);
-/// With bytes if it is known how many an item has. @throws ImpossibleParameters if bytes exceed 64
-/// bits
-void show_loads(const TwoLevelOrder& order, const LoadsShown& how, OutputFile& out);
 
 }  // namespace changeover::cli
