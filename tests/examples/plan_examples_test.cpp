@@ -130,15 +130,15 @@ TEST(PlanExamples, SheetFormats) {
   plan.sheet = run_sheet(job, {{0, 1}, {0, 2}, {1, 2}});
   plan.bound = cost_bound(job);
   SheetDocument document{.job = &job, .plan = &plan, .title = "Pump bench"};
-  EXPECT_THAT(sheet_as_table(document, 100), HasSubstr("Pump bench"));
-  EXPECT_THAT(sheet_as_html(document), HasSubstr("class=\"box\""));
+  EXPECT_THAT(written(document, "table", 100), HasSubstr("Pump bench"));
+  EXPECT_THAT(written(document, "html"), HasSubstr("class=\"box\""));
   const std::string example = R"(
     step,take_out,put_in,slot_1,slot_2,new_pairs,cost,cost_so_far,result
     2,Valve 2,"""Motor, small""",Pump A,"Motor, small",1,6,13,
 )";
   std::istringstream lines(without_margin(example));
   for (std::string line; std::getline(lines, line);) {
-    EXPECT_THAT(sheet_as_csv(document), HasSubstr(line + "\n"));
+    EXPECT_THAT(written(document, "csv"), HasSubstr(line + "\n"));
   }
 }
 

@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
@@ -104,15 +105,10 @@ struct BenchDocument {
   std::vector<std::string> notes = {};
 };
 
-[[nodiscard]] std::string benches_as_table(const BenchDocument& document, std::size_t width);
-[[nodiscard]] std::string benches_as_csv(const BenchDocument& document);
-[[nodiscard]] std::string benches_as_json(const BenchDocument& document);
-[[nodiscard]] std::string benches_as_markdown(const BenchDocument& document);
-/// A page to print, each bench on a sheet of paper of its own.
-[[nodiscard]] std::string benches_as_html(const BenchDocument& document);
-/// The bytes of a workbook: a sheet per bench, `Bench 1`, `Bench 2`, …, as sheet_as_xlsx() writes one, then `Plan` and
-/// `Parts`; the same for the same document. read_setups() and read_done() (plan/job.hpp) read the sheet of a bench back.
-/// @throws MissingResource if there is no room for temporary files.
-[[nodiscard]] std::string benches_as_xlsx(const BenchDocument& document);
+/// As written() of sheet_formats.hpp. A page has each bench on a sheet of paper of its own; a workbook a sheet per bench, `Bench 1`,
+/// `Bench 2`, …, as that of one list, then `Plan` and `Parts`. read_setups() and read_done() (plan/job.hpp) read the sheet of a
+/// bench back.
+[[nodiscard]] std::string written(const BenchDocument& document, std::string_view format,
+                                  std::size_t width = 80);
 
 }  // namespace changeover

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -81,11 +82,11 @@ struct Diagnosis {
 /// scope of this thread (run/scope.hpp) wants to stop.
 [[nodiscard]] Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests);
 
-/// For a terminal of so many columns.
-[[nodiscard]] std::string diagnosis_as_table(const Job& job, const Diagnosis& found,
-                                             std::size_t width);
-/// One line: format "changeover-diagnosis/1", passed, failed, unread, first_unread [{place, result}], suspects [[part] or [part, part]], two [[suspect, suspect]], contradictions [{failed, passed}],
-/// tests [{after ["fail" or "pass"], set_up, take_out, put_in, cost, if_it_fails, if_it_passes}], most_cost.
-[[nodiscard]] std::string diagnosis_as_json(const Job& job, const Diagnosis& found);
+/// "table" for a terminal of so many columns, or "json", one line: format "changeover-diagnosis/1", passed, failed, unread, first_unread
+/// [{place, result}], suspects [[part] or [part, part]], two [[suspect, suspect]], contradictions [{failed, passed}], tests [{after
+/// ["fail" or "pass"], set_up, take_out, put_in, cost, if_it_fails, if_it_passes}], most_cost. @throws BadOption for another
+/// format.
+[[nodiscard]] std::string written(const Job& job, const Diagnosis& found, std::string_view format,
+                                  std::size_t width = 80);
 
 }  // namespace changeover

@@ -126,7 +126,7 @@ struct PlanAnswer {
 
 /// The answer in one of the formats table, csv, markdown, html, xlsx, json; `width` is that of a terminal.
 /// "json" is "changeover-plan/1", "changeover-benches/1", "changeover-what-if/1" or "changeover-diagnosis/1": the same bytes at every door.
-/// @throws BadOption for a format that such an answer does not have; as sheet_as_xlsx().
+/// @throws BadOption for a format that such an answer does not have; as written() of sheet_formats.hpp.
 [[nodiscard]] std::string written(const JobRequest& request, const AskedJob& asked,
                                   const PlanAnswer& answer, const std::string& format,
                                   std::size_t width = 80);

@@ -1,8 +1,8 @@
 // A run sheet for people and for programs.
 //
 //     SheetDocument document{.job = &job, .plan = &plan, .title = "Pump bench"};
-//     sheet_as_table(document, 100);      // for a terminal of 100 columns
-//     sheet_as_html(document);            // one page to print, with boxes to tick; needs nothing else
+//     written(document, "table", 100);    // for a terminal of 100 columns
+//     written(document, "html");          // one page to print, with boxes to tick; needs nothing else
 //
 // All say for each step what to take out and put in, the set-up, how many needed pairs it tests first,
 // and the cost so far; all but CSV add what the plan was compared with and the lower bound with its reason.
@@ -32,6 +32,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "changeover/plan/run_plan.hpp"
@@ -48,25 +49,15 @@ struct SheetDocument {
   std::vector<std::string> notes = {};  ///< what else is to be said of the job, a line each
 };
 
-/// For a terminal: lists are broken between parts where a line would be longer than `width`.
-[[nodiscard]] std::string sheet_as_table(const SheetDocument& document, std::size_t width);
-/// As shown above, with names quoted and escaped where CSV and spreadsheets need it.
-[[nodiscard]] std::string sheet_as_csv(const SheetDocument& document);
-/// The bytes of a workbook, as described above; the same for the same document. @throws MissingResource if there is no
-/// room for temporary files.
-[[nodiscard]] std::string sheet_as_xlsx(const SheetDocument& document);
-/// One line, as described above.
-[[nodiscard]] std::string sheet_as_json(const SheetDocument& document);
-/// Tables in the style of GitHub.
-[[nodiscard]] std::string sheet_as_markdown(const SheetDocument& document);
-/// A page without scripts, pictures or anything from outside, black on white.
-[[nodiscard]] std::string sheet_as_html(const SheetDocument& document);
+/// The document as "table" for a terminal (lists are broken between parts where a line would be longer than `width`), "csv", "json"
+/// (one line), "markdown" (tables in the style of GitHub), "html" (a page without scripts, pictures or anything from outside) or "xlsx"
+/// (the bytes of a workbook), as described above; the same for the same document. @throws BadOption for another format;
+/// MissingResource if there is no room for the temporary files of a workbook.
+[[nodiscard]] std::string written(const SheetDocument& document, std::string_view format,
+                                  std::size_t width = 80);
 
-/// The ranges of ratios with the plan that is cheapest in each and where the job stands, in the four
-/// formats. The job is the one that was asked about.
-[[nodiscard]] std::string what_if_as_table(const Job& job, const WhatIf& answer);
-[[nodiscard]] std::string what_if_as_csv(const Job& job, const WhatIf& answer);
-[[nodiscard]] std::string what_if_as_json(const Job& job, const WhatIf& answer);
-[[nodiscard]] std::string what_if_as_markdown(const Job& job, const WhatIf& answer);
+/// The ranges of ratios with the plan that is cheapest in each and where the job stands: "table", "csv", "json" or
+/// "markdown". The job is the one that was asked about. @throws BadOption for another format.
+[[nodiscard]] std::string written(const Job& job, const WhatIf& answer, std::string_view format);
 
 }  // namespace changeover

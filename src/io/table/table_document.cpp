@@ -106,4 +106,17 @@ std::string document_html(const TableDocument& document) {
       html_text(document.title), document.style, body);
 }
 
+std::optional<std::string> document_as(std::string_view format, const TableDocument& document,
+                                       std::size_t width) {
+  if (format == "table") {
+    return document_text(document, width);
+  }
+  const auto write = format == "csv"        ? document_csv
+                     : format == "markdown" ? document_markdown
+                     : format == "html"     ? document_html
+                     : format == "xlsx"     ? document_workbook
+                                            : nullptr;
+  return write == nullptr ? std::nullopt : std::optional(write(document));
+}
+
 }  // namespace changeover

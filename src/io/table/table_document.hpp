@@ -7,6 +7,7 @@
 // Formats differ in what they can show; the fields say which shows what, nothing else does.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -65,5 +66,10 @@ struct TableDocument {
 /// The bytes of a workbook (.xlsx); the same for the same document. Texts are text, whatever they look like, and so are
 /// numbers of more than 15 digits. @throws MissingResource if there is no room for temporary files.
 [[nodiscard]] std::string document_workbook(const TableDocument& document);
+
+/// In the format of this word, "table", "csv", "markdown", "html" or "xlsx"; nothing for another word.
+[[nodiscard]] std::optional<std::string> document_as(std::string_view format,
+                                                     const TableDocument& document,
+                                                     std::size_t width);
 
 }  // namespace changeover

@@ -27,40 +27,6 @@ Diagnosis diagnosis_of(const AskedJob& asked) {
   return found;
 }
 
-[[noreturn]] void refuse(std::string_view answer, const std::string& format) {
-  throw BadOption(fmt::format("{} is not written as {}", answer, format));
-}
-
-std::string written_ranges(const Job& job, const WhatIf& ranges, const std::string& format) {
-  return format == "csv"        ? what_if_as_csv(job, ranges)
-         : format == "json"     ? what_if_as_json(job, ranges)
-         : format == "markdown" ? what_if_as_markdown(job, ranges)
-         : format == "table"    ? what_if_as_table(job, ranges)
-                                : (refuse("a table of ratios", format), "");
-}
-
-std::string written_benches(const BenchDocument& document, const std::string& format,
-                            std::size_t width) {
-  return format == "csv"        ? benches_as_csv(document)
-         : format == "xlsx"     ? benches_as_xlsx(document)
-         : format == "json"     ? benches_as_json(document)
-         : format == "markdown" ? benches_as_markdown(document)
-         : format == "html"     ? benches_as_html(document)
-         : format == "table"    ? benches_as_table(document, width)
-                                : (refuse("a plan", format), "");
-}
-
-std::string written_sheet(const SheetDocument& document, const std::string& format,
-                          std::size_t width) {
-  return format == "csv"        ? sheet_as_csv(document)
-         : format == "xlsx"     ? sheet_as_xlsx(document)
-         : format == "json"     ? sheet_as_json(document)
-         : format == "markdown" ? sheet_as_markdown(document)
-         : format == "html"     ? sheet_as_html(document)
-         : format == "table"    ? sheet_as_table(document, width)
-                                : (refuse("a plan", format), "");
-}
-
 }  // namespace
 
 const std::optional<std::string>& PlanAnswer::shortage() const {
@@ -114,12 +80,10 @@ std::string written(const JobRequest& request, const AskedJob& asked, const Plan
                     const std::string& format, std::size_t width) {
   const Job& job = *asked.job;
   if (answer.diagnosis) {
-    return format == "json"    ? diagnosis_as_json(job, *answer.diagnosis)
-           : format == "table" ? diagnosis_as_table(job, *answer.diagnosis, width)
-                               : (refuse("a diagnosis", format), "");
+    return written(job, *answer.diagnosis, format, width);
   }
   if (answer.what_if) {
-    return written_ranges(job, *answer.what_if, format);
+    return written(job, *answer.what_if, format);
   }
   if (answer.benches) {
     BenchDocument document{.job = &job,
@@ -127,13 +91,13 @@ std::string written(const JobRequest& request, const AskedJob& asked, const Plan
                            .objective = answer.objective,
                            .notes = answer.notes};
     document.title = request.title.empty() ? document.title : request.title;
-    return written_benches(document, format, width);
+    return written(document, format, width);
   }
   SheetDocument document{.job = &job, .plan = &*answer.plan, .budget = answer.options.budget};
   document.notes = answer.notes;
   document.compact = request.compact;
   document.title = request.title.empty() ? document.title : request.title;
-  return written_sheet(document, format, width);
+  return written(document, format, width);
 }
 
 }  // namespace changeover

@@ -138,11 +138,7 @@ TableDocument table_document(const Job& job, const Diagnosis& found) {
   return made;
 }
 
-std::string diagnosis_as_table(const Job& job, const Diagnosis& found, std::size_t width) {
-  return document_text(table_document(job, found), width);
-}
-
-std::string diagnosis_as_json(const Job& job, const Diagnosis& found) {
+std::string json_of(const Job& job, const Diagnosis& found) {
   const Money money(job);
   JsonWriter json;
   json.begin_object().key("format").value("changeover-diagnosis/1");

@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+
+#include "changeover/core/error.hpp"
 #include "plan/sheet/page_style.hpp"
 #include "plan/sheet/sheet_words.hpp"
 #include "plan/sheet/step_table.hpp"
@@ -237,45 +242,43 @@ TableDocument table_document(const Job& job, const WhatIf& answer) {
   return {.sections = {std::move(section)}};
 }
 
-std::string sheet_as_table(const SheetDocument& document, std::size_t width) {
-  return document_text(table_document(document), width);
+namespace {
+
+// In one of some formats, with words by which the refusal of another calls it.
+std::string written_as(std::string_view format, std::initializer_list<std::string_view> formats,
+                       std::string_view what, const TableDocument& document, std::size_t width) {
+  const bool known = std::find(formats.begin(), formats.end(), format) != formats.end();
+  const std::optional<std::string> text =
+      known ? document_as(format, document, width) : std::nullopt;
+  return text ? *text : throw BadOption(fmt::format("{} is not written as {}", what, format));
 }
-std::string sheet_as_csv(const SheetDocument& document) {
-  return document_csv(table_document(document));
+
+}  // namespace
+
+std::string written(const SheetDocument& document, std::string_view format, std::size_t width) {
+  return format == "json" ? json_of(document)
+                          : written_as(format, {"table", "csv", "markdown", "html", "xlsx"},
+                                       "a plan", table_document(document), width);
 }
-std::string sheet_as_markdown(const SheetDocument& document) {
-  return document_markdown(table_document(document));
+
+std::string written(const BenchDocument& document, std::string_view format, std::size_t width) {
+  return format == "json" ? json_of(document)
+                          : written_as(format, {"table", "csv", "markdown", "html", "xlsx"},
+                                       "a plan", table_document(document), width);
 }
-std::string sheet_as_html(const SheetDocument& document) {
-  return document_html(table_document(document));
-}
-std::string sheet_as_xlsx(const SheetDocument& document) {
-  return document_workbook(table_document(document));
-}
-std::string benches_as_table(const BenchDocument& document, std::size_t width) {
-  return document_text(table_document(document), width);
-}
-std::string benches_as_csv(const BenchDocument& document) {
-  return document_csv(table_document(document));
-}
-std::string benches_as_markdown(const BenchDocument& document) {
-  return document_markdown(table_document(document));
-}
-std::string benches_as_html(const BenchDocument& document) {
-  return document_html(table_document(document));
-}
-std::string benches_as_xlsx(const BenchDocument& document) {
-  return document_workbook(table_document(document));
-}
-std::string what_if_as_table(const Job& job, const WhatIf& answer) {
+
+std::string written(const Job& job, const WhatIf& answer, std::string_view format) {
   constexpr std::size_t wide = 200;
-  return document_text(table_document(job, answer), wide);
+  return format == "json" ? json_of(job, answer)
+                          : written_as(format, {"table", "csv", "markdown"}, "a table of ratios",
+                                       table_document(job, answer), wide);
 }
-std::string what_if_as_csv(const Job& job, const WhatIf& answer) {
-  return document_csv(table_document(job, answer));
-}
-std::string what_if_as_markdown(const Job& job, const WhatIf& answer) {
-  return document_markdown(table_document(job, answer));
+
+std::string written(const Job& job, const Diagnosis& found, std::string_view format,
+                    std::size_t width) {
+  return format == "json"
+             ? json_of(job, found)
+             : written_as(format, {"table"}, "a diagnosis", table_document(job, found), width);
 }
 
 }  // namespace changeover

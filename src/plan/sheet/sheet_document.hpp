@@ -14,4 +14,10 @@ namespace changeover {
 [[nodiscard]] TableDocument table_document(const Job& job, const WhatIf& answer);
 [[nodiscard]] TableDocument table_document(const Job& job, const Diagnosis& found);
 
+/// One line for programs.
+[[nodiscard]] std::string json_of(const SheetDocument& document);
+[[nodiscard]] std::string json_of(const BenchDocument& document);
+[[nodiscard]] std::string json_of(const Job& job, const WhatIf& answer);
+[[nodiscard]] std::string json_of(const Job& job, const Diagnosis& found);
+
 }  // namespace changeover

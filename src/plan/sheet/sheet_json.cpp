@@ -5,6 +5,7 @@
 
 #include "changeover/plan/job.hpp"
 #include "io/write/json_writer.hpp"
+#include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
@@ -26,7 +27,7 @@ void write_ratio(JsonWriter& json, const std::optional<Ratio>& ratio) {
 
 }  // namespace
 
-std::string sheet_as_json(const SheetDocument& document) {
+std::string json_of(const SheetDocument& document) {
   const Job& job = *document.job;
   const RunPlan& plan = *document.plan;
   const RunSheet& sheet = plan.sheet;
@@ -126,7 +127,7 @@ std::string sheet_as_json(const SheetDocument& document) {
   return json.take() + "\n";
 }
 
-std::string what_if_as_json(const Job& job, const WhatIf& answer) {
+std::string json_of(const Job& job, const WhatIf& answer) {
   const Money money(job);
   JsonWriter json;
   json.begin_object().key("format").value("changeover-what-if/1");
@@ -149,7 +150,7 @@ std::string what_if_as_json(const Job& job, const WhatIf& answer) {
   return json.take() + "\n";
 }
 
-std::string benches_as_json(const BenchDocument& document) {
+std::string json_of(const BenchDocument& document) {
   const Job& job = *document.job;
   const BenchPlan& plan = *document.plan;
   const Money money(job);

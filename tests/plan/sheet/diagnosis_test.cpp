@@ -142,7 +142,7 @@ TEST(Diagnosis, TwoFaultsAreFoundOut) {
   }
   const Diagnosis three = diagnose(job, results_of(fano, {{0, 1}, {3, 5}, {2, 6}}));
   EXPECT_THAT(three.two, IsEmpty());
-  EXPECT_THAT(diagnosis_as_table(job, three, 80), HasSubstr("three at least"));
+  EXPECT_THAT(written(job, three, "table", 80), HasSubstr("three at least"));
 }
 
 TEST(Diagnosis, SaysSo) {
@@ -151,16 +151,16 @@ TEST(Diagnosis, SaysSo) {
   const Diagnosis found = diagnose(job, {{{0, 1, 2}, true}, {{0, 3, 4}, false}, {{2, 3}, false}});
   EXPECT_THAT(found.suspects,
               ElementsAre(Suspect{1, std::nullopt}, Suspect{0, 1}, Suspect{0, 2}, Suspect{1, 2}));
-  const std::string text = diagnosis_as_table(job, found, 200);
+  const std::string text = written(job, found, "table", 200);
   EXPECT_THAT(text, HasSubstr("3 tests: 2 passed, 1 failed"));
   EXPECT_THAT(text, HasSubstr("  part Motor\n  pair Pump with Motor\n"));
-  const std::string json = diagnosis_as_json(job, found);
+  const std::string json = written(job, found, "json");
   EXPECT_THAT(json, HasSubstr("\"suspects\":[[\"Motor\"],[\"Pump\",\"Motor\"]"));
   EXPECT_THAT(json, HasSubstr("\"after\":[],\"set_up\":["));
-  EXPECT_THAT(diagnosis_as_table(job, diagnose(job, {{{0, 1}, false}}), 80),
+  EXPECT_THAT(written(job, diagnose(job, {{{0, 1}, false}}), "table", 80),
               HasSubstr("No test failed"));
   const Diagnosis one = diagnose(job, {{{0, 1}, true}, {{0, 2}, false}, {{1, 2}, false}});
-  EXPECT_THAT(diagnosis_as_table(job, one, 80),
+  EXPECT_THAT(written(job, one, "table", 80),
               HasSubstr("One fault alone explains all results:\n  pair Pump with Motor"));
   EXPECT_THROW((void)diagnose(job, {{{0, 0}, true}}), BadInput);
   EXPECT_THROW((void)diagnose(job, {{{0, 9}, true}}), BadInput);
@@ -171,7 +171,7 @@ TEST(Diagnosis, IsOpenWhereResultsAreNotUnderstood) {
   Diagnosis found = diagnose(job, {{{0, 1}, false}});
   found.unread = 2;
   found.first_unread = {{"s.csv:3:4", "hot"}};
-  const std::string text = diagnosis_as_table(job, found, 80);
+  const std::string text = written(job, found, "table", 80);
   EXPECT_THAT(text, testing::Not(testing::HasSubstr("nothing is suspect")));
   EXPECT_THAT(text,
               testing::HasSubstr("Diagnosis of 3 tests: 1 passed, 0 failed, 2 not understood"));
@@ -197,10 +197,10 @@ TEST(Diagnosis, ContradictionsAreNamed) {
       diagnose(job, {{{0, 1, 2}, true}, {{2, 1, 0}, false}, {{3, 4}, true}, {{3, 4, 5}, false}});
   ASSERT_EQ(found.contradictions.size(), 2U);
   EXPECT_EQ(found.contradictions[1].second, (Block{3, 4, 5}));
-  const std::string text = diagnosis_as_table(job, found, 100);
+  const std::string text = written(job, found, "table", 100);
   EXPECT_NE(text.find("  1, 2, 3 failed and passed\n"), std::string::npos) << text;
   EXPECT_NE(text.find("  4, 5 failed, and passed as part of 4, 5, 6\n"), std::string::npos) << text;
-  EXPECT_NE(diagnosis_as_json(job, found).find("\"contradictions\":[{\"failed\":[\"1\""),
+  EXPECT_NE(written(job, found, "json").find("\"contradictions\":[{\"failed\":[\"1\""),
             std::string::npos);
   EXPECT_TRUE(diagnose(job, {{{0, 1, 2}, true}, {{0, 1}, false}}).contradictions.empty());
 }

@@ -1,4 +1,6 @@
 #include "changeover/plan/sheet_formats.hpp"
+#include "changeover/plan/benches.hpp"
+#include "changeover/plan/diagnosis.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -43,7 +45,7 @@ class SheetFormats : public testing::Test {
 };
 
 TEST_F(SheetFormats, Csv) {
-  EXPECT_EQ(sheet_as_csv(document),
+  EXPECT_EQ(written(document, "csv"),
             "step,take_out,put_in,slot_1,slot_2,slot_3,new_pairs,cost,cost_so_far,result\n"
             "1,,\"Pump, \"\"Valve, large\"\", \"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\","
             "Pump,\"Valve, large\",\"<b>\"\"Motor\"\"</b>\",3,4.75,4.75,\n"
@@ -54,7 +56,7 @@ TEST_F(SheetFormats, Csv) {
 }
 
 TEST_F(SheetFormats, CsvIsReadBackAsTestsThatWereDone) {
-  const auto setups = read_setups(*input_from_text(sheet_as_csv(document)), job.names);
+  const auto setups = read_setups(*input_from_text(written(document, "csv")), job.names);
   EXPECT_EQ(setups, plan.candidates.front().setups);
   mark_done(job, setups);
   EXPECT_EQ(job.needed.size(), 0U);
@@ -62,7 +64,7 @@ TEST_F(SheetFormats, CsvIsReadBackAsTestsThatWereDone) {
 }
 
 TEST_F(SheetFormats, Table) {
-  const std::string text = sheet_as_table(document, 200);
+  const std::string text = written(document, "table", 200);
   EXPECT_THAT(text,
               StartsWith("Bench & <Co>\n4 parts, 3 at a time: 3 tests, 5 changes, cost 10.75\n"
                          "6 of 6 needed pairs tested"));
@@ -73,13 +75,13 @@ TEST_F(SheetFormats, Table) {
 }
 
 TEST_F(SheetFormats, TableBreaksListsBetweenPartsOnly) {
-  const std::string text = sheet_as_table(document, 60);
+  const std::string text = written(document, "table", 60);
   EXPECT_THAT(text, HasSubstr("Valve, large,"));
   EXPECT_THAT(text, HasSubstr("<b>\"Motor\"</b>"));
 }
 
 TEST_F(SheetFormats, Json) {
-  const std::string text = sheet_as_json(document);
+  const std::string text = written(document, "json");
   EXPECT_THAT(text, StartsWith("{\"format\":\"changeover-plan/1\",\"title\":\"Bench & <Co>\","
                                "\"parts\":[{\"name\":\"Pump\",\"change_cost\":1.00},"
                                "{\"name\":\"Valve, large\",\"change_cost\":0.75},"));
@@ -94,10 +96,10 @@ TEST_F(SheetFormats, Json) {
 }
 
 TEST_F(SheetFormats, MarkdownAndHtmlEscapeNames) {
-  EXPECT_THAT(sheet_as_markdown(document),
+  EXPECT_THAT(written(document, "markdown"),
               HasSubstr("| 3 | Pump, Valve, large | \\<b\\>\"Motor\"\\</b\\> | "
                         "\\<b\\>\"Motor\"\\</b\\>, Fan \\| 4\\* | 1 | 10.75 |\n"));
-  const std::string page = sheet_as_html(document);
+  const std::string page = written(document, "html");
   EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
   EXPECT_THAT(page, HasSubstr("<title>Bench &amp; &lt;Co&gt;</title>"));
   EXPECT_THAT(page, HasSubstr("&lt;b&gt;&quot;Motor&quot;&lt;/b&gt;"));
@@ -126,32 +128,32 @@ TEST_F(SheetFormats, WhatStaysMountedIsSaidOnce) {
     return count;
   };
   // Once as mounted, and once where it is put in.
-  EXPECT_EQ(times(sheet_as_table(document, 200), "Pump"), 2U);
-  EXPECT_THAT(sheet_as_table(document, 200), HasSubstr("mounted all the time: Pump\n"));
-  EXPECT_EQ(times(sheet_as_markdown(document), "Pump"), 2U);
-  EXPECT_EQ(times(sheet_as_html(document), "Pump"), 2U);
+  EXPECT_EQ(times(written(document, "table", 200), "Pump"), 2U);
+  EXPECT_THAT(written(document, "table", 200), HasSubstr("mounted all the time: Pump\n"));
+  EXPECT_EQ(times(written(document, "markdown"), "Pump"), 2U);
+  EXPECT_EQ(times(written(document, "html"), "Pump"), 2U);
 }
 
 TEST_F(SheetFormats, TheCompactFormLeavesOutWholeSetUps) {
   document.compact = true;
-  EXPECT_THAT(sheet_as_table(document, 200), Not(HasSubstr("  set-up")));
-  EXPECT_THAT(sheet_as_table(document, 200),
+  EXPECT_THAT(written(document, "table", 200), Not(HasSubstr("  set-up")));
+  EXPECT_THAT(written(document, "table", 200),
               HasSubstr("   3  Pump, Valve, large  <b>\"Motor\"</b>"));
-  EXPECT_THAT(sheet_as_html(document), HasSubstr("<div class=\"compact\">"));
-  EXPECT_THAT(sheet_as_html(document), Not(HasSubstr("Set-up</th>")));
+  EXPECT_THAT(written(document, "html"), HasSubstr("<div class=\"compact\">"));
+  EXPECT_THAT(written(document, "html"), Not(HasSubstr("Set-up</th>")));
   job.names = {"1", "2", "3", "4"};
-  EXPECT_THAT(sheet_as_html(document), HasSubstr("<div class=\"compact two\">"));
+  EXPECT_THAT(written(document, "html"), HasSubstr("<div class=\"compact two\">"));
 }
 
 TEST_F(SheetFormats, LongListsOfLongNamesFlow) {
-  EXPECT_THAT(sheet_as_html(document), Not(HasSubstr("class=\"flow\"")));
-  EXPECT_THAT(sheet_as_html(document), HasSubstr("class=\"setup\">Set-up</th>"));
+  EXPECT_THAT(written(document, "html"), Not(HasSubstr("class=\"flow\"")));
+  EXPECT_THAT(written(document, "html"), HasSubstr("class=\"setup\">Set-up</th>"));
   job = make_job(9, 7, parse_amount("2"), parse_amount("1"));
   plan.sheet = run_sheet(job, {{0, 1, 2, 3, 4, 5, 6}});
   plan.bound = CostBound{};
-  EXPECT_THAT(sheet_as_html(document), Not(HasSubstr("class=\"flow\"")));
+  EXPECT_THAT(written(document, "html"), Not(HasSubstr("class=\"flow\"")));
   job.names[0] = "a name of some length";
-  EXPECT_THAT(sheet_as_html(document), HasSubstr("<td class=\"flow\">"));
+  EXPECT_THAT(written(document, "html"), HasSubstr("<td class=\"flow\">"));
 }
 
 TEST_F(SheetFormats, CsvHasColumnsForEachSlot) {
@@ -159,10 +161,10 @@ TEST_F(SheetFormats, CsvHasColumnsForEachSlot) {
   job.slot_of = {no_slot, 1, 0, 1};
   plan.sheet = run_sheet(job, {{0, 1, 2}, {0, 1, 3}, {2, 3}});
   EXPECT_THAT(
-      sheet_as_csv(document),
+      written(document, "csv"),
       StartsWith("step,take_out,put_in,\"slot_1 CPU, fast\",slot_2 =disk,slot_3 =disk,slot_4,"));
-  EXPECT_THAT(sheet_as_csv(document), HasSubstr(",,\"Valve, large\",Fan | 4*,Pump,2,"));
-  EXPECT_EQ(read_setups(*input_from_text(sheet_as_csv(document)), job.names),
+  EXPECT_THAT(written(document, "csv"), HasSubstr(",,\"Valve, large\",Fan | 4*,Pump,2,"));
+  EXPECT_EQ(read_setups(*input_from_text(written(document, "csv")), job.names),
             (std::vector<Block>{{2, 1, 0}, {1, 3, 0}, {2, 3}}));
 }
 
@@ -179,23 +181,23 @@ TEST_F(SheetFormats, SaysHowManyChangesARandomOrderNeeds) {
   } while (std::next_permutation(order.begin(), order.end()));
   const std::uint64_t average = (sum + orders / 2) / orders;
   ASSERT_GT(average, plan.sheet.changes);
-  EXPECT_THAT(sheet_as_table(document, 200),
+  EXPECT_THAT(written(document, "table", 200),
               HasSubstr(std::to_string(plan.sheet.changes) + " changes, " +
                         std::to_string(average - plan.sheet.changes) + " fewer than these tests"));
 }
 
 TEST_F(SheetFormats, StepsGoOnAfterTestsThatWereDone) {
   job.tests_done = 7;
-  EXPECT_THAT(sheet_as_csv(document), HasSubstr("\n8,,"));
-  EXPECT_THAT(sheet_as_html(document), HasSubstr("7 tests done before."));
+  EXPECT_THAT(written(document, "csv"), HasSubstr("\n8,,"));
+  EXPECT_THAT(written(document, "html"), HasSubstr("7 tests done before."));
 }
 
 TEST_F(SheetFormats, ABudgetIsNamed) {
   document.budget = parse_amount("8");
   plan.complete = plan.candidates.back();
-  EXPECT_THAT(sheet_as_table(document, 200),
+  EXPECT_THAT(written(document, "table", 200),
               HasSubstr("budget 8.00: testing all pairs would cost 12.25\n"));
-  EXPECT_THAT(sheet_as_json(document), HasSubstr("\"budget\":8.00"));
+  EXPECT_THAT(written(document, "json"), HasSubstr("\"budget\":8.00"));
 }
 
 TEST_F(SheetFormats, NothingToDoIsSaid) {
@@ -205,10 +207,35 @@ TEST_F(SheetFormats, NothingToDoIsSaid) {
   plan.candidates.resize(1);
   plan.candidates.front() = Candidate{};
   plan.candidates.front().how = "nothing is left to test";
-  for (const std::string& text : {sheet_as_table(document, 80), sheet_as_markdown(document),
-                                  sheet_as_html(document), sheet_as_json(document)}) {
+  for (const std::string& text : {written(document, "table", 80), written(document, "markdown"),
+                                  written(document, "html"), written(document, "json")}) {
     EXPECT_THAT(text, HasSubstr("nothing is left to test"));
   }
+}
+
+TEST_F(SheetFormats, EveryFormatShowsTheWeightSoFar) {
+  job.weights.set(0, 1, parse_amount("7"));
+  plan.sheet = run_sheet(job, {{0, 1}, {0, 3}});
+  EXPECT_THAT(written(document, "table", 200), HasSubstr("weight so far"));
+  EXPECT_THAT(written(document, "markdown"), HasSubstr("| cost so far | weight so far |"));
+  EXPECT_THAT(written(document, "html"), HasSubstr("Weight<br>so far"));
+  EXPECT_THAT(written(document, "csv"), HasSubstr(",cost_so_far,weight_so_far,result\n"));
+}
+
+TEST_F(SheetFormats, ListsOfSeveralBenchesHaveAColumnForEachSlot) {
+  job.slots = {{"drive", 0, 1}};
+  job.slot_of = {0, no_slot, 0, no_slot};
+  BenchPlan benches;
+  static_cast<BenchCount&>(benches) = count_benches(job, {{{0, 1}}, {{1, 2}, {1, 3}}});
+  const std::string csv = written(BenchDocument{.job = &job, .plan = &benches}, "csv");
+  EXPECT_THAT(csv, HasSubstr("bench,step,take_out,put_in,slot_1 drive,slot_2,slot_3,new_pairs,"));
+  EXPECT_EQ(read_setups(*input_from_text(csv), job.names).size(), 3U);
+}
+
+TEST_F(SheetFormats, AnotherFormatIsRefused) {
+  EXPECT_THROW(static_cast<void>(written(document, "latex")), BadOption);
+  EXPECT_THROW(static_cast<void>(written(job, WhatIf{}, "xlsx")), BadOption);
+  EXPECT_THROW(static_cast<void>(written(job, Diagnosis{}, "csv")), BadOption);
 }
 
 // The cells of a line of CSV, without their quotes.
@@ -242,7 +269,7 @@ TEST_F(SheetFormats, NoCellOfCsvIsAFormulaAndAllNamesComeBack) {
       {"step", "take_out", "put_in", "cost_so_far"}};
   for (const std::vector<std::string>& names : hostile) {
     job.names = names;
-    const std::string text = sheet_as_csv(document);
+    const std::string text = written(document, "csv");
     EXPECT_EQ(read_setups(*input_from_text(text), job.names), plan.candidates.front().setups)
         << text;
     std::istringstream lines(text);
@@ -269,7 +296,7 @@ TEST_F(SheetFormats, SheetsWithAllPartsInOneCellAreStillRead) {
 TEST_F(SheetFormats, HtmlHoldsNoMarkupOfANameOrTitle) {
   job.names = {"<script>alert(1)</script>", "\" onload=\"x", "' onload='x", "a & b <img src=x>"};
   document.title = "</title><script>";
-  const std::string page = sheet_as_html(document);
+  const std::string page = written(document, "html");
   for (const char* markup : {"<script", "<img", "\" onload", "' onload", "& b"}) {
     EXPECT_THAT(page, Not(HasSubstr(markup)));
   }
@@ -286,7 +313,7 @@ TEST_F(SheetFormats, TablesOfVeryLongListsAreLaidOutAtOnce) {
     all.push_back(x);
   }
   plan.sheet = run_sheet(job, {all});
-  EXPECT_GT(sheet_as_table(document, 80).size(), many * 240);
+  EXPECT_GT(written(document, "table", 80).size(), many * 240);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ std::unique_ptr<Input> workbook_sheet(const std::string& bytes, const std::strin
 RC_GTEST_PROP(SheetProperty, IsReadAsItWasWritten, ()) {
   const Sheet sheet = some_sheet();
   const Job& job = sheet.job;
-  const std::string bytes = sheet_as_xlsx(sheet.document());
+  const std::string bytes = written(sheet.document(), "xlsx");
   RC_ASSERT(increasing(read_setups(*workbook_sheet(bytes, "Run sheet"), job.names)) ==
             sheet.setups);
   const PartList parts = read_parts(*workbook_sheet(bytes, "Parts"));
@@ -85,7 +85,7 @@ RC_GTEST_PROP(SheetProperty, IsReadAsItWasWritten, ()) {
                 (job.slot_of[x] == no_slot ? "" : job.slots[job.slot_of[x]].name));
     }
   }
-  const std::string csv = sheet_as_csv(sheet.document());
+  const std::string csv = written(sheet.document(), "csv");
   RC_LOG() << csv;
   RC_ASSERT(increasing(read_setups(*input_from_text(csv, "f"), job.names)) == sheet.setups);
 }
@@ -94,7 +94,7 @@ RC_GTEST_PROP(SheetProperty, ResultsAreReadAsTheyWereFilledIn, ()) {
   const Sheet sheet = some_sheet();
   std::vector<std::string> results;
   std::string csv;
-  for (const char c : sheet_as_csv(sheet.document())) {
+  for (const char c : written(sheet.document(), "csv")) {
     if (c == '\n' && csv.find('\n') != std::string::npos) {
       results.push_back(
           *rc::gen::element<std::string>("pass", "fail", "", "=leaks", "unclear, \"wet\"", "-1"));
@@ -111,7 +111,7 @@ RC_GTEST_PROP(SheetProperty, ResultsAreReadAsTheyWereFilledIn, ()) {
 RC_GTEST_PROP(SheetProperty, ADamagedWorkbookIsRefusedOrSaysTheSame,
               (const std::array<Damage, 8>& damages)) {
   const Sheet sheet = some_sheet();
-  const std::string good = sheet_as_xlsx(sheet.document());
+  const std::string good = written(sheet.document(), "xlsx");
   for (const Damage& damage : damages) {
     const std::string bytes = damage.of(good);
     std::vector<Block> setups;
@@ -127,7 +127,7 @@ RC_GTEST_PROP(SheetProperty, DamagedCsvIsRefusedOrHoldsSetUps,
               (const std::vector<Damage>& damages)) {
   Sheet sheet = some_sheet();
   const std::vector<std::string>& names = sheet.job.names;
-  const std::string good = sheet_as_csv(sheet.document());
+  const std::string good = written(sheet.document(), "csv");
   for (std::size_t i = 0; i < damages.size() && i < 20; ++i) {
     const std::string bad = damages[i].of(good);
     std::vector<Block> setups;
@@ -141,7 +141,7 @@ RC_GTEST_PROP(SheetProperty, DamagedCsvIsRefusedOrHoldsSetUps,
         RC_ASSERT(std::ranges::adjacent_find(setup) == setup.end());
       }
       sheet.take(setups);
-      const std::string again = sheet_as_csv(sheet.document());
+      const std::string again = written(sheet.document(), "csv");
       RC_ASSERT(increasing(read_setups(*input_from_text(again, "f"), names)) == setups);
     }
     DoneList done;

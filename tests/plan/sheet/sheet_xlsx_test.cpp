@@ -28,7 +28,7 @@ class SheetXlsx : public testing::Test {
   }
 
   std::unique_ptr<Input> sheet(const std::string& name) const {
-    return std::make_unique<SheetInput>(input_from_text(sheet_as_xlsx(document), "f.xlsx"), name);
+    return std::make_unique<SheetInput>(input_from_text(written(document, "xlsx"), "f.xlsx"), name);
   }
 
   Job job = make_job(4, 3, parse_amount("2"), parse_amount("1"));
@@ -46,14 +46,14 @@ TEST_F(SheetXlsx, IsReadBack) {
 }
 
 TEST_F(SheetXlsx, HoldsNoFormula) {
-  for (const auto& [name, text] : unzipped(sheet_as_xlsx(document))) {
+  for (const auto& [name, text] : unzipped(written(document, "xlsx"))) {
     EXPECT_THAT(text, Not(HasSubstr("<f>"))) << name;
     EXPECT_THAT(text, Not(HasSubstr("hyperlink"))) << name;
   }
 }
 
 TEST_F(SheetXlsx, NumbersAreNumbersAndThePageIsSetUp) {
-  auto members = unzipped(sheet_as_xlsx(document));
+  auto members = unzipped(written(document, "xlsx"));
   const std::string& steps = members["xl/worksheets/sheet1.xml"];
   EXPECT_THAT(steps, HasSubstr("<v>4.75</v>"));
   EXPECT_THAT(steps, HasSubstr("state=\"frozen\""));
@@ -72,12 +72,13 @@ TEST_F(SheetXlsx, ANameThatLooksLikeAnEscapeIsShownAsItIs) {
   EXPECT_EQ(read_parts(*sheet("Parts")).names[0], "_x0041_");
 }
 
-TEST_F(SheetXlsx, TheSameAgain) { EXPECT_EQ(sheet_as_xlsx(document), sheet_as_xlsx(document)); }
+TEST_F(SheetXlsx, TheSameAgain) { EXPECT_EQ(written(document, "xlsx"), written(document, "xlsx")); }
 
 TEST_F(SheetXlsx, SlotsHaveColumnsOfTheirOwn) {
   set_slots(job, {"CPU", "disk", "disk", ""}, {{"CPU", 0, 1}, {"disk", 0, 2}});
   EXPECT_EQ(read_setups(*sheet("Run sheet"), job.names), setups);
-  EXPECT_THAT(unzipped(sheet_as_xlsx(document))["xl/sharedStrings.xml"], HasSubstr("slot_3 disk"));
+  EXPECT_THAT(unzipped(written(document, "xlsx"))["xl/sharedStrings.xml"],
+              HasSubstr("slot_3 disk"));
   EXPECT_THAT(read_parts(*sheet("Parts")).slots, ElementsAre("CPU", "disk", "disk", ""));
 }
 
@@ -96,8 +97,8 @@ TEST_F(SheetXlsx, SeveralBenchesHaveASheetEach) {
   static_cast<BenchCount&>(benches) = count_benches(job, {{{0, 1, 2}, {0, 1, 3}}, {}, {{2, 3}}});
   benches.bound = cost_bound(job);
   benches.candidates.emplace_back().name = "by hand";
-  const std::string bytes = benches_as_xlsx({.job = &job, .plan = &benches});
-  EXPECT_EQ(bytes, benches_as_xlsx({.job = &job, .plan = &benches}));
+  const std::string bytes = written(BenchDocument{.job = &job, .plan = &benches}, "xlsx");
+  EXPECT_EQ(bytes, written(BenchDocument{.job = &job, .plan = &benches}, "xlsx"));
   const auto named = [&](const std::string& name) {
     return std::make_unique<SheetInput>(input_from_text(bytes, "f.xlsx"), name);
   };

@@ -76,7 +76,7 @@ void write_plan(JsonWriter& json, const AskedJob& asked, const PlanAnswer& answe
   // The sheet was counted by code that shares nothing with what made it.
   json.key("verified").value(sheet.does_the_job());
   SheetDocument document{.job = &job, .plan = &found};
-  json.key("csv").value(sheet_as_csv(document));
+  json.key("csv").value(written(document, "csv"));
 }
 
 Response plan(const Explorer& explorer, const Request& sent) {
