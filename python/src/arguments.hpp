@@ -38,7 +38,8 @@ void for_each(const pybind11::handle& items, const Take& take) {
 }
 
 /// @throws type_error unless it can be gone through, and going through it gives what is meant: not for a string (its letters),
-/// bytes (numbers), a table of columns (their names) or a mapping (its keys, without what they lead to): "pairs has pairs of two parts, not 5".
+/// bytes (numbers), a table of columns (their names) or a mapping (its keys, without what they lead
+/// to): "pairs has pairs of two parts, not 5".
 void require_iterable(const char* argument, const char* holds, const pybind11::handle& value);
 /// The same where the order says something: not for a set, which has none.
 void require_ordered(const char* argument, const char* holds, const pybind11::handle& value);
@@ -46,10 +47,12 @@ void require_ordered(const char* argument, const char* holds, const pybind11::ha
 /// Whether it is a table of columns, as pandas has it: going through it gives the names of its columns.
 [[nodiscard]] bool is_data_frame(const pybind11::handle& value);
 
-/// Whether the rows of a table, or the values of pandas' Series, are just numbered: an index of whole numbers.
+/// Whether the rows of a table, or the values of pandas' Series, are just numbered: an index of
+/// whole numbers.
 [[nodiscard]] bool has_numbered_rows(const pybind11::handle& table);
 
-/// The rows of a table of columns as tuples; anything else as it is. @throws type_error for an index that says something.
+/// The rows of a table of columns as tuples; anything else as it is. @throws type_error for an
+/// index that says something.
 [[nodiscard]] pybind11::object rows_of(const char* argument, const pybind11::object& value);
 
 /// A str, or what stands for one.

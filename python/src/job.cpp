@@ -122,8 +122,8 @@ struct Listed {
   std::vector<std::string> slots;  // by part; empty where none has one
 };
 
-// A column that would be dropped, or read as something else than it says, is refused: a file of it gets a note about that, which
-// nobody would see here.
+// A column that would be dropped, or read as something else than it says, is refused: a file of it
+// gets a note about that, which nobody would see here.
 void check_columns(const py::object& frame) {
   std::vector<std::string> names;
   std::vector<std::string> costs;

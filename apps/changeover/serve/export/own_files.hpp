@@ -17,8 +17,9 @@ namespace changeover::serve {
 
 /// The list: a line about the program, then a line a file, its checksum and its name, in order.
 constexpr const char* list_name = ".changeover-explorer";
-/// In a folder that an export works in, and in an earlier one that it is about to replace: the names of files that it is about
-/// to write. Whoever finds such a folder unlocked may remove these, and those of its list.
+/// In a folder that an export works in, and in an earlier one that it is about to replace: the
+/// names of files that it is about to write. Whoever finds such a folder unlocked may remove these,
+/// and those of its list.
 constexpr const char* unfinished_name = ".changeover-unfinished";
 
 /// Whether the name leads to a place below the folder, and no link is above it there.
@@ -32,7 +33,8 @@ class OwnFiles {
   using List = std::map<std::string, std::string>;  // by name below the folder: its checksum
 
   /// An empty list where the folder has none.
-  /// @throws MissingResource in one line, with the place, for a list that cannot be read or that no export wrote.
+  /// @throws MissingResource in one line, with the place, for a list that cannot be read or that no
+  /// export wrote.
   [[nodiscard]] static OwnFiles of(const std::filesystem::path& folder);
 
   /// No list: only what is announced there.
@@ -44,12 +46,14 @@ class OwnFiles {
 
   [[nodiscard]] bool empty() const { return list_.empty(); }
 
-  /// What stands there and is not on the list, or is not as it was written; nothing if all is. Listens to the scope.
+  /// What stands there and is not on the list, or is not as it was written; nothing if all is.
+  /// Listens to the scope.
   /// @throws MissingResource for what cannot be read; Stopped.
   [[nodiscard]] std::optional<std::string> what_else() const;
 
-  /// Removes the files of the list that are as they were written, those that were announced, then folders that are empty, the
-  /// marks last: it can be killed. What else is there stays, and then so does the folder, and it is false. Never throws.
+  /// Removes the files of the list that are as they were written, those that were announced, then
+  /// folders that are empty, the marks last: it can be killed. What else is there stays, and then
+  /// so does the folder, and it is false. Never throws.
   bool remove() const noexcept;
 
  private:

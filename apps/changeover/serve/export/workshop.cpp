@@ -43,7 +43,8 @@ fs::perms as_new_folders_are() {
   return fs::perms{0777 & ~mask};
 }
 
-// What a stopped export leaves may have half a list, or none: then its files are those that it announced.
+// What a stopped export leaves may have half a list, or none: then its files are those that it
+// announced.
 OwnFiles own_files_of_stopped(const fs::path& folder) {
   try {
     return OwnFiles::of(folder);

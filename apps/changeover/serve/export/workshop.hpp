@@ -4,9 +4,10 @@
 //     workshop.write("data/a.json", text);
 //     workshop.put_in_place();                  // and the earlier one is gone
 //
-// The folder keeps a list of its files (own_files.hpp). Where one stands at the place already, each of its files must be on its
-// list and as it was written, at every depth; otherwise nothing is changed. Only files of a list are ever removed. The new folder
-// has the permissions of the one that it replaces.
+// The folder keeps a list of its files (own_files.hpp). Where one stands at the place already, each
+// of its files must be on its list and as it was written, at every depth; otherwise nothing is
+// changed. Only files of a list are ever removed. The new folder has the permissions of the one
+// that it replaces.
 #pragma once
 
 #include <cstdint>
@@ -53,8 +54,9 @@ class Workshop {
   /// A file below the folder; from any thread. @throws MissingResource
   void write(const std::string& name, std::string_view bytes);
 
-  /// Writes the list and puts the folder at its place, on the disk; the earlier one goes. What somebody put into that at the last
-  /// moment, or what cannot be removed, stays beside the place; its folder is returned then.
+  /// Writes the list and puts the folder at its place, on the disk; the earlier one goes. What
+  /// somebody put into that at the last moment, or what cannot be removed, stays beside the place;
+  /// its folder is returned then.
   /// @throws MissingResource, also if what is at the place has changed since; Stopped.
   [[nodiscard]] std::optional<std::string> put_in_place();
 

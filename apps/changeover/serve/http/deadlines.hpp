@@ -28,8 +28,9 @@ class Deadlines {
     Seconds head{20};
     Seconds body{60};
     Seconds reading{300};
-    // With more connections than this, those that were waited for longest make room, after this time: whoever only holds
-    // connections keeps nobody out. Of one address the server takes twice as many.
+    // With more connections than this, those that were waited for longest make room, after this
+    // time: whoever only holds connections keeps nobody out. Of one address the server takes twice
+    // as many.
     std::size_t crowd = 250;
     Seconds in_a_crowd{0.5};
   };
