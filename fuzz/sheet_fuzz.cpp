@@ -27,10 +27,11 @@ void plan_again(const Job& job, RunControl& control) {
   must(plan.sheet.does_the_job(), "a plan does the job");
   must(plan.sheet.cost >= plan.bound.cost, "no plan is below its bound");
   const SheetDocument document{.job = &job, .plan = &plan};
-  must(is_plain_json(written(document, "json")), "a run sheet is JSON");
-  const std::string csv = written(document, "csv");
-  for (const std::string& text : {csv, written(document, "table", 80), written(document, "html"),
-                                  written(document, "markdown")}) {
+  must(is_plain_json(changeover::written(document, "json")), "a run sheet is JSON");
+  const std::string csv = changeover::written(document, "csv");
+  for (const std::string& text :
+       {csv, changeover::written(document, "table", 80), changeover::written(document, "html"),
+        changeover::written(document, "markdown")}) {
     must(is_plain(text), "a run sheet is plain text");
   }
   if (plan.sheet.steps.empty()) {
@@ -64,8 +65,8 @@ void diagnosed(const Job& job, const DoneList& done) {
            "a suspect is in all tests that failed and in none that passed");
     }
   }
-  must(is_plain_json(written(job, found, "json")), "a diagnosis is JSON");
-  must(is_plain(written(job, found, "table", 80)), "a diagnosis is plain text");
+  must(is_plain_json(changeover::written(job, found, "json")), "a diagnosis is JSON");
+  must(is_plain(changeover::written(job, found, "table", 80)), "a diagnosis is plain text");
 }
 
 const Target target("sheet", [](const std::string& bytes) {

@@ -1,6 +1,7 @@
 // Logarithms and powers that are the same on every machine, so that a search with a seed is.
 //
-// Every C library rounds those of its own a little differently. These take only the operations that IEEE 754 rounds in one way.
+// Every C library rounds those of its own a little differently. These take only the operations that
+// IEEE 754 rounds in one way.
 #pragma once
 
 #include <array>
@@ -13,7 +14,8 @@ namespace changeover {
 /// 2^x, for −1000 ≤ x ≤ 1000, within a few units of the last place.
 [[nodiscard]] double power_of_two(double x);
 
-/// −ln of 4096 evenly spread numbers in (0,1), to six decimals: how much worse a step of annealing may be, in temperatures.
+/// −ln of 4096 evenly spread numbers in (0,1), to six decimals: how much worse a step of annealing
+/// may be, in temperatures.
 [[nodiscard]] const std::array<double, 4096>& log_table();
 
 /// About 2^−octaves, for octaves ≥ 0: how far a search has cooled.

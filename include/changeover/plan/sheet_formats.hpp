@@ -49,14 +49,18 @@ struct SheetDocument {
   std::vector<std::string> notes = {};  ///< what else is to be said of the job, a line each
 };
 
-/// The document as "table" for a terminal (lists are broken between parts where a line would be longer than `width`), "csv", "json"
-/// (one line), "markdown" (tables in the style of GitHub), "html" (a page without scripts, pictures or anything from outside) or "xlsx"
-/// (the bytes of a workbook), as described above; the same for the same document. @throws BadOption for another format;
+/// The document as "table" for a terminal (lists are broken between parts where a line would be
+/// longer than `width`), "csv", "json"
+/// (one line), "markdown" (tables in the style of GitHub), "html" (a page without scripts, pictures
+/// or anything from outside) or "xlsx"
+/// (the bytes of a workbook), as described above; the same for the same document. @throws BadOption
+/// for another format;
 /// MissingResource if there is no room for the temporary files of a workbook.
 [[nodiscard]] std::string written(const SheetDocument& document, std::string_view format,
                                   std::size_t width = 80);
 
-/// The ranges of ratios with the plan that is cheapest in each and where the job stands: "table", "csv", "json" or
+/// The ranges of ratios with the plan that is cheapest in each and where the job stands: "table",
+/// "csv", "json" or
 /// "markdown". The job is the one that was asked about. @throws BadOption for another format.
 [[nodiscard]] std::string written(const Job& job, const WhatIf& answer, std::string_view format);
 

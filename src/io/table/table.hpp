@@ -8,7 +8,8 @@
 //     table_text(table, 80);      // for a terminal of 80 columns
 //     table_markdown(table);      // the same cells, escaped as Markdown asks
 //
-// A cell is made when a format asks for it, so that a table of many rows needs no room of its own and a column that a
+// A cell is made when a format asks for it, so that a table of many rows needs no room of its own
+// and a column that a
 // format leaves out costs nothing. What the functions refer to must outlive the table.
 #pragma once
 
@@ -45,7 +46,8 @@ enum TableFormats : unsigned {
   everywhere = for_people | for_programs,
 };
 
-/// Words that are never broken: one of a text or a number, any number of a list, none of an empty cell.
+/// Words that are never broken: one of a text or a number, any number of a list, none of an empty
+/// cell.
 struct TableCell {
   TableCell() = default;
   TableCell(std::string word) : words{std::move(word)} {}
@@ -121,7 +123,8 @@ struct Table {
 [[nodiscard]] std::string joined(const std::vector<std::string>& words,
                                  std::string_view between = ", ");
 
-/// The same, each quoted where it must be so that row readers (io/scan/row_reader.hpp) find the words again.
+/// The same, each quoted where it must be so that row readers (io/scan/row_reader.hpp) find the
+/// words again.
 [[nodiscard]] std::string list_line(const std::vector<std::string>& words);
 
 /// A text in Markdown, or in HTML: nothing in it is markup.

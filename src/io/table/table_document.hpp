@@ -1,4 +1,5 @@
-// What stands on a sheet: a title, figures, lines and tables, made once and written in every format.
+// What stands on a sheet: a title, figures, lines and tables, made once and written in every
+// format.
 //
 //     TableDocument document{.title = "Pump bench", .lines = {"15 tests, 20 changes, cost 117"}};
 //     document.sections.push_back({.heading = "Compared", .table = table});
@@ -52,7 +53,8 @@ struct TableDocument {
 /// Headline, lines and lists.
 [[nodiscard]] std::vector<std::string> all_lines(const TableDocument& document);
 
-/// For a terminal: lists are broken between names where a line would be longer than `width`. A table without rows is left out.
+/// For a terminal: lists are broken between names where a line would be longer than `width`. A
+/// table without rows is left out.
 [[nodiscard]] std::string document_text(const TableDocument& document, std::size_t width);
 
 /// The tables alone, one after the other.
@@ -63,11 +65,13 @@ struct TableDocument {
 /// One page that needs nothing from outside.
 [[nodiscard]] std::string document_html(const TableDocument& document);
 
-/// The bytes of a workbook (.xlsx); the same for the same document. Texts are text, whatever they look like, and so are
+/// The bytes of a workbook (.xlsx); the same for the same document. Texts are text, whatever they
+/// look like, and so are
 /// numbers of more than 15 digits. @throws MissingResource if there is no room for temporary files.
 [[nodiscard]] std::string document_workbook(const TableDocument& document);
 
-/// In the format of this word, "table", "csv", "markdown", "html" or "xlsx"; nothing for another word.
+/// In the format of this word, "table", "csv", "markdown", "html" or "xlsx"; nothing for another
+/// word.
 [[nodiscard]] std::optional<std::string> document_as(std::string_view format,
                                                      const TableDocument& document,
                                                      std::size_t width);

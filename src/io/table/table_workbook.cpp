@@ -157,7 +157,8 @@ class Workbook {
   lxw_workbook* book_;
 };
 
-// What a number in words is to a workbook: nothing if its 15 digits do not hold it, or if it is more than a number.
+// What a number in words is to a workbook: nothing if its 15 digits do not hold it, or if it is
+// more than a number.
 std::optional<double> number_in(const std::string& words) {
   constexpr double most = 1e9;  // with six decimals
   double number = 0;

@@ -1,4 +1,5 @@
-// Which columns of a sheet hold the parts of its set-ups: one for each, and with slots the parts of a slot in columns of
+// Which columns of a sheet hold the parts of its set-ups: one for each, and with slots the parts of
+// a slot in columns of
 // their own.
 #pragma once
 
