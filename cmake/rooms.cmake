@@ -26,13 +26,12 @@ set(CHANGEOVER_KNOWS_loadorder core run verify bounds io catalog construct searc
 # Rooms that nobody waits for while they run (cmake/cold.cmake), or which of their sources are such.
 set(CHANGEOVER_COLD_catalog COLD UNLESS "catalog/entry/")
 set(CHANGEOVER_COLD_curator COLD)
-set(CHANGEOVER_COLD_draw COLD)
 set(CHANGEOVER_COLD_io COLD ONLY "io/(workbook|request)/")
 set(CHANGEOVER_COLD_paper COLD)
 set(CHANGEOVER_COLD_plan COLD ONLY "plan/(job|sheet|request)/")
 
-# Rooms of which each source is compiled alone: theirs are alike, and so are their names.
-set(CHANGEOVER_APART construct draw verify proof)
+# Rooms of which each source is compiled alone: theirs are alike, and so are their names, or faults are planted in them one by one.
+set(CHANGEOVER_APART bounds construct draw proof verify)
 
 # Third-party libraries, always used in sources only: no public header includes one.
 foreach(room IN LISTS CHANGEOVER_ROOMS)

@@ -25,11 +25,6 @@ constexpr std::size_t checksum_digits = 64;
 constexpr std::size_t before_name = checksum_digits + 2;
 constexpr std::size_t longest_list = std::size_t{256} << 20;
 
-bool is_file(const fs::path& path) {
-  std::error_code none;
-  return fs::is_regular_file(fs::symlink_status(path, none));
-}
-
 // As often as the scope wants to know: a file of others may have any size.
 std::string checksum_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -108,6 +103,11 @@ std::optional<std::pair<std::string, std::string>> listed_in(std::string_view li
 }
 
 }  // namespace
+
+bool is_file(const std::filesystem::path& path) {
+  std::error_code none;
+  return fs::is_regular_file(fs::symlink_status(path, none));
+}
 
 bool can_be_listed(const std::string& name) {
   const fs::path path(name);

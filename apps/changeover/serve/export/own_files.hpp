@@ -64,4 +64,7 @@ class OwnFiles {
   List list_;
 };
 
+/// Whether it is a regular file, and no link to one.
+[[nodiscard]] bool is_file(const std::filesystem::path& path);
+
 }  // namespace changeover::serve

@@ -32,11 +32,6 @@ constexpr mode_t as_files_are = 0644;
       fmt::format("cannot {} {}: {}", what, printable(path.string()), std::strerror(why)));
 }
 
-bool is_file(const fs::path& path) {
-  std::error_code none;
-  return fs::is_regular_file(fs::symlink_status(path, none));
-}
-
 fs::perms as_new_folders_are() {
   const mode_t mask = ::umask(0);
   ::umask(mask);
