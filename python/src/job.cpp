@@ -77,12 +77,14 @@ RequestList setups_in(const char* argument, const py::object& setups) {
 }
 
 std::string result_in(const py::handle& result, const char* wanted) {
-  if (!result_named(result)) {
+  const auto said = result_named(result);
+  if (!said) {
     throw BadInput(wanted);
   }
-  return result.is_none()                    ? std::string()
-         : py::isinstance<py::bool_>(result) ? std::string(result.cast<bool>() ? "pass" : "fail")
-                                             : words_of(result);
+  if (is_text(result)) {
+    return words_of(result);
+  }
+  return *said == TestResult::pass ? "pass" : *said == TestResult::fail ? "fail" : "";
 }
 
 // Set-ups, each a list of parts, alone or with its result: (set-up, result) or {"parts": …, "result": …}.

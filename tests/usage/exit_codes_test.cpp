@@ -215,7 +215,7 @@ const std::vector<Case>& cases() {
       {"$changeover search 9 4 --exact --order good.txt", 2,
        "--exact, --base-blocks, --order, --extend and --repair exclude each other"},
       {"$changeover loadorder --items 9 --room 3 --self", 2,
-       "--self is for --new-pairs or --write-back; give one of them"},
+       "--self is for --new-pairs, --write-back or --prefetch; give one of them"},
       {"$changeover search 9 4 --proof d", 2, "--proof DIR is for --exact; give both"},
       {"$changeover search 9 4 --time soon", 2, "--time 'soon' is not a duration"},
       {"$changeover search 9 4 --threads 0", 2, "--threads 0 is out of range"},

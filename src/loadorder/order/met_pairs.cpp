@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
@@ -48,6 +49,66 @@ std::optional<ItemPair> SeenPairs::example() const {
   return std::nullopt;
 }
 
+MetInWords::MetInWords(std::uint64_t items)
+    : words_(static_cast<std::size_t>(items / 64 + 1)),
+      held_(words_, 0),
+      since_(static_cast<std::size_t>(items), 0) {}
+
+void MetInWords::arrive(Element name, PairSet& pairs) {
+  pairs.insert_below(name, held_);
+  held_[name / 64] |= std::uint64_t{1} << (name % 64);
+  arrivals_.push_back(name);
+  since_[name] = arrivals_.size();
+  if (arrivals_.size() % arrivals_of_a_set == 0) {
+    Set& set = sets_.emplace_back(words_, 0);
+    for (std::size_t i = arrivals_.size() - arrivals_of_a_set; i < arrivals_.size(); ++i) {
+      set[arrivals_[i] / 64] |= std::uint64_t{1} << (arrivals_[i] % 64);
+    }
+  }
+}
+
+void MetInWords::take_since_arrival(Element name, PairSet& pairs) const {
+  const auto take_one_by_one = [&](std::size_t from, std::size_t to) {
+    for (std::size_t i = from; i < to; ++i) {
+      if (arrivals_[i] < name) {
+        pairs.insert(name, arrivals_[i]);
+      }
+    }
+  };
+  const auto from = static_cast<std::size_t>(since_[name]);
+  const std::size_t first = (from + arrivals_of_a_set - 1) / arrivals_of_a_set;
+  if (first >= sets_.size()) {
+    take_one_by_one(from, arrivals_.size());
+    return;
+  }
+  take_one_by_one(from, first * arrivals_of_a_set);
+  for (std::size_t s = first; s < sets_.size(); ++s) {
+    pairs.insert_below(name, sets_[s]);
+  }
+  take_one_by_one(sets_.size() * arrivals_of_a_set, arrivals_.size());
+}
+
+void MetInWords::leave(Element name, PairSet& pairs) {
+  take_since_arrival(name, pairs);
+  held_[name / 64] &= ~(std::uint64_t{1} << (name % 64));
+}
+
+void MetInWords::settle(PairSet& pairs) {
+  for (std::size_t i = 0; i < words_; ++i) {
+    for (std::uint64_t rest = held_[i]; rest != 0; rest &= rest - 1) {
+      take_since_arrival(
+          static_cast<Element>(64 * i + static_cast<std::size_t>(std::countr_zero(rest))), pairs);
+    }
+  }
+}
+
+void MetInWords::clear(PairSet& pairs) {
+  settle(pairs);
+  std::fill(held_.begin(), held_.end(), 0);
+  arrivals_.clear();
+  sets_.clear();
+}
+
 MetPairs::MetPairs(const ScheduleRules& rules, const CheckOptions& options)
     : items_(rules.items), wanted_(rules.wanted) {
   if (wanted_.graph() != nullptr) {
@@ -64,6 +125,11 @@ MetPairs::MetPairs(const ScheduleRules& rules, const CheckOptions& options)
   } else {
     name_pairs(options.kept_as);
     pairs_.emplace(items_);
+    // A row costs its words; without them an arrival costs a bit for each item that is there.
+    constexpr std::uint64_t words_for_a_bit = 16;
+    if (rules.room > items_ / words_for_a_bit) {
+      words_.emplace(items_);
+    }
   }
 }
 
@@ -101,7 +167,9 @@ void MetPairs::name_pairs(const std::vector<Element>& kept_as) {
 }
 
 void MetPairs::leave(Element x, std::size_t place) {
-  if (pairs_) {
+  if (words_) {
+    words_->leave(kept_as_.empty() ? x : kept_as_[x], *pairs_);
+  } else if (pairs_) {
     kept_[place] = kept_.back();
     kept_.pop_back();
   } else if (!row_.empty() && row_[x] != 0) {
@@ -113,6 +181,10 @@ void MetPairs::arrive(Element x, const std::vector<Element>& memory,
                       const std::vector<std::uint32_t>& place) {
   if (pairs_) {
     const Element name = kept_as_.empty() ? x : kept_as_[x];
+    if (words_) {
+      words_->arrive(name, *pairs_);
+      return;
+    }
     for (const Element other : kept_) {
       pairs_->insert(name, other);
     }
@@ -152,11 +224,17 @@ void MetPairs::arrive(Element x, const std::vector<Element>& memory,
 }
 
 void MetPairs::clear() {
+  if (words_) {
+    words_->clear(*pairs_);
+  }
   kept_.clear();
   watched_now_.clear();
 }
 
-void MetPairs::report(ScheduleVerdict& verdict) const {
+void MetPairs::report(ScheduleVerdict& verdict) {
+  if (words_) {
+    words_->settle(*pairs_);
+  }
   verdict.watched_items = row_.empty() ? items_ : watched_.size();
   const auto say = [&](Element x, Element y) {
     if (verdict.example.empty()) {

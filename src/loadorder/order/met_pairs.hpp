@@ -39,6 +39,33 @@ class SeenPairs {
   std::uint64_t size_ = 0;
 };
 
+/// All pairs that have been in one memory, in words: for a room that is large against the words of a row. A pair belongs to the
+/// row of its larger name. When that name comes, the row takes what is there, as words; when it leaves, what came in the meantime, which is kept as
+/// one set for each so many arrivals.
+class MetInWords {
+ public:
+  explicit MetInWords(std::uint64_t items);
+
+  void arrive(Element name, PairSet& pairs);
+  void leave(Element name, PairSet& pairs);
+  /// Memory is empty; what met has met.
+  void clear(PairSet& pairs);
+  /// Adds what those that are still there met.
+  void settle(PairSet& pairs);
+
+ private:
+  static constexpr std::size_t arrivals_of_a_set = 2048;
+  using Set = std::vector<std::uint64_t>;
+
+  void take_since_arrival(Element name, PairSet& pairs) const;
+
+  std::size_t words_;
+  Set held_;
+  std::vector<std::uint64_t> since_;  // by name: how many had arrived before it, itself included
+  std::vector<Element> arrivals_;     // all of them since memory was empty
+  std::vector<Set> sets_;             // of each full run of them
+};
+
 /// Pairs that have been in one memory: all of them, those that are wanted, or those of a few
 /// watched items.
 class MetPairs {
@@ -54,7 +81,7 @@ class MetPairs {
   void clear();
 
   /// Fills in what is missing, an example and how many are watched.
-  void report(ScheduleVerdict& verdict) const;
+  void report(ScheduleVerdict& verdict);
 
  private:
   void name_pairs(const std::vector<Element>& kept_as);
@@ -62,13 +89,14 @@ class MetPairs {
 
   std::uint64_t items_;
   WantedPairs wanted_;
-  std::optional<PairSet> pairs_;    // all of them, under the names kept_as_, or
-  std::optional<SeenPairs> some_;   // those that are wanted, or
-  std::vector<bool> loaded_;        // by item, of listed pairs
-  std::vector<Element> kept_as_;    // by item; empty: their own
-  std::vector<Element> kept_;       // names of what is in memory, in the same places
-  std::vector<Element> watched_;    // a few rows
-  std::vector<std::uint32_t> row_;  // by item: its row plus one, 0 if it is not watched
+  std::optional<PairSet> pairs_;     // all of them, under the names kept_as_, or
+  std::optional<MetInWords> words_;  // which adds to these, if there is much room
+  std::optional<SeenPairs> some_;    // those that are wanted, or
+  std::vector<bool> loaded_;         // by item, of listed pairs
+  std::vector<Element> kept_as_;     // by item; empty: their own
+  std::vector<Element> kept_;        // names of what is in memory, in the same places
+  std::vector<Element> watched_;     // a few rows
+  std::vector<std::uint32_t> row_;   // by item: its row plus one, 0 if it is not watched
   std::vector<std::vector<bool>> met_;
   std::vector<Element> watched_now_;  // watched items in memory
 };

@@ -215,7 +215,8 @@ TEST_F(SheetFormats, NothingToDoIsSaid) {
 
 TEST_F(SheetFormats, EveryFormatShowsTheWeightSoFar) {
   job.weights.set(0, 1, parse_amount("7"));
-  plan.sheet = run_sheet(job, {{0, 1}, {0, 3}});
+  RunControl control({.threads = 1});
+  plan = make_run_plan(job, {.steps = 1000}, control);
   EXPECT_THAT(written(document, "table", 200), HasSubstr("weight so far"));
   EXPECT_THAT(written(document, "markdown"), HasSubstr("| cost so far | weight so far |"));
   EXPECT_THAT(written(document, "html"), HasSubstr("Weight<br>so far"));
@@ -225,11 +226,12 @@ TEST_F(SheetFormats, EveryFormatShowsTheWeightSoFar) {
 TEST_F(SheetFormats, ListsOfSeveralBenchesHaveAColumnForEachSlot) {
   job.slots = {{"drive", 0, 1}};
   job.slot_of = {0, no_slot, 0, no_slot};
-  BenchPlan benches;
-  static_cast<BenchCount&>(benches) = count_benches(job, {{{0, 1}}, {{1, 2}, {1, 3}}});
+  drop_needed(job, cannot_meet(job));
+  RunControl control({.threads = 1});
+  const BenchPlan benches = make_bench_plan(job, {.benches = 2, .plan = {.steps = 1000}}, control);
   const std::string csv = written(BenchDocument{.job = &job, .plan = &benches}, "csv");
   EXPECT_THAT(csv, HasSubstr("bench,step,take_out,put_in,slot_1 drive,slot_2,slot_3,new_pairs,"));
-  EXPECT_EQ(read_setups(*input_from_text(csv), job.names).size(), 3U);
+  EXPECT_EQ(read_setups(*input_from_text(csv), job.names).size(), benches.tests);
 }
 
 TEST_F(SheetFormats, AnotherFormatIsRefused) {
