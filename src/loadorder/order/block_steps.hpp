@@ -1,6 +1,8 @@
 // Internal: blocks as steps. What a block introduces is loaded, what left is evicted before.
 #pragma once
 
+#include <algorithm>
+#include <cstring>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -19,8 +21,9 @@ class BlockSteps final : public StepSource {
                       std::shared_ptr<const void> keeper = nullptr)
       : keeper_(std::move(keeper)),
         blocks_(std::move(blocks)),
-        seen_(static_cast<std::size_t>(blocks_->parameters().v), 0),
-        block_(static_cast<std::size_t>(blocks_->parameters().k)) {}
+        mark_(static_cast<std::size_t>(blocks_->parameters().v), 0),
+        block_(static_cast<std::size_t>(blocks_->parameters().k)),
+        before_(block_.size()) {}
 
   bool next(Step& step) override {
     if (!blocks_->next(block_)) {
@@ -29,26 +32,52 @@ class BlockSteps final : public StepSource {
     step.number = ++number_;
     step.load.clear();
     step.evict.clear();
-    // seen_[x] is the number of the last block that holds x.
-    for (const Element x : block_) {
-      if (number_ == 1 || seen_[x] != number_ - 1) {
-        step.load.push_back(x);
-      }
-      seen_[x] = number_;
+    if (number_ == 1) {
+      step.load.assign(block_.begin(), block_.end());
+    } else {
+      take_changes(step);
     }
-    for (const Element x : before_) {
-      if (seen_[x] != number_) {
-        step.evict.push_back(x);
-      }
-    }
-    before_ = block_;
+    std::swap(before_, block_);
     return true;
   }
 
  private:
+  // Most places hold what they held: these are passed over many at a time.
+  void take_changes(Step& step) {
+    constexpr std::size_t at_a_time = 64;
+    changed_.clear();
+    for (std::size_t from = 0; from < block_.size(); from += at_a_time) {
+      const std::size_t to = std::min(from + at_a_time, block_.size());
+      if (std::memcmp(&block_[from], &before_[from], (to - from) * sizeof(Element)) != 0) {
+        for (std::size_t i = from; i < to; ++i) {
+          if (block_[i] != before_[i]) {
+            changed_.push_back(i);
+          }
+        }
+      }
+    }
+    // mark_[x] is 2n if x left its place in block n, and 2n+1 if it came to another.
+    for (const std::size_t i : changed_) {
+      mark_[before_[i]] = 2 * number_;
+    }
+    for (const std::size_t i : changed_) {
+      const Element x = block_[i];
+      if (mark_[x] != 2 * number_) {
+        step.load.push_back(x);
+      }
+      mark_[x] = 2 * number_ + 1;
+    }
+    for (const std::size_t i : changed_) {
+      if (mark_[before_[i]] == 2 * number_) {
+        step.evict.push_back(before_[i]);
+      }
+    }
+  }
+
   std::shared_ptr<const void> keeper_;
   std::unique_ptr<BlockSource> blocks_;
-  std::vector<std::uint64_t> seen_;
+  std::vector<std::uint64_t> mark_;
+  std::vector<std::size_t> changed_;
   Block block_;
   Block before_;
   std::uint64_t number_ = 0;
