@@ -18,7 +18,7 @@ jobs_to_kill=(
   'json|classify 13 5 22 -m 1 --time 30s --json'
   'json|plan --items 40 --at-once 6 --test-cost 1 --change-cost 1 --time 30s --json'
   'lines|loadorder --items 60 --room 7 --time 30s --json'
-  'json|table --k 3..16 --v 5..130 --json'
+  'json|table --k 3..40 --v 5..160 --json'
   'design|design 4001 6 --format text'
 )
 signals=(INT KILL TERM HUP TWICE)
@@ -26,7 +26,7 @@ signals=(INT KILL TERM HUP TWICE)
 whole() { # KIND FILE
   case $1 in
     design | found) whole_design "$2" ;;
-    json) [[ $(tail -c 2 "$2") == '}' && $(head -c 1 "$2") == '{' ]] ;;
+    json) [[ $(head -c 1 "$2")$(tail -c 2 "$2") =~ ^(\{\}|\[\])$ ]] ;;
     lines) [[ $(tail -c 2 "$2") == '}' ]] && ! grep -qv '^{.*}$' "$2" ;;
   esac
 }

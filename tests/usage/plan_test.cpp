@@ -567,7 +567,7 @@ TEST(Plan, TakesCostsByWhatIsReplaced) {
           {plan("--json"), 0, "\"replaced\":[[\"White\",\"Red\"]]"},
           {plan("--json"), 0, "\"replace_costs\":[[null,2,8,1],[3,null,9,1]"},
           {plan("--format markdown"), 0, "| new pairs | cost | cost so far |"},
-          {plan("--format html"), 0, "<span class=\"in\">Red for White</span>"},
+          {plan("--format html"), 0, "<span class=\"part in\">Red for White</span>"},
           {plan("--budget 18"), 0, "budget 18: testing all pairs would cost"},
           {plan("--first first.csv"), 0, "the first test is given: cost 8"},
           {plan("--done first.csv"), 0, "after 1 test done"},
