@@ -28,16 +28,26 @@ std::string quoted(const std::string& words) {
 
 namespace {
 
+// Whether it is of a class of Python's library. What finds this out runs code in Python, where Python may end this thread.
+bool is_of(const py::handle& value, const char* module_name, const char* class_name) {
+  const py::object holder = made_by_python([&] { return PyImport_ImportModule(module_name); });
+  const py::object type =
+      made_by_python([&] { return PyObject_GetAttrString(holder.ptr(), class_name); });
+  const int is = unless_python_ends([&] { return PyObject_IsInstance(value.ptr(), type.ptr()); });
+  if (is < 0) {
+    throw py::error_already_set();
+  }
+  return is == 1;
+}
+
 bool is_mapping(const py::handle& value) {
-  return py::isinstance<py::dict>(value) ||
-         py::isinstance(value, py::module_::import("collections.abc").attr("Mapping"));
+  return py::isinstance<py::dict>(value) || is_of(value, "collections.abc", "Mapping");
 }
 
 }  // namespace
 
 bool is_text(const py::handle& value) {
-  return py::isinstance<py::str>(value) ||
-         py::isinstance(value, py::module_::import("collections").attr("UserString"));
+  return py::isinstance<py::str>(value) || is_of(value, "collections", "UserString");
 }
 
 bool is_bytes(const py::handle& value) {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "draw/design/pictures.hpp"
 
 namespace changeover {
@@ -19,8 +20,6 @@ std::optional<Word> word_of(const std::array<Word, N>& words, std::string_view n
   }
   return std::nullopt;
 }
-
-std::string blocks(std::uint64_t n) { return fmt::format("{} block{}", n, n == 1 ? "" : "s"); }
 
 // What to do about too many blocks.
 constexpr std::string_view a_part = "draw a part of them with --from and --to";
@@ -85,13 +84,13 @@ std::optional<std::string> draw_defect(const Parameters& p, std::uint64_t b,
     case PictureKind::array:
       if (drawn > most_drawn_blocks ||
           drawn > most_drawn_elements / std::max<std::uint64_t>(1, p.k)) {
-        return fmt::format("{} of {} elements are too many for one picture; {}", blocks(drawn), p.k,
-                           a_part);
+        return fmt::format("{} of {} elements are too many for one picture; {}",
+                           count_of(drawn, "block"), p.k, a_part);
       }
       return elements(max_elements_in_memory);
     case PictureKind::stays:
       if (drawn > most_drawn_blocks) {
-        return fmt::format("{} are too many for one picture; {}", blocks(drawn), a_part);
+        return fmt::format("{} are too many for one picture; {}", count_of(drawn, "block"), a_part);
       }
       return elements(most_drawn_rows);
     case PictureKind::coverage:
@@ -99,7 +98,7 @@ std::optional<std::string> draw_defect(const Parameters& p, std::uint64_t b,
     case PictureKind::circle:
       if (b > most_read_elements / std::max<std::uint64_t>(1, p.k)) {
         return fmt::format("{} of {} elements are too many to look for a rotation in them",
-                           blocks(b), p.k);
+                           count_of(b, "block"), p.k);
       }
       return elements(most_drawn_points);
     case PictureKind::recipe:
@@ -120,7 +119,7 @@ Heading Drawing::heading() const {
   std::string headline = options.name.empty() ? changeover::name(parameters()) : options.name;
   const std::optional<std::uint64_t> b = source.block_count();
   if (options.name.empty() && b) {
-    headline += ", " + blocks(*b);
+    headline += ", " + count_of(*b, "block");
   }
   const bool to_the_end = !options.to || (b && *options.to >= *b);
   if (options.from > 1 || !to_the_end) {
@@ -142,7 +141,8 @@ void Drawing::require_range(std::uint64_t last) const {
     throw BadOption(fmt::format("--from {}: there are fewer blocks", options.from));
   }
   if (options.to && last < *options.to) {
-    throw BadOption(fmt::format("--to {}: there are only {}", *options.to, blocks(last)));
+    throw BadOption(
+        fmt::format("--to {}: there are only {}", *options.to, count_of(last, "block")));
   }
 }
 

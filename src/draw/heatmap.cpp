@@ -8,6 +8,7 @@
 #include <set>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "draw/design/frame.hpp"
 #include "draw/text/measure.hpp"
 
@@ -72,9 +73,7 @@ class Heatmap {
                  .style = {.font_size = sign_font(), .anchor = Anchor::middle}});
     content.add(axes());
     const Parameters& p = cells_.front().parameters;
-    const std::string what = p.change == 1   ? "single-change"
-                             : p.change == 2 ? "double-change"
-                                             : fmt::format("{}-change", p.change);
+    const std::string what = change_name(p.change);
     content.description = fmt::format(
         "A square for each v from {} to {} and each k from {} to {}; its colour says {}.", v_from_,
         v_to_, k_from_, k_to_, words());

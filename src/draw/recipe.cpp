@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "changeover/draw/draw.hpp"
+#include "core/words.hpp"
 #include "draw/design/frame.hpp"
 #include "draw/text/measure.hpp"
 
@@ -31,8 +32,8 @@ Node node_of(const Recipe& recipe, const Registry& registry) {
   Node node;
   node.construction = recipe.construction;
   node.b = registry.build(recipe)->block_count().value_or(0);
-  node.lines = {name(recipe.parameters), fmt::format("{} block{}", node.b, node.b == 1 ? "" : "s"),
-                recipe.construction, construction.citation().to_string()};
+  node.lines = {name(recipe.parameters), count_of(node.b, "block"), recipe.construction,
+                construction.citation().to_string()};
   node.title = construction.explain(recipe) + " " + node.lines.back();
   for (const Recipe& input : recipe.inputs) {
     node.inputs.push_back(node_of(input, registry));

@@ -115,8 +115,4 @@ int deliver(const Answer& answer) {
   return answer.code;
 }
 
-std::string count_of(std::uint64_t n, const std::string& singular) {
-  return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
-}
-
 }  // namespace changeover::cli

@@ -58,7 +58,4 @@ struct Answer {
 /// A file that a verb writes besides its answer, whole or not at all. @throws MissingResource.
 void write_file(const std::string& path, const std::function<void(OutputFile&)>& write);
 
-/// "1 block", "7 blocks".
-[[nodiscard]] std::string count_of(std::uint64_t n, const std::string& singular);
-
 }  // namespace changeover::cli

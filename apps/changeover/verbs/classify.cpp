@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/search/enumeration.hpp"
 #include "cli/team.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/parameters.hpp"
 #include "request/run_request.hpp"
@@ -123,10 +124,6 @@ std::string sameness(const Classified& answer) {
   return text + (answer.reversal ? " and reversal" : "");
 }
 
-std::string plural(std::uint64_t n, const std::string& one, const std::string& many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 std::string qualities(const DesignClass& each) {
   std::string text = each.tight ? ", tight" : "";
   text += each.economical ? ", economical" : "";
@@ -140,14 +137,14 @@ std::string text(const Classified& answer) {
     return text + fmt::format("none, for {}\n", *answer.impossible);
   }
   text += fmt::format("{} in {} {}", count_of(found.standard_forms, "standard form"),
-                      plural(found.classes, "class", "classes"), sameness(answer));
+                      count_of(found.classes, "class", "classes"), sameness(answer));
   text += found.tight > 0 ? fmt::format(", {} tight\n", found.tight) : "\n";
   text += answer.complete() ? "these are all"
                             : fmt::format("NOT ALL: stopped ({})", to_string(found.why_stopped));
   text += fmt::format("; {} in {:.2f} s; each design verified\n", count_of(found.nodes, "node"),
                       answer.seconds);
   for (const auto& [order, classes] : found.group_orders) {
-    text += fmt::format("group order {}: {}\n", order, plural(classes, "class", "classes"));
+    text += fmt::format("group order {}: {}\n", order, count_of(classes, "class", "classes"));
   }
   std::uint64_t number = 0;
   for (const DesignClass& each : found.kept) {
@@ -161,7 +158,7 @@ std::string text(const Classified& answer) {
   }
   if (found.classes > found.kept.size()) {
     text += fmt::format("\n{} more; --designs shows all\n",
-                        plural(found.classes - found.kept.size(), "class", "classes"));
+                        count_of(found.classes - found.kept.size(), "class", "classes"));
   }
   return text;
 }

@@ -19,6 +19,7 @@
 #include "changeover/draw/figures.hpp"
 #include "changeover/draw/heatmap.hpp"
 #include "changeover/io/input.hpp"
+#include "core/words.hpp"
 #include "request/catalog_request.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"

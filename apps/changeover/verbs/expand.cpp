@@ -7,6 +7,7 @@
 #include "answer/design/show_design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"

@@ -4,6 +4,7 @@
 #include "answer/design/recipe_tree.hpp"
 #include "answer/known/offers.hpp"
 #include "changeover/bounds/lower_bound.hpp"
+#include "core/words.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 

@@ -9,6 +9,7 @@
 #include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
 #include "cli/spelling.hpp"
+#include "core/words.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {

@@ -4,6 +4,7 @@
 #include "answer/answer.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"

@@ -11,6 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "cli/team.hpp"
+#include "core/words.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"
 #include "request/search_request.hpp"

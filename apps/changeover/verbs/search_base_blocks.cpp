@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/search_request.hpp"
 

@@ -11,6 +11,7 @@
 #include "changeover/search/minimum_search.hpp"
 #include "cli/team.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/search_request.hpp"
 

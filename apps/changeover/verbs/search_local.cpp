@@ -8,6 +8,7 @@
 #include "cli/status_line.hpp"
 #include "cli/team.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "request/search_request.hpp"
 #include "run/grace.hpp"
 

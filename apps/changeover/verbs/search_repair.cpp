@@ -3,6 +3,7 @@
 
 #include "changeover/io/input.hpp"
 #include "changeover/search/repair.hpp"
+#include "core/words.hpp"
 #include "request/search_request.hpp"
 
 namespace changeover::cli {

@@ -14,6 +14,7 @@
 #include "changeover/run/scope.hpp"
 #include "cli/status_line.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "request/catalog_request.hpp"
 #include "request/range.hpp"
 #include "request/run_request.hpp"

@@ -10,6 +10,7 @@
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/words.hpp"
 #include "io/table/table.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
@@ -109,9 +110,7 @@ Table grid(const Cells& cells, const TableRange& range) {
 
 std::string title(const Cells& cells) {
   const Parameters& p = cells.front()->parameters;
-  const std::string what = p.change == 1   ? "single-change"
-                           : p.change == 2 ? "double-change"
-                                           : fmt::format("{}-change", p.change);
+  const std::string what = change_name(p.change);
   return fmt::format("{} {} covering designs: blocks of the best known (= minimum, - none exists)",
                      to_string(p.kind), what);
 }

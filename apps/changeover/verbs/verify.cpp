@@ -11,6 +11,7 @@
 #include "answer/design/judgement.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/tables.hpp"
+#include "core/words.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"

@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 #include "construct/expansion/inserter.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -100,8 +101,8 @@ std::optional<std::string> single_change_expansion_defect(const Design& design,
   const bool circular = p.kind == Kind::circular;
   for (const auto& [position, elements] : set) {
     if (position > b || b == 0 || (circular && (position == 0 || b == 1))) {
-      return fmt::format("there is no position {} in a {} design of {} block{}", position,
-                         to_string(p.kind), b, b == 1 ? "" : "s");
+      return fmt::format("there is no position {} in a {} design of {}", position,
+                         to_string(p.kind), count_of(b, "block"));
     }
     if (!circular && (position == 0 || position == b)) {
       if (!holds_all(design.block(position == 0 ? 0 : b - 1), elements)) {

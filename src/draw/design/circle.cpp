@@ -5,6 +5,7 @@
 #include <array>
 
 #include "changeover/draw/figures.hpp"
+#include "core/words.hpp"
 #include "draw/design/pictures.hpp"
 #include "draw/text/measure.hpp"
 
@@ -129,8 +130,7 @@ Picture draw_design_circle(const Drawing& drawing) {
   BlockList list(content.width + 10);
   if (rotation) {
     const Automorphism& pi = rotation->pi;
-    const std::string developed =
-        fmt::format("{} base block{}", base_blocks, base_blocks == 1 ? "" : "s");
+    const std::string developed = count_of(base_blocks, "base block");
     if (pi.cycles == 1) {
       list.headline(
           fmt::format("{} over Z_{}, developed by +{}", developed, pi.n, rotation->shift));

@@ -12,6 +12,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/order/block_steps.hpp"
 #include "loadorder/order/streamed_order.hpp"
 
@@ -30,9 +31,8 @@ void check(std::uint64_t items, std::uint64_t room) {
     throw BadInput("a load order of 0 items: give at least 1 item");
   }
   if (room < 2) {
-    throw BadInput(
-        fmt::format("room for {} item{}: no two items could meet; give room for at least 2", room,
-                    room == 1 ? "" : "s"));
+    throw BadInput(fmt::format("room for {}: no two items could meet; give room for at least 2",
+                               count_of(room, "item")));
   }
   if (items > most_items) {
     throw ImpossibleParameters(

@@ -7,6 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/interval_base_blocks.hpp"
 #include "changeover/verify/difference.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -325,8 +326,8 @@ std::string certify(const StreamedShape& shape) {
   if (!verdict.valid() || !verdict.tight) {
     throw InternalError("the windows of a streamed load order are not a tight design");
   }
-  return fmt::format("structure: differences of {} base block{} over Z_{}{}", shape.c,
-                     shape.c == 1 ? "" : "s", base.parameters.v,
+  return fmt::format("structure: differences of {} over Z_{}{}", count_of(shape.c, "base block"),
+                     base.parameters.v,
                      shape.rounds > 0 || shape.w > 0 ? ", other items pass what holds all" : "");
 }
 

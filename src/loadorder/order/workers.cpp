@@ -12,6 +12,7 @@
 #include "changeover/loadorder/two_levels.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "loadorder/order/order_relay.hpp"
 #include "loadorder/order/streamed_order.hpp"
 #include "loadorder/pairs/held_blocks.hpp"
@@ -301,10 +302,6 @@ LoadBound bound_by_pairs(std::uint64_t pairs, bool between, std::uint64_t least_
                       between ? most_between(low, room) : most_pairs(low, room))};
 }
 
-std::string count_of_parts(std::uint64_t parts) {
-  return parts == 1 ? "1 part" : fmt::format("{} parts", parts);
-}
-
 // One block a worker.
 std::pair<SplitFacts, LoadOrder> split_of_blocks(HeldBlocks blocks, const WorkerSplit& other) {
   SplitFacts facts = other.facts();
@@ -322,8 +319,8 @@ std::pair<SplitFacts, LoadOrder> split_of_blocks(HeldBlocks blocks, const Worker
   whole.loads = facts.loads;
   whole.method = "held groups, a block a worker";
   whole.explanation = fmt::format("{} of the first set with {} of the other; the first pair: {}",
-                                  count_of_parts(blocks.first_parts),
-                                  count_of_parts(blocks.other_parts), blocks.shapes[0].explain());
+                                  count_of(blocks.first_parts, "part"),
+                                  count_of(blocks.other_parts, "part"), blocks.shapes[0].explain());
   const auto shared = std::make_shared<const HeldBlocks>(std::move(blocks));
   const std::uint64_t items = whole.items;
   return {std::move(facts),

@@ -8,6 +8,7 @@
 
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -207,7 +208,7 @@ std::string HeldShape::explain() const {
   }
   return fmt::format(
       "{} of up to {} items: each stays while those that it must meet pass, up and down in turn.",
-      groups.size() == 1 ? "1 group" : fmt::format("{} groups", groups.size()), most);
+      count_of(groups.size(), "group"), most);
 }
 
 namespace {

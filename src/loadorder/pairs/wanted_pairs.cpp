@@ -6,6 +6,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 
@@ -131,9 +132,6 @@ std::uint64_t WantedPairs::count() const {
 }
 
 std::string WantedPairs::describe() const {
-  const auto count_of = [](std::uint64_t n, std::string_view singular) {
-    return fmt::format("{} {}{}", n, singular, n == 1 ? "" : "s");
-  };
   const std::uint64_t rest = items_ - first_;
   switch (kind_) {
     case Kind::all:

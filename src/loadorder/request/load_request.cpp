@@ -6,6 +6,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "io/request/request_schema.hpp"
 
@@ -209,10 +210,10 @@ void check_together(const LoadRequest& request, Door door) {
   }
   if (request.disjoint && *request.workers > 1 && items / *request.workers < *request.room) {
     refuse(
-        fmt::format("{}: {} workers with room for {} would hold more than {} item{}; give {} {} "
+        fmt::format("{}: {} workers with room for {} would hold more than {}; give {} {} "
                     "or less, or fewer workers",
-                    key("disjoint", door), *request.workers, *request.room, items,
-                    items == 1 ? "" : "s", key("room", door), items / *request.workers));
+                    key("disjoint", door), *request.workers, *request.room, count_of(items, "item"),
+                    key("room", door), items / *request.workers));
   }
   if ((request.disjoint || request.fast_room) && items > max_elements_in_memory) {
     refuse(fmt::format("{}: at most {} items; make items larger",

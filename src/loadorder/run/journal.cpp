@@ -13,6 +13,7 @@
 #include <filesystem>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -192,10 +193,8 @@ void Journal::read(const std::vector<JournalField>& job, std::uint64_t steps) {
       const auto left =
           std::count(text.begin() + static_cast<std::ptrdiff_t>(good_), text.end(), '\n');
       note_ = fmt::format(
-          "{}: line {} does not continue the lines before it, so {} line{} from there on count{} "
-          "for "
-          "nothing",
-          path_, number, left, left == 1 ? "" : "s", left == 1 ? "s" : "");
+          "{}: line {} does not continue the lines before it, so {} from there on count{} for nothing",
+          path_, number, count_of(static_cast<std::uint64_t>(left), "line"), left == 1 ? "s" : "");
       return;
     }
     records_.push_back(*record);

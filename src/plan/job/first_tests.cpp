@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "changeover/plan/job.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/setup_list.hpp"
 
@@ -38,8 +39,8 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
     if (there < slot.least || there > slot.most) {
       const bool few = there < slot.least;
       return fmt::format("slot {} has {} here, but {} {} in every set-up; {}", shown(slot.name),
-                         there == 1 ? "1 part" : fmt::format("{} parts", there),
-                         few ? "needs" : "holds at most", few ? slot.least : slot.most,
+                         count_of(there, "part"), few ? "needs" : "holds at most",
+                         few ? slot.least : slot.most,
                          few ? "add what it lacks" : "remove what is too much");
     }
   }

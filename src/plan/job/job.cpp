@@ -7,12 +7,12 @@
 #include <unordered_set>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/plain_text.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/setup_list.hpp"
-#include "plan/job/words.hpp"
 
 namespace changeover {
 namespace {
@@ -103,7 +103,7 @@ void find_impossible_slots(const Job& job, std::vector<std::string>& found) {
     } else if (slot.least > members) {
       found.push_back(fmt::format("slot {} needs {} in every set-up, but only {} listed",
                                   shown(slot.name), count_of(slot.least, "part"),
-                                  members == 1 ? "1 is" : fmt::format("{} are", members)));
+                                  count_of(members, "is", "are")));
     } else if (mounted > slot.most) {
       found.push_back(fmt::format("{} of slot {} {} mounted, but at most {} fit it",
                                   count_of(mounted, "part"), shown(slot.name),

@@ -8,9 +8,9 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "io/scan/place.hpp"
-#include "plan/job/words.hpp"
 #include "plan/request/done_tests.hpp"
 
 namespace changeover {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "plan/job/part_finder.hpp"
-#include "plan/job/words.hpp"
 
 namespace changeover {
 namespace {
@@ -112,10 +112,9 @@ AskedJob take_done(Input& input, const DoneOptions& options, const DoneWords& wo
   note_unread(options, words, answer);
   note_gone(input.name(), list.gone, answer.notes);
   if (not_run > 0) {
-    answer.notes.push_back(
-        fmt::format("{}: {} not run, by the column result, and {} not done", input.name(),
-                    not_run == 1 ? "1 test was" : fmt::format("{} tests were", not_run),
-                    not_run == 1 ? "is" : "are"));
+    answer.notes.push_back(fmt::format("{}: {} not run, by the column result, and {} not done",
+                                       input.name(), count_of(not_run, "test was", "tests were"),
+                                       not_run == 1 ? "is" : "are"));
   }
   if (!options.first && has_results && done.size() < all) {
     answer.notes.push_back(fmt::format("{}: {} of {} tests have a result and are done",

@@ -4,8 +4,8 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
 #include "changeover/plan/sheet_formats.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
-#include "plan/job/words.hpp"
 
 namespace changeover {
 namespace {

@@ -10,6 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/words.hpp"
 #include "plan/job/check_in_full.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/candidates.hpp"
@@ -222,8 +223,7 @@ class Planner {
       plan.bound.cost = exact.bound;
       plan.bound.reason = fmt::format(
           "of all lists, looked through from the cheapest on in {}, none costs less; without that, {}",
-          exact.states == 1 ? "one state" : fmt::format("{} states", exact.states),
-          plan.bound.reason);
+          count_of(exact.states, "state"), plan.bound.reason);
     }
     if (exact.setups) {
       add(plan, {"exact search", "the cheapest of all lists, which were looked through",

@@ -7,6 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_sheet.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/words.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/job/setup_list.hpp"
@@ -26,8 +27,7 @@ using Members = std::vector<bool>;  // by part
 Members members_of(const Job& job, const Block& setup) {
   if (setup.empty() || setup.size() > job.at_once) {
     throw BadInput(fmt::format("a test that was done has {}; it has 1 to {}",
-                               setup.size() == 1 ? "1 part" : fmt::format("{} parts", setup.size()),
-                               job.at_once));
+                               count_of(setup.size(), "part"), job.at_once));
   }
   Members members(job.names.size(), false);
   for (const Element x : setup) {

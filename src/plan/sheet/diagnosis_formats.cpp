@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "changeover/plan/diagnosis.hpp"
+#include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/write/json_writer.hpp"
 #include "plan/sheet/sheet_document.hpp"

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "plan/sheet/page_style.hpp"
 #include "plan/sheet/sheet_words.hpp"
 #include "plan/sheet/step_table.hpp"

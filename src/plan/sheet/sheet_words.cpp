@@ -1,4 +1,5 @@
 #include "plan/sheet/sheet_words.hpp"
+#include "core/words.hpp"
 
 #include <fmt/format.h>
 
@@ -225,10 +226,9 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
   const Money money(job);
   const bool triples = !job.triples.empty();
   std::vector<std::string> lines{
-      fmt::format(
-          "{}, {} at a time, on {}: {}, {}", count_of(job.parts(), "part"), job.at_once,
-          plan.sheets.size() == 1 ? "1 bench" : fmt::format("{} benches", plan.sheets.size()),
-          count_of(plan.tests, "test"), count_of(plan.changes, "change")),
+      fmt::format("{}, {} at a time, on {}: {}, {}", count_of(job.parts(), "part"), job.at_once,
+                  count_of(plan.sheets.size(), "bench", "benches"), count_of(plan.tests, "test"),
+                  count_of(plan.changes, "change")),
       fmt::format("{} on the bench that costs most, {} together", money(plan.largest),
                   money(plan.cost)),
       fmt::format("{} of {} tested on some bench, checked by an independent count",

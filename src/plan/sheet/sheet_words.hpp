@@ -6,8 +6,8 @@
 
 #include "changeover/plan/benches.hpp"
 #include "changeover/plan/sheet_formats.hpp"
+#include "core/words.hpp"
 #include "io/table/table.hpp"
-#include "plan/job/words.hpp"
 
 namespace changeover {
 

@@ -10,6 +10,7 @@
 
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "search/sat/cardinality.hpp"
 
 namespace changeover {
@@ -477,7 +478,7 @@ Counted count(const Parameters& p, std::uint64_t b, const EncodingOptions& optio
 }  // namespace
 
 std::string formula_name(const Parameters& p, std::uint64_t b) {
-  return fmt::format("the formula of {} with {} block{}", name(p), b, b == 1 ? "" : "s");
+  return fmt::format("the formula of {} with {}", name(p), count_of(b, "block"));
 }
 
 CnfSize design_formula_size(const Parameters& p, std::uint64_t b, const EncodingOptions& options) {

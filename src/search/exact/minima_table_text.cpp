@@ -12,6 +12,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/search/minima_table.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/table/table.hpp"
 #include "io/write/csv_cell.hpp"
@@ -133,9 +134,7 @@ std::string grid_cell(const MinimaRow& row) {
 }
 
 std::string title(const Parameters& p) {
-  const std::string what = p.change == 1   ? "single-change"
-                           : p.change == 2 ? "double-change"
-                                           : fmt::format("{}-change", p.change);
+  const std::string what = change_name(p.change);
   return fmt::format("{} {} covering designs{}", to_string(p.kind), what,
                      p.strength == 2 ? "" : fmt::format(" of strength {}", p.strength));
 }

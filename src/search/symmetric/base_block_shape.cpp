@@ -9,6 +9,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "search/symmetric/base_block_degrees.hpp"
 
 namespace changeover {
@@ -16,10 +17,6 @@ namespace {
 
 constexpr std::size_t most_shapes = 10'000;
 constexpr std::uint64_t most_counted = std::uint64_t{1} << 62;
-
-std::string plural(std::uint64_t count, const char* one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
 
 std::optional<std::string> tight_obstruction(const Parameters& p, const BaseBlockShape& shape) {
   const std::uint64_t pairs = binomial(p.v, 2);
@@ -73,7 +70,7 @@ std::optional<std::string> tight_obstruction(const Parameters& p, const BaseBloc
                          });
   if (!adds_up) {
     return fmt::format("the introductions that an element can have do not add up to {} in {}",
-                       wanted, plural(shape.base_blocks, "base block"));
+                       wanted, count_of(shape.base_blocks, "base block"));
   }
   return std::nullopt;
 }
@@ -114,10 +111,10 @@ std::vector<Degree> fixed_degrees(const Parameters& p, const BaseBlockShape& sha
 }
 
 std::string to_string(const BaseBlockShape& shape) {
-  std::string text = fmt::format("{}, {} of length {}", plural(shape.base_blocks, "base block"),
-                                 plural(shape.cycles, "cycle"), shape.n);
+  std::string text = fmt::format("{}, {} of length {}", count_of(shape.base_blocks, "base block"),
+                                 count_of(shape.cycles, "cycle"), shape.n);
   if (shape.fixed > 0) {
-    text += fmt::format(", {}", plural(shape.fixed, "fixed point"));
+    text += fmt::format(", {}", count_of(shape.fixed, "fixed point"));
   }
   return text;
 }

@@ -6,6 +6,7 @@
 
 #include "changeover/catalog/label.hpp"
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 
 namespace changeover::cli {
 

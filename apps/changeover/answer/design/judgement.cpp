@@ -6,6 +6,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/verify/difference.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {

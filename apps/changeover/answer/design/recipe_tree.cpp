@@ -7,6 +7,7 @@
 #include "answer/answer.hpp"
 #include "answer/design/judgement.hpp"
 #include "changeover/construct/explanation.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {

@@ -10,6 +10,7 @@
 #include "changeover/io/other_formats.hpp"
 #include "changeover/io/tables.hpp"
 #include "cli/terminal.hpp"
+#include "core/words.hpp"
 
 namespace changeover::cli {
 namespace {

@@ -5,6 +5,7 @@
 #include "changeover/construct/explanation.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {

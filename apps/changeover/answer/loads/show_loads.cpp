@@ -13,6 +13,7 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/step_work.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {

@@ -8,6 +8,7 @@
 #include "answer/design/judgement.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/query.hpp"
 #include "serve/api/routes.hpp"
@@ -26,7 +27,7 @@ void write_defects(JsonWriter& json, const Verdict& verdict) {
     json.begin_object().key("block").value(step.to);
     json.key("why").value(fmt::format("from block {} to block {}{}: {} changed, not {}", step.from,
                                       step.to, step.to < step.from ? " (the circle closes)" : "",
-                                      cli::count_of(step.changes, "element"),
+                                      count_of(step.changes, "element"),
                                       verdict.parameters.change));
     json.end_object();
   }

@@ -17,6 +17,7 @@
 #include "changeover/curator/add.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/search/local_search.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/search_request.hpp"
 #include "serve/http/message.hpp"
@@ -242,7 +243,7 @@ void SearchJobs::search(Job& job) {
     job.message = "minimum: as many blocks as the lower bound";
   } else if (better) {
     job.message = fmt::format("{}; {} were known", result.how,
-                              cli::count_of(result.started_from.value_or(0), "block"));
+                              count_of(result.started_from.value_or(0), "block"));
   } else {
     job.message = result.unsearched.empty() ? "nothing better was found"
                                             : "no search was made: " + result.unsearched;

@@ -7,6 +7,7 @@
 #include "changeover/curator/add.hpp"
 #include "changeover/io/input.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
 #include "request/inputs.hpp"

@@ -5,6 +5,7 @@
 #include "changeover/curator/exchange.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
 #include "request/inputs.hpp"

@@ -7,6 +7,7 @@
 #include "changeover/curator/improve.hpp"
 #include "cli/status_line.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
 #include "request/run_request.hpp"

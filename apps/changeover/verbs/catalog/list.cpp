@@ -3,6 +3,7 @@
 
 #include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
+#include "core/words.hpp"
 #include "request/catalog_request.hpp"
 #include "verbs.hpp"
 

@@ -9,6 +9,7 @@
 #include "answer/design/recipe_tree.hpp"
 #include "changeover/catalog/label.hpp"
 #include "changeover/construct/registry.hpp"
+#include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
 #include "request/parameters.hpp"

@@ -10,6 +10,7 @@
 #include "changeover/curator/audit.hpp"
 #include "changeover/io/output.hpp"
 #include "core/printable.hpp"
+#include "core/words.hpp"
 #include "io/file/file_lock.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"

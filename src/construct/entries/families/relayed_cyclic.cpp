@@ -22,6 +22,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -148,11 +149,11 @@ class RelayedCyclic final : public Entry {
   std::string explain(const Recipe& recipe) const override {
     const Relay relay = required(recipe, Registry::standard());
     return fmt::format(
-        "While the {} goes round, {} of the {} carriers, {} new element{} each, are beside its blocks; one "
+        "While the {} goes round, {} of the {} carriers, {} each, are beside its blocks; one "
         "relieves "
         "another every {} translates or so.",
-        changeover::name(recipe.inputs.front().parameters), relay.t, relay.carriers(), relay.m,
-        relay.m == 1 ? "" : "s", relay.u / relay.carriers());
+        changeover::name(recipe.inputs.front().parameters), relay.t, relay.carriers(),
+        count_of(relay.m, "new element"), relay.u / relay.carriers());
   }
 
   std::vector<std::string> labels(const Recipe& recipe, const Registry& registry) const override {

@@ -47,6 +47,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 #include "core/checked.hpp"
+#include "core/words.hpp"
 
 namespace changeover {
 namespace {
@@ -404,7 +405,7 @@ class SmallV final : public Entry {
     for (const auto& [part, copies] : layers) {
       list += fmt::format("{}{} with {} of every element", list.empty() ? "a " : " and a ",
                           changeover::name(parameters_of(part, shape.p)),
-                          copies == 1 ? "one copy" : fmt::format("{} copies", copies));
+                          count_of(copies, "copy", "copies"));
     }
     return fmt::format("Write side by side, {} blocks each: {}.", shape.blocks(), list);
   }

@@ -8,7 +8,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
-#include "plan/job/words.hpp"
+#include "core/words.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
 #include "plan/search/of_checked.hpp"

@@ -9,6 +9,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
 #include "changeover/search/local_search.hpp"
+#include "core/words.hpp"
 #include "plan/search/starts/starts.hpp"
 #include "run/threads.hpp"
 
@@ -92,10 +93,6 @@ std::vector<Block> as_setups(const Job& job, const std::vector<Element>& parts,
     }
   }
   return setups;
-}
-
-std::string change_name(std::uint64_t m) {
-  return m == 1 ? "single-change" : m == 2 ? "double-change" : fmt::format("{}-change", m);
 }
 
 std::vector<Block> cheaper_direction(const Job& job, const std::vector<Element>& parts,

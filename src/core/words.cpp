@@ -1,0 +1,17 @@
+#include "core/words.hpp"
+
+#include <fmt/format.h>
+
+namespace changeover {
+
+std::string count_of(std::uint64_t n, std::string_view one, std::string_view many) {
+  return n == 1         ? fmt::format("1 {}", one)
+         : many.empty() ? fmt::format("{} {}s", n, one)
+                        : fmt::format("{} {}", n, many);
+}
+
+std::string change_name(std::uint64_t m) {
+  return m == 1 ? "single-change" : m == 2 ? "double-change" : fmt::format("{}-change", m);
+}
+
+}  // namespace changeover

@@ -1,0 +1,22 @@
+// Numbers in sentences.
+//
+//     count_of(1, "block")               // 1 block
+//     count_of(7, "block")               // 7 blocks
+//     count_of(2, "class", "classes")    // 2 classes
+//     change_name(2)                     // double-change
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace changeover {
+
+/// A number and the word for what it counts. The plural has an s unless it is given.
+[[nodiscard]] std::string count_of(std::uint64_t n, std::string_view one,
+                                   std::string_view many = {});
+
+/// What a design with m changes is called: single-change, double-change, 3-change.
+[[nodiscard]] std::string change_name(std::uint64_t m);
+
+}  // namespace changeover
