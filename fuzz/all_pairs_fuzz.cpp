@@ -8,7 +8,7 @@
 #include "support/chain.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::all_pairs_fuzz {
 namespace {
 
 constexpr std::uint64_t items = 6;
@@ -97,4 +97,4 @@ const Target target("all_pairs", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::all_pairs_fuzz

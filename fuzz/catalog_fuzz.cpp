@@ -3,7 +3,7 @@
 #include "changeover/curator/exchange.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::catalog_fuzz {
 namespace {
 
 const Target target("catalog", [](const std::string& bytes) {
@@ -26,4 +26,4 @@ const Target target("catalog", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::catalog_fuzz

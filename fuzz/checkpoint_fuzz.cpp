@@ -9,7 +9,7 @@
 #include "support/chain.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::checkpoint_fuzz {
 namespace {
 
 const Scratch& scratch() {
@@ -71,4 +71,4 @@ const Target target("checkpoint", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::checkpoint_fuzz

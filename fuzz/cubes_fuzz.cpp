@@ -7,7 +7,7 @@
 #include "changeover/proof/proof.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::cubes_fuzz {
 namespace {
 
 constexpr std::size_t most_variables_here = 12;
@@ -44,4 +44,4 @@ const Target target("cubes", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::cubes_fuzz

@@ -10,7 +10,7 @@
 #include "changeover/curator/exchange.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::database_fuzz {
 namespace {
 
 struct Table {
@@ -134,4 +134,4 @@ const Target target("database", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::database_fuzz

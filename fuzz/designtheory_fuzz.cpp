@@ -5,7 +5,7 @@
 #include "changeover/io/other_formats.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::designtheory_fuzz {
 namespace {
 
 const Target target("designtheory", [](const std::string& bytes) {
@@ -29,4 +29,4 @@ const Target target("designtheory", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::designtheory_fuzz

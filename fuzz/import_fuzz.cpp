@@ -6,7 +6,7 @@
 #include "changeover/curator/exchange.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::import_fuzz {
 namespace {
 
 void take_in(const std::vector<CatalogEntry>& entries) {
@@ -49,4 +49,4 @@ const Target target("import", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::import_fuzz

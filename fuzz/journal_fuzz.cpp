@@ -5,7 +5,7 @@
 #include "support/chain.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::journal_fuzz {
 namespace {
 
 constexpr std::uint64_t steps = 20;
@@ -49,4 +49,4 @@ const Target target("journal", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::journal_fuzz

@@ -2,7 +2,7 @@
 #include "changeover/io/formats.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::json_fuzz {
 namespace {
 
 const Target target("json", [](const std::string& bytes) {
@@ -12,4 +12,4 @@ const Target target("json", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::json_fuzz

@@ -2,7 +2,7 @@
 #include "changeover/catalog/label.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::label_fuzz {
 namespace {
 
 const Target target("label", [](const std::string& bytes) {
@@ -20,4 +20,4 @@ const Target target("label", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::label_fuzz

@@ -2,7 +2,7 @@
 #include "changeover/io/other_formats.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::literal_fuzz {
 namespace {
 
 const Target target("literal", [](const std::string& bytes) {
@@ -20,4 +20,4 @@ const Target target("literal", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::literal_fuzz

@@ -2,7 +2,7 @@
 #include "changeover/search/minima_table.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::minima_fuzz {
 namespace {
 
 const Target target("minima", [](const std::string& bytes) {
@@ -20,4 +20,4 @@ const Target target("minima", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::minima_fuzz

@@ -10,7 +10,7 @@
 #include "io/scan/row_reader.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::pairs_fuzz {
 namespace {
 
 constexpr std::uint64_t most_items_here = 16;
@@ -85,4 +85,4 @@ const Target target("pairs", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::pairs_fuzz

@@ -2,7 +2,7 @@
 #include "changeover/plan/job.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::plan_fuzz {
 namespace {
 
 void read_as_everything(const std::string& text, const Job& job) {
@@ -66,4 +66,4 @@ const Target target("plan", [](const std::string& text) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::plan_fuzz

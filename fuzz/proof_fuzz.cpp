@@ -6,7 +6,7 @@
 #include "changeover/proof/proof.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::proof_fuzz {
 namespace {
 
 constexpr std::uint64_t most_variables_here = 16;
@@ -72,4 +72,4 @@ const Target target("proof", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::proof_fuzz

@@ -11,7 +11,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::recipe_fuzz {
 namespace {
 
 constexpr std::uint64_t most_v_here = 400;
@@ -83,4 +83,4 @@ const Target target("recipe", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::recipe_fuzz

@@ -13,7 +13,7 @@
 #include "serve/jobs/search_jobs.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::request_fuzz {
 namespace {
 
 using namespace changeover::serve;
@@ -162,4 +162,4 @@ const Target target("request", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::request_fuzz

@@ -9,7 +9,7 @@
 #include "changeover/run/scope.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::sheet_fuzz {
 namespace {
 
 constexpr std::size_t most_parts_here = 12;
@@ -99,4 +99,4 @@ const Target target("sheet", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::sheet_fuzz

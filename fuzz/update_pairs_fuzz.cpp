@@ -7,7 +7,7 @@
 #include "support/chain.hpp"
 #include "support/promises.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::update_pairs_fuzz {
 namespace {
 
 constexpr std::uint64_t items = 12;
@@ -82,4 +82,4 @@ const Target target("update_pairs", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::update_pairs_fuzz

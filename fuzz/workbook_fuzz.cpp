@@ -10,7 +10,7 @@
 #include "support/promises.hpp"
 #include "zip_files.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::workbook_fuzz {
 namespace {
 
 std::string packed(const std::string& text) {
@@ -67,4 +67,4 @@ const Target target("workbook", [](const std::string& bytes) {
 });
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::workbook_fuzz

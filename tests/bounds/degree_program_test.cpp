@@ -10,7 +10,7 @@
 #include "core/checked.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover {
+namespace changeover::degree_program_test {
 namespace {
 
 // The program by brute force: every way to choose i_1 ≤ i_2 ≤ … with the right sum.
@@ -179,4 +179,4 @@ TEST(DegreeProgram, GivesTheCoveringBoundOfFortAndHedlundForTriples) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::degree_program_test

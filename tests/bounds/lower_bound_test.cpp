@@ -11,7 +11,7 @@
 #include "core/checked.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover {
+namespace changeover::lower_bound_test {
 namespace {
 
 std::uint64_t bound_named(const Parameters& p, const std::string& name) {
@@ -344,4 +344,4 @@ TEST(LowerBound, IsOfTheFirstKindAmongEqualOnes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::lower_bound_test

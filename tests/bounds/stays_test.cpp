@@ -7,7 +7,7 @@
 #include "bounds/stays.hpp"
 #include "run/random.hpp"
 
-namespace changeover {
+namespace changeover::stays_test {
 namespace {
 
 // Random sets until every `strength` elements were together, with a taste: some runs keep much of the set before,
@@ -75,4 +75,4 @@ TEST(Stays, OfAListInWhichNotAllMeetMayBeFewer) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::stays_test

@@ -14,7 +14,7 @@
 #include "changeover/construct/closure.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::every_construction_test {
 namespace {
 
 using namespace test;
@@ -307,4 +307,4 @@ TEST(EveryConstruction, HasAProperty) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::every_construction_test

@@ -6,7 +6,7 @@
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::explanation_test {
 namespace {
 
 const Registry& registry() { return Registry::standard(); }
@@ -84,4 +84,4 @@ TEST(Explanation, RefusesConstructionsThatThereAreNot) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::explanation_test

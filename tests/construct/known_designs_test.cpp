@@ -11,7 +11,7 @@
 #include "changeover/construct/standard_catalog.hpp"
 #include "run_program.hpp"
 
-namespace changeover {
+namespace changeover::known_designs_test {
 namespace {
 
 using test::TemporaryFolder;
@@ -146,4 +146,4 @@ TEST(KnownDesigns, FollowWhatTheUserFoundInCellsThatTheCatalogComesWith) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::known_designs_test

@@ -15,7 +15,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::pages_test {
 namespace {
 
 const std::string top = CHANGEOVER_TEST_DATA "/../../";
@@ -229,4 +229,4 @@ TEST(Pages, BenchSaysHowGoodTheTablesAre) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::pages_test

@@ -14,7 +14,7 @@
 #include "naive_verdict.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover {
+namespace changeover::planner_test {
 namespace {
 
 bool valid(const Design& design) { return verify(design).valid(); }
@@ -249,4 +249,4 @@ TEST(Cut, RecipeNeedsACircularDesign) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::planner_test

@@ -15,7 +15,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "damage.hpp"
 
-namespace changeover {
+namespace changeover::recipe_property_test {
 namespace {
 
 const Registry& registry() { return Registry::standard(); }
@@ -100,4 +100,4 @@ RC_GTEST_PROP(RecipesOfConstructions, DamagedTheyAreRefusedOrBuiltAsTheySay,
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::recipe_property_test

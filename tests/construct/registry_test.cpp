@@ -12,7 +12,7 @@
 #include "construction_checks.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover {
+namespace changeover::registry_test {
 namespace {
 
 using namespace test;
@@ -305,4 +305,4 @@ TEST(Registry, NearestAgreesWithTryingAllParameters) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::registry_test

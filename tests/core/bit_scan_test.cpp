@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace changeover {
+namespace changeover::bit_scan_test {
 namespace {
 
 TEST(OrBits, SetsEachBitWhereItBelongsAndNoOther) {
@@ -58,4 +58,4 @@ TEST(NextBit, FindsEveryBitInOrderAndThenNone) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::bit_scan_test

@@ -9,7 +9,7 @@
 #include "changeover/core/parameters.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::core_test {
 namespace {
 
 TEST(Binomial, EqualsPascalsTriangle) {
@@ -149,4 +149,4 @@ TEST(PairSet, HoldsWhatWasInserted) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::core_test

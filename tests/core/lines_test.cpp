@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace changeover {
+namespace changeover::lines_test {
 namespace {
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -25,4 +25,4 @@ TEST(Lines, EndAtLineFeedsOrWithTheText) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::lines_test

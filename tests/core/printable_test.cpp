@@ -6,7 +6,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::printable_test {
 namespace {
 
 TEST(Printable, LeavesTextOfAnyScriptAsItIs) {
@@ -59,4 +59,4 @@ TEST(LabelDefect, RefusesWhatNotEveryFormatAndTerminalCanCarry) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::printable_test

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace changeover::test {
+namespace changeover::test::sha256_test {
 namespace {
 
 TEST(Checksum, IsThatOfThePublishedExamples) {
@@ -46,4 +46,4 @@ TEST(Checksum, IsReadBackFromItsDigitsAndFromNothingElse) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::sha256_test

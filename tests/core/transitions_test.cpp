@@ -4,7 +4,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::transitions_test {
 namespace {
 
 Block copy(std::span<const Element> elements) { return {elements.begin(), elements.end()}; }
@@ -69,4 +69,4 @@ TEST(UnchangedSubsets, StandBetweenBlocks) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::transitions_test

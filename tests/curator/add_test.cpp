@@ -19,7 +19,7 @@
 #include "naive_verdict.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::add_test {
 namespace {
 
 using testing::HasSubstr;
@@ -247,4 +247,4 @@ TEST(Gains, AreBuiltAndBetter) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::add_test

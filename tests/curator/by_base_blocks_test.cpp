@@ -9,7 +9,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 
-namespace changeover::test {
+namespace changeover::test::by_base_blocks_test {
 namespace {
 
 std::vector<Block> sorted(const Design& design) {
@@ -68,4 +68,4 @@ TEST(ByBaseBlocks, NothingWithoutAnAutomorphismOrInALinearList) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::by_base_blocks_test

@@ -13,7 +13,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "damage.hpp"
 
-namespace changeover::test {
+namespace changeover::test::exchange_property_test {
 namespace {
 
 // Small designs, by recipes of all sorts and by their blocks.
@@ -100,4 +100,4 @@ RC_GTEST_PROP(ExchangeProperty, OfDamagedFilesOnlyDesignsAreTaken, (const Damage
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::exchange_property_test

@@ -17,7 +17,7 @@
 #include "changeover/run/scope.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::exchange_test {
 namespace {
 
 using testing::ElementsAre;
@@ -357,4 +357,4 @@ TEST(Audit, FindsWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::exchange_test

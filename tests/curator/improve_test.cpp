@@ -10,7 +10,7 @@
 #include "changeover/curator/exchange.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::improve_test {
 namespace {
 
 using testing::HasSubstr;
@@ -111,4 +111,4 @@ TEST(Submission, LeavesOutWhatIsNotAsItSays) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::improve_test

@@ -9,7 +9,7 @@
 #include "../catalog/entries.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::weakest_test {
 namespace {
 
 constexpr Kind linear = Kind::linear;
@@ -113,4 +113,4 @@ TEST(WeakestFirst, StrengthThreeIsAloneWithItself) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::weakest_test

@@ -3,7 +3,7 @@
 
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::bounds_examples_test {
 namespace {
 
 TEST(BoundsExamples, LowerBound) {
@@ -19,4 +19,4 @@ TEST(BoundsExamples, LowerBound) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::bounds_examples_test

@@ -2,7 +2,7 @@
 #include "example_support.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::catalog_examples_test {
 namespace {
 
 class CatalogExamples : public InAFolder {};
@@ -59,4 +59,4 @@ TEST_F(CatalogExamples, Label) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::catalog_examples_test

@@ -3,7 +3,7 @@
 
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::changeover_examples_test {
 namespace {
 
 TEST(ChangeoverExamples, TheWholeDoor) {
@@ -14,4 +14,4 @@ TEST(ChangeoverExamples, TheWholeDoor) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::changeover_examples_test

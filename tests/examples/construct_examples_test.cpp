@@ -1,7 +1,7 @@
 // The examples of the headers of construct/, as they stand there.
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::construct_examples_test {
 namespace {
 
 TEST(ConstructExamples, Closure) {
@@ -97,4 +97,4 @@ TEST(ConstructExamples, StandardCatalog) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::construct_examples_test

@@ -3,7 +3,7 @@
 
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::core_examples_test {
 namespace {
 
 TEST(CoreExamples, Automorphism) {
@@ -146,4 +146,4 @@ TEST(CoreExamples, Version) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::core_examples_test

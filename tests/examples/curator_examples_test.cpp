@@ -1,7 +1,7 @@
 // The examples of the headers of curator/, as they stand there.
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::curator_examples_test {
 namespace {
 
 class CuratorExamples : public InAFolder {
@@ -58,4 +58,4 @@ TEST_F(CuratorExamples, Improve) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::curator_examples_test

@@ -1,7 +1,7 @@
 // The examples of the headers of draw/, as they stand there.
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::draw_examples_test {
 namespace {
 
 TEST(DrawExamples, Draw) {
@@ -51,4 +51,4 @@ TEST(DrawExamples, PictureOfMarks) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::draw_examples_test

@@ -3,7 +3,7 @@
 
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::io_examples_test {
 namespace {
 
 class IoExamples : public InAFolder {
@@ -140,4 +140,4 @@ TEST_F(IoExamples, Latex) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::io_examples_test

@@ -1,7 +1,7 @@
 // The examples of the headers of isomorphism/, as they stand there.
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::isomorphism_examples_test {
 namespace {
 
 // The cyclic circular DCCD(11,4,11), and the same read backwards from another block, with other names.
@@ -61,4 +61,4 @@ TEST(IsomorphismExamples, BlockSystem) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::isomorphism_examples_test

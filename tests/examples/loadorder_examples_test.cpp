@@ -6,7 +6,7 @@
 
 extern "C" std::uint64_t steps_of_c_example(void);
 
-namespace changeover::test {
+namespace changeover::test::loadorder_examples_test {
 namespace {
 
 class LoadOrderExamples : public InAFolder {};
@@ -105,9 +105,8 @@ TEST_F(LoadOrderExamples, Improve) {
 
 TEST_F(LoadOrderExamples, LoadRequest) {
   LoadRequest request{.items = 64, .room = 16, .workers = 4};
-  EXPECT_EQ(
-      to_json(request),
-      "{\"format\":\"changeover-load-request/1\",\"items\":64,\"room\":16,\"workers\":4}\n");
+  EXPECT_EQ(to_json(request),
+            "{\"format\":\"changeover-load-request/1\",\"items\":64,\"room\":16,\"workers\":4}\n");
   const CheckedLoads asked = checked_loads(request, Door::document);
   const WorkerSplit split = split_load_order(asked.items(), asked.room(), *request.workers);
   EXPECT_EQ(split.facts().workers.size(), 4U);
@@ -241,4 +240,4 @@ TEST_F(LoadOrderExamples, InC) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::loadorder_examples_test

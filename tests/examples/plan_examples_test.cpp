@@ -3,7 +3,7 @@
 
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::plan_examples_test {
 namespace {
 
 TEST(PlanExamples, Benches) {
@@ -143,4 +143,4 @@ TEST(PlanExamples, SheetFormats) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::plan_examples_test

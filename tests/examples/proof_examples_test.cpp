@@ -1,7 +1,7 @@
 // The examples of the headers of proof/, as they stand there.
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::proof_examples_test {
 namespace {
 
 class ProofExamples : public InAFolder {};
@@ -30,4 +30,4 @@ TEST(CubeExamples, NothingIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::proof_examples_test

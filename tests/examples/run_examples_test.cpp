@@ -3,7 +3,7 @@
 
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::run_examples_test {
 namespace {
 
 TEST(RunExamples, Control) {
@@ -49,4 +49,4 @@ TEST(RunExamples, Scope) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::run_examples_test

@@ -3,7 +3,7 @@
 
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::search_examples_test {
 namespace {
 
 class SearchExamples : public InAFolder {};
@@ -141,4 +141,4 @@ TEST_F(SearchExamples, Repair) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::search_examples_test

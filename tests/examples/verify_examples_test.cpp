@@ -1,7 +1,7 @@
 // The examples of the headers of verify/, as they stand there.
 #include "example_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::verify_examples_test {
 namespace {
 
 TEST(VerifyExamples, Difference) {
@@ -63,4 +63,4 @@ TEST(VerifyExamples, VerifiedDesign) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::verify_examples_test

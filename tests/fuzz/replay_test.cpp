@@ -12,7 +12,7 @@
 
 #include "support/target.hpp"
 
-namespace changeover::fuzz {
+namespace changeover::fuzz::replay_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST(Corpora, EachFolderAndDictionaryHasATarget) {
 }
 
 }  // namespace
-}  // namespace changeover::fuzz
+}  // namespace changeover::fuzz::replay_test

@@ -6,7 +6,7 @@
 #include "../../src/isomorphism/incidence_graph.hpp"
 #include "sample_designs.hpp"
 
-namespace changeover::test {
+namespace changeover::test::block_system_test {
 namespace {
 
 BlockOrder order_of(Kind kind, bool reversal) {
@@ -90,4 +90,4 @@ TEST(BlockSystem, TheFanoPlaneHas168SymmetriesAndARepeatedBlockIsCounted) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::block_system_test

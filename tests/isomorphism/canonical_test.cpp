@@ -6,7 +6,7 @@
 #include "changeover/core/error.hpp"
 #include "sample_designs.hpp"
 
-namespace changeover::test {
+namespace changeover::test::canonical_test {
 namespace {
 
 using Blocks = std::vector<std::vector<Element>>;
@@ -251,4 +251,4 @@ TEST(Isomorphism, ListsWithoutBlocksOrWithOtherParametersAreToldApart) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::canonical_test

@@ -11,7 +11,7 @@
 #include <nauty/nauty.h>
 #undef _Thread_local
 
-namespace changeover::test {
+namespace changeover::test::nauty_test {
 namespace {
 
 struct Opinion {
@@ -89,4 +89,4 @@ TEST(Nauty, AgreesOnDesignsWithSymmetry) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::nauty_test

@@ -9,7 +9,7 @@ long count_pairs_in_c(uint64_t items, uint64_t room, uint64_t* loads_seen);
 int error_in_c(uint64_t items, uint64_t room, char* error, size_t size);
 }
 
-namespace changeover::test {
+namespace changeover::test::c_interface_test {
 namespace {
 
 TEST(CInterface, BringsAllPairsTogetherInAProgramWrittenInC) {
@@ -86,4 +86,4 @@ TEST(CInterface, StartsOverWhenAsked) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::c_interface_test

@@ -12,7 +12,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::both_checkers_test {
 namespace {
 
 using List = std::vector<Block>;
@@ -177,4 +177,4 @@ TEST(BothCheckers, RejectMutationsAtMarginOne) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::both_checkers_test

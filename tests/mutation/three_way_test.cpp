@@ -17,7 +17,7 @@
 #include "naive_verdict.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::three_way_test {
 namespace {
 
 /// What a verifier says in one line, or "refused".
@@ -240,4 +240,4 @@ TEST(ThreeWay, AFewHugeBlocksAreJudgedInGoodTime) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::three_way_test

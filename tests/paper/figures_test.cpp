@@ -4,7 +4,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::figures_test {
 namespace {
 
 TEST(PaperFigures, draws_all_five_in_both_formats) {
@@ -31,4 +31,4 @@ TEST(PaperFigures, refuses_a_picture_of_blocks_that_are_in_no_table) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::figures_test

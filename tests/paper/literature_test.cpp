@@ -9,7 +9,7 @@
 #include "changeover/construct/standard_catalog.hpp"
 #include "paper/print/printed.hpp"
 
-namespace changeover {
+namespace changeover::literature_test {
 namespace {
 
 // As the catalog writes the elements of a block.
@@ -104,4 +104,4 @@ TEST(Literature, ClassificationsAreWhole) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::literature_test

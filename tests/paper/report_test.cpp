@@ -6,7 +6,7 @@
 
 #include "paper/checks/checks.hpp"
 
-namespace changeover {
+namespace changeover::report_test {
 namespace {
 
 const PaperReport& whole_report() {
@@ -245,4 +245,4 @@ TEST(PaperReport, counts_findings_beyond_the_listed_ones) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::report_test

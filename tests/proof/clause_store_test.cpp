@@ -8,7 +8,7 @@
 #include <map>
 #include <random>
 
-namespace changeover {
+namespace changeover::clause_store_test {
 namespace {
 
 using Clause = std::vector<std::int32_t>;
@@ -226,4 +226,4 @@ TEST(ClauseStore, IsEmptiedOfManyClauses) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::clause_store_test

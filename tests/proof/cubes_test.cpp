@@ -8,7 +8,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::cubes_test {
 namespace {
 
 bool cover_by_brute_force(const std::vector<Cube>& cubes, int variables) {
@@ -70,4 +70,4 @@ RC_GTEST_PROP(CubesProperty, AgreeWithBruteForce, ()) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cubes_test

@@ -7,7 +7,7 @@
 
 #include "proof_texts.hpp"
 
-namespace changeover {
+namespace changeover::drat_details_test {
 namespace {
 
 using namespace test;
@@ -322,4 +322,4 @@ TEST(DratStop, IsAskedForEachMillionLooks) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::drat_details_test

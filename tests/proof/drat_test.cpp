@@ -7,7 +7,7 @@
 
 #include "proof_texts.hpp"
 
-namespace changeover {
+namespace changeover::drat_test {
 namespace {
 
 using namespace test;
@@ -287,4 +287,4 @@ TEST(Drat, SurvivesManyDeletions) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::drat_test

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace changeover {
+namespace changeover::control_test {
 namespace {
 
 using std::chrono::seconds;
@@ -88,4 +88,4 @@ TEST(RunControl, TellsFromOneThreadAtATime) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::control_test

@@ -6,7 +6,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::grace_test {
 namespace {
 
 TEST(RunGrace, GoesOnForAWhileAfterTheControlWantsToStop) {
@@ -47,4 +47,4 @@ TEST(RunGrace, KeepsTheMemoryLimitAndTheProgress) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::grace_test

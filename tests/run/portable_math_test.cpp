@@ -9,7 +9,7 @@
 
 #include "run/random.hpp"
 
-namespace changeover {
+namespace changeover::portable_math_test {
 namespace {
 
 double tolerance(double x) { return std::abs(x) * 4e-15 + 1e-16; }
@@ -49,4 +49,4 @@ TEST(PortableMath, HasTheSameBitsOnEveryMachine) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::portable_math_test

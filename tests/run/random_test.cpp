@@ -5,7 +5,7 @@
 #include <array>
 #include <set>
 
-namespace changeover {
+namespace changeover::random_test {
 namespace {
 
 TEST(Random, GivesTheSameNumbersForever) {
@@ -51,4 +51,4 @@ TEST(Random, NumbersBelowALimitAreEvenlySpread) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::random_test

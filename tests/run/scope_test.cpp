@@ -13,7 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "run/threads.hpp"
 
-namespace changeover {
+namespace changeover::scope_test {
 namespace {
 
 using testing::HasSubstr;
@@ -159,4 +159,4 @@ TEST(RunControl, ForOneOfSeveralAttemptsIsQuietAndStopsWithItsParent) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::scope_test

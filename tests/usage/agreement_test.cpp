@@ -8,7 +8,7 @@
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 
-namespace changeover::test {
+namespace changeover::test::agreement_test {
 namespace {
 
 std::string after(const std::string& text, const std::string& words) {
@@ -146,4 +146,4 @@ TEST(Agreement, OfNeighboursOfADesignOfTheUsers) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::agreement_test

@@ -6,7 +6,7 @@
 #include "cases.hpp"
 #include "changeover/core/sha256.hpp"
 
-namespace changeover::test {
+namespace changeover::test::catalog_lookup_test {
 namespace {
 
 TEST(CatalogVerbs, AnswerWhatIsAsked) {
@@ -110,4 +110,4 @@ TEST(CatalogVerbs, SayThatTheUsersFileIsNoCatalogAndGoOn) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::catalog_lookup_test

@@ -7,7 +7,7 @@
 #include "cases.hpp"
 #include "catalog/store/database.hpp"
 
-namespace changeover::test {
+namespace changeover::test::catalog_test {
 namespace {
 
 using testing::HasSubstr;
@@ -253,4 +253,4 @@ TEST_F(CatalogUsage, Diff) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::catalog_test

@@ -1,7 +1,7 @@
 // changeover classify and changeover same, as their users see them.
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::classify_test {
 namespace {
 
 TEST(Classify, CountsTheStandardFormsOfTheLiterature) {
@@ -97,4 +97,4 @@ TEST(Same, ReadsBackwardsOnlyIfItMay) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::classify_test

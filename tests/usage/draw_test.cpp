@@ -6,7 +6,7 @@
 #include "cases.hpp"
 #include "written_files.hpp"
 
-namespace changeover::test {
+namespace changeover::test::draw_test {
 namespace {
 
 class Draw : public testing::Test {
@@ -154,4 +154,4 @@ TEST_F(Draw, PdfAndPngComeFromTheConverter) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::draw_test

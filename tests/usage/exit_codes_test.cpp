@@ -1,7 +1,7 @@
 // Exit codes and the one clear line, as a table: what is documented is what happens.
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::exit_codes_test {
 namespace {
 
 void prepare(const TemporaryFolder& folder) {
@@ -300,4 +300,4 @@ TEST(Output, HasNoColourUnlessATerminalAsksForIt) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::exit_codes_test

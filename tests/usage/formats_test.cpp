@@ -9,7 +9,7 @@
 #include "cases.hpp"
 #include "written_files.hpp"
 
-namespace changeover::test {
+namespace changeover::test::formats_test {
 namespace {
 
 using testing::HasSubstr;
@@ -239,4 +239,4 @@ TEST_F(Formats, SeveralBenchesAreWrittenLikeOne) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::formats_test

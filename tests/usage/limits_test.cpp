@@ -4,7 +4,7 @@
 #include "cases.hpp"
 #include "limits_table.hpp"
 
-namespace changeover::test {
+namespace changeover::test::limits_test {
 namespace {
 
 struct Limit {
@@ -211,4 +211,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Limits, testing::ValuesIn(names()), [](const auto& 
 });
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::limits_test

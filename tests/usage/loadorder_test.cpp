@@ -7,7 +7,7 @@
 
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::loadorder_test {
 namespace {
 
 // The numbers of the list that follows "name": in a line of JSON.
@@ -427,4 +427,4 @@ TEST(AllPairsExample, OneProcessThatFailsEndsAllWithOneLine) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::loadorder_test

@@ -5,7 +5,7 @@
 
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::minima_test {
 namespace {
 
 using testing::HasSubstr;
@@ -51,4 +51,4 @@ TEST(Minima, IsOfOneProcessAtATimeAndNeverItsOwnInput) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::minima_test

@@ -3,7 +3,7 @@
 
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::other_formats_test {
 namespace {
 
 const std::string covering = "1 2 3\n1 4 5\n1 6 7\n2 4 6\n2 5 7\n3 4 7\n3 5 6\n";
@@ -80,4 +80,4 @@ TEST(OtherFormats, ACoveringIsOrderedAndExtended) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::other_formats_test

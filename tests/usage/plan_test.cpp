@@ -3,7 +3,7 @@
 
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::plan_test {
 namespace {
 
 using testing::AllOf;
@@ -596,4 +596,4 @@ TEST(Plan, CtrlCDeliversTheBestSoFar) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::plan_test

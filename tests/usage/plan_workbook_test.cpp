@@ -4,7 +4,7 @@
 #include "cases.hpp"
 #include "zip_files.hpp"
 
-namespace changeover::test {
+namespace changeover::test::plan_workbook_test {
 namespace {
 
 using testing::HasSubstr;
@@ -77,4 +77,4 @@ TEST(PlanWorkbook, SaysInOneLineWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::plan_workbook_test

@@ -4,7 +4,7 @@
 
 #include "cli/spelling.hpp"
 
-namespace changeover::cli {
+namespace changeover::cli::progress_line_test {
 namespace {
 
 Progress busy() {
@@ -50,4 +50,4 @@ TEST(Spelling, FindsTheNearestWordOrNone) {
 }
 
 }  // namespace
-}  // namespace changeover::cli
+}  // namespace changeover::cli::progress_line_test

@@ -3,7 +3,7 @@
 
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::search_limits_test {
 namespace {
 
 TEST(SearchLimits, CtrlCEndsTheSearchForAFirstDesign) {
@@ -161,4 +161,4 @@ TEST(SearchLimits, AnyNumberIsTakenOrRefused) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::search_limits_test

@@ -1,7 +1,7 @@
 // changeover search, run as its users run it: alone, under Ctrl-C, killed, and as four processes.
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::search_test {
 namespace {
 
 TEST(Search, WhatItProvesIsPartOfTheVerdict) {
@@ -147,4 +147,4 @@ TEST(Search, RepairsExtendsAndDevelops) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::search_test

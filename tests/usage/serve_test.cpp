@@ -7,7 +7,7 @@
 
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::serve_test {
 namespace {
 
 TEST(Serve, SaysWhatIsWrong) {
@@ -138,4 +138,4 @@ TEST(Serve, ExportsClearWhatAKilledOneLeft) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::serve_test

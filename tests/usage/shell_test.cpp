@@ -8,7 +8,7 @@
 #include "cases.hpp"
 #include "shell/roff.hpp"
 
-namespace changeover::test {
+namespace changeover::test::shell_test {
 namespace {
 
 const std::string root = std::filesystem::path(CHANGEOVER_TEST_DATA).parent_path().parent_path();
@@ -368,4 +368,4 @@ TEST(Completion, OfZshOffersWhatFitsWithWordsForIt) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::shell_test

@@ -5,7 +5,7 @@
 
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::streams_test {
 namespace {
 
 constexpr const char* search = "$changeover search 41 6 --time 1s --threads 1 ";
@@ -160,4 +160,4 @@ TEST(Usage, DescribesEveryVerbAndOptionForPrograms) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::streams_test

@@ -3,7 +3,7 @@
 
 #include "cases.hpp"
 
-namespace changeover::test {
+namespace changeover::test::train_embeddings_test {
 namespace {
 
 const std::string train = "$(dirname $all_pairs)/train_embeddings ";
@@ -67,4 +67,4 @@ TEST(TrainEmbeddings, SaysInOneLineWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::train_embeddings_test

@@ -10,7 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 
-namespace changeover {
+namespace changeover::difference_test {
 namespace {
 
 void expect_same_as_full_verification(const BaseBlocks& base) {
@@ -99,4 +99,4 @@ TEST(DifferenceVerdict, RefusesMalformedBaseBlocks) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::difference_test

@@ -10,7 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 
-namespace changeover {
+namespace changeover::interval_difference_test {
 namespace {
 
 // Equal to the certificate of the written-out base blocks in everything that it says.
@@ -320,4 +320,4 @@ TEST(IntervalDevelopedSource, RefusesWhatHasNoShape) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::interval_difference_test

@@ -5,7 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 
-namespace changeover {
+namespace changeover::running_verdict_test {
 namespace {
 
 // The development of {0,1,2,3,7} over Z_15, tight if it is circular.
@@ -51,4 +51,4 @@ TEST(RunningVerdict, RefusesBlocksOfAnotherSizeAndTooManyElements) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::running_verdict_test

@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-namespace changeover {
+namespace changeover::subset_set_test {
 namespace {
 
 TEST(ElementBits, PayFromSixteenIntroducedElementsAndOneIn128On) {
@@ -140,4 +140,4 @@ TEST(SubsetSet, IsTheSetOfNewSubsets) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::subset_set_test

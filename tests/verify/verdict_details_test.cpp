@@ -10,7 +10,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "changeover/verify/verified_design.hpp"
 
-namespace changeover {
+namespace changeover::verdict_details_test {
 namespace {
 
 template <typename Action>
@@ -276,4 +276,4 @@ TEST(IntervalDifferenceDetails, MessagesHaveTheNumbers) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::verdict_details_test

@@ -11,7 +11,7 @@
 #include "core/checked.hpp"
 #include "naive_verdict.hpp"
 
-namespace changeover {
+namespace changeover::verdict_test {
 namespace {
 
 using test::naive_verdict;
@@ -301,4 +301,4 @@ TEST(Verdict, ListsMissingPairsAndTriples) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::verdict_test

@@ -9,7 +9,7 @@
 #include "changeover/catalog/entry.hpp"
 #include "damage.hpp"
 
-namespace changeover::test {
+namespace changeover::test::entry_property_test {
 namespace {
 
 std::string some_words() {
@@ -111,4 +111,4 @@ RC_GTEST_PROP(LabelProperty, DamagedItIsNoneOrTheLabelOfSomethingElse,
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::entry_property_test

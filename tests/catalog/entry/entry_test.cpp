@@ -10,7 +10,7 @@
 
 #include "../entries.hpp"
 
-namespace changeover::test {
+namespace changeover::test::entry_test {
 namespace {
 
 using testing::HasSubstr;
@@ -222,4 +222,4 @@ TEST(Header, FilesAreReadLineByLine) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::entry_test

@@ -7,7 +7,7 @@
 
 #include "../entries.hpp"
 
-namespace changeover::test {
+namespace changeover::test::label_test {
 namespace {
 
 TEST(Label, IsReadAsItIsWritten) {
@@ -115,4 +115,4 @@ TEST(Label, DigestIsThatOfTheText) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::label_test

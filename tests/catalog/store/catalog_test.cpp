@@ -12,7 +12,7 @@
 #include "../entries.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::catalog_test {
 namespace {
 
 using testing::ElementsAre;
@@ -393,4 +393,4 @@ TEST(Catalog, DistrustIsOfThisProcess) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::catalog_test

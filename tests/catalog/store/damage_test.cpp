@@ -15,7 +15,7 @@
 #include "changeover/catalog/catalog.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::damage_test {
 namespace {
 
 using testing::AnyOf;
@@ -328,4 +328,4 @@ TEST(Migration, AllOrNothing) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::damage_test

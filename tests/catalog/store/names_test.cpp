@@ -19,7 +19,7 @@
 #include "changeover/catalog/label.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::names_test {
 namespace {
 
 using testing::HasSubstr;
@@ -300,4 +300,4 @@ TEST(CatalogWork, TheFewestOfACellAreFoundWithoutSorting) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::names_test

@@ -13,7 +13,7 @@
 #include "damage.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::rows_property_test {
 namespace {
 
 using Entries = std::map<std::string, CatalogEntry>;
@@ -159,4 +159,4 @@ RC_GTEST_PROP(RowsProperty, DamagedOnesAreNotTakenForOthers,
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::rows_property_test

@@ -5,7 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "partial_expansion_designs.hpp"
 
-namespace changeover {
+namespace changeover::enlarge_test {
 namespace {
 
 using namespace test;
@@ -81,4 +81,4 @@ TEST(Enlarge, SaysWhyNothingCanBeInserted) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::enlarge_test

@@ -8,7 +8,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::expansion_search_test {
 namespace {
 
 using namespace test;
@@ -309,4 +309,4 @@ RC_GTEST_PROP(ExpansionSearch, FindsOnlySetsWithoutDefectAndAllOfThem, ()) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::expansion_search_test

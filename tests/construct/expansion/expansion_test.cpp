@@ -9,7 +9,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::expansion_test {
 namespace {
 
 using namespace test;
@@ -262,4 +262,4 @@ RC_GTEST_PROP(Expand, IsTightForEveryCyclicDesignCutAnywhere, ()) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::expansion_test

@@ -10,7 +10,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "partial_expansion_designs.hpp"
 
-namespace changeover {
+namespace changeover::partial_expansion_test {
 namespace {
 
 using namespace test;
@@ -287,4 +287,4 @@ RC_GTEST_PROP(PartialExpansion, IsVerifiedForEveryCyclicDesignAndEveryNumber, ()
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::partial_expansion_test

@@ -8,7 +8,7 @@
 #include "construction_checks.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover {
+namespace changeover::single_change_expansion_test {
 namespace {
 
 using namespace test;
@@ -154,4 +154,4 @@ TEST(SingleChangeExpansion, ExplainsItself) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::single_change_expansion_test

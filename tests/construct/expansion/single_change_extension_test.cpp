@@ -6,7 +6,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::single_change_extension_test {
 namespace {
 
 using namespace test;
@@ -120,4 +120,4 @@ TEST(SingleChangeExtension, RefusesMoreElementsThanThereAre) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::single_change_extension_test

@@ -12,7 +12,7 @@
 #include "changeover/verify/difference.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_test {
 namespace {
 
 using namespace test;
@@ -364,4 +364,4 @@ RC_GTEST_PROP(Cyclic, HasAnExpansionSetExactlyIfItDividesEvenly, ()) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cyclic_test

@@ -16,7 +16,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::exact_cover_test {
 namespace {
 
 using Rows = std::vector<std::size_t>;
@@ -596,4 +596,4 @@ TEST(MaximalPackings, forced_choices_take_no_levels) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::exact_cover_test

@@ -13,7 +13,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::one_factorization_test {
 namespace {
 
 using CycleTypes = std::map<std::vector<std::uint32_t>, std::uint64_t>;
@@ -437,4 +437,4 @@ TEST(CycleTypes, and_perfection_refuse_what_is_no_factorization) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::one_factorization_test

@@ -11,7 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/transitions.hpp"
 
-namespace changeover {
+namespace changeover::path_test {
 namespace {
 
 // Breadth-first search over all k-subsets.
@@ -109,4 +109,4 @@ TEST(Path, CountsStepsOfManyElementsAtOnce) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::path_test

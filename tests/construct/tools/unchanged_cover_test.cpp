@@ -8,7 +8,7 @@
 #include "changeover/construct/partial_expansion.hpp"
 #include "partial_expansion_designs.hpp"
 
-namespace changeover {
+namespace changeover::unchanged_cover_test {
 namespace {
 
 using namespace test;
@@ -297,4 +297,4 @@ TEST(IntervalCover, IsAsSmallAsWhatTheSearchFinds) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::unchanged_cover_test

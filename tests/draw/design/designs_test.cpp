@@ -6,7 +6,7 @@
 #include "changeover/io/tables.hpp"
 #include "drawn.hpp"
 
-namespace changeover {
+namespace changeover::designs_test {
 namespace {
 
 Design three_blocks() {
@@ -432,4 +432,4 @@ TEST(LimitsTest, AStreamWithoutEndIsRefusedOrDrawnInPart) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::designs_test

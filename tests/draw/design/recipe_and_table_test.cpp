@@ -2,7 +2,7 @@
 #include "changeover/draw/heatmap.hpp"
 #include "drawn.hpp"
 
-namespace changeover {
+namespace changeover::recipe_and_table_test {
 namespace {
 
 std::size_t nodes_of(const Recipe& recipe) {
@@ -128,4 +128,4 @@ TEST(HeatmapTest, WhatIsNoTableIsRefused) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::recipe_and_table_test

@@ -3,7 +3,7 @@
 #include "changeover/core/developed.hpp"
 #include "drawn.hpp"
 
-namespace changeover {
+namespace changeover::figures_test {
 namespace {
 
 FactorFigure circle_factors(std::uint32_t order) {
@@ -90,4 +90,4 @@ TEST(FiguresTest, WhatDoesNotFitIsRefused) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::figures_test

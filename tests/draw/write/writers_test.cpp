@@ -2,7 +2,7 @@
 
 #include "drawn.hpp"
 
-namespace changeover {
+namespace changeover::writers_test {
 namespace {
 
 TEST(ThemeTest, ColoursStandOutFromTheGround) {
@@ -139,4 +139,4 @@ TEST(TextWidthTest, ItGrowsWithTheTextAndTheFont) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::writers_test

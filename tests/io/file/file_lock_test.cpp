@@ -13,7 +13,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::file_lock_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -95,4 +95,4 @@ TEST_F(FileLockTest, AnEmptyFileServesAndStays) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::file_lock_test

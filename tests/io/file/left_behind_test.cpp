@@ -16,7 +16,7 @@
 #include "changeover/io/output.hpp"
 #include "run_program.hpp"
 
-namespace changeover {
+namespace changeover::left_behind_test {
 namespace {
 
 std::set<std::string> names_in(const std::filesystem::path& folder) {
@@ -151,4 +151,4 @@ TEST(LeftBehind, TwoThatWriteTheSameFileDoNotTakeEachOthers) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::left_behind_test

@@ -14,7 +14,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -384,4 +384,4 @@ TEST_F(OutputFileTest, AHandlerOfOthersIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::output_file_test

@@ -5,7 +5,7 @@
 #include "changeover/io/formats.hpp"
 #include "random_designs.hpp"
 
-namespace changeover {
+namespace changeover::other_formats_test {
 namespace {
 
 using testing::ElementsAre;
@@ -235,4 +235,4 @@ TEST(OtherFormats, DamagedBytes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::other_formats_test

@@ -11,7 +11,7 @@
 #include "core/printable.hpp"
 #include "random_designs.hpp"
 
-namespace changeover {
+namespace changeover::read_design_test {
 namespace {
 
 const std::string data = std::string(CHANGEOVER_TEST_DATA) + "/io/";
@@ -176,4 +176,4 @@ RC_GTEST_PROP(ReadDesignProperty, WritersAreRecognised, (std::uint32_t seed)) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::read_design_test

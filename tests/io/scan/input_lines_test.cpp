@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace changeover {
+namespace changeover::input_lines_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -58,4 +58,4 @@ TEST(InputLines, AreRefusedAboveALength) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::input_lines_test

@@ -6,7 +6,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover::test {
+namespace changeover::test::row_reader_test {
 namespace {
 
 using testing::ElementsAre;
@@ -102,4 +102,4 @@ TEST(RowReader, ReadsWhatIsWrittenInQuotes) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::row_reader_test

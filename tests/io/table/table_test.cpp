@@ -6,7 +6,7 @@
 #include "changeover/io/tables.hpp"
 #include "io/table/table_document.hpp"
 
-namespace changeover {
+namespace changeover::table_table_test {
 namespace {
 
 // A table whose cells are written down, a column a row of `cells`.
@@ -100,4 +100,4 @@ TEST(TableDocument, LinesOfAPageWithFiguresStandAtItsEnd) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::table_table_test

@@ -5,7 +5,7 @@
 
 #include "damage.hpp"
 
-namespace changeover {
+namespace changeover::cell_text_test {
 namespace {
 
 TEST(CellText, NumbersAreWhatPeopleSee) {
@@ -84,4 +84,4 @@ TEST(CellText, NamesOfCells) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cell_text_test

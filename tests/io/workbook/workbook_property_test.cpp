@@ -13,7 +13,7 @@
 #include "io/workbook/workbook_sheet.hpp"
 #include "zip_files.hpp"
 
-namespace changeover {
+namespace changeover::workbook_property_test {
 namespace {
 
 using test::Damage;
@@ -180,4 +180,4 @@ RC_GTEST_PROP(WorkbookProperty, DamagedXmlIsRefusedOrASheet,
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::workbook_property_test

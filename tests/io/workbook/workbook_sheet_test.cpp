@@ -9,7 +9,7 @@
 #include "io/workbook/zip_archive.hpp"
 #include "zip_files.hpp"
 
-namespace changeover {
+namespace changeover::workbook_sheet_test {
 namespace {
 
 using test::Members;
@@ -218,4 +218,4 @@ TEST(WorkbookSheet, DamagedBytes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::workbook_sheet_test

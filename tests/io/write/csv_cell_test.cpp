@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace changeover {
+namespace changeover::csv_cell_test {
 namespace {
 
 // A cell without its quotes, as any reader of CSV takes them off.
@@ -88,4 +88,4 @@ TEST(CsvNumber, IsPlainAndNeverEscaped) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::csv_cell_test

@@ -2,7 +2,7 @@
 
 #include "random_designs.hpp"
 
-namespace changeover {
+namespace changeover::csv_test {
 namespace {
 
 Design read(const std::string& text, const ReadOptions& options = {}) {
@@ -139,4 +139,4 @@ RC_GTEST_PROP(CsvProperty, MutatedFilesGiveADesignOrOneLine, (std::uint32_t seed
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::csv_test

@@ -3,7 +3,7 @@
 #include "io/write/json_writer.hpp"
 #include "random_designs.hpp"
 
-namespace changeover {
+namespace changeover::json_test {
 namespace {
 
 Design read(const std::string& text, const ReadOptions& options = {}) {
@@ -254,4 +254,4 @@ RC_GTEST_PROP(JsonProperty, MutatedFilesGiveADesignOrOneLine, (std::uint32_t see
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::json_test

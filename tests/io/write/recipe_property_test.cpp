@@ -6,7 +6,7 @@
 #include "changeover/io/formats.hpp"
 #include "damage.hpp"
 
-namespace changeover {
+namespace changeover::recipe_property_test {
 namespace {
 
 Recipe some_recipe(std::uint32_t seed) {
@@ -36,4 +36,4 @@ RC_GTEST_PROP(RecipeProperty, DamagedItIsRefusedOrAnotherRecipe,
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::recipe_property_test

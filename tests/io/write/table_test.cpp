@@ -4,7 +4,7 @@
 #include "changeover/core/transitions.hpp"
 #include "random_designs.hpp"
 
-namespace changeover {
+namespace changeover::write_table_test {
 namespace {
 
 std::string table(const Design& design, const TableOptions& options = {}) {
@@ -228,4 +228,4 @@ RC_GTEST_PROP(LatexProperty, TablesAreBalancedAndTheirRowsFit, (std::uint32_t se
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::write_table_test

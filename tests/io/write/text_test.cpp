@@ -6,7 +6,7 @@
 #include "changeover/io/input.hpp"
 #include "random_designs.hpp"
 
-namespace changeover {
+namespace changeover::text_test {
 namespace {
 
 // An input that cannot be rewound and hands out a few bytes at a time.
@@ -416,4 +416,4 @@ RC_GTEST_PROP(TextProperty, MutatedFilesGiveADesignOrOneLine, (std::uint32_t see
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::text_test

@@ -12,7 +12,7 @@
 #include "loadorder/order/lockstep_grown.hpp"
 #include "loadorder_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::disjoint_test {
 namespace {
 
 using Steps = std::vector<std::vector<Step>>;  // by worker
@@ -288,4 +288,4 @@ TEST(Disjoint, RefusesTooManyWorkersAndTooManyItems) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::disjoint_test

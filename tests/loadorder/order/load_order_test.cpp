@@ -11,7 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "loadorder_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::load_order_test {
 namespace {
 
 TEST(LoadOrder, BringsEveryPairTogetherForAllSmallItemsAndRoom) {
@@ -194,4 +194,4 @@ TEST(LoadOrder, BoundIsThatOfSingleChangeDesigns) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::load_order_test

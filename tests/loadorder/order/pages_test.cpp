@@ -10,7 +10,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::pages_test {
 namespace {
 
 // The cells of a row of a Markdown table, without blanks around them.
@@ -102,4 +102,4 @@ TEST(Pages, LoadorderSaysHowFarOrdersAreFromTheBound) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::pages_test

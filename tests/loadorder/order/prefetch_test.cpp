@@ -4,7 +4,7 @@
 
 #include "loadorder_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::prefetch_test {
 namespace {
 
 ScheduleRules rules_of(std::uint64_t items, std::uint64_t room) {
@@ -153,4 +153,4 @@ TEST(Prefetch, OfMoreItemsThanPairsCanBeKeptInMindComputesWhatArrivesAgainstAllT
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::prefetch_test

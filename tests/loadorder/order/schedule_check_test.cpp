@@ -9,7 +9,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "loadorder_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::schedule_check_test {
 namespace {
 
 std::vector<Step> steps_of(const LoadOrder& order) { return all_steps(*order.stream()); }
@@ -155,4 +155,4 @@ TEST(Baselines, AreLoadOrdersWithTheNumbersOfBlocksThatAreKnown) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::schedule_check_test

@@ -8,7 +8,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "pairs/pairs_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::step_work_test {
 namespace {
 
 ScheduleRules rules_of(const LoadOrder& order, const ComputeRules& compute) {
@@ -120,4 +120,4 @@ TEST(StepWork, OfSeveralWorkersHasEachPairOnce) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::step_work_test

@@ -10,7 +10,7 @@
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::two_levels_test {
 namespace {
 
 /// The definition in sets. Empty, or what is wrong.
@@ -196,4 +196,4 @@ TEST(TwoLevels, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::two_levels_test

@@ -8,7 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "loadorder_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::workers_test {
 namespace {
 
 TEST(Workers, TogetherBringEveryPairTogetherWithinTheirRoom) {
@@ -138,4 +138,4 @@ TEST(Workers, RefuseNoneAndTooMany) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::workers_test

@@ -7,7 +7,7 @@
 #include "changeover/loadorder/step_work.hpp"
 #include "loadorder_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::write_back_test {
 namespace {
 
 std::vector<Step> steps_of(const LoadOrder& order) {
@@ -113,4 +113,4 @@ TEST(WriteBack, OfDisjointWorkersLosesNoChange) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::write_back_test

@@ -11,7 +11,7 @@
 #include "loadorder/pairs/pair_bounds.hpp"
 #include "pairs_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::held_order_test {
 namespace {
 
 TEST(HeldOrder, OfTwoSetsIsBetweenTheBoundAndTheFewest) {
@@ -194,4 +194,4 @@ TEST(WantedPairs, KnowWhatTheyAre) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::held_order_test

@@ -15,7 +15,7 @@
 #include "loadorder/pairs/pair_bounds.hpp"
 #include "pairs_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::listed_order_test {
 namespace {
 
 TEST(ListedOrder, IsBetweenTheBoundAndTheFewestAndMostlyTheFewest) {
@@ -259,4 +259,4 @@ TEST(ListedOrder, ASearchLooksNoMoreOftenThanItsWorkAllows) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::listed_order_test

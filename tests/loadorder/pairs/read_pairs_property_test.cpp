@@ -10,7 +10,7 @@
 #include "damage.hpp"
 #include "io/scan/row_reader.hpp"
 
-namespace changeover::test {
+namespace changeover::test::read_pairs_property_test {
 namespace {
 
 using Pairs = std::set<std::pair<std::string, std::string>>;  // by name; the smaller name first
@@ -146,4 +146,4 @@ RC_GTEST_PROP(PairListProperty, DamagedItIsRefusedOrAList, (const std::vector<Da
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::read_pairs_property_test

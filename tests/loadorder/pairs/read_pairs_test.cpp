@@ -5,7 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
 
-namespace changeover::test {
+namespace changeover::test::read_pairs_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -145,4 +145,4 @@ TEST(ReadPairs, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::read_pairs_test

@@ -9,11 +9,11 @@
 
 #include "loadorder/pairs/bucket_queue.hpp"
 #include "loadorder/pairs/closing.hpp"
-#include "loadorder/pairs/lacking.hpp"
+#include "loadorder/pairs/fewest_missing.hpp"
 #include "loadorder/pairs/small_search.hpp"
 #include "pairs_support.hpp"
 
-namespace changeover::test {
+namespace changeover::test::starts_test {
 namespace {
 
 RC_GTEST_PROP(BucketQueue, TakesWhatAListOfAllWouldTake, (bool newest)) {
@@ -118,7 +118,7 @@ TEST(Lacking, IsEmptyOnceItIsGivenUp) {
   std::vector<Element> roots(static_cast<std::size_t>(graph.items()));
   std::iota(roots.begin(), roots.end(), 0U);
   int asked = 0;
-  EXPECT_TRUE(lacking_order(graph, 12, roots, BucketQueue::Ties::newest, [&] {
+  EXPECT_TRUE(fewest_missing_order(graph, 12, roots, BucketQueue::Ties::newest, [&] {
                 return ++asked == 20;
               }).empty());
   EXPECT_EQ(asked, 20);
@@ -204,4 +204,4 @@ TEST(SmallSearch, ServesShortListsOnly) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::starts_test

@@ -10,7 +10,7 @@
 #include "io/request/request_document.hpp"
 #include "run_program.hpp"
 
-namespace changeover {
+namespace changeover::load_request_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -82,7 +82,8 @@ TEST(LoadRequest, SaysWhatIsWrongInTheWordsOfTheDoor) {
       {R"({"items":9,"room":3,"fast_room":4})", "fast_room 4: of room 3 give 2 to 3"},
       {R"({"items":9,"room":3,"done_items":9})", "done_items 9: of items 9 none would be new"},
       {R"({"items":9,"room":3,"against":2,"pairs":[[0,1]]})", "exclude each other"},
-      {R"({"items":9,"room":3,"ordered":true})", "ordered is for new_pairs, write_back or prefetch"},
+      {R"({"items":9,"room":3,"ordered":true})",
+       "ordered is for new_pairs, write_back or prefetch"},
       {R"({"items":9,"room":3,"write_back":true,"workers":2})",
        "two workers would change one item"},
       {R"({"items":10000000,"room":3,"against":2})", "together; at most 10000000"},
@@ -119,4 +120,4 @@ TEST(LoadRequest, ABadByteNeverBecomesAnotherFault) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::load_request_test

@@ -18,7 +18,7 @@
 #include "changeover/loadorder/prefetch.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::all_pairs_test {
 namespace {
 
 constexpr std::size_t item_bytes = 1000;  // not a multiple of anything
@@ -436,4 +436,4 @@ TEST(FileItems, ReadsTheSameWithAndWithoutThePageCache) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::all_pairs_test

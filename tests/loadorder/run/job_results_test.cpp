@@ -18,7 +18,7 @@
 #include "changeover/loadorder/all_pairs.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::job_results_test {
 namespace {
 
 constexpr std::uint64_t items = 12;
@@ -477,4 +477,4 @@ TEST(JobThreads, ThatCannotBeStartedAreOneFaultAndNoAbort) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::job_results_test

@@ -11,7 +11,7 @@
 #include "loadorder/run/journal.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::journal_property_test {
 namespace {
 
 using Records = std::vector<JournalRecord>;
@@ -188,4 +188,4 @@ RC_GTEST_PROP(JournalProperty, WithRightChecksumsOnlyStepsOfTheJobCount,
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::journal_property_test

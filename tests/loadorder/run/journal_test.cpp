@@ -5,7 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::journal_test {
 namespace {
 
 TEST(Journal, AFirstLineThatEndsAnywhereIsNewOrAnotherJobs) {
@@ -34,4 +34,4 @@ TEST(Journal, AFirstLineThatEndsAnywhereIsNewOrAnotherJobs) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::journal_test

@@ -12,7 +12,7 @@
 #include "changeover/core/error.hpp"
 #include "run_program.hpp"
 
-namespace changeover::test {
+namespace changeover::test::update_pairs_test {
 namespace {
 
 constexpr std::size_t item_bytes = 24;
@@ -297,4 +297,4 @@ TEST(UpdatePairs, RefusesWhatIsWrongAndEndsWithWhatIsThrown) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::update_pairs_test

@@ -6,7 +6,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::enumeration_test {
 namespace {
 
 // Minima that three independent programs agree on.
@@ -79,4 +79,4 @@ TEST(OrderOfPairs, exists_but_for_the_circular_one_of_five_elements) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::enumeration_test

@@ -4,7 +4,7 @@
 #include "changeover/core/error.hpp"
 #include "falsified.hpp"
 
-namespace changeover {
+namespace changeover::falsified_tables_test {
 namespace {
 
 using namespace test;
@@ -232,4 +232,4 @@ TEST(FalsifiedTable, a_minimum_must_be_one) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::falsified_tables_test

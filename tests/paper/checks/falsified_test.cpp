@@ -4,7 +4,7 @@
 #include "changeover/core/error.hpp"
 #include "falsified.hpp"
 
-namespace changeover {
+namespace changeover::falsified_test {
 namespace {
 
 using namespace test;
@@ -377,4 +377,4 @@ TEST(FalsifiedPaper, what_cannot_be_read_is_refused) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::falsified_test

@@ -4,7 +4,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::formula_test {
 namespace {
 
 Fraction at(std::string_view formula, const Values& values = {}) {
@@ -50,4 +50,4 @@ TEST(Formula, refuses_what_it_cannot_read) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::formula_test

@@ -7,7 +7,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
 
-namespace changeover {
+namespace changeover::printed_test {
 namespace {
 
 PrintedTable small_table(std::string layout) {
@@ -169,4 +169,4 @@ TEST(PrintedPaper, figures_are_read_by_names) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::printed_test

@@ -6,7 +6,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::amount_test {
 namespace {
 
 TEST(Amount, IsReadExactlyAndWrittenLikeMoney) {
@@ -68,4 +68,4 @@ TEST(Amount, SaysThatACostIsTooLargeAndWhatToDo) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::amount_test

@@ -5,7 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 
-namespace changeover {
+namespace changeover::change_costs_test {
 namespace {
 
 using testing::HasSubstr;
@@ -69,4 +69,4 @@ TEST(ChangeCosts, SaysWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::change_costs_test

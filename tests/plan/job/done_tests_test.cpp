@@ -10,7 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 
-namespace changeover {
+namespace changeover::done_tests_test {
 namespace {
 
 bool holds(const Block& setup, const Block& parts) {
@@ -160,4 +160,4 @@ TEST(DoneTests, ALongRestOfASheetIsCutToWhatBringsSomething) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::done_tests_test

@@ -7,7 +7,7 @@
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::job_test {
 namespace {
 
 using testing::ElementsAre;
@@ -163,4 +163,4 @@ TEST(Job, NeedsTheRestOfManyLargeTests) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::job_test

@@ -11,7 +11,7 @@
 #include "damage.hpp"
 #include "some_names.hpp"
 
-namespace changeover {
+namespace changeover::lists_property_test {
 namespace {
 
 using test::Damage;
@@ -337,4 +337,4 @@ RC_GTEST_PROP(ListsProperty, DamagedSlotsAreRefusedOrSlots, (const std::vector<D
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::lists_property_test

@@ -5,7 +5,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 
-namespace changeover {
+namespace changeover::part_columns_test {
 namespace {
 
 using testing::ElementsAre;
@@ -121,4 +121,4 @@ TEST(PartColumns, PairsHaveAHeaderOnlyIfItNamesNoPart) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::part_columns_test

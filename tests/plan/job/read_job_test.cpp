@@ -10,7 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "run/random.hpp"
 
-namespace changeover {
+namespace changeover::read_job_test {
 namespace {
 
 using testing::ElementsAre;
@@ -321,4 +321,4 @@ TEST(Pairs, MayHaveBlanksBetweenThemAndQuotesAroundThem) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::read_job_test

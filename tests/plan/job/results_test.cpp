@@ -7,7 +7,7 @@
 
 #include "changeover/plan/job.hpp"
 
-namespace changeover {
+namespace changeover::results_test {
 namespace {
 
 void expect_all(const std::vector<std::string>& texts, TestResult wanted) {
@@ -104,4 +104,4 @@ TEST(Results, ATestThatWasNotRunSaysNothingAndOneThatWasDoneSaysThat) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::results_test

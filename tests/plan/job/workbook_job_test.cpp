@@ -6,7 +6,7 @@
 #include "run_program.hpp"
 #include "zip_files.hpp"
 
-namespace changeover {
+namespace changeover::workbook_job_test {
 namespace {
 
 using test::workbook_of;
@@ -122,4 +122,4 @@ TEST(WorkbookJob, OneSheetOfSeveral) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::workbook_job_test

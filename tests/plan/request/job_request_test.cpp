@@ -11,7 +11,7 @@
 #include "io/request/request_document.hpp"
 #include "run_program.hpp"
 
-namespace changeover {
+namespace changeover::job_request_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -284,4 +284,4 @@ TEST(JobRequest, DoneTestsCountAsTheyAreSent) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::job_request_test

@@ -10,7 +10,7 @@
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::benches_test {
 namespace {
 
 using testing::Contains;
@@ -153,4 +153,4 @@ TEST(Benches, RefuseWhatTheyDoNotServe) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::benches_test

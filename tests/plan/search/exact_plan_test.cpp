@@ -6,7 +6,7 @@
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::exact_plan_test {
 namespace {
 
 Amount units(std::uint64_t n) { return Amount{n * 1'000'000}; }
@@ -83,4 +83,4 @@ TEST(ExactPlan, LargeJobsAndLargeCostsAreNotSmall) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::exact_plan_test

@@ -9,7 +9,7 @@
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::first_test {
 namespace {
 
 using testing::Contains;
@@ -165,4 +165,4 @@ TEST(First, ARuleThatIsBrokenIsNamedWithItsLine) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::first_test

@@ -7,7 +7,7 @@
 #include "changeover/plan/sheet_formats.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::rest_test {
 namespace {
 
 using testing::ElementsAre;
@@ -119,4 +119,4 @@ TEST(ReadDone, AResultThatIsNotUnderstoodHasItsPlace) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::rest_test

@@ -11,7 +11,7 @@
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::run_plan_test {
 namespace {
 
 Amount units(std::uint64_t n) { return Amount{n * 1'000'000}; }
@@ -329,4 +329,4 @@ TEST(RunPlan, NoNumberOfStepsOverflows) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::run_plan_test

@@ -4,7 +4,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::shuffle_test {
 namespace {
 
 RunPlan planned(const Job& job) {
@@ -51,4 +51,4 @@ TEST(Shuffled, NothingIsExchangedWhereAllPartsDiffer) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::shuffle_test

@@ -7,7 +7,7 @@
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::slots_test {
 namespace {
 
 using testing::ElementsAre;
@@ -283,4 +283,4 @@ TEST(Slots, ABudgetAndTheRestObeyThem) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::slots_test

@@ -11,7 +11,7 @@
 #include "plan/search/triple_plan.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::triples_test {
 namespace {
 
 Amount units(std::uint64_t n) { return Amount{n * 1'000'000}; }
@@ -217,4 +217,4 @@ TEST(Lists, KeepCountUnderAllMoves) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::triples_test

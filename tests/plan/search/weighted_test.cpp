@@ -12,7 +12,7 @@
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::weighted_test {
 namespace {
 
 using testing::HasSubstr;
@@ -204,4 +204,4 @@ TEST(Priorities, AreReadOrRefusedWithTheirPlace) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::weighted_test

@@ -6,7 +6,7 @@
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::what_if_test {
 namespace {
 
 Amount units(std::uint64_t n) { return Amount{n * 1'000'000}; }
@@ -103,4 +103,4 @@ TEST(WhatIf, OfNothingIsOneRange) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::what_if_test

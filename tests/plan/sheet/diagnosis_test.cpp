@@ -9,7 +9,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::diagnosis_test {
 namespace {
 
 using testing::ElementsAre;
@@ -206,4 +206,4 @@ TEST(Diagnosis, ContradictionsAreNamed) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::diagnosis_test

@@ -9,7 +9,7 @@
 #include "plan/search/lists/assignment.hpp"
 #include "replacing_jobs.hpp"
 
-namespace changeover {
+namespace changeover::replacement_test {
 namespace {
 
 using testing::ElementsAre;
@@ -79,4 +79,4 @@ TEST(Replacement, ExcessIsPaidAtItsOwnCostOrTakenOutForNothing) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::replacement_test

@@ -5,7 +5,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::run_sheet_test {
 namespace {
 
 using testing::ElementsAre;
@@ -96,4 +96,4 @@ TEST(RunSheet, ReportsAForbiddenPairOfAnyStep) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::run_sheet_test

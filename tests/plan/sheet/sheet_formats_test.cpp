@@ -11,7 +11,7 @@
 
 #include "changeover/plan/job.hpp"
 
-namespace changeover {
+namespace changeover::sheet_formats_test {
 namespace {
 
 using testing::HasSubstr;
@@ -319,4 +319,4 @@ TEST_F(SheetFormats, TablesOfVeryLongListsAreLaidOutAtOnce) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::sheet_formats_test

@@ -13,7 +13,7 @@
 #include "random_jobs.hpp"
 #include "some_names.hpp"
 
-namespace changeover {
+namespace changeover::sheet_property_test {
 namespace {
 
 using test::Damage;
@@ -157,4 +157,4 @@ RC_GTEST_PROP(SheetProperty, DamagedCsvIsRefusedOrHoldsSetUps,
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::sheet_property_test

@@ -5,7 +5,7 @@
 #include "io/scan/row_reader.hpp"
 #include "zip_files.hpp"
 
-namespace changeover {
+namespace changeover::sheet_xlsx_test {
 namespace {
 
 using test::unzipped;
@@ -111,4 +111,4 @@ TEST_F(SheetXlsx, SeveralBenchesHaveASheetEach) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::sheet_xlsx_test

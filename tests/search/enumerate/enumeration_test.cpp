@@ -11,7 +11,7 @@
 #include "core/checked.hpp"
 #include "enumeration_oracle.hpp"
 
-namespace changeover::test {
+namespace changeover::test::enumeration_test {
 namespace {
 
 Parameters parameters(std::uint64_t v, std::uint64_t k, std::uint64_t change, Kind kind) {
@@ -299,4 +299,4 @@ TEST(Enumeration, SlowFindsAllTightLinearDoubleChangeDesignsOfNineElements) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::enumeration_test

@@ -12,7 +12,7 @@
 #include "naive_verdict.hpp"
 #include "search/sat/sat_solver.hpp"
 
-namespace changeover {
+namespace changeover::exact_encoding_test {
 namespace {
 
 std::optional<Design> solution(const Parameters& p, std::uint64_t b,
@@ -157,4 +157,4 @@ TEST(ExactEncoding, RefusesAnyAbsurdNumberOfBlocksAtOnce) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::exact_encoding_test

@@ -18,7 +18,7 @@
 #include "run_program.hpp"
 #include "search/exact/exact_encoding.hpp"
 
-namespace changeover {
+namespace changeover::exact_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -350,4 +350,4 @@ TEST(Decide, SaysWhenTheDiskGetsFullOnTheWay) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::exact_test

@@ -10,7 +10,7 @@
 #include "changeover/search/minima_table.hpp"
 #include "run_program.hpp"
 
-namespace changeover {
+namespace changeover::minima_file_test {
 namespace {
 
 const std::string docs = CHANGEOVER_TEST_DATA "/../../docs/";
@@ -70,4 +70,4 @@ TEST(MinimaFile, ExcludesNothingThatIsNotExcludedWhereRulesLeadThere) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::minima_file_test

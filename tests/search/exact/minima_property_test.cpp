@@ -8,7 +8,7 @@
 #include "changeover/search/minima_table.hpp"
 #include "damage.hpp"
 
-namespace changeover {
+namespace changeover::minima_property_test {
 namespace {
 
 using test::some_number;
@@ -86,4 +86,4 @@ RC_GTEST_PROP(MinimaProperty, DamagedTheyAreRefusedOrTables,
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::minima_property_test

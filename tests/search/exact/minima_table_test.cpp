@@ -8,7 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover {
+namespace changeover::minima_table_test {
 namespace {
 
 using testing::HasSubstr;
@@ -128,4 +128,4 @@ TEST(MinimaTable, IsWrittenAsTables) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::minima_table_test

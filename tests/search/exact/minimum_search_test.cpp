@@ -7,7 +7,7 @@
 #include "naive_verdict.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover {
+namespace changeover::minimum_search_test {
 namespace {
 
 std::optional<Design> from_construction(const Parameters& p) {
@@ -158,4 +158,4 @@ TEST(LowerBoundOnPaper, IsNeverWhatExhaustiveSearchFound) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::minimum_search_test

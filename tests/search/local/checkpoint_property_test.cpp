@@ -14,7 +14,7 @@
 #include "run_program.hpp"
 #include "search/local/checkpoint.hpp"
 
-namespace changeover {
+namespace changeover::checkpoint_property_test {
 namespace {
 
 using test::Damage;
@@ -174,4 +174,4 @@ RC_GTEST_PROP(CheckpointsProperty, WithARightChecksumTheyAreRefusedOrStatesOfASe
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::checkpoint_property_test

@@ -22,7 +22,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "run_program.hpp"
 
-namespace changeover {
+namespace changeover::checkpoint_test {
 namespace {
 
 class Checkpoints : public testing::Test {
@@ -419,4 +419,4 @@ TEST_F(Checkpoints, SurvivesAKill) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::checkpoint_test

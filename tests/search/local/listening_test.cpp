@@ -22,7 +22,7 @@
 #include "search/local/segment_subsets.hpp"
 #include "search/symmetric/base_block_sat.hpp"
 
-namespace changeover {
+namespace changeover::listening_test {
 namespace {
 
 using Seconds = std::chrono::duration<double>;
@@ -200,4 +200,4 @@ TEST(Listening, ShapesTakeAnyNumber) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::listening_test

@@ -17,7 +17,7 @@
 #include "search/local/imposed.hpp"
 #include "search/local/random_list.hpp"
 
-namespace changeover {
+namespace changeover::local_search_test {
 namespace {
 
 ImproveResult search(const Parameters& p, const ImproveOptions& options,
@@ -285,4 +285,4 @@ TEST(Imposed, RefusesAnAutomorphismThatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::local_search_test

@@ -13,7 +13,7 @@
 #include "search/local/segment_pairs.hpp"
 #include "search/local/segment_subsets.hpp"
 
-namespace changeover {
+namespace changeover::segment_test {
 namespace {
 
 struct Case {
@@ -356,4 +356,4 @@ TEST(SegmentOrbits, IsADesignWithTheAutomorphismAfterEveryMove) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::segment_test

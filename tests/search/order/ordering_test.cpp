@@ -13,7 +13,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "run/random.hpp"
 
-namespace changeover {
+namespace changeover::ordering_test {
 namespace {
 
 using Order = std::vector<std::size_t>;
@@ -406,4 +406,4 @@ TEST(OrderForLeastChange, SlowOrdersTwentyThousandBlocks) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::ordering_test

@@ -12,7 +12,7 @@
 #include "run/random.hpp"
 #include "search/local/random_list.hpp"
 
-namespace changeover {
+namespace changeover::repair_test {
 namespace {
 
 RepairResult mend(const Design& list, const RepairOptions& options = {}) {
@@ -153,4 +153,4 @@ TEST(Extend, RefusesAWrongStep) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::repair_test

@@ -6,7 +6,7 @@
 
 #include "search/sat/sat_solver.hpp"
 
-namespace changeover {
+namespace changeover::cardinality_test {
 namespace {
 
 std::vector<Literal> some_literals(Cnf& cnf, std::size_t size) {
@@ -93,4 +93,4 @@ TEST(Cardinality, AllowsExactlyTheRightNumbers) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cardinality_test

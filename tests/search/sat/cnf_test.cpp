@@ -4,7 +4,7 @@
 
 #include "changeover/core/error.hpp"
 
-namespace changeover {
+namespace changeover::cnf_test {
 namespace {
 
 TEST(Cnf, IsWrittenInDimacs) {
@@ -31,4 +31,4 @@ TEST(Cnf, RefusesLiteralsOfNoVariable) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cnf_test

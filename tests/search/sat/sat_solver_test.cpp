@@ -12,7 +12,7 @@
 #include "run_program.hpp"
 #include "search/exact/exact_encoding.hpp"
 
-namespace changeover {
+namespace changeover::sat_solver_test {
 namespace {
 
 // So many pigeons and one hole less.
@@ -150,4 +150,4 @@ TEST(SplitIntoCubes, DoesNotSplitWhatIsRefutedOrHasNothingToSplitOn) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::sat_solver_test

@@ -17,7 +17,7 @@
 #include "search/symmetric/base_block_anneal.hpp"
 #include "search/symmetric/base_block_sat.hpp"
 
-namespace changeover {
+namespace changeover::base_block_test {
 namespace {
 
 Parameters circular(std::uint64_t v, std::uint64_t k, std::uint64_t m = 2) {
@@ -476,4 +476,4 @@ TEST(BaseBlockMethod, HasNames) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::base_block_test

@@ -7,7 +7,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "served.hpp"
 
-namespace changeover::test {
+namespace changeover::test::answers_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -340,4 +340,4 @@ TEST_F(Answers, AreCompressedForWhoTakesIt) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::answers_test

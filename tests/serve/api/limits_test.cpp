@@ -6,7 +6,7 @@
 #include "serve/api/cells.hpp"
 #include "served.hpp"
 
-namespace changeover {
+namespace changeover::limits_test {
 namespace {
 
 using namespace test;
@@ -117,4 +117,4 @@ TEST_F(Limits, EachRowOfThePageHoldsAtTheLimitAndOneBeyond) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::limits_test

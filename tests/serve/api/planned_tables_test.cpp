@@ -10,7 +10,7 @@
 #include "cli/cli.hpp"
 #include "serve/api/planned_tables.hpp"
 
-namespace changeover::test {
+namespace changeover::test::planned_tables_test {
 namespace {
 
 const cli::TableRange range{.k = {3, 4}, .v = {5, 12}, .change = 2};
@@ -59,4 +59,4 @@ TEST(PlannedTables, OneThatStopsLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::planned_tables_test

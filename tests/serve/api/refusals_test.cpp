@@ -3,7 +3,7 @@
 
 #include "served.hpp"
 
-namespace changeover::test {
+namespace changeover::test::refusals_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -272,4 +272,4 @@ TEST_F(Refusals, DesignsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::refusals_test

@@ -8,7 +8,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "served.hpp"
 
-namespace changeover::test {
+namespace changeover::test::searches_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -168,4 +168,4 @@ TEST(Log, HasALineARequestAndNoToken) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::searches_test

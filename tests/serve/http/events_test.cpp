@@ -6,7 +6,7 @@
 
 #include "client.hpp"
 
-namespace changeover::serve {
+namespace changeover::serve::events_test {
 namespace {
 
 // All that comes until the feed holds this text, or has ended.
@@ -83,4 +83,4 @@ TEST(Events, WhoNeverReadsIsLetGo) {
 }
 
 }  // namespace
-}  // namespace changeover::serve
+}  // namespace changeover::serve::events_test

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace changeover::serve {
+namespace changeover::serve::guard_test {
 namespace {
 
 Request asked(std::map<std::string, std::string> headers, const std::string& path = "api/about") {
@@ -93,4 +93,4 @@ TEST(SameSecret, KnowsEveryDifference) {
 }
 
 }  // namespace
-}  // namespace changeover::serve
+}  // namespace changeover::serve::guard_test

@@ -7,7 +7,7 @@
 
 #include "served.hpp"
 
-namespace changeover::test {
+namespace changeover::test::hard_times_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -217,4 +217,4 @@ TEST(HardTimes, StoppingEndsEverything) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::hard_times_test

@@ -6,7 +6,7 @@
 
 #include "served.hpp"
 
-namespace changeover::test {
+namespace changeover::test::heads_test {
 namespace {
 
 using ::testing::AnyOf;
@@ -246,4 +246,4 @@ TEST_F(Heads, RefusalsAtTheSameTimeReachWhomTheyAreFor) {
 }
 
 }  // namespace
-}  // namespace changeover::test
+}  // namespace changeover::test::heads_test

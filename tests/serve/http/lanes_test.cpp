@@ -5,7 +5,7 @@
 #include <atomic>
 #include <latch>
 
-namespace changeover::serve {
+namespace changeover::serve::lanes_test {
 namespace {
 
 TEST(Lanes, QuickTasksPassSlowOnes) {
@@ -47,4 +47,4 @@ TEST(Lanes, StopSaysWhenSomethingDoesNotEnd) {
 }
 
 }  // namespace
-}  // namespace changeover::serve
+}  // namespace changeover::serve::lanes_test

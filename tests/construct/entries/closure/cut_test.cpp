@@ -6,7 +6,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::cut_test {
 namespace {
 
 using namespace test;
@@ -98,4 +98,4 @@ TEST(Cut, RefusesSpoiltRecipes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cut_test

@@ -2,7 +2,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::developed_test {
 namespace {
 
 using namespace test;
@@ -111,4 +111,4 @@ TEST(Developed, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::developed_test

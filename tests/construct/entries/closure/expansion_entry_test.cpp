@@ -6,7 +6,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::expansion_entry_test {
 namespace {
 
 using namespace test;
@@ -134,4 +134,4 @@ TEST(ExpansionEntry, ExplainsItself) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::expansion_entry_test

@@ -9,7 +9,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::partial_expansion_entry_test {
 namespace {
 
 using namespace test;
@@ -261,4 +261,4 @@ TEST(PartialExpansionEntry, ExplainsItself) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::partial_expansion_entry_test

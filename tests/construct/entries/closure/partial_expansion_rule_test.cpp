@@ -9,7 +9,7 @@
 #include "construction_checks.hpp"
 #include "naive_verdict.hpp"
 
-namespace changeover {
+namespace changeover::partial_expansion_rule_test {
 namespace {
 
 using namespace test;
@@ -160,4 +160,4 @@ TEST(PartialExpansionRule, APlanOfOneCellKnowsWhatAPlanOfAllKnows) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::partial_expansion_rule_test

@@ -9,7 +9,7 @@
 #include "construction_checks.hpp"
 #include "stays.hpp"
 
-namespace changeover {
+namespace changeover::rules_on_stays_test {
 namespace {
 
 using namespace test;
@@ -150,4 +150,4 @@ TEST(RulesOnStays, RefuseSpoiltRecipes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::rules_on_stays_test

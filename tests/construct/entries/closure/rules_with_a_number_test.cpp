@@ -8,7 +8,7 @@
 #include "changeover/construct/closure.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::rules_with_a_number_test {
 namespace {
 
 using namespace test;
@@ -217,4 +217,4 @@ RC_GTEST_PROP(BlowUp, AndFixMayBeNestedInAnyOrder, ()) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::rules_with_a_number_test

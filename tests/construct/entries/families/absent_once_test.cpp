@@ -3,7 +3,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::absent_once_test {
 namespace {
 
 using namespace test;
@@ -64,4 +64,4 @@ TEST(AbsentOnce, LeavesPairsToOthersAndRefusesWhatItDoesNotServe) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::absent_once_test

@@ -2,7 +2,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_61_4_test {
 namespace {
 
 using namespace test;
@@ -39,4 +39,4 @@ TEST(Cyclic61x4, RefusesSpoiltRecipes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cyclic_61_4_test

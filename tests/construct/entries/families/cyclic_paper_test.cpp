@@ -4,7 +4,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_paper_test {
 namespace {
 
 using namespace test;
@@ -106,4 +106,4 @@ RC_GTEST_PROP(CyclicPaper, HasAnExpansionSetExactlyIfItDividesEvenly, ()) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cyclic_paper_test

@@ -7,7 +7,7 @@
 #include "construct/tools/cyclic.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_single_change_test {
 namespace {
 
 using namespace test;
@@ -148,4 +148,4 @@ TEST(CyclicSingleChange, ExplainsItself) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cyclic_single_change_test

@@ -6,7 +6,7 @@
 #include "changeover/verify/difference.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_triple_change_test {
 namespace {
 
 using namespace test;
@@ -71,4 +71,4 @@ TEST(CyclicTripleChange, ExplainsItself) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cyclic_triple_change_test

@@ -4,7 +4,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_without_neighbours_test {
 namespace {
 
 using namespace test;
@@ -110,4 +110,4 @@ TEST(CyclicWithoutNeighbours, RefuseSpoiltRecipes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cyclic_without_neighbours_test

@@ -6,7 +6,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
 
-namespace changeover {
+namespace changeover::disjoint_walk_test {
 namespace {
 
 TEST(DisjointWalk, ServesWhatCannotHoldAnElement) {
@@ -35,4 +35,4 @@ TEST(DisjointWalk, ServesWhatCannotHoldAnElement) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::disjoint_walk_test

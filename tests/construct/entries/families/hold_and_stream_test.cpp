@@ -6,7 +6,7 @@
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"
 
-namespace changeover {
+namespace changeover::hold_and_stream_test {
 namespace {
 
 const Construction& hold_and_stream() { return *Registry::standard().find("hold-and-stream"); }
@@ -78,4 +78,4 @@ TEST(HoldAndStream, RefusesRecipesThatAreNotItsOwn) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::hold_and_stream_test

@@ -5,7 +5,7 @@
 #include "construction_checks.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover {
+namespace changeover::one_block_size_test {
 namespace {
 
 using namespace test;
@@ -325,4 +325,4 @@ TEST(OneBlockSizeFamilies, ExplainThemselves) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::one_block_size_test

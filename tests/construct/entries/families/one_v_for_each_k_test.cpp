@@ -6,7 +6,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::one_v_for_each_k_test {
 namespace {
 
 using namespace test;
@@ -166,4 +166,4 @@ TEST(OneVForEachKFamilies, ExplainThemselves) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::one_v_for_each_k_test

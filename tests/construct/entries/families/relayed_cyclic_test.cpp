@@ -5,7 +5,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::relayed_cyclic_test {
 namespace {
 
 using namespace test;
@@ -88,4 +88,4 @@ TEST(RelayedCyclic, HasCarriersThatStayOnce) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::relayed_cyclic_test

@@ -3,7 +3,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::relayed_windows_test {
 namespace {
 
 using namespace test;
@@ -75,4 +75,4 @@ TEST(RelayedWindows, RefuseSpoiltRecipes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::relayed_windows_test

@@ -4,7 +4,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 
-namespace changeover {
+namespace changeover::single_block_test {
 namespace {
 
 TEST(SingleBlock, IsTheTightDesignWithAsManyElementsAsABlockHolds) {
@@ -29,4 +29,4 @@ TEST(SingleBlock, IsTheTightDesignWithAsManyElementsAsABlockHolds) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::single_block_test

@@ -7,7 +7,7 @@
 #include "construction_checks.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover {
+namespace changeover::small_v_test {
 namespace {
 
 using namespace test;
@@ -217,8 +217,8 @@ TEST(SmallV, ExplainsItself) {
       "and a circular SCCD(4,2) with 3 copies of every element.");
   EXPECT_EQ(
       explanation({10, 5, 2, Kind::linear, 2}),
-      "Write side by side, 7 blocks each: a linear SCCD(6,3) with one copy of every element and a "
-      "linear SCCD(4,2) with one copy of every element.");
+      "Write side by side, 7 blocks each: a linear SCCD(6,3) with 1 copy of every element and a "
+      "linear SCCD(4,2) with 1 copy of every element.");
 }
 
 TEST(SmallV, RefusesSpoiltRecipes) {
@@ -231,4 +231,4 @@ TEST(SmallV, RefusesSpoiltRecipes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::small_v_test

@@ -3,7 +3,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::visited_windows_test {
 namespace {
 
 using namespace test;
@@ -118,4 +118,4 @@ TEST(ClosedUpWindows, RefuseSpoiltRecipes) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::visited_windows_test

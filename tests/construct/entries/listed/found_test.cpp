@@ -9,7 +9,7 @@
 #include "changeover/construct/standard_catalog.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::found_test {
 namespace {
 
 using namespace test;
@@ -135,4 +135,4 @@ TEST(Found, ARecipeMayCarryItsBlocks) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::found_test

@@ -2,7 +2,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::literal_test {
 namespace {
 
 using namespace test;
@@ -68,4 +68,4 @@ TEST(Literal, RefusesMalformedBlocks) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::literal_test

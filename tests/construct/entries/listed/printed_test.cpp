@@ -2,7 +2,7 @@
 
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::printed_test {
 namespace {
 
 using namespace test;
@@ -55,4 +55,4 @@ TEST(Printed, RefusesSpoiltRecipesAndOtherBlocks) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::printed_test

@@ -8,7 +8,7 @@
 #include "plan/search/starts/starts.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::sequence_test {
 namespace {
 
 Sequence sequence_of(const Job& job, const std::vector<Block>& setups) {
@@ -120,4 +120,4 @@ TEST(Sequence, WritesItsSetUpsAndReadsThemBack) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::sequence_test

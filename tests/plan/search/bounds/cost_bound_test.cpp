@@ -9,7 +9,7 @@
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::cost_bound_test {
 namespace {
 
 Amount units(std::uint64_t n) { return Amount{n * 1'000'000}; }
@@ -120,4 +120,4 @@ TEST(CostBound, CountsWithTheLargestCosts) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::cost_bound_test

@@ -6,7 +6,7 @@
 
 #include "run/random.hpp"
 
-namespace changeover {
+namespace changeover::stays_cost_test {
 namespace {
 
 // The least cost over all numbers of stays that satisfy every inequality.
@@ -60,4 +60,4 @@ TEST(StaysCost, CountsWhatTheTheoremAsks) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::stays_cost_test

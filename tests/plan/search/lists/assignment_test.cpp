@@ -11,7 +11,7 @@
 
 #include "run/random.hpp"
 
-namespace changeover {
+namespace changeover::assignment_test {
 namespace {
 
 std::int64_t by_trying(std::size_t rows, std::size_t columns,
@@ -49,4 +49,4 @@ TEST(Assignment, OfTheExample) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::assignment_test

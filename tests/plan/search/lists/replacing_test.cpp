@@ -13,7 +13,7 @@
 #include "plan/search/lists/lists_search.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::replacing_test {
 namespace {
 
 RunPlan planned(const Job& job, PlanOptions options = {}, unsigned threads = 1) {
@@ -232,4 +232,4 @@ TEST(Replacing, WhatIsNotDoneIsRefused) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::replacing_test

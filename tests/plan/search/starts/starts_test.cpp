@@ -12,7 +12,7 @@
 #include "plan/search/candidates.hpp"
 #include "random_jobs.hpp"
 
-namespace changeover {
+namespace changeover::starts_test {
 namespace {
 
 Job job_with_dear_parts(Element parts, std::uint64_t at_once) {
@@ -116,4 +116,4 @@ TEST(Covering, IsLeftOutWhereTimeIsShort) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::starts_test
