@@ -192,7 +192,7 @@ void Running::finish() {
   status_line().clear();
 }
 
-Answer spoken(std::shared_ptr<Running> running, Answer answer) {
+Answer final_answer(std::shared_ptr<Running> running, Answer answer) {
   if (!Team::world().first()) {
     answer.write = nullptr;
   }

@@ -6,7 +6,7 @@
 //     const auto running = std::make_shared<Running>(run, output);    // now Ctrl-C asks the search to stop
 //     auto result = improve(p, options, running->control());
 //     running->finish();
-//     return spoken(running, show_design(…));
+//     return final_answer(running, show_design(…));
 #pragma once
 
 #include <chrono>
@@ -78,7 +78,7 @@ class Running {
 
 /// The answer of a search: of several processes that share it the first one speaks, and Ctrl-C does not end the
 /// process before it is delivered.
-[[nodiscard]] Answer spoken(std::shared_ptr<Running> running, Answer answer);
+[[nodiscard]] Answer final_answer(std::shared_ptr<Running> running, Answer answer);
 
 /// Work without limits of its own: what lasts longer than a second is told on a terminal, tables that half of
 /// the machine's memory does not hold are refused, and Ctrl-C ends the process. For the whole program; a Running

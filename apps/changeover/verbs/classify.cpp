@@ -218,9 +218,9 @@ Answer run(const ClassifyRequest& request) {
     answer.found = of_all(mine, p);
     answer.seconds = running->control().elapsed().count();
   }
-  return spoken(running,
-                text_answer(request.output.json() ? json(answer) : text(answer), request.output,
-                            answer.complete() ? exit_code::done : exit_code::limit_reached));
+  return final_answer(
+      running, text_answer(request.output.json() ? json(answer) : text(answer), request.output,
+                           answer.complete() ? exit_code::done : exit_code::limit_reached));
 }
 
 }  // namespace

@@ -97,9 +97,9 @@ Answer run(const MinimaRequest& request) {
     save();
   }
   std::erase_if(rows, [&](const MinimaRow& row) { return !request.shows(row); });
-  return spoken(running,
-                text_answer(request.output.json() ? minima_json(rows) : minima_markdown(rows),
-                            request.output));
+  return final_answer(running,
+                      text_answer(request.output.json() ? minima_json(rows) : minima_markdown(rows),
+                                  request.output));
 }
 
 }  // namespace

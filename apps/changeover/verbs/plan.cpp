@@ -90,7 +90,7 @@ Answer answer_to(const PlanRequest& request) {
     answer.fault = std::make_exception_ptr(
         MissingResource("the plan may not be the best that could be found: " + *found.shortage()));
   }
-  return spoken(running, std::move(answer));
+  return final_answer(running, std::move(answer));
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ Answer search(const BaseBlockSearch& request) {
   if (!result.found()) {
     JsonWriter json;
     json.begin_object().key("found").value(false).key("attempts").value(lines).end_object();
-    return spoken(running, no_design(request.output, exit_code::limit_reached,
-                                     fmt::format("{}", fmt::join(lines, "\n")), json.take()));
+    return final_answer(running, no_design(request.output, exit_code::limit_reached,
+                                           fmt::format("{}", fmt::join(lines, "\n")), json.take()));
   }
   SearchFind find{*result.design, lines};
   if (result.recipe) {
@@ -54,7 +54,7 @@ Answer search(const BaseBlockSearch& request) {
                                                       : find.design.recipe->inputs.front();
     leaf.provenance = provenance(request, p, "--base-blocks");
   }
-  return spoken(running, show_find(find, request, exit_code::found));
+  return final_answer(running, show_find(find, request, exit_code::found));
 }
 
 }  // namespace changeover::cli

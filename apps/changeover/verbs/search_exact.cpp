@@ -306,7 +306,7 @@ Answer search(const ExactSearch& request) {
   running->finish();
   Answer answer = answer_of(request, result);
   answer.fault = result.fault;
-  return spoken(running, std::move(answer));
+  return final_answer(running, std::move(answer));
 }
 
 }  // namespace changeover::cli

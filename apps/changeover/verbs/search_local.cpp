@@ -86,11 +86,11 @@ Answer search(const LocalSearch& request) {
   const Parameters& p = request.parameters;
   const auto running = std::make_shared<Running>(request.run, request.output);
   if (const auto reason = impossibility(p)) {
-    return spoken(running, decline(request, *reason));
+    return final_answer(running, decline(request, *reason));
   }
   const std::optional<Bound> bound = bound_in_time(p, running->control());
   if (bound && request.blocks && *request.blocks < bound->blocks) {
-    return spoken(running, decline(request, bound->reason));
+    return final_answer(running, decline(request, bound->reason));
   }
   ImproveOptions options;
   options.target = request.blocks;
@@ -113,7 +113,7 @@ Answer search(const LocalSearch& request) {
   const int code =
       reached || (!request.blocks && better) ? exit_code::found : exit_code::limit_reached;
   if (!result.design) {
-    return spoken(
+    return final_answer(
         running,
         no_design(request.output, code,
                   fmt::format("No {} yet: stopped ({}) before there was one{}", name(p),
@@ -149,7 +149,7 @@ Answer search(const LocalSearch& request) {
         fmt::format("the answer is complete, but the checkpoint is not as far as the search: {}",
                     result.checkpoint_fault)));
   }
-  return spoken(running, std::move(answer));
+  return final_answer(running, std::move(answer));
 }
 
 }  // namespace changeover::cli

@@ -68,16 +68,16 @@ Answer search(const OrderSearch& request) {
     running->finish();
     const std::string change = count_of(*request.change, "element");
     if (found.outcome == Outcome::none) {
-      return spoken(running,
-                    no_design(request.output, exit_code::proved_none,
-                              fmt::format("No {} order of these {} changes {} at every step: {}.",
-                                          to_string(request.kind), count_of(blocks.size(), "block"),
-                                          change, found.reason)));
+      return final_answer(
+          running, no_design(request.output, exit_code::proved_none,
+                             fmt::format("No {} order of these {} changes {} at every step: {}.",
+                                         to_string(request.kind), count_of(blocks.size(), "block"),
+                                         change, found.reason)));
     }
     if (found.outcome == Outcome::unknown) {
-      return spoken(running, no_design(request.output, exit_code::limit_reached,
-                                       fmt::format("No such order was found; stopped: {}.",
-                                                   to_string(found.why_stopped))));
+      return final_answer(running, no_design(request.output, exit_code::limit_reached,
+                                             fmt::format("No such order was found; stopped: {}.",
+                                                         to_string(found.why_stopped))));
     }
     ordered.order = std::move(found.order);
     ordered.lines = {
@@ -104,9 +104,9 @@ Answer search(const OrderSearch& request) {
   p.change = request.change.value_or(p.change);
   Design design(p, arranged(blocks, ordered.order));
   design.set_labels(given.labels());
-  return spoken(running, request.change && verify(design).valid()
-                             ? show_find({std::move(design), ordered.lines}, request, code)
-                             : show_list(design, ordered, request, code));
+  return final_answer(running, request.change && verify(design).valid()
+                                   ? show_find({std::move(design), ordered.lines}, request, code)
+                                   : show_list(design, ordered, request, code));
 }
 
 }  // namespace changeover::cli

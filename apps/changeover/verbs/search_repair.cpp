@@ -34,7 +34,7 @@ Answer search(const RepairSearch& request) {
   const auto running = std::make_shared<Running>(request.run, request.output);
   const RepairResult result = repair(list, {}, running->control());
   running->finish();
-  return spoken(
+  return final_answer(
       running,
       answer(result,
              fmt::format("repaired: the list had {}, {} and {}; {} of its blocks are kept",
@@ -49,7 +49,7 @@ Answer search(const ExtendSearch& request) {
   const ExtendResult result =
       extend(beginning, {.blocks = request.blocks, .moves = {}}, running->control());
   running->finish();
-  return spoken(
+  return final_answer(
       running,
       answer(
           result,

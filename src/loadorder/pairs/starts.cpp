@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "loadorder/pairs/bucket_queue.hpp"
-#include "loadorder/pairs/lacking.hpp"
+#include "loadorder/pairs/fewest_missing.hpp"
 
 namespace changeover {
 namespace {
@@ -133,7 +133,7 @@ void each_start(
     return;
   }
   for (const auto ties : {BucketQueue::Ties::oldest, BucketQueue::Ties::newest}) {
-    Order lacking = lacking_order(graph, room, frontier, ties, give_up);
+    Order lacking = fewest_missing_order(graph, room, frontier, ties, give_up);
     const char* const name =
         ties == BucketQueue::Ties::oldest ? "lacking, oldest" : "lacking, newest";
     if (lacking.empty() || !visit(name, std::move(lacking))) {

@@ -21,11 +21,11 @@ class Completion {
         enemies_(&enemies),
         liked_(liked),
         members_(&members),
-        lacking_(members.size()),
+        missing_(members.size()),
         free_(members.size()),
         against_(enemies.size()) {
     for (std::size_t s = 0; s < members.size(); ++s) {
-      lacking_[s] = fitting.least(s);
+      missing_[s] = fitting.least(s);
       free_[s] = members[s].size();
     }
   }
@@ -33,8 +33,8 @@ class Completion {
   void put(Element x) {
     setup_.push_back(x);
     const std::size_t s = fitting_->slot(x);
-    if (s < lacking_.size()) {
-      lacking_[s] -= lacking_[s] > 0 ? 1U : 0U;
+    if (s < missing_.size()) {
+      missing_[s] -= missing_[s] > 0 ? 1U : 0U;
     }
     block(x);
     for (const Element enemy : (*enemies_)[x]) {
@@ -50,14 +50,14 @@ class Completion {
  private:
   void block(Element x) {
     const std::size_t s = fitting_->slot(x);
-    if (against_[x]++ == 0 && s < lacking_.size()) {
+    if (against_[x]++ == 0 && s < missing_.size()) {
       --free_[s];
     }
   }
 
   void unblock(Element x) {
     const std::size_t s = fitting_->slot(x);
-    if (--against_[x] == 0 && s < lacking_.size()) {
+    if (--against_[x] == 0 && s < missing_.size()) {
       ++free_[s];
     }
   }
@@ -65,7 +65,7 @@ class Completion {
   // Undoes put() of a part that its slot lacked.
   void take_back(Element x) {
     setup_.pop_back();
-    ++lacking_[fitting_->slot(x)];
+    ++missing_[fitting_->slot(x)];
     unblock(x);
     for (const Element enemy : (*enemies_)[x]) {
       unblock(enemy);
@@ -73,8 +73,8 @@ class Completion {
   }
 
   [[nodiscard]] bool enough() const {
-    for (std::size_t s = 0; s < lacking_.size(); ++s) {
-      if (free_[s] < lacking_[s]) {
+    for (std::size_t s = 0; s < missing_.size(); ++s) {
+      if (free_[s] < missing_[s]) {
         return false;
       }
     }
@@ -83,11 +83,11 @@ class Completion {
 
   // What this slot lacks, from number `from` of its parts on, and what the slots after it do.
   bool choose(std::size_t slot, std::size_t from) {
-    while (slot < lacking_.size() && lacking_[slot] == 0) {
+    while (slot < missing_.size() && missing_[slot] == 0) {
       ++slot;
       from = 0;
     }
-    if (slot == lacking_.size()) {
+    if (slot == missing_.size()) {
       return true;
     }
     const std::vector<Element>& members = (*members_)[slot];
@@ -112,7 +112,7 @@ class Completion {
   const Parts* enemies_;  // by part
   std::span<const Element> liked_;
   const Parts* members_;                // by slot
-  std::vector<std::uint64_t> lacking_;  // by slot
+  std::vector<std::uint64_t> missing_;  // by slot
   std::vector<std::uint64_t> free_;     // by slot: parts that may join
   std::vector<std::uint32_t> against_;  // by part: itself and its enemies in the set-up
   Block setup_;
@@ -152,17 +152,17 @@ Fitting::Found Fitting::search(Block setup, std::span<const Element> liked,
   for (const Element x : setup) {
     ++count[slot(x)];
   }
-  std::uint64_t lacking = 0;
+  std::uint64_t missing = 0;
   for (std::size_t s = 0; s < slots(); ++s) {
     if (count[s] > most_[s]) {
       return {};
     }
-    lacking += least_[s] - std::min(least_[s], count[s]);
+    missing += least_[s] - std::min(least_[s], count[s]);
   }
-  if (setup.size() + lacking > job_->room()) {
+  if (setup.size() + missing > job_->room()) {
     return {};
   }
-  if (lacking == 0) {
+  if (missing == 0) {
     return {.setup = std::move(setup)};
   }
   Completion completion(*this, enemies_, liked, order);

@@ -15,7 +15,7 @@
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/lists/lists_search.hpp"
-#include "plan/search/of_checked.hpp"
+#include "plan/search/valid_job.hpp"
 #include "plan/search/weighted.hpp"
 
 namespace changeover {
@@ -86,7 +86,7 @@ class BenchPlanner {
     const RunScope scope(*control_);
     PlanOptions once = options_->plan;
     once.until_stopped = false;
-    RunPlan one = plan_of_checked(*job_, once, *control_);
+    RunPlan one = plan_of_valid_job(*job_, once, *control_);
     plan_.shortage = one.shortage;
     plan_.steps = one.steps;
     plan_.bound = one.bound;
@@ -257,7 +257,7 @@ class BenchPlanner {
                           .rest = lists[bench],
                           .design_moves = 0,
                           .states = 20'000};
-      const RunPlan anew = plan_of_checked(own, options, *control_);
+      const RunPlan anew = plan_of_valid_job(own, options, *control_);
       plan_.steps += anew.steps;
       lists[bench] = anew.candidates.front().setups;
     }

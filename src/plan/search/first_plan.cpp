@@ -8,7 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/run/scope.hpp"
-#include "plan/search/of_checked.hpp"
+#include "plan/search/valid_job.hpp"
 
 namespace changeover {
 namespace {
@@ -74,7 +74,7 @@ CostBound after(const Job& job, CostBound rest) {
 }  // namespace
 
 CostBound bound_with_first(const Job& job) {
-  return after(job, bound_of_checked(after_first(job)));
+  return after(job, bound_of_valid_job(after_first(job)));
 }
 
 RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& control) {
@@ -98,7 +98,7 @@ RunPlan plan_with_first(const Job& job, const PlanOptions& options, RunControl& 
     const auto found = first.find(in_order(setup));
     return found != first.end() && found->second > 0 && found->second-- > 0;
   });
-  RunPlan plan = plan_of_checked(rest, left, control);
+  RunPlan plan = plan_of_valid_job(rest, left, control);
   for (Candidate& candidate : plan.candidates) {
     candidate = with_first(job, std::move(candidate));
   }

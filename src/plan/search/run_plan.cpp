@@ -17,9 +17,9 @@
 #include "plan/search/exact_plan.hpp"
 #include "plan/search/first_plan.hpp"
 #include "plan/search/lists/replacing_plan.hpp"
-#include "plan/search/of_checked.hpp"
 #include "plan/search/starts/starts.hpp"
 #include "plan/search/triple_plan.hpp"
+#include "plan/search/valid_job.hpp"
 #include "plan/search/weighted.hpp"
 
 namespace changeover {
@@ -33,7 +33,7 @@ class Planner {
   RunPlan run() {
     const RunScope scope(*control_);
     RunPlan plan;
-    plan.bound = bound_of_checked(*job_);
+    plan.bound = bound_of_valid_job(*job_);
     if (options_->budget && !job_->weights.empty()) {  // Before time is up.
       most_weight_ = most_weight_within(*job_, *options_->budget);
     }
@@ -328,14 +328,14 @@ class Planner {
 
 RunPlan make_run_plan(const Job& job, const PlanOptions& options, RunControl& control) {
   check_in_full(job);
-  return plan_of_checked(job, options, control);
+  return plan_of_valid_job(job, options, control);
 }
 
 RunPlan make_run_plan(const CheckedJob& job, const PlanOptions& options, RunControl& control) {
-  return plan_of_checked(*job, options, control);
+  return plan_of_valid_job(*job, options, control);
 }
 
-RunPlan plan_of_checked(const Job& job, const PlanOptions& options, RunControl& control) {
+RunPlan plan_of_valid_job(const Job& job, const PlanOptions& options, RunControl& control) {
   if (!job.first.empty()) {
     return plan_with_first(job, options, control);
   }

@@ -5,8 +5,8 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "plan/job/prices.hpp"
-#include "plan/search/alike.hpp"
 #include "plan/search/first_plan.hpp"
+#include "plan/search/interchangeable.hpp"
 #include "run/random.hpp"
 
 namespace changeover {
@@ -45,7 +45,7 @@ class Rows {
 
 }  // namespace
 
-std::vector<std::vector<Element>> alike(const Job& job) {
+std::vector<std::vector<Element>> interchangeable_parts(const Job& job) {
   const Rows needed(job.needed);
   const Rows never(job.never);
   const auto in = [](const Block& block, Element x) {
@@ -77,7 +77,7 @@ RunPlan shuffled(const Job& job, RunPlan plan, std::uint64_t seed, std::uint64_t
   std::vector<Element> now(job.names.size());  // by part: who stands in its place
   Random random(seed, 3'000'000);
   exchanged = 0;
-  for (const std::vector<Element>& members : alike(job)) {
+  for (const std::vector<Element>& members : interchangeable_parts(job)) {
     std::vector<Element> mixed = members;
     for (std::size_t i = mixed.size(); i > 1; --i) {
       std::swap(mixed[i - 1], mixed[random.below(static_cast<std::uint32_t>(i))]);

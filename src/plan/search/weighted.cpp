@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "plan/search/alike.hpp"
 #include "plan/search/anneal/attempts.hpp"
+#include "plan/search/interchangeable.hpp"
 #include "plan/search/lists/lists_search.hpp"
 #include "run/random.hpp"
 
@@ -93,7 +93,7 @@ std::vector<Block> heavy_first(const Job& job, const std::vector<Block>& setups,
     return setups;
   }
   Waiting waiting(job);
-  std::vector<std::vector<Element>> classes = alike(job);
+  std::vector<std::vector<Element>> classes = interchangeable_parts(job);
   std::erase_if(classes, [](const std::vector<Element>& members) { return members.size() < 2; });
   std::uint64_t places = 0;
   for (const Block& setup : setups) {

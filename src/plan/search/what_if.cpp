@@ -15,7 +15,7 @@
 #include "plan/job/prices.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/first_plan.hpp"
-#include "plan/search/of_checked.hpp"
+#include "plan/search/valid_job.hpp"
 
 namespace changeover {
 namespace {
@@ -145,7 +145,7 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
       return false;
     }
     const Job other = at_ratio(job, ratio);
-    const CostBound bound = bound_of_checked(other);
+    const CostBound bound = bound_of_valid_job(other);
     std::optional<Candidate> best;
     for (const Candidate& candidate : candidates) {
       if (control.stop_wanted()) {

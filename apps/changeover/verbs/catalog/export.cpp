@@ -48,8 +48,8 @@ Answer run_import(const ImportRequest& request) {
     imported = import_foreign(*input, catalog, {.skip_bad = request.skip_bad});
   } catch (const Stopped&) {
     running->finish();
-    return spoken(running, text_answer("stopped: nothing was added\n", request.output,
-                                       exit_code::limit_reached));
+    return final_answer(running, text_answer("stopped: nothing was added\n", request.output,
+                                             exit_code::limit_reached));
   }
   running->finish();
   std::string text =
@@ -78,7 +78,7 @@ Answer run_import(const ImportRequest& request) {
   if (imported.added > 0) {
     answer.done_before = catalog_was_changed;
   }
-  return spoken(running, std::move(answer));
+  return final_answer(running, std::move(answer));
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ Answer run_improve(const ImproveRequest& request) {
   if (!finds.empty()) {
     answer.done_before = catalog_was_changed;
   }
-  return spoken(running, std::move(answer));
+  return final_answer(running, std::move(answer));
 }
 
 Answer run_submit(const SubmitRequest& request) {

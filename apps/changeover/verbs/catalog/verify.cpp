@@ -131,8 +131,8 @@ Answer run(const AuditRequest& request) {
                       audit.faults.empty() ? "all as they say"
                                            : fmt::format("{} not as they say", audit.faults.size()),
                       complete ? "" : "; stopped");
-  return spoken(running, text_answer(request.output.json() ? json.take() + "\n" : text,
-                                     request.output, code));
+  return final_answer(running, text_answer(request.output.json() ? json.take() + "\n" : text,
+                                           request.output, code));
 }
 
 }  // namespace

@@ -18,8 +18,8 @@
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
 #include "plan/search/first_plan.hpp"
-#include "plan/search/of_checked.hpp"
 #include "plan/search/triple_plan.hpp"
+#include "plan/search/valid_job.hpp"
 
 namespace changeover {
 namespace {
@@ -501,15 +501,15 @@ Amount rounded_up(const Job& job, Amount cost) {
 
 CostBound cost_bound(const Job& job) {
   check_in_full(job);
-  return bound_of_checked(job);
+  return bound_of_valid_job(job);
 }
 
-CostBound bound_of_checked(const Job& job) {
+CostBound bound_of_valid_job(const Job& job) {
   if (!job.first.empty()) {
     return bound_with_first(job);
   }
   if (job.replaces()) {
-    CostBound bound = bound_of_checked(at_prices(job, Price::least));
+    CostBound bound = bound_of_valid_job(at_prices(job, Price::least));
     bound.cost = rounded_up(job, bound.cost);
     bound.reason =
         "each part costs at least what it costs where it is cheapest to put in: " + bound.reason;

@@ -11,8 +11,8 @@
 #include "core/words.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
-#include "plan/search/of_checked.hpp"
 #include "plan/search/triple_plan.hpp"
+#include "plan/search/valid_job.hpp"
 
 namespace changeover {
 namespace {
@@ -167,7 +167,7 @@ std::uint64_t by_refining(const TripleNumbers& n) {
 CostBound bound_for_triples(const Job& job) {
   Job pairs = job;
   pairs.triples.clear();
-  CostBound bound = bound_of_checked(pairs);
+  CostBound bound = bound_of_valid_job(pairs);
   const TripleNumbers n(job);
   if (n.triples == 0) {
     return bound;

@@ -10,7 +10,7 @@
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/lists/lists_search.hpp"
-#include "plan/search/of_checked.hpp"
+#include "plan/search/valid_job.hpp"
 
 namespace changeover {
 namespace {
@@ -28,7 +28,7 @@ class ListsPlanner {
   RunPlan run() {
     const RunScope scope(*control_);
     RunPlan plan;
-    plan.bound = bound_of_checked(*job_);
+    plan.bound = bound_of_valid_job(*job_);
     if (job_->needed.size() == 0 && job_->triples.empty()) {
       plan.candidates.push_back(counted(*job_, {"no test", "nothing is left to test", {}}));
       settle(*job_, plan, *control_);

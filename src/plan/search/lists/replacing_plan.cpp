@@ -5,7 +5,7 @@
 
 #include "plan/job/prices.hpp"
 #include "plan/search/lists/lists_plan.hpp"
-#include "plan/search/of_checked.hpp"
+#include "plan/search/valid_job.hpp"
 
 namespace changeover {
 namespace {
@@ -23,7 +23,7 @@ std::vector<Start> at_mean_prices(const Job& job, const PlanOptions& options, Ru
   if (left) {
     part.emplace(control, *left * share);
   }
-  const RunPlan plan = plan_of_checked(at_prices(job, Price::mean), once, part ? *part : control);
+  const RunPlan plan = plan_of_valid_job(at_prices(job, Price::mean), once, part ? *part : control);
   std::vector<Start> starts;
   for (const Candidate& candidate : plan.candidates) {
     starts.push_back({candidate.name + " at mean prices", candidate.how, candidate.setups});

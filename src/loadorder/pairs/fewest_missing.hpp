@@ -15,9 +15,9 @@
 namespace changeover {
 
 /// `ties` says which of those that lack equally many. Empty once give_up() says yes. `roots` are all items.
-[[nodiscard]] std::vector<Element> lacking_order(const PairGraph& graph, std::uint64_t room,
-                                                 const std::vector<Element>& roots,
-                                                 BucketQueue::Ties ties,
-                                                 const std::function<bool()>& give_up);
+[[nodiscard]] std::vector<Element> fewest_missing_order(const PairGraph& graph, std::uint64_t room,
+                                                        const std::vector<Element>& roots,
+                                                        BucketQueue::Ties ties,
+                                                        const std::function<bool()>& give_up);
 
 }  // namespace changeover

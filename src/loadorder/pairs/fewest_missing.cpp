@@ -1,4 +1,4 @@
-#include "loadorder/pairs/lacking.hpp"
+#include "loadorder/pairs/fewest_missing.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -156,9 +156,9 @@ class Lacking {
 
 }  // namespace
 
-std::vector<Element> lacking_order(const PairGraph& graph, std::uint64_t room,
-                                   const std::vector<Element>& roots, BucketQueue::Ties ties,
-                                   const std::function<bool()>& give_up) {
+std::vector<Element> fewest_missing_order(const PairGraph& graph, std::uint64_t room,
+                                          const std::vector<Element>& roots, BucketQueue::Ties ties,
+                                          const std::function<bool()>& give_up) {
   return Lacking(graph, room, ties).order(roots, give_up);
 }
 

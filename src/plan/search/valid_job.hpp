@@ -8,10 +8,10 @@
 namespace changeover {
 
 /// make_run_plan() of a job without defects.
-[[nodiscard]] RunPlan plan_of_checked(const Job& job, const PlanOptions& options,
-                                      RunControl& control);
+[[nodiscard]] RunPlan plan_of_valid_job(const Job& job, const PlanOptions& options,
+                                        RunControl& control);
 
 /// cost_bound() of a job without defects.
-[[nodiscard]] CostBound bound_of_checked(const Job& job);
+[[nodiscard]] CostBound bound_of_valid_job(const Job& job);
 
 }  // namespace changeover
