@@ -105,8 +105,7 @@ RequestList tests_in(const py::object& tests) {
         throw BadInput(R"(done has dicts with "parts" and "result" only)");
       }
       const py::object parts = both["parts"];
-      const py::object result = has_result ? py::object(both["result"]) : py::none();
-      return with_result(parts, result);
+      return has_result ? with_result(parts, both["result"]) : ListRow{words_in("done", parts)};
     }
     const bool may_be_two = py::isinstance<py::tuple>(test) && py::len(test) == 2;
     const auto two = may_be_two ? py::reinterpret_borrow<py::tuple>(test) : py::tuple();

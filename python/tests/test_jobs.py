@@ -195,6 +195,13 @@ class Plans(unittest.TestCase):
                 self.assertEqual(self.plan(list("abc"), 2, done=[(numpy.array(setup), result)]).steps, plain.steps)
                 self.assertEqual(self.plan(list("abc"), 2, done=[(frozenset(setup), result)]).cost, plain.cost)
 
+    def test_a_test_without_a_result_was_not_run_where_another_has_one(self):
+        passed = (["a", "b"], True)
+        for rest, needed in ((["b", "c"], 1), ((["b", "c"], None), 2), ({"parts": ["b", "c"], "result": None}, 2),
+                             ({"parts": ["b", "c"]}, 1)):
+            with self.subTest(rest=rest):
+                self.assertEqual(self.plan(list("abc"), 2, done=[passed, rest]).pairs_needed, needed)
+
     def test_nothing_of_a_table_is_dropped(self):
         try:
             import pandas

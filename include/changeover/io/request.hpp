@@ -47,7 +47,8 @@ enum class RowShape {
 /// One row of a list.
 struct ListRow {
   std::vector<std::string> fields;
-  std::string result = {};  ///< of a test
+  /// Of a test: what is written there, perhaps nothing. Without one the test was done.
+  std::optional<std::string> result = {};
 
   bool operator==(const ListRow&) const = default;
 };

@@ -98,7 +98,7 @@ std::optional<ListRow> test_of(const JsonNode& node) {
       row.fields = std::move(*fields);
       has_parts = true;
     } else if (key == "result" && (member.is_text() || member.is_null())) {
-      row.result = member.text;
+      row.result = member.is_text() ? member.text : "";
     } else {
       return std::nullopt;
     }
@@ -301,9 +301,9 @@ void write_list(JsonWriter& json, const OptionRecord& record, const RequestList&
         write_members(json, row, keys_of(record.shape));
         break;
       case RowShape::tests:
-        if (!row.result.empty()) {
+        if (row.result) {
           json.begin_object().key("parts").value(row.fields);
-          json.key("result").value(row.result).end_object();
+          json.key("result").value(*row.result).end_object();
           break;
         }
         [[fallthrough]];
@@ -345,7 +345,7 @@ std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
   for (const ListRow& row : *list.rows) {
     GivenRows::Fields& fields = rows.emplace_back();
     if (record.shape == RowShape::tests) {
-      fields = {"", "", "", "", row.result.empty() ? "done" : row.result};
+      fields = {"", "", "", "", row.result.value_or("done")};
     }
     fields.insert(fields.end(), row.fields.begin(), row.fields.end());
     if (!header.empty()) {

@@ -283,5 +283,25 @@ TEST(JobRequest, DoneTestsCountAsTheyAreSent) {
   EXPECT_EQ(asked.job->tests_done, 2U);
 }
 
+// A row without a result was done; one whose result is empty was not, where another has one, as on a run sheet.
+TEST(JobRequest, ATestWithAnEmptyResultWasNotRun) {
+  const auto tests_done = [](const std::string& rows) {
+    return checked_job(
+               job_request(R"({"items":6,"at_once":2,"test_cost":1,"change_cost":1,"done":[)" +
+                           rows + "]}"),
+               Door::document)
+        .job->tests_done;
+  };
+  const std::string passed = R"({"parts":["1","2"],"result":"pass"})";
+  EXPECT_EQ(tests_done(passed + R"(,["3","4"])"), 2U);
+  EXPECT_EQ(tests_done(passed + R"(,{"parts":["3","4"]})"), 2U);
+  for (const std::string empty : {R"("")", "null"}) {
+    const std::string row = R"({"parts":["3","4"],"result":)" + empty + "}";
+    EXPECT_EQ(tests_done(passed + "," + row), 1U);
+    EXPECT_EQ(tests_done(R"(["1","2"],)" + row), 1U);
+    EXPECT_EQ(tests_done(row), 1U);  // a list without results is of tests that were done
+  }
+}
+
 }  // namespace
 }  // namespace changeover::job_request_test
