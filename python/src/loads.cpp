@@ -1,6 +1,8 @@
 // Load orders and the executor: the systems door.
 #include <chrono>
+#include <memory>
 #include <optional>
+#include <variant>
 
 #include "arguments.hpp"
 #include "bind.hpp"
@@ -12,6 +14,7 @@
 #include "changeover/run/scope.hpp"
 #include "gil.hpp"
 #include "item_memory.hpp"
+#include "loadorder/show/loads_answer.hpp"
 #include "long_work.hpp"
 
 namespace changeover::python {
@@ -75,17 +78,20 @@ std::shared_ptr<const PairGraph> pairs_in(std::optional<std::uint64_t> items,
   return std::make_shared<const PairGraph>(items.value_or(most), listed);
 }
 
-LoadOrder plan_for(const CheckedLoads& asked, const LoadOrderOptions& options) {
-  return asked.wanted().are_all() ? plan_load_order(asked.items(), asked.room(), options)
-                                  : plan_load_order(asked.wanted(), asked.room(), options);
-}
-
-WorkerSplit split_for(const CheckedLoads& asked, std::uint64_t workers,
-                      const LoadOrderOptions& options) {
-  return asked.wanted().are_all()
-             ? split_load_order(asked.items(), asked.room(), workers, options)
-             : split_load_order(asked.wanted(), asked.room(), workers, options);
-}
+// An answer that is a schedule of this kind.
+template <typename Schedule>
+struct Answered {
+  std::shared_ptr<const LoadsAnswer> answer;
+  const Schedule* operator->() const { return &std::get<Schedule>(answer->loads()); }
+  [[nodiscard]] std::string to_json() const {
+    const GilReleased released;
+    StringSink sink;
+    answer->write("jsonl", sink);
+    return sink.text();
+  }
+};
+using OneOrder = Answered<LoadOrder>;
+using Split = Answered<WorkerSplit>;
 
 py::object order(std::optional<std::uint64_t> items, std::uint64_t room, const py::object& pairs,
                  std::optional<std::uint64_t> against, std::optional<std::uint64_t> done_items,
@@ -106,20 +112,16 @@ py::object order(std::optional<std::uint64_t> items, std::uint64_t room, const p
                             .against = against,
                             .done_items = done_items,
                             .workers = workers,
-                            .seconds = time};
+                            .seconds = time,
+                            .seed = seed};
   const CheckedLoads asked = checked_loads(request, Door::document, pairs_in(items, pairs));
   LongWork work({.threads = threads,
                  .seed = seed,
                  .progress = std::move(progress),
                  .keeps_best = time.has_value()});
-  std::optional<LoadOrder> one;
-  std::optional<WorkerSplit> split;
+  std::shared_ptr<const LoadsAnswer> answer;
   const auto plan = [&](const LoadOrderOptions& options) {
-    if (workers) {
-      split = split_for(asked, *workers, options);
-    } else {
-      one = plan_for(asked, options);
-    }
+    answer = std::make_shared<const LoadsAnswer>(asked, request, options);
   };
   work.run([&](RunControl& control) {
     LoadOrderOptions options;
@@ -139,14 +141,14 @@ py::object order(std::optional<std::uint64_t> items, std::uint64_t room, const p
       }
     }
   });
-  return workers ? py::cast(std::move(*split)) : py::cast(std::move(*one));
+  return workers ? py::cast(Split{std::move(answer)}) : py::cast(OneOrder{std::move(answer)});
 }
 
-Steps steps_of_worker(const WorkerSplit& self, std::uint64_t worker) {
-  if (worker >= self.facts().workers.size()) {
-    throw py::index_error("there are " + std::to_string(self.facts().workers.size()) + " workers");
+Steps steps_of_worker(const Split& self, std::uint64_t worker) {
+  if (worker >= self->facts().workers.size()) {
+    throw py::index_error("there are " + std::to_string(self->facts().workers.size()) + " workers");
   }
-  return {self.stream(worker)};
+  return {self->stream(worker)};
 }
 
 // Says which pair compute() was given: as a note of the exception, where Python has notes (3.11).
@@ -213,68 +215,71 @@ void bind_loads(py::module_& module) {
   py::class_<Steps>(module, "_Steps")
       .def("__iter__", [](py::object self) { return self; })
       .def("__next__", &next_step);
-  py::class_<LoadOrder>(
+  py::class_<OneOrder>(
       module, "LoadOrder",
       "Steps (evict, load), lists of item numbers, after which every pair was in memory together.")
-      .def_property_readonly("items", [](const LoadOrder& self) { return self.facts().items; })
-      .def_property_readonly("room", [](const LoadOrder& self) { return self.facts().room; })
+      .def_property_readonly("items", [](const OneOrder& self) { return self->facts().items; })
+      .def_property_readonly("room", [](const OneOrder& self) { return self->facts().room; })
       .def_property_readonly(
-          "loads", [](const LoadOrder& self) { return self.facts().loads; },
+          "loads", [](const OneOrder& self) { return self->facts().loads; },
           "All loads, the first ones included.")
-      .def_property_readonly("steps", [](const LoadOrder& self) { return self.facts().steps; })
+      .def_property_readonly("steps", [](const OneOrder& self) { return self->facts().steps; })
       .def_property_readonly(
-          "lower_bound", [](const LoadOrder& self) { return self.facts().bound.loads; },
+          "lower_bound", [](const OneOrder& self) { return self->facts().bound.loads; },
           "No order has fewer loads.")
       .def_property_readonly(
-          "reason", [](const LoadOrder& self) { return self.facts().bound.reason; },
+          "reason", [](const OneOrder& self) { return self->facts().bound.reason; },
           "Of the bound.")
-      .def_property_readonly("method", [](const LoadOrder& self) { return self.facts().method; })
+      .def_property_readonly("method", [](const OneOrder& self) { return self->facts().method; })
       .def_property_readonly(
-          "certificate", [](const LoadOrder& self) { return self.facts().certificate; },
+          "certificate", [](const OneOrder& self) { return self->facts().certificate; },
           "How it was verified, one line.")
-      .def("__iter__", [](const LoadOrder& self) { return Steps{self.stream()}; })
-      .def("__len__", [](const LoadOrder& self) { return self.facts().steps; })
-      .def("__repr__", [](const LoadOrder& self) {
-        return "<LoadOrder: " + std::to_string(self.facts().loads) + " loads for " +
-               std::to_string(self.facts().items) + " items, room for " +
-               std::to_string(self.facts().room) + ">";
+      .def("to_json", &OneOrder::to_json,
+           "changeover-loads/1: an object for the order, then one for each step, a line each.")
+      .def("__iter__", [](const OneOrder& self) { return Steps{self->stream()}; })
+      .def("__len__", [](const OneOrder& self) { return self->facts().steps; })
+      .def("__repr__", [](const OneOrder& self) {
+        return "<LoadOrder: " + std::to_string(self->facts().loads) + " loads for " +
+               std::to_string(self->facts().items) + " items, room for " +
+               std::to_string(self->facts().room) + ">";
       });
-  py::class_<WorkerSplit>(
+  py::class_<Split>(
       module, "WorkerLoads",
       "A load order for several workers: steps (evict, load) of each, after which every pair was in the memory of one of them together.")
-      .def_property_readonly("items", [](const WorkerSplit& self) { return self.facts().items; })
-      .def_property_readonly("room", [](const WorkerSplit& self) { return self.facts().room; })
+      .def_property_readonly("items", [](const Split& self) { return self->facts().items; })
+      .def_property_readonly("room", [](const Split& self) { return self->facts().room; })
       .def_property_readonly(
-          "loads", [](const WorkerSplit& self) { return self.facts().loads; },
+          "loads", [](const Split& self) { return self->facts().loads; },
           "Of all workers together.")
       .def_property_readonly(
           "worker_loads",
-          [](const WorkerSplit& self) {
+          [](const Split& self) {
             py::list loads;
-            for (const WorkerFacts& worker : self.facts().workers) {
+            for (const WorkerFacts& worker : self->facts().workers) {
               loads.append(worker.loads);
             }
             return loads;
           },
           "Of each worker.")
       .def_property_readonly(
-          "makespan", [](const WorkerSplit& self) { return self.facts().makespan; },
+          "makespan", [](const Split& self) { return self->facts().makespan; },
           "The loads of the worker that has most.")
       .def_property_readonly(
-          "makespan_bound",
-          [](const WorkerSplit& self) { return self.facts().makespan_bound.loads; },
+          "makespan_bound", [](const Split& self) { return self->facts().makespan_bound.loads; },
           "However it is split, some worker has so many.")
       .def_property_readonly(
-          "reason", [](const WorkerSplit& self) { return self.facts().makespan_bound.reason; },
+          "reason", [](const Split& self) { return self->facts().makespan_bound.reason; },
           "Of that bound.")
       .def_property_readonly(
-          "certificate", [](const WorkerSplit& self) { return self.facts().certificate; },
+          "certificate", [](const Split& self) { return self->facts().certificate; },
           "How it was verified, one line.")
+      .def("to_json", &Split::to_json,
+           "changeover-loads/1: an object for all workers, then one for each step, a line each.")
       .def("steps", &steps_of_worker, py::arg("worker"), "The steps of one worker, from 0.")
-      .def("__len__", [](const WorkerSplit& self) { return self.facts().workers.size(); })
-      .def("__repr__", [](const WorkerSplit& self) {
-        return "<WorkerLoads: " + std::to_string(self.facts().workers.size()) +
-               " workers, the busiest has " + std::to_string(self.facts().makespan) + " loads>";
+      .def("__len__", [](const Split& self) { return self->facts().workers.size(); })
+      .def("__repr__", [](const Split& self) {
+        return "<WorkerLoads: " + std::to_string(self->facts().workers.size()) +
+               " workers, the busiest has " + std::to_string(self->facts().makespan) + " loads>";
       });
   py::class_<AllPairsReport>(module, "Report", "What an out-of-core job did.")
       .def_readonly("finished", &AllPairsReport::finished)

@@ -146,15 +146,19 @@ def check_plans(server, count):
 
 
 def check_loads(server, count):
-    """The same refusals by the schema and by the program; the same loads at each door that knows the options."""
+    """The same refusals by the schema and by the program; the same document at each door that knows the options."""
     rng = random.Random(2)
+    line = schema("changeover-loads-1")
     answered = 0
+    keys = set()
     for _ in range(count):
         ask = {"items": rng.choice([1, 9, 20, 64]), "room": rng.choice([2, 3, 8, 70])}
         may_be = {"pairs": [[0, 1], [1, 2], [0, 8]], "against": 5, "done_items": 4, "fast_room": 2, "item_bytes": 8, "workers": 3, "disjoint": True,
                   "write_back": True, "prefetch": True, "new_pairs": True, "ordered": True, "self": True, "shuffle": True, "seed": 4}
         for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 3])):
             ask[key] = may_be[key]
+        if rng.random() < 0.2:
+            ask |= rng.choice([{"fast_room": 2, "item_bytes": 8}, {"workers": 3, "disjoint": True}])
         body = json.dumps(ask)
         problem = fits("changeover-load-request-1", ask)
         by_line = run("loadorder", "--request", "-", "--format", "jsonl", stdin=body)
@@ -169,13 +173,27 @@ def check_loads(server, count):
             fault(f"the server and the command line disagree: {body} {by_line.stderr} {by_server.get('error')}")
         if not for_all and "error" not in by_server:
             fault(f"the server answers what it does not know: {body}")
+        for said in map(json.loads, by_line.stdout.splitlines() if by_line.returncode == 0 else []):
+            keys |= said.keys()
+            problem = jsonschema.exceptions.best_match(line.iter_errors(said))
+            if problem:
+                fault(f"a line of the answer is against its schema ({problem}): {body}")
+                break
         if for_all and by_line.returncode == 0:
             head = json.loads(by_line.stdout.splitlines()[0])
+            if by_server["order"] != head:
+                fault(f"the server answers another document: {body}\n{head}\n{by_server['order']}")
             arguments = {key: value for key, value in ask.items() if key not in ("items", "room")}
             by_python = changeover.load_order(ask["items"], ask["room"], **arguments)
             if not head["loads"] == by_server["loads"] == by_python.loads:
                 fault(f"loads differ: {body} {head['loads']} {by_server['loads']} {by_python.loads}")
+            if by_python.to_json() != by_line.stdout:
+                fault(f"Python answers another document: {body}\n{by_line.stdout}\n{by_python.to_json()}")
             answered += 1
+    known = json.loads((root / "docs/schema/changeover-loads-1.json").read_text())["$defs"]
+    missing = {*known["head"]["properties"], *known["step"]["properties"]} - keys
+    if missing:
+        fault(f"no load order was asked for that has {missing}")
     if answered < count / 10:
         fault(f"only {answered} of {count} load orders were answered at every door")
 

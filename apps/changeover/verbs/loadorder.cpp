@@ -1,12 +1,10 @@
 // changeover loadorder: loads and evictions after which every pair of items has been in memory together.
 #include <fmt/format.h>
 
-#include "answer/loads/show_loads.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/loadorder/disjoint.hpp"
 #include "changeover/loadorder/load_request.hpp"
-#include "changeover/loadorder/two_levels.hpp"
+#include "loadorder/show/loads_answer.hpp"
 #include "request/request_options.hpp"
 #include "request/run_request.hpp"
 #include "verbs.hpp"
@@ -19,21 +17,6 @@ struct LoadOrderRequest : LoadRequest {
   RunRequest run;
   OutputRequest output;
 };
-
-LoadsShown shown(const LoadOrderRequest& request) {
-  const std::uint64_t seed = request.run.seed.value_or(1);
-  LoadsShown how{.format = request.output.format(),
-                 .compute = {.ordered = request.ordered, .self = request.self},
-                 .new_pairs = request.new_pairs,
-                 .write_back = request.write_back,
-                 .searched = !request.run.time.empty(),
-                 .seed = seed,
-                 .item_bytes = request.item_bytes};
-  if (request.shuffle) {
-    how.compute.shuffle = seed;
-  }
-  return how;
-}
 
 // What is asked, by the options and the file together; limits of the search stand in both.
 LoadOrderRequest whole(LoadOrderRequest request) {
@@ -78,11 +61,8 @@ Answer run(const LoadOrderRequest& typed) {
   files.emplace_back("the list of pairs", list_file(request.pairs.file));
   check_inputs(request.output, files);
   const CheckedLoads asked = checked_loads(request, Door::command_line);
-  const WantedPairs& wanted = asked.wanted();
-  const std::uint64_t items = asked.items();
-  const std::uint64_t room = asked.room();
   if (request.new_pairs) {
-    require_memory_for_a_step(request, wanted, items, room);
+    require_memory_for_a_step(request, asked.wanted(), asked.items(), asked.room());
   }
   LoadOrderOptions options;
   options.seed = request.run.seed.value_or(1);
@@ -100,35 +80,11 @@ Answer run(const LoadOrderRequest& typed) {
     };
   }
   // Made now, so that what cannot be is said before anything is written.
+  const auto loads = std::make_shared<const LoadsAnswer>(asked, request, options);
   Answer answer;
-  const LoadsShown how = shown(request);
-  if (request.disjoint || (request.fast_room && !request.workers)) {
-    const auto order = std::make_shared<const LoadOrder>(
-        request.disjoint ? plan_disjoint_order(items, room, *request.workers, options)
-                         : plan_two_levels(items, room, *request.fast_room));
-    answer.write = [how, order](OutputFile& out) { show_loads(*order, how, out); };
-  } else if (request.workers && request.prefetch) {
-    const auto plan = std::make_shared<const PrefetchSplit>(
-        wanted.are_all() ? split_prefetch(items, room, *request.workers, options)
-                         : split_prefetch(wanted, room, *request.workers, options));
-    answer.write = [how, room, plan](OutputFile& out) { show_loads(*plan, room, how, out); };
-  } else if (request.workers) {
-    const auto split = std::make_shared<const WorkerSplit>(
-        request.fast_room  ? split_two_levels(items, room, *request.fast_room, *request.workers)
-        : wanted.are_all() ? split_load_order(items, room, *request.workers, options)
-                           : split_load_order(wanted, room, *request.workers, options));
-    answer.write = [how, split](OutputFile& out) { show_loads(*split, how, out); };
-  } else if (request.prefetch) {
-    const auto plan = std::make_shared<const PrefetchPlan>(
-        wanted.are_all() ? plan_prefetch(items, room, options)
-                         : plan_prefetch(wanted, room, options));
-    answer.write = [how, room, plan](OutputFile& out) { show_loads(*plan, room, how, out); };
-  } else {
-    const auto order = std::make_shared<const LoadOrder>(
-        wanted.are_all() ? plan_load_order(items, room, options)
-                         : plan_load_order(wanted, room, options));
-    answer.write = [how, order](OutputFile& out) { show_loads(*order, how, out); };
-  }
+  answer.write = [format = request.output.format(), loads](OutputFile& out) {
+    loads->write(format, out);
+  };
   answer.output = output;
   return answer;
 }

@@ -13,6 +13,7 @@
 #include "core/checked.hpp"
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
+#include "loadorder/show/loads_answer.hpp"
 #include "serve/api/request_body.hpp"
 #include "serve/api/routes.hpp"
 
@@ -24,9 +25,9 @@ constexpr std::uint64_t most_steps = 5000;
 constexpr std::uint64_t most_samples = 2000;
 
 struct LoadQuestion {
+  LoadRequest request;
   CheckedLoads loads;
   std::uint64_t bytes_per_item = 1;
-  std::uint64_t workers = 1;
 };
 
 // The page's own key, beside those of the document.
@@ -50,9 +51,9 @@ LoadQuestion question_of(const Request& sent) {
     throw Refusal{422, fmt::format("items: write 1 to {}; changeover loadorder takes more",
                                    most_items_of_a_page)};
   }
-  LoadQuestion question{.loads = from_body([&] { return checked_loads(request, Door::document); }),
-                        .bytes_per_item = bytes,
-                        .workers = request.workers.value_or(1)};
+  LoadQuestion question{.request = request,
+                        .loads = from_body([&] { return checked_loads(request, Door::document); }),
+                        .bytes_per_item = bytes};
   if (question.loads.items() > most_items_of_a_page) {
     throw Refusal{422, fmt::format("{} items; at most {} here; changeover loadorder takes more",
                                    question.loads.items(), most_items_of_a_page)};
@@ -126,21 +127,13 @@ class Account {
 Response load_order(const Request& request) {
   const LoadQuestion question = question_of(request);
   const CheckedLoads& asked = question.loads;
-  const bool all = asked.wanted().are_all();
-  std::optional<WorkerSplit> split;
-  if (question.workers > 1) {
-    split.emplace(all ? split_load_order(asked.items(), asked.room(), question.workers)
-                      : split_load_order(asked.wanted(), asked.room(), question.workers));
-  }
-  std::optional<LoadOrder> order;
-  if (!split) {
-    order.emplace(all ? plan_load_order(asked.items(), asked.room())
-                      : plan_load_order(asked.wanted(), asked.room()));
-  }
-  const LoadOrderFacts& facts = split ? split->order().facts() : order->facts();
-  const std::uint64_t loads = split ? split->facts().loads : facts.loads;
-  const LoadBound bound = all ? load_lower_bound(asked.items(), asked.room())
-                              : load_lower_bound(asked.wanted(), asked.room());
+  const LoadsAnswer answer(asked, question.request, {});
+  const auto* const split = std::get_if<WorkerSplit>(&answer.loads());
+  const auto* const order = std::get_if<LoadOrder>(&answer.loads());
+  const LoadOrderFacts& facts = split != nullptr ? split->order().facts() : order->facts();
+  const std::uint64_t loads = split != nullptr ? split->facts().loads : facts.loads;
+  const LoadBound bound = asked.wanted().are_all() ? load_lower_bound(asked.items(), asked.room())
+                                                   : load_lower_bound(asked.wanted(), asked.room());
   std::uint64_t steps = facts.steps;
   if (split) {
     steps = 0;
@@ -149,7 +142,13 @@ Response load_order(const Request& request) {
     }
   }
   JsonWriter json;
-  json.begin_object().key("loads").value(loads).key("lower_bound").value(bound.loads);
+  json.begin_object()
+      .key("order")
+      .raw(answer.head())
+      .key("loads")
+      .value(loads)
+      .key("lower_bound")
+      .value(bound.loads);
   json.key("reason").value(bound.reason).key("method").value(facts.method);
   json.key("explanation").value(split ? split->facts().explanation : facts.explanation);
   json.key("bytes").value(checked_multiply(loads, question.bytes_per_item));

@@ -13,7 +13,7 @@
 #include "changeover/io/output.hpp"
 #include "changeover/loadorder/schedule.hpp"
 
-namespace changeover::cli {
+namespace changeover {
 
 /// What is said of a step, under this name.
 enum class Column : std::uint8_t {
@@ -36,7 +36,7 @@ enum class Column : std::uint8_t {
 class StepWriter {
  public:
   /// Items are called by `names` unless there are none.
-  StepWriter(OutputFile& out, const std::string& format, const std::vector<std::string>* names,
+  StepWriter(Sink& out, const std::string& format, const std::vector<std::string>* names,
              std::vector<Column> columns)
       : out_(out),
         json_(format == "jsonl"),
@@ -58,7 +58,7 @@ class StepWriter {
   template <typename Members>
   void list(Column column, const Members& members);
 
-  OutputFile& out_;
+  Sink& out_;
   bool json_;
   bool csv_;
   const std::vector<std::string>* names_;
@@ -66,4 +66,4 @@ class StepWriter {
   std::string text_;
 };
 
-}  // namespace changeover::cli
+}  // namespace changeover

@@ -1,4 +1,4 @@
-#include "answer/loads/step_writer.hpp"
+#include "loadorder/show/step_writer.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
 
-namespace changeover::cli {
+namespace changeover {
 
 namespace {
 
@@ -144,4 +144,4 @@ void StepWriter::list(Column column, const Members& members) {
   text_ += json_ ? "]" : "";
 }
 
-}  // namespace changeover::cli
+}  // namespace changeover

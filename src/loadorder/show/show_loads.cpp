@@ -1,4 +1,4 @@
-#include "answer/loads/show_loads.hpp"
+#include "loadorder/show/show_loads.hpp"
 
 #include <fmt/format.h>
 
@@ -7,16 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "answer/answer.hpp"
-#include "answer/loads/step_writer.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/step_work.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
+#include "loadorder/show/step_writer.hpp"
 
-namespace changeover::cli {
+namespace changeover {
 namespace {
 
 std::string over(std::uint64_t count, const LoadBound& bound) {
@@ -58,13 +57,13 @@ class Said {
   /// The steps are those of workers one after another.
   void split(const SplitFacts& split) { split_ = &split; }
 
-  void show(OutputFile& out) {
+  void show(Sink& out) {
     if (check_anew()) {
       check();
     }
     const std::string verified = how_verified();
     JsonWriter json;
-    json.begin_object();
+    json.begin_object().key("format").value("changeover-loads/1");
     std::string text = about(json);
     json.key("verified").value(verified);
     if (split_ != nullptr || facts_.lockstep > 0) {
@@ -78,7 +77,9 @@ class Said {
     const PairGraph* const graph = facts_.wanted.graph();
     StepWriter writer(out, how_.format, graph != nullptr ? &graph->names() : nullptr, columns());
     writer.begin(json.end_object().take(), text);
-    write(writer);
+    if (!how_.head_only) {
+      write(writer);
+    }
   }
 
  private:
@@ -404,18 +405,19 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
 
 }  // namespace
 
-void show_loads(const LoadOrder& order, const LoadsShown& how, OutputFile& out) {
+void show_loads(const LoadOrder& order, std::uint64_t /*room: the order's own*/,
+                const LoadsShown& how, Sink& out) {
   Said(
       order.facts(), [&order] { return order.stream(); }, how)
       .show(out);
 }
 
-void show_loads(const WorkerSplit& split, const LoadsShown& how, OutputFile& out) {
+void show_loads(const WorkerSplit& split, std::uint64_t /*room: the split's own*/,
+                const LoadsShown& how, Sink& out) {
   said_of(split, split.facts().room, how).show(out);
 }
 
-void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how,
-                OutputFile& out) {
+void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how, Sink& out) {
   LoadOrderFacts facts = plan.order.facts();
   facts.room = room;
   Said said(
@@ -424,11 +426,10 @@ void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& 
   said.show(out);
 }
 
-void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how,
-                OutputFile& out) {
+void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how, Sink& out) {
   Said said = said_of(plan.order, room, how);
   said.overlap(plan.spare);
   said.show(out);
 }
 
-}  // namespace changeover::cli
+}  // namespace changeover

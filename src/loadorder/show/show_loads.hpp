@@ -9,7 +9,7 @@
 #include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 
-namespace changeover::cli {
+namespace changeover {
 
 struct LoadsShown {
   std::string format;
@@ -20,19 +20,18 @@ struct LoadsShown {
   std::uint64_t seed =
       1;  ///< of the items that are followed while an order is written that was not read before
   std::optional<std::uint64_t> item_bytes = {};  ///< of two levels
+  bool head_only = false;                        ///< without the steps
 };
 
 // What the steps compute and store is checked first, as it will be written. @throws InternalError
 
 /// In lockstep the steps of all workers with the same number come after one another. @throws
 /// ImpossibleParameters if bytes exceed 64 bits
-void show_loads(const LoadOrder& order, const LoadsShown& how, OutputFile& out);
+void show_loads(const LoadOrder& order, std::uint64_t room, const LoadsShown& how, Sink& out);
 /// One worker after another.
-void show_loads(const WorkerSplit& split, const LoadsShown& how, OutputFile& out);
+void show_loads(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how, Sink& out);
 /// `room` counts what is on its way.
-void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how,
-                OutputFile& out);
-void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how,
-                OutputFile& out);
+void show_loads(const PrefetchPlan& plan, std::uint64_t room, const LoadsShown& how, Sink& out);
+void show_loads(const PrefetchSplit& plan, std::uint64_t room, const LoadsShown& how, Sink& out);
 
-}  // namespace changeover::cli
+}  // namespace changeover

@@ -1,0 +1,42 @@
+// The answer to a load request, for every door: the schedule of the kind that is asked for, and how it is written.
+//
+//     const LoadsAnswer answer(asked, request, options);
+//     answer.write("jsonl", sink);   // what --json says
+//     answer.head();                 // its first line
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "changeover/io/output.hpp"
+#include "changeover/loadorder/load_request.hpp"
+#include "loadorder/show/show_loads.hpp"
+
+namespace changeover {
+
+using AnyLoads = std::variant<LoadOrder, WorkerSplit, PrefetchPlan, PrefetchSplit>;
+
+/// The document "changeover-loads/1": an object for the head, then one for each step, a line each
+/// (docs/schema/changeover-loads-1.json).
+class LoadsAnswer {
+ public:
+  /// Plans it; `request` is the one that was checked. @throws as plan_load_order(), split_load_order(),
+  /// plan_disjoint_order(), plan_two_levels() and plan_prefetch()
+  LoadsAnswer(const CheckedLoads& asked, const LoadRequest& request,
+              const LoadOrderOptions& options);
+
+  [[nodiscard]] const AnyLoads& loads() const { return loads_; }
+
+  /// In the format "jsonl", "csv" or "text". @throws InternalError if a step is wrong
+  void write(const std::string& format, Sink& sink) const;
+
+  /// The first line of "jsonl", without its end.
+  [[nodiscard]] std::string head() const;
+
+ private:
+  std::uint64_t room_;
+  LoadsShown how_;
+  AnyLoads loads_;
+};
+
+}  // namespace changeover
