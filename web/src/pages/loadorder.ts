@@ -87,7 +87,7 @@ async function render(view: View): Promise<void> {
         {
           items: asked.items,
           room: asked.room,
-          workers: asked.workers,
+          ...(asked.workers > 1 ? { workers: asked.workers } : {}),
           ...(asked.bytesPerItem !== null ? { bytes_per_item: asked.bytesPerItem } : {}),
           ...(asked.pairs ? { pairs: asked.pairs } : {}),
         },
