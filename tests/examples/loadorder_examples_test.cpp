@@ -184,7 +184,7 @@ TEST_F(LoadOrderExamples, TwoLevels) {
   LoadOrder order = plan_two_levels(200, 40, 8);
   EXPECT_GE(order.facts().loads, order.facts().bound.loads);               // from the disk
   EXPECT_GE(order.facts().transfers, order.facts().transfer_bound.loads);  // from memory
-  EXPECT_TRUE(check_schedule(*order.stream(), order.rules(ComputeRules{})).valid());
+  EXPECT_TRUE(check_schedule(*order.stream(), order.rules()).valid());
 }
 
 TEST_F(LoadOrderExamples, UpdatePairs) {

@@ -32,6 +32,8 @@ TEST(Serve, SaysWhatIsWrong) {
           {"$changeover serve --assets pages --export x --k 4..3", 2, "the range is empty"},
           {"$changeover serve --assets pages --export x --v 5..5000", 2, "v = 1000"},
           {"$changeover serve --assets pages --export full", 4, "holds other things"},
+          {"mkdir here && cd here && $changeover serve --assets ../pages --export .", 4,
+           "--export .: you are in this folder"},
           {"$changeover serve --assets pages --export full/mine", 4, "it is no folder"},
           {"$changeover serve --assets pages --export none/such/x", 4, "cannot make a folder"},
           {"$changeover serve --assets full --export x", 4, "without pages"},
@@ -83,6 +85,12 @@ TEST(Serve, ExportsWhatItWouldAnswer) {
   }
   EXPECT_GT(designs, 10U);
   EXPECT_EQ(run("ls -d site.new-*", folder.path()).out, "");
+  // Nobody is left in a folder that is gone.
+  expect(
+      {{"cd site/data && $changeover serve --assets ../../pages --export ..", 4,
+        "--export ..: you are in this folder"},
+       {"cd site && $changeover serve --assets ../pages --export ../site", 4, "--export ../site"}},
+      folder);
   // What somebody put beside it is not deleted.
   spit(folder.file("site/CNAME"), "designs.example");
   expect({{site, 4, "CNAME is not of the earlier export"}}, folder);

@@ -189,6 +189,7 @@ test('lists of parts: every field counts, or is refused by its name', async () =
     ['"#1 pump",5\n# a comment\nb,2', '#1 pump=5 b=2'],
     ['"a\tb",5\nc,\t6', 'a\tb=5 c=6'],
     ['Europe\nAsia', 'Europe Asia'],
+    ['name,Umbaukosten\na,1', 'a=1'],
     ['"a;b"\n"c;d"', 'a;b c;d'],
     ['slot\nfan', 'slot fan'],
   ]) {
@@ -198,6 +199,8 @@ test('lists of parts: every field counts, or is refused by its name', async () =
     ['name,slot\na,1\nb,2', 'the column “slot” is not used'],
     ['Name,SLOT\na,CPU\nb,CPU', 'the column “SLOT” is not used'],
     ['name,weight\na,1\nb,2', 'the column “weight” is not used'],
+    ['name,Europe\na,1\nb,2', 'the column “Europe” is not used'],
+    ['name,precision\na,1\nb,2', 'the column “precision” is not used'],
     ['Bauteil,Platz\na,1\nb,2', 'the column “Platz” is not used'],
     ['pump,n/a\nvalve,2', 'the column “n/a” is not used'],
     ['a,1,CPU\nb,2,CPU', 'column 3 is not used'],

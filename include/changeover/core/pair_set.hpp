@@ -8,6 +8,7 @@
 // Memory: C(v,2) bits, 268 MB at v = 65,535.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -40,6 +41,24 @@ class PairSet {
   /// Adds {x,y} for every y < x whose bit is set in `below`, a set of elements with one bit each.
   /// O(x / 64).
   void insert_below(Element x, std::span<const std::uint64_t> below);
+
+  /// The same of the elements from 64 · `word` on, with one bit each in `bits`. O(1).
+  void insert_below(Element x, std::size_t word, std::uint64_t bits) {
+    const std::uint64_t first = 64 * std::uint64_t{word};
+    if (first >= x) {
+      return;
+    }
+    if (const std::uint64_t most = x - first; most < 64) {
+      bits &= (std::uint64_t{1} << most) - 1;
+    }
+    const std::uint64_t r = rank(0, x) + first;
+    std::uint64_t* const into = words_.data() + r / 64;
+    into[0] |= bits << r % 64;
+    // The rest is in the next word, which exists if there is a bit for it.
+    if (const std::uint64_t rest = r % 64 == 0 ? 0 : bits >> (64 - r % 64); rest != 0) {
+      into[1] |= rest;
+    }
+  }
 
   [[nodiscard]] bool contains(Element x, Element y) const {
     const std::uint64_t r = rank(x, y);

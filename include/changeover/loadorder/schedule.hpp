@@ -19,16 +19,16 @@
 // is loaded is an item and is not; at most `room` items are in memory or on their way. Of two
 // levels: the same of the accelerator, and what is there stays in memory. Of workers in lockstep:
 // nothing is held twice. What is computed is wanted, and both its items are there. What is stored
-// was changed, and no change is lost. *At the end:* every wanted pair was in memory together, or
-// was computed exactly once.
+// was changed, and no change is lost. *At the end:* every wanted pair was together in a memory,
+// of two levels on the accelerator, or was computed exactly once.
 //
 // *Memory.* Pairs cost C(P,2) bits, up to P = 65,535 (268 MB), listed ones two bits each. Above
 // that, or if asked to, only *watched* items are followed: for each of them, chosen by a seed,
 // whether all others met it. A wrong order that misses a share p of the items' rows escapes n
 // watched items with probability (1−p)ⁿ; the rest of the checks is complete either way.
 //
-// Complexity: O(C) a load if pairs have to meet, O(watched) if some are watched, O(1) for what is
-// computed.
+// Complexity: O(C) a load if pairs have to meet, or a word for 64 of them whose names are close to
+// each other; O(watched) if some are watched, O(1) for what is computed.
 #pragma once
 
 #include <algorithm>

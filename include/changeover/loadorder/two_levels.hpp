@@ -4,11 +4,12 @@
 //     LoadOrder order = plan_two_levels(200, 40, 8);
 //     order.facts().loads;                     // from the disk
 //     order.facts().transfers;                 // from memory to the accelerator
-//     check_schedule(*order.stream(), order.rules(ComputeRules{})).valid();     // true
+//     check_schedule(*order.stream(), order.rules()).valid();                    // true
 //
 // *A step.* Items leave the accelerator; items leave memory; items are loaded from the disk; items
 // are transferred to the accelerator; then the pairs are computed that are there together for the
-// first time. What is on the accelerator stays in memory.
+// first time, which StepWork lists (loadorder/step_work.hpp). What is on the accelerator stays in
+// memory.
 //
 // *Bounds.* What is in memory brings every pair together, too: loads are at least
 // load_lower_bound(P, C), and transfers at least load_lower_bound(P, c).
@@ -29,7 +30,8 @@
 
 namespace changeover {
 
-/// The best order that is known, verified by ScheduleCheck. @throws BadInput unless 2 ≤ fast_room ≤
+/// The best order that is known, verified by ScheduleCheck: every pair meets on the accelerator; of
+/// up to 7,746 items the pairs that StepWork lists, too. @throws BadInput unless 2 ≤ fast_room ≤
 /// room and items ≥ 1; ImpossibleParameters above 65,535 items.
 [[nodiscard]] LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room,
                                         std::uint64_t fast_room);

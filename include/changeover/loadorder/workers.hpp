@@ -48,6 +48,7 @@ struct SplitFacts {
   std::uint64_t group_room = 0;  ///< groups that are in memory at once
   std::uint64_t loads = 0;       ///< of all workers
   std::uint64_t makespan = 0;    ///< of the busiest one
+  std::uint64_t transfers = 0;   ///< to the accelerators of all workers, of two levels
   LoadBound makespan_bound;      ///< no split has a smaller makespan
   std::string explanation;       ///< how the common order is made; says so if it is one of groups
   std::string
@@ -79,6 +80,7 @@ class WorkerSplit {
                                       const LoadOrderOptions&);
   friend WorkerSplit split_load_order(const WantedPairs&, std::uint64_t, std::uint64_t,
                                       const LoadOrderOptions&);
+  friend WorkerSplit split_two_levels(std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t);
   WorkerSplit(SplitFacts facts, LoadOrder order);
 
   SplitFacts facts_;

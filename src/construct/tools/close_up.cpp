@@ -41,23 +41,26 @@ std::vector<Stay> stays_of(const Design& design) {
   return stays;  // by begin, since blocks were read in order
 }
 
-}  // namespace
+bool can_close_up(const Parameters& p, Element x, std::uint64_t count) {
+  return p.kind == Kind::linear && p.change == 1 && count > 0 && p.v > p.k && count < p.v - p.k &&
+         x <= p.v - count;
+}
 
-std::optional<Design> closed_up(const Design& design, Element x, std::uint64_t count) {
-  Parameters p = design.parameters();
-  if (p.kind != Kind::linear || p.change != 1 || count == 0 || p.v <= p.k || count >= p.v - p.k ||
-      x > p.v - count) {
-    return std::nullopt;
-  }
-  p.v -= count;
-  Design closed(p);
+// Shows each block of k elements that is left without the elements x, …, x+count−1.
+template <typename Visit>
+void close_up(const std::vector<Stay>& stays, std::uint64_t k, Element x, std::uint64_t count,
+              Visit&& visit) {
+  constexpr std::size_t stays_between_looks = 4096;
   Block block;
   std::vector<Stay> present;  // in the order of the block
-  for (const Stay& stay : stays_of(design)) {
+  for (std::size_t i = 0; i < stays.size(); ++i) {
+    if (i % stays_between_looks == 0) {
+      stop_if_asked();
+    }
+    const Stay& stay = stays[i];
     if (stay.element >= x && stay.element < x + count) {
       continue;
     }
-    stop_if_asked();
     const auto same = std::find_if(present.begin(), present.end(), [&](const Stay& other) {
       return other.element == stay.element;
     });
@@ -67,7 +70,7 @@ std::optional<Design> closed_up(const Design& design, Element x, std::uint64_t c
     }
     const auto number =
         static_cast<Element>(stay.element < x ? stay.element : stay.element - count);
-    if (present.size() < p.k) {
+    if (present.size() < k) {
       present.push_back(stay);
       block.push_back(number);
     } else {
@@ -82,16 +85,32 @@ std::optional<Design> closed_up(const Design& design, Element x, std::uint64_t c
       block[static_cast<std::size_t>(out - present.begin())] = number;
       *out = stay;
     }
-    if (present.size() == p.k) {
-      closed.append(block);
+    if (present.size() == k) {
+      visit(block);
     }
   }
+}
+
+}  // namespace
+
+std::optional<Design> closed_up(const Design& design, Element x, std::uint64_t count) {
+  Parameters p = design.parameters();
+  if (!can_close_up(p, x, count)) {
+    return std::nullopt;
+  }
+  p.v -= count;
+  Design closed(p);
+  close_up(stays_of(design), p.k, x, count, [&](const Block& block) { closed.append(block); });
   return closed;
 }
 
-std::optional<Element> best_to_close_up(const Design& design, std::size_t most_tries) {
+std::optional<BestToCloseUp> best_to_close_up(const Design& design, std::size_t most_tries) {
+  if (!can_close_up(design.parameters(), 0, 1)) {
+    return std::nullopt;
+  }
+  const std::vector<Stay> stays = stays_of(design);
   std::vector<std::size_t> counts(static_cast<std::size_t>(design.v()));
-  for (const Stay& stay : stays_of(design)) {
+  for (const Stay& stay : stays) {
     ++counts[stay.element];
   }
   const std::size_t most = *std::max_element(counts.begin(), counts.end());
@@ -106,13 +125,12 @@ std::optional<Element> best_to_close_up(const Design& design, std::size_t most_t
     candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(front),
                      candidates.end() - static_cast<std::ptrdiff_t>(most_tries - front));
   }
-  std::optional<Element> best;
-  std::size_t fewest = never;
+  std::optional<BestToCloseUp> best;
   for (const Element x : candidates) {
-    const auto closed = closed_up(design, x);
-    if (closed && closed->block_count() < fewest) {
-      fewest = closed->block_count();
-      best = x;
+    std::uint64_t blocks = 0;
+    close_up(stays, design.k(), x, 1, [&](const Block&) { ++blocks; });
+    if (!best || blocks < best->blocks) {
+      best = {x, blocks};
     }
   }
   return best;

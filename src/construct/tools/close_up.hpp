@@ -21,8 +21,14 @@ namespace changeover {
 [[nodiscard]] std::optional<Design> closed_up(const Design& design, Element x,
                                               std::uint64_t count = 1);
 
+struct BestToCloseUp {
+  Element element = 0;
+  std::uint64_t blocks = 0;  ///< that are left
+};
+
 /// The element without which the design has fewest blocks, closed up, of up to `most_tries` of those with the most stays,
 /// the first and the last ones by number.
-[[nodiscard]] std::optional<Element> best_to_close_up(const Design& design, std::size_t most_tries);
+[[nodiscard]] std::optional<BestToCloseUp> best_to_close_up(const Design& design,
+                                                            std::size_t most_tries);
 
 }  // namespace changeover

@@ -8,12 +8,12 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/loadorder/step_work.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/lockstep_eras.hpp"
 #include "loadorder/order/lockstep_grown.hpp"
+#include "loadorder/order/read_order.hpp"
 
 namespace changeover {
 namespace {
@@ -264,21 +264,12 @@ LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room, std::uint
   LoadOrder::Maker maker = [worker, workers] {
     return std::make_unique<InLockstep>(worker, workers);
   };
-  const LoadOrder order(facts, maker);
-  const ScheduleRules rules = order.rules(ComputeRules{});
-  StepWork work(order.stream(), rules);
-  const ScheduleVerdict verdict = check_schedule(work, rules);
-  if (!verdict.valid()) {
-    throw InternalError(
-        fmt::format("the order of {} items for {} workers with room for {} is "
-                    "wrong: {} {} pairs missing",
-                    items, workers, room, verdict.fault, verdict.missing));
-  }
+  const ScheduleVerdict verdict =
+      read_order(maker, LoadOrder(facts, maker).rules(),
+                 fmt::format("{} items for {} workers with room for {}", items, workers, room));
   static_cast<ScheduleFacts&>(facts) = verdict;
   facts.every_step_read = true;
-  facts.certificate =
-      fmt::format("every step read: no item held twice at once, {} pairs computed, each once",
-                  verdict.computed);
+  facts.certificate = "every step read: no item held twice at once, " + pairs_read(verdict, items);
   return {std::move(facts), std::move(maker)};
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
@@ -21,16 +20,17 @@ SeenPairs::SeenPairs(const WantedPairs& wanted, std::uint64_t items)
         fmt::format("{} items have too many pairs to be followed one by one; {} is the most", items,
                     max_elements_in_memory));
   }
-  seen_.assign(static_cast<std::size_t>(wanted.graph() != nullptr ? 2 * wanted.graph()->pairs()
-                                                                  : binomial(items, 2)),
-               false);
+  const std::uint64_t bits =
+      wanted.graph() != nullptr ? 2 * wanted.graph()->pairs() : binomial(items, 2);
+  seen_.assign(static_cast<std::size_t>(bits / 64 + 1), 0);
 }
 
 std::optional<ItemPair> SeenPairs::example() const {
   for (Element y = 0; y < items_ && missing() > 0; ++y) {
     const auto is_missing = [&](Element x) {
-      return !seen_[static_cast<std::size_t>(
-          wanted_.graph() != nullptr ? *wanted_.graph()->place(x, y) : PairSet::rank(x, y))];
+      const std::uint64_t bit =
+          wanted_.graph() != nullptr ? *wanted_.graph()->place(x, y) : PairSet::rank(x, y);
+      return (seen_[static_cast<std::size_t>(bit / 64)] >> bit % 64 & 1) == 0;
     };
     if (wanted_.graph() != nullptr) {
       for (const Element x : wanted_.graph()->partners(y)) {
@@ -49,72 +49,95 @@ std::optional<ItemPair> SeenPairs::example() const {
   return std::nullopt;
 }
 
-MetInWords::MetInWords(std::uint64_t items)
-    : words_(static_cast<std::size_t>(items / 64 + 1)),
-      held_(words_, 0),
-      since_(static_cast<std::size_t>(items), 0) {}
+namespace {
+
+void insert_below(PairSet& pairs, Element x, const WordSet& set) {
+  for (const auto& [word, bits] : set.words()) {
+    if (64 * std::uint64_t{word} >= x) {
+      return;
+    }
+    pairs.insert_below(x, word, bits);
+  }
+}
+
+}  // namespace
+
+MetInWords::MetInWords(std::uint64_t room, std::vector<std::uint32_t>& since)
+    : most_arrivals_(static_cast<std::size_t>(arrivals_of_a_large_set + 4 * room)),
+      since_(&since) {}
 
 void MetInWords::arrive(Element name, PairSet& pairs) {
-  pairs.insert_below(name, held_);
-  held_[name / 64] |= std::uint64_t{1} << (name % 64);
+  if (arrivals_.size() == most_arrivals_) {
+    settle(pairs);
+  }
+  insert_below(pairs, name, held_);
+  held_.insert(name);
   arrivals_.push_back(name);
-  since_[name] = arrivals_.size();
+  (*since_)[name] = static_cast<std::uint32_t>(arrivals_.size());
   if (arrivals_.size() % arrivals_of_a_set == 0) {
-    Set& set = sets_.emplace_back(words_, 0);
+    WordSet& set = sets_.emplace_back();
     for (std::size_t i = arrivals_.size() - arrivals_of_a_set; i < arrivals_.size(); ++i) {
-      set[arrivals_[i] / 64] |= std::uint64_t{1} << (arrivals_[i] % 64);
+      set.insert(arrivals_[i]);
+    }
+  }
+  if (arrivals_.size() % arrivals_of_a_large_set == 0) {
+    constexpr std::size_t sets = arrivals_of_a_large_set / arrivals_of_a_set;
+    WordSet& large = large_sets_.emplace_back();
+    for (std::size_t i = sets_.size() - sets; i < sets_.size(); ++i) {
+      for (const WordSet::Word& word : sets_[i].words()) {
+        large.insert(word);
+      }
     }
   }
 }
 
 void MetInWords::take_since_arrival(Element name, PairSet& pairs) const {
-  const auto take_one_by_one = [&](std::size_t from, std::size_t to) {
-    for (std::size_t i = from; i < to; ++i) {
+  for (std::size_t i = (*since_)[name]; i < arrivals_.size();) {
+    const std::size_t left = arrivals_.size() - i;
+    if (i % arrivals_of_a_large_set == 0 && left >= arrivals_of_a_large_set) {
+      insert_below(pairs, name, large_sets_[i / arrivals_of_a_large_set]);
+      i += arrivals_of_a_large_set;
+    } else if (i % arrivals_of_a_set == 0 && left >= arrivals_of_a_set) {
+      insert_below(pairs, name, sets_[i / arrivals_of_a_set]);
+      i += arrivals_of_a_set;
+    } else {
       if (arrivals_[i] < name) {
         pairs.insert(name, arrivals_[i]);
       }
+      ++i;
     }
-  };
-  const auto from = static_cast<std::size_t>(since_[name]);
-  const std::size_t first = (from + arrivals_of_a_set - 1) / arrivals_of_a_set;
-  if (first >= sets_.size()) {
-    take_one_by_one(from, arrivals_.size());
-    return;
   }
-  take_one_by_one(from, first * arrivals_of_a_set);
-  for (std::size_t s = first; s < sets_.size(); ++s) {
-    pairs.insert_below(name, sets_[s]);
-  }
-  take_one_by_one(sets_.size() * arrivals_of_a_set, arrivals_.size());
 }
 
 void MetInWords::leave(Element name, PairSet& pairs) {
   take_since_arrival(name, pairs);
-  held_[name / 64] &= ~(std::uint64_t{1} << (name % 64));
+  held_.erase(name);
 }
 
 void MetInWords::settle(PairSet& pairs) {
-  for (std::size_t i = 0; i < words_; ++i) {
-    for (std::uint64_t rest = held_[i]; rest != 0; rest &= rest - 1) {
-      take_since_arrival(
-          static_cast<Element>(64 * i + static_cast<std::size_t>(std::countr_zero(rest))), pairs);
-    }
-  }
+  held_.for_each([&](Element name) {
+    take_since_arrival(name, pairs);
+    (*since_)[name] = 0;
+  });
+  arrivals_.clear();
+  sets_.clear();
+  large_sets_.clear();
 }
 
 void MetInWords::clear(PairSet& pairs) {
   settle(pairs);
-  std::fill(held_.begin(), held_.end(), 0);
-  arrivals_.clear();
-  sets_.clear();
+  held_.clear();
 }
 
 MetPairs::MetPairs(const ScheduleRules& rules, const CheckOptions& options)
-    : items_(rules.items), wanted_(rules.wanted) {
+    : items_(rules.items),
+      wanted_(rules.wanted),
+      lockstep_(rules.lockstep > 0),
+      memories_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))) {
   if (wanted_.graph() != nullptr) {
     loaded_.assign(static_cast<std::size_t>(items_), false);
   }
-  if (wanted_.graph() != nullptr || (options.all_pairs && !wanted_.are_all())) {
+  if (wanted_.graph() != nullptr) {
     some_.emplace(wanted_, items_);
   } else if (!options.all_pairs) {
     watch(options);
@@ -123,12 +146,20 @@ MetPairs::MetPairs(const ScheduleRules& rules, const CheckOptions& options)
         fmt::format("{} items have too many pairs to be followed one by one; {} is the most",
                     items_, max_elements_in_memory));
   } else {
-    name_pairs(options.kept_as);
     pairs_.emplace(items_);
-    // A row costs its words; without them an arrival costs a bit for each item that is there.
-    constexpr std::uint64_t words_for_a_bit = 16;
-    if (rules.room > items_ / words_for_a_bit) {
-      words_.emplace(items_);
+    if (wanted_.are_all()) {
+      name_pairs(options.kept_as);
+    } else {
+      leave_out_unwanted();
+    }
+    // Of few items a word holds one or two.
+    constexpr std::uint64_t room_for_words = 32;
+    const std::uint64_t room = std::min(rules.fast_room.value_or(rules.room), items_);
+    if (room >= room_for_words) {
+      since_.assign(static_cast<std::size_t>(items_), 0);
+      for (Memory& memory : memories_) {
+        memory.words.emplace(room, since_);
+      }
     }
   }
 }
@@ -152,6 +183,24 @@ void MetPairs::watch(const CheckOptions& options) {
   met_.assign(watched_.size(), std::vector<bool>(static_cast<std::size_t>(items_), false));
 }
 
+// Pairs that nobody wants are not missed. Where sets are wanted, an item has at most two runs of others.
+void MetPairs::leave_out_unwanted() {
+  for (Element x = 1; x < items_; ++x) {
+    for (Element first = 0; first < x; first += 64) {
+      const Element last = std::min(first + 63, x - 1);
+      std::uint64_t bits = 0;
+      if (wanted_.contains(first, x) == wanted_.contains(last, x)) {
+        bits = wanted_.contains(first, x) ? 0 : ~std::uint64_t{0};
+      } else {
+        for (Element y = first; y <= last; ++y) {
+          bits |= std::uint64_t{!wanted_.contains(y, x)} << (y - first);
+        }
+      }
+      pairs_->insert_below(x, first / 64, bits);
+    }
+  }
+}
+
 void MetPairs::name_pairs(const std::vector<Element>& kept_as) {
   if (kept_as.empty()) {
     return;
@@ -166,52 +215,59 @@ void MetPairs::name_pairs(const std::vector<Element>& kept_as) {
   kept_as_ = kept_as;
 }
 
-void MetPairs::leave(Element x, std::size_t place) {
-  if (words_) {
-    words_->leave(kept_as_.empty() ? x : kept_as_[x], *pairs_);
+void MetPairs::leave(std::size_t worker, Element x, std::size_t place) {
+  Memory& own = memories_[worker];
+  if (own.words) {
+    own.words->leave(kept_as_.empty() ? x : kept_as_[x], *pairs_);
   } else if (pairs_) {
-    kept_[place] = kept_.back();
-    kept_.pop_back();
+    own.kept[place] = own.kept.back();
+    own.kept.pop_back();
   } else if (!row_.empty() && row_[x] != 0) {
-    std::erase(watched_now_, x);
+    std::erase(own.watched, x);
   }
 }
 
-void MetPairs::arrive(Element x, const std::vector<Element>& memory,
+void MetPairs::see_wanted(Element x, const std::vector<Element>& memory,
+                          const std::vector<std::uint32_t>& place) {
+  const PairGraph* const graph = wanted_.graph();
+  if (graph != nullptr && !lockstep_ && graph->partners(x).size() < memory.size()) {
+    for (const Element y : graph->partners(x)) {
+      if (place[y] != 0) {
+        some_->insert(x, y);
+      }
+    }
+  } else {
+    for (const Element y : memory) {
+      if (wanted_.contains(x, y)) {
+        some_->insert(x, y);
+      }
+    }
+  }
+  if (!loaded_.empty()) {
+    loaded_[x] = true;
+  }
+}
+
+void MetPairs::arrive(std::size_t worker, Element x, const std::vector<Element>& memory,
                       const std::vector<std::uint32_t>& place) {
+  Memory& own = memories_[worker];
   if (pairs_) {
     const Element name = kept_as_.empty() ? x : kept_as_[x];
-    if (words_) {
-      words_->arrive(name, *pairs_);
+    if (own.words) {
+      own.words->arrive(name, *pairs_);
       return;
     }
-    for (const Element other : kept_) {
+    for (const Element other : own.kept) {
       pairs_->insert(name, other);
     }
-    kept_.push_back(name);
+    own.kept.push_back(name);
     return;
   }
   if (some_) {
-    const PairGraph* const graph = wanted_.graph();
-    if (graph != nullptr && graph->partners(x).size() < memory.size()) {
-      for (const Element y : graph->partners(x)) {
-        if (place[y] != 0) {
-          some_->insert(x, y);
-        }
-      }
-    } else {
-      for (const Element y : memory) {
-        if (wanted_.contains(x, y)) {
-          some_->insert(x, y);
-        }
-      }
-    }
-    if (!loaded_.empty()) {
-      loaded_[x] = true;
-    }
+    see_wanted(x, memory, place);
     return;
   }
-  for (const Element y : watched_now_) {
+  for (const Element y : own.watched) {
     met_[row_[y] - 1][x] = true;
   }
   if (row_[x] != 0) {
@@ -219,21 +275,24 @@ void MetPairs::arrive(Element x, const std::vector<Element>& memory,
     for (const Element y : memory) {
       met[y] = true;
     }
-    watched_now_.push_back(x);
+    own.watched.push_back(x);
   }
 }
 
-void MetPairs::clear() {
-  if (words_) {
-    words_->clear(*pairs_);
+void MetPairs::clear(std::size_t worker) {
+  Memory& own = memories_[worker];
+  if (own.words) {
+    own.words->clear(*pairs_);
   }
-  kept_.clear();
-  watched_now_.clear();
+  own.kept.clear();
+  own.watched.clear();
 }
 
 void MetPairs::report(ScheduleVerdict& verdict) {
-  if (words_) {
-    words_->settle(*pairs_);
+  for (Memory& memory : memories_) {
+    if (memory.words) {
+      memory.words->settle(*pairs_);
+    }
   }
   verdict.watched_items = row_.empty() ? items_ : watched_.size();
   const auto say = [&](Element x, Element y) {

@@ -1,13 +1,14 @@
 // Internal, of the check alone: which pairs were seen, and which met.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "changeover/core/pair_set.hpp"
 #include "changeover/loadorder/schedule.hpp"
+#include "loadorder/order/word_set.hpp"
 
 namespace changeover {
 
@@ -20,9 +21,10 @@ class SeenPairs {
   bool insert(Element x, Element y) {
     const std::uint64_t bit =
         wanted_.graph() != nullptr ? *wanted_.graph()->place(x, y) : PairSet::rank(x, y);
-    const auto place = static_cast<std::size_t>(bit);
-    const bool is_new = !seen_[place];
-    seen_[place] = true;
+    std::uint64_t& word = seen_[static_cast<std::size_t>(bit / 64)];
+    const std::uint64_t mask = std::uint64_t{1} << bit % 64;
+    const bool is_new = (word & mask) == 0;
+    word |= mask;
     size_ += is_new ? 1U : 0U;
     return is_new;
   }
@@ -35,35 +37,37 @@ class SeenPairs {
   WantedPairs wanted_;
   std::uint64_t items_;
   std::uint64_t wanted_count_;
-  std::vector<bool> seen_;
+  std::vector<std::uint64_t> seen_;
   std::uint64_t size_ = 0;
 };
 
-/// All pairs that have been in one memory, in words: for a room that is large against the words of a row. A pair belongs to the
-/// row of its larger name. When that name comes, the row takes what is there, as words; when it leaves, what came in the meantime, which is kept as
-/// one set for each so many arrivals.
+/// What has been in one memory, in words: for rooms of many items. A pair belongs to the row of the one that came later as far as
+/// that has the larger name; when a name leaves, its row takes what came in the meantime, which is kept as a set for each
+/// so many arrivals.
 class MetInWords {
  public:
-  explicit MetInWords(std::uint64_t items);
+  /// since[x], shared by memories that never hold the same item: so many arrivals of its memory were before x left out.
+  MetInWords(std::uint64_t room, std::vector<std::uint32_t>& since);
 
   void arrive(Element name, PairSet& pairs);
   void leave(Element name, PairSet& pairs);
+  /// Adds what those that are there met.
+  void settle(PairSet& pairs);
   /// Memory is empty; what met has met.
   void clear(PairSet& pairs);
-  /// Adds what those that are still there met.
-  void settle(PairSet& pairs);
 
  private:
-  static constexpr std::size_t arrivals_of_a_set = 2048;
-  using Set = std::vector<std::uint64_t>;
+  static constexpr std::size_t arrivals_of_a_set = 64;
+  static constexpr std::size_t arrivals_of_a_large_set = 2048;
 
   void take_since_arrival(Element name, PairSet& pairs) const;
 
-  std::size_t words_;
-  Set held_;
-  std::vector<std::uint64_t> since_;  // by name: how many had arrived before it, itself included
-  std::vector<Element> arrivals_;     // all of them since memory was empty
-  std::vector<Set> sets_;             // of each full run of them
+  std::size_t most_arrivals_;
+  std::vector<std::uint32_t>* since_;
+  WordSet held_;
+  std::vector<Element> arrivals_;  // since it was empty, or settled
+  std::vector<WordSet> sets_;      // of each full run of them
+  std::vector<WordSet> large_sets_;
 };
 
 /// Pairs that have been in one memory: all of them, those that are wanted, or those of a few
@@ -71,34 +75,46 @@ class MetInWords {
 class MetPairs {
  public:
   MetPairs(const ScheduleRules& rules, const CheckOptions& options);
+  MetPairs(const MetPairs&) = delete;
+  MetPairs& operator=(const MetPairs&) = delete;
 
-  /// x comes to what is in `memory`; place[y] is not 0 for what is there.
-  void arrive(Element x, const std::vector<Element>& memory,
+  /// x comes to what is in the `memory` of a worker; place[y] is not 0 for what is there, or in lockstep at any worker.
+  void arrive(std::size_t worker, Element x, const std::vector<Element>& memory,
               const std::vector<std::uint32_t>& place);
   /// x leaves its place in the list of what is there, which the last one takes.
-  void leave(Element x, std::size_t place);
-  /// Memory is empty; what met has met.
-  void clear();
+  void leave(std::size_t worker, Element x, std::size_t place);
+  /// The memory is empty; what met has met.
+  void clear(std::size_t worker);
 
   /// Fills in what is missing, an example and how many are watched.
   void report(ScheduleVerdict& verdict);
 
  private:
+  /// What one worker holds, as far as it is followed.
+  struct Memory {
+    std::vector<Element> kept;        // names of what is there, in the same places; or
+    std::optional<MetInWords> words;  // that, if there is much room
+    std::vector<Element> watched;     // watched items that are there
+  };
+
+  void leave_out_unwanted();
   void name_pairs(const std::vector<Element>& kept_as);
   void watch(const CheckOptions& options);
+  void see_wanted(Element x, const std::vector<Element>& memory,
+                  const std::vector<std::uint32_t>& place);
 
   std::uint64_t items_;
   WantedPairs wanted_;
-  std::optional<PairSet> pairs_;     // all of them, under the names kept_as_, or
-  std::optional<MetInWords> words_;  // which adds to these, if there is much room
-  std::optional<SeenPairs> some_;    // those that are wanted, or
-  std::vector<bool> loaded_;         // by item, of listed pairs
-  std::vector<Element> kept_as_;     // by item; empty: their own
-  std::vector<Element> kept_;        // names of what is in memory, in the same places
-  std::vector<Element> watched_;     // a few rows
-  std::vector<std::uint32_t> row_;   // by item: its row plus one, 0 if it is not watched
+  bool lockstep_;
+  std::vector<Memory> memories_;      // by worker
+  std::optional<PairSet> pairs_;      // all of them, under the names kept_as_, or
+  std::vector<std::uint32_t> since_;  // by name, of memories in words
+  std::optional<SeenPairs> some_;     // those that are wanted, or
+  std::vector<bool> loaded_;          // by item, of listed pairs
+  std::vector<Element> kept_as_;      // by item; empty: their own
+  std::vector<Element> watched_;      // a few rows
+  std::vector<std::uint32_t> row_;    // by item: its row plus one, 0 if it is not watched
   std::vector<std::vector<bool>> met_;
-  std::vector<Element> watched_now_;  // watched items in memory
 };
 
 }  // namespace changeover

@@ -17,8 +17,8 @@ class OrderRelay {
   struct Place {
     std::unique_ptr<StepSource> order;
     std::uint64_t step = 0;
-    std::vector<bool> present;  // what is in memory
-    std::vector<bool> fast;     // what is on the accelerator
+    std::vector<std::uint64_t> present;  // what is in memory, a bit each
+    std::vector<std::uint64_t> fast;     // what is on the accelerator
 
     bool next(Step& next_step);
   };

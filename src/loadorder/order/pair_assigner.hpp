@@ -1,7 +1,7 @@
 // Internal: which step computes which pair.
 //
-// A pair belongs to the first step that has both items in memory; workers come one after another,
-// or step together. Within a step pairs are listed by the arrival of the later item, and those with
+// A pair belongs to the first step that has both items in memory, or on the accelerator; workers come
+// one after another, or step together. Within a step pairs are listed by the arrival of the later item, and those with
 // an item that goes next come before the others of the last arrival. What goes next goes first only
 // as far as the next loads need its place.
 #pragma once
@@ -22,18 +22,21 @@ struct AssignedStep {
   Step step;
   std::vector<Element> evicted_first;    ///< by the next step, before its loads start
   std::vector<Element> evicted_late;     ///< by the next step, when this one is over
-  std::vector<bool> is_new;              ///< by place in step.load: never loaded before by anybody
+  std::vector<bool> is_new;              ///< by place in what comes: never there before, at anybody
   std::vector<ItemPair> pairs;           ///< later item's arrival by arrival
-  std::vector<std::size_t> arrival_end;  ///< by place in step.load: end of its pairs
+  std::vector<std::size_t> arrival_end;  ///< by place in what comes: end of its pairs
   std::size_t before = 0;                ///< so many pairs come before the next evictions
 };
 
 class PairAssigner {
  public:
-  /// `lockstep`: so many workers step together; 0: one comes after another.
+  /// `lockstep`: so many workers step together; 0: one comes after another. Pairs meet in memory, or
+  /// where the room is, on the `accelerator`.
   PairAssigner(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {},
-               std::size_t lockstep = 0)
+               std::size_t lockstep = 0, bool accelerator = false)
       : room_(room),
+        come_(accelerator ? &Step::fast_load : &Step::load),
+        leave_(accelerator ? &Step::fast_evict : &Step::evict),
         wanted_(wanted),
         in_lockstep_(lockstep > 0),
         memories_(std::max<std::size_t>(1, lockstep)),
@@ -111,7 +114,10 @@ class PairAssigner {
   [[nodiscard]] bool goes_on() const { return has_ahead_ && ahead_.worker == worker_; }
 
   void evict(const Step& step, std::vector<Element>& memory) {
-    for (const Element x : step.evict) {
+    if ((step.*leave_).empty()) {
+      return;
+    }
+    for (const Element x : step.*leave_) {
       there_[x] = false;
     }
     std::erase_if(memory, [&](Element x) { return !there_[x]; });
@@ -123,7 +129,7 @@ class PairAssigner {
     out.arrival_end.clear();
     out.is_new.clear();
     std::size_t last_arrival = 0;
-    for (const Element x : out.step.load) {
+    for (const Element x : out.step.*come_) {
       last_arrival = out.pairs.size();
       const auto add = [&](Element y) { out.pairs.emplace_back(std::min(x, y), std::max(x, y)); };
       if (done_) {
@@ -152,11 +158,12 @@ class PairAssigner {
     if (!goes_on()) {
       return;
     }
-    const std::uint64_t needed = memories_[0].size() + ahead_.load.size();
+    const std::uint64_t needed = memories_[0].size() + (ahead_.*come_).size();
     const std::size_t first = needed > room_ ? static_cast<std::size_t>(needed - room_) : 0;
-    std::vector<Element> evicted = ahead_.evict;
+    const std::vector<Element>& came = out.step.*come_;
+    std::vector<Element> evicted = ahead_.*leave_;
     std::stable_partition(evicted.begin(), evicted.end(), [&](Element x) {
-      return std::find(out.step.load.begin(), out.step.load.end(), x) == out.step.load.end();
+      return std::find(came.begin(), came.end(), x) == came.end();
     });
     const auto middle =
         evicted.begin() + static_cast<std::ptrdiff_t>(std::min(first, evicted.size()));
@@ -165,6 +172,8 @@ class PairAssigner {
   }
 
   std::uint64_t room_;
+  std::vector<Element> Step::*come_;
+  std::vector<Element> Step::*leave_;
   WantedPairs wanted_;
   bool in_lockstep_;
   std::unique_ptr<StepSource> steps_;

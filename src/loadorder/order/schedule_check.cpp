@@ -16,6 +16,27 @@ namespace {
 constexpr std::uint64_t most_followed = 65'536;  // workers
 constexpr std::uint64_t absent = ~std::uint64_t{0};
 
+/// Items that are somewhere: in memory, or on the accelerator.
+struct Held {
+  // Their place in the list of what is there.
+  std::uint32_t take(Element x, std::vector<Element>& list) {
+    const std::uint32_t at = place[x] - 1;
+    const Element moved = list.back();
+    list[at] = moved;
+    place[moved] = at + 1;
+    list.pop_back();
+    place[x] = 0;
+    return at;
+  }
+  void put(Element x, std::vector<Element>& list) {
+    list.push_back(x);
+    place[x] = static_cast<std::uint32_t>(list.size());
+  }
+  [[nodiscard]] bool has(Element x) const { return place[x] != 0; }
+
+  std::vector<std::uint32_t> place;  // by item: index in its list plus one, 0 if it is in none
+};
+
 /// Which pairs were computed, each way, and which items alone.
 struct Computed {
   Computed(const ScheduleRules& rules, bool all_pairs)
@@ -67,13 +88,13 @@ class ScheduleCheck::State {
           fmt::format("pairs of {} items are wanted of {}", rules.wanted.items(), rules.items));
     }
     const auto items = static_cast<std::size_t>(rules.items);
-    place_.assign(items, 0);
+    memory_.place.assign(items, 0);
     if (rules.lockstep > 0) {
       owner_.assign(items, 0);
       round_.resize(workers_.size());
     }
     if (rules.fast_room) {
-      fast_.assign(items, false);
+      fast_.place.assign(items, 0);
     }
     if (rules.compute) {
       computed_.emplace(rules, options.all_pairs);
@@ -124,7 +145,7 @@ class ScheduleCheck::State {
     for (const std::optional<SeenPairs>* const pairs : {&computed_->upward, &computed_->downward}) {
       verdict.missing += *pairs ? (*pairs)->missing() : 0;
     }
-    for (std::size_t x = 0; x < place_.size() && rules_.compute->self; ++x) {
+    for (std::size_t x = 0; x < rules_.items && rules_.compute->self; ++x) {
       verdict.missing += computed_->loaded[x] && !computed_->alone[x] ? 1U : 0U;
     }
     return verdict;
@@ -134,7 +155,7 @@ class ScheduleCheck::State {
   struct Worker {
     std::uint64_t number = 0;  // of its last step
     std::vector<Element> memory;
-    std::uint64_t on_accelerator = 0;
+    std::vector<Element> accelerator;
     std::vector<ItemPair> overlap;  // what is still to be computed of its last step
   };
 
@@ -146,12 +167,26 @@ class ScheduleCheck::State {
     }
   }
 
-  Worker& of(const Step& step) {
-    return workers_[rules_.lockstep > 0 ? static_cast<std::size_t>(step.worker) : 0];
+  [[nodiscard]] std::size_t place_of(const Step& step) const {
+    return rules_.lockstep > 0 ? static_cast<std::size_t>(step.worker) : 0;
   }
+  Worker& of(const Step& step) { return workers_[place_of(step)]; }
 
   [[nodiscard]] bool holds(const Step& step, Element x) const {
-    return x < place_.size() && place_[x] != 0 && (owner_.empty() || owner_[x] == step.worker);
+    return x < rules_.items && memory_.has(x) && (owner_.empty() || owner_[x] == step.worker);
+  }
+  [[nodiscard]] bool on_accelerator(Element x) const { return rules_.fast_room && fast_.has(x); }
+
+  // The list of those that meet x when it comes, for pairs that have to meet.
+  void meet(const Step& step, Element x, const Held& held, const std::vector<Element>& list) {
+    if (met_) {
+      met_->arrive(place_of(step), x, list, held.place);
+    }
+  }
+  void part(const Step& step, Element x, std::uint32_t place) {
+    if (met_) {
+      met_->leave(place_of(step), x, place);
+    }
   }
 
   // All workers do one thing before any does the next.
@@ -180,11 +215,10 @@ class ScheduleCheck::State {
       return fail(step, fmt::format("is numbered so where {} is next", worker.number));
     }
     for (const Element x : step.fast_evict) {
-      if (fast_.empty() || !holds(step, x) || !fast_[x]) {
+      if (!holds(step, x) || !on_accelerator(x)) {
         return fail(step, fmt::format("takes {} from the accelerator, where it is not", x));
       }
-      fast_[x] = false;
-      --worker.on_accelerator;
+      part(step, x, fast_.take(x, worker.accelerator));
     }
     if (step.late > (rules_.overlap ? step.evict.size() : 0)) {
       return fail(step, fmt::format("evicts {} items late, of {}", step.late, step.evict.size()));
@@ -214,18 +248,13 @@ class ScheduleCheck::State {
       if (!verdict_.fault.empty()) {
         return;
       }
-      if (!holds(step, x) || (!fast_.empty() && fast_[x])) {
+      if (!holds(step, x) || on_accelerator(x)) {
         return fail(step, fmt::format("evicts {}, which is {}", x,
                                       holds(step, x) ? "on the accelerator" : "not in memory"));
       }
-      const std::uint32_t place = place_[x] - 1;
-      const Element moved = memory.back();
-      memory[place] = moved;
-      place_[moved] = place + 1;
-      memory.pop_back();
-      place_[x] = 0;
-      if (met_) {
-        met_->leave(x, place);
+      const std::uint32_t place = memory_.take(x, memory);
+      if (!rules_.fast_room) {
+        part(step, x, place);
       }
       if (changes_) {
         leave_changed(step, x);
@@ -255,20 +284,20 @@ class ScheduleCheck::State {
     }
     Worker& worker = of(step);
     for (const Element x : step.load) {
-      if (x >= place_.size() || place_[x] != 0) {
+      if (x >= rules_.items || memory_.has(x)) {
         return fail(
             step, fmt::format("loads {}, which is {}", x,
-                              x >= place_.size() ? "not an item"
-                              : owner_.empty()   ? "in memory"
+                              x >= rules_.items ? "not an item"
+                              : owner_.empty()  ? "in memory"
                                                : fmt::format("in memory of worker {}", owner_[x])));
       }
-      if (met_) {
-        met_->arrive(x, worker.memory, place_);
-      } else {
+      if (!rules_.fast_room) {
+        meet(step, x, memory_, worker.memory);
+      }
+      if (computed_) {
         computed_->loaded[x] = true;
       }
-      worker.memory.push_back(x);
-      place_[x] = static_cast<std::uint32_t>(worker.memory.size());
+      memory_.put(x, worker.memory);
       if (!owner_.empty()) {
         owner_[x] = static_cast<std::uint32_t>(step.worker);
       }
@@ -279,14 +308,14 @@ class ScheduleCheck::State {
     verdict_.most_in_memory =
         std::max<std::uint64_t>(verdict_.most_in_memory, worker.memory.size());
     for (const Element x : step.fast_load) {
-      if (fast_.empty() || !holds(step, x) || fast_[x]) {
+      if (!rules_.fast_room || !holds(step, x) || on_accelerator(x)) {
         return fail(step, fmt::format("transfers {}, which is not in memory, or has been", x));
       }
-      if (worker.on_accelerator == *rules_.fast_room) {
+      if (worker.accelerator.size() == *rules_.fast_room) {
         return fail(step, fmt::format("transfers {} when the accelerator is full", x));
       }
-      fast_[x] = true;
-      ++worker.on_accelerator;
+      meet(step, x, fast_, worker.accelerator);
+      fast_.put(x, worker.accelerator);
     }
     if (step.worker >= verdict_.worker_loads.size()) {
       verdict_.worker_loads.resize(static_cast<std::size_t>(step.worker) + 1, 0);
@@ -301,10 +330,12 @@ class ScheduleCheck::State {
       if (!verdict_.fault.empty()) {
         return;
       }
-      const auto there = [&](Element z) { return holds(step, z) && (fast_.empty() || fast_[z]); };
+      const auto there = [&](Element z) {
+        return holds(step, z) && (!rules_.fast_room || fast_.has(z));
+      };
       if (!there(x) || !there(y)) {
         return fail(step, fmt::format("computes ({},{}), which are not both {}", x, y,
-                                      fast_.empty() ? "in memory" : "on the accelerator"));
+                                      rules_.fast_room ? "on the accelerator" : "in memory"));
       }
       if (x == y ? !rules_.compute->self
                  : (x > y && !rules_.compute->ordered) || !rules_.wanted.contains(x, y)) {
@@ -346,25 +377,25 @@ class ScheduleCheck::State {
   void begin(std::uint64_t worker) {
     end();
     for (const Element x : workers_[0].memory) {
-      place_[x] = 0;
-      if (!fast_.empty()) {
-        fast_[x] = false;
-      }
+      memory_.place[x] = 0;
+    }
+    for (const Element x : workers_[0].accelerator) {
+      fast_.place[x] = 0;
     }
     workers_[0] = {};
     if (met_) {
-      met_->clear();
+      met_->clear(0);
     }
     worker_ = worker;
   }
 
   ScheduleRules rules_;
   ScheduleVerdict verdict_;
-  std::vector<Worker> workers_;       // one if they come one after another
-  std::uint64_t worker_ = 0;          // which one it is then
-  std::vector<std::uint32_t> place_;  // by item: index in its memory plus one, 0 if it is in none
+  std::vector<Worker> workers_;  // one if they come one after another
+  std::uint64_t worker_ = 0;     // which one it is then
+  Held memory_;
+  Held fast_;                         // on the accelerator, if there is one
   std::vector<std::uint32_t> owner_;  // by item: its worker; empty if there is one at a time
-  std::vector<bool> fast_;            // by item: on the accelerator; empty if there is none
   std::optional<MetPairs> met_;
   std::optional<Computed> computed_;
   std::optional<Changes> changes_;

@@ -1,7 +1,6 @@
 #include "changeover/loadorder/step_work.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "loadorder/order/pair_assigner.hpp"
@@ -26,19 +25,14 @@ class StepWork::State {
         random_(compute_.shuffle.value_or(0)),
         round_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))),
         made_(round_.size()),
-        loaded_(static_cast<std::size_t>(rules.fast_room ? rules.items : 0), false) {
+        assigner_(rules.items, rules.fast_room.value_or(rules.room), rules.wanted,
+                  static_cast<std::size_t>(rules.lockstep), rules.fast_room.has_value()) {
     if (rules.store) {
       changed_.assign(static_cast<std::size_t>(rules.items), false);
       held_by_.assign(changed_.size(), 0);
       fast_.assign(rules.fast_room ? changed_.size() : 0, false);
     }
-    if (rules.fast_room) {
-      steps_ = std::move(steps);
-    } else {
-      assigner_.emplace(rules.items, rules.room, rules.wanted,
-                        static_cast<std::size_t>(rules.lockstep));
-      assigner_->start(std::move(steps));
-    }
+    assigner_.start(std::move(steps));
   }
 
   bool next(Step& step) {
@@ -67,10 +61,11 @@ class StepWork::State {
       return true;
     }
     for (std::size_t w = 0; w < round_.size(); ++w) {
-      if (!rules_.fast_room) {
-        put(round_[w], made_[w]);
+      put(round_[w], made_[w]);
+      if (compute_.shuffle) {
+        shuffle_pairs(made_[w].compute, random_);
+        shuffle_pairs(made_[w].overlap, random_);
       }
-      finish(made_[w]);
     }
     last_ = {made_[0].number, made_[0].worker};
     if (rules_.store) {
@@ -80,21 +75,20 @@ class StepWork::State {
   }
 
   bool read() {
-    if (rules_.fast_room) {
-      return steps_->next(made_[0]);
-    }
     if (rules_.lockstep > 0) {
-      return assigner_->next_round(round_);
+      return assigner_.next_round(round_);
     }
     before_.first = std::move(round_[0].evicted_first);
     before_.late = std::move(round_[0].evicted_late);
-    return assigner_->next(round_[0]);
+    return assigner_.next(round_[0]);
   }
 
   void put(const AssignedStep& from, Step& to) {
     to.number = from.step.number;
     to.worker = from.step.worker;
     to.load = from.step.load;
+    to.fast_evict = from.step.fast_evict;
+    to.fast_load = from.step.fast_load;
     to.late = 0;
     if (rules_.overlap) {
       to.evict = before_.first;
@@ -111,12 +105,13 @@ class StepWork::State {
     // In lockstep an item alone comes with its arrival, otherwise before all pairs: journals rely
     // on it.
     std::size_t done = 0;
-    for (std::size_t i = 0; i < to.load.size() && compute_.self; ++i) {
+    const std::vector<Element>& came = rules_.fast_room ? to.fast_load : to.load;
+    for (std::size_t i = 0; i < came.size() && compute_.self; ++i) {
       if (from.is_new[i]) {
         const std::vector<Element>& early = from.evicted_first;
         const bool waits =
-            rules_.overlap && std::find(early.begin(), early.end(), to.load[i]) == early.end();
-        (waits ? to.overlap : to.compute).emplace_back(to.load[i], to.load[i]);
+            rules_.overlap && std::find(early.begin(), early.end(), came[i]) == early.end();
+        (waits ? to.overlap : to.compute).emplace_back(came[i], came[i]);
       }
       if (rules_.lockstep > 0) {
         add(from.pairs, done, from.arrival_end[i], to.compute);
@@ -168,26 +163,6 @@ class StepWork::State {
     }
   }
 
-  // Pairs that came with their step, both ways and with items alone, if asked for; then their
-  // order.
-  void finish(Step& step) {
-    if (rules_.fast_room && (compute_.ordered || compute_.self)) {
-      std::vector<ItemPair> pairs;
-      for (const Element x : step.fast_load) {
-        if (compute_.self && !loaded_[x]) {
-          pairs.emplace_back(x, x);
-        }
-        loaded_[x] = true;
-      }
-      add(step.compute, 0, step.compute.size(), pairs);
-      std::swap(step.compute, pairs);
-    }
-    if (compute_.shuffle) {
-      shuffle_pairs(step.compute, random_);
-      shuffle_pairs(step.overlap, random_);
-    }
-  }
-
   // A last step.
   void leave_all() {
     for (std::size_t w = 0; w < made_.size(); ++w) {
@@ -212,17 +187,15 @@ class StepWork::State {
   ScheduleRules rules_;
   ComputeRules compute_;
   Random random_;
-  std::unique_ptr<StepSource> steps_;     // of two levels
-  std::optional<PairAssigner> assigner_;  // otherwise
-  std::vector<AssignedStep> round_;       // by worker, in lockstep
+  std::vector<AssignedStep> round_;  // by worker, in lockstep
   std::vector<Step> made_;
+  PairAssigner assigner_;
   std::size_t given_ = 0;
   bool begun_ = false;
   bool over_ = false;
   struct {
     std::vector<Element> first, late;
   } before_;                            // what the step before has chosen to go
-  std::vector<bool> loaded_;            // by item: was on the accelerator
   std::vector<bool> changed_;           // by item: since it was loaded
   std::vector<std::uint64_t> held_by_;  // by item: its worker plus one
   std::vector<bool> fast_;              // by item: on the accelerator now

@@ -288,8 +288,7 @@ std::unique_ptr<StepSource> streamed_steps(const StreamedShape& shape) {
 
 std::vector<Element> names_by_window(const StreamedShape& shape) {
   std::vector<Element> names;
-  constexpr std::uint64_t most_room = 32;
-  if (shape.items <= shape.room || shape.c == 0 || shape.room > most_room) {
+  if (shape.items <= shape.room || shape.c == 0) {
     return names;
   }
   // As StreamedSteps::numbered(), but for the item that is in memory before: it makes no difference in time.

@@ -4,25 +4,28 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
+#include <mutex>
 #include <tuple>
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/core/pair_set.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/run/scope.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/pair_assigner.hpp"
+#include "loadorder/order/read_order.hpp"
 
 namespace changeover {
 namespace {
 
-/// The orders for the accelerator, each made once: `fresh` items with each other and with `others`, or with the others alone.
+/// The orders for the accelerator, each made once: `fresh` items with each other and with `others`, or with the others alone. For any
+/// thread.
 class InnerOrders {
  public:
   explicit InnerOrders(std::uint64_t room) : room_(room) {}
 
   const LoadOrder& get(std::uint64_t others, std::uint64_t fresh, bool each_other) {
+    const std::scoped_lock lock(mutex_);
     const auto key = std::tuple(others, fresh, each_other);
     const auto found = orders_.find(key);
     if (found != orders_.end()) {
@@ -39,6 +42,7 @@ class InnerOrders {
 
  private:
   std::uint64_t room_;
+  std::mutex mutex_;
   std::map<std::tuple<std::uint64_t, std::uint64_t, bool>, LoadOrder> orders_;
 };
 
@@ -62,13 +66,12 @@ struct Shape {
 /// Groups are loaded as an order of groups says; then what is new is done on the accelerator.
 class Steps final : public StepSource {
  public:
-  Steps(const Shape& shape, std::unique_ptr<StepSource> groups, std::uint64_t group_room)
+  Steps(const Shape& shape, std::unique_ptr<StepSource> groups, std::uint64_t group_room,
+        std::shared_ptr<InnerOrders> inner_orders)
       : shape_(shape),
         assigner_(shape.groups(), group_room),
-        inner_orders_(shape.fast_room),
-        wanted_(static_cast<std::size_t>(shape.items), false),
-        fast_(wanted_),
-        met_(shape.items) {
+        inner_orders_(std::move(inner_orders)),
+        at_(static_cast<std::size_t>(shape.items)) {
     assigner_.start(std::move(groups));
   }
 
@@ -78,7 +81,6 @@ class Steps final : public StepSource {
     step.evict.clear();
     step.load.clear();
     step.fast_load.clear();
-    step.compute.clear();
     while (true) {
       if (inner_ && inner_->next(inner_step_)) {
         follow(step);
@@ -118,7 +120,7 @@ class Steps final : public StepSource {
       shape_.put(group, step.evict);
     }
     for (const Element x : step.evict) {
-      if (fast_[x]) {
+      if (at_[x].fast) {
         take_off(x, step);
       }
     }
@@ -143,7 +145,7 @@ class Steps final : public StepSource {
       begin = groups_.arrival_end[i];
       // What is on the accelerator already comes first.
       std::stable_partition(task.items.begin(), task.items.end(),
-                            [&](Element x) { return fast_[x]; });
+                            [&](Element x) { return at_[x].fast; });
       const std::size_t others = task.items.size();
       shape_.put(group, task.items);
       task.fresh = task.items.size() - others;
@@ -155,72 +157,86 @@ class Steps final : public StepSource {
   }
 
   void begin(const Task& task) {
-    std::fill(wanted_.begin(), wanted_.end(), false);
-    names_ = &task.items;
-    inner_ =
-        inner_orders_.get(task.items.size() - task.fresh, task.fresh, task.each_other).stream();
+    for (const Element x : names_) {
+      unwant(x);
+    }
+    names_ = task.items;
+    inner_ = inner_orders_->get(names_.size() - task.fresh, task.fresh, task.each_other).stream();
   }
 
   // A step of the order for the accelerator; what is still there is not transferred again, and nothing leaves before it has to.
   void follow(Step& step) {
     for (const Element i : inner_step_.evict) {
-      wanted_[(*names_)[i]] = false;
-    }
-    for (const Element i : inner_step_.load) {
-      wanted_[(*names_)[i]] = true;
+      unwant(names_[i]);
     }
     coming_.clear();
     for (const Element i : inner_step_.load) {
-      const Element x = (*names_)[i];
-      if (fast_[x]) {
-        std::erase(on_accelerator_, x);  // used last
-        on_accelerator_.push_back(x);
+      const Element x = names_[i];
+      if (at_[x].fast) {
+        idle_.erase(place_of(x));
       } else {
         coming_.push_back(x);
       }
+      at_[x].wanted = true;
+      at_[x].used = ++uses_;
     }
-    while (on_accelerator_.size() + coming_.size() > shape_.fast_room) {
-      const auto goes = std::find_if(on_accelerator_.begin(), on_accelerator_.end(),
-                                     [&](Element y) { return !wanted_[y]; });
-      if (goes == on_accelerator_.end()) {
+    while (on_accelerator_ + coming_.size() > shape_.fast_room) {
+      if (idle_.empty()) {
         throw InternalError("an order for the accelerator needs more room than there is");
       }
-      take_off(*goes, step);
+      take_off(idle_.front(), step);
     }
     for (const Element x : coming_) {
-      for (const Element y : on_accelerator_) {
-        if (!met_.contains(x, y)) {
-          met_.insert(x, y);
-          step.compute.emplace_back(std::min(x, y), std::max(x, y));
-        }
-      }
-      on_accelerator_.push_back(x);
-      fast_[x] = true;
+      ++on_accelerator_;
+      at_[x].fast = true;
+      at_[x].used = ++uses_;
       step.fast_load.push_back(x);
     }
   }
 
+  // The order that is followed has done with it.
+  void unwant(Element x) {
+    if (at_[x].wanted && at_[x].fast) {
+      idle_.insert(place_of(x), x);
+    }
+    at_[x].wanted = false;
+  }
+
   // By value: it is erased from where it may stand.
   void take_off(Element x, Step& step) {
-    std::erase(on_accelerator_, x);
-    fast_[x] = false;
+    if (!at_[x].wanted) {
+      idle_.erase(place_of(x));
+    }
+    at_[x].fast = false;
+    --on_accelerator_;
     step.fast_evict.push_back(x);
   }
 
+  [[nodiscard]] std::vector<Element>::iterator place_of(Element x) {
+    return std::lower_bound(idle_.begin(), idle_.end(), x,
+                            [&](Element a, Element b) { return at_[a].used < at_[b].used; });
+  }
+
+  struct Item {
+    bool wanted = false;     // in the memory of the order that is followed
+    bool fast = false;       // on the accelerator
+    std::uint64_t used = 0;  // by which use
+  };
+
   Shape shape_;
   PairAssigner assigner_;
-  InnerOrders inner_orders_;
+  std::shared_ptr<InnerOrders> inner_orders_;
   AssignedStep groups_;
   std::vector<Task> tasks_;
   std::size_t next_task_ = 0;
   std::unique_ptr<StepSource> inner_;
   Step inner_step_;
-  const std::vector<Element>* names_ = nullptr;
-  std::vector<bool> wanted_;             // by item: in the memory of the order that is followed
-  std::vector<bool> fast_;               // by item: on the accelerator
-  std::vector<Element> on_accelerator_;  // what was used last comes last
+  std::vector<Element> names_;  // of the items of that order
+  std::vector<Item> at_;        // by item
+  std::uint64_t uses_ = 0;
+  std::uint64_t on_accelerator_ = 0;
+  std::vector<Element> idle_;  // there, but not wanted; what was used last comes last
   std::vector<Element> coming_;
-  PairSet met_;
   std::uint64_t number_ = 0;
 };
 
@@ -231,8 +247,9 @@ LoadOrder::Maker with_groups(const Shape& shape) {
   quick.planner = false;
   const auto groups =
       std::make_shared<const LoadOrder>(plan_load_order(shape.groups(), group_room, quick));
-  return [shape, groups, group_room]() -> std::unique_ptr<StepSource> {
-    return std::make_unique<Steps>(shape, groups->stream(), group_room);
+  const auto inner = std::make_shared<InnerOrders>(shape.fast_room);
+  return [shape, groups, group_room, inner]() -> std::unique_ptr<StepSource> {
+    return std::make_unique<Steps>(shape, groups->stream(), group_room, inner);
   };
 }
 
@@ -260,8 +277,7 @@ class Cache {
   explicit Cache(const Shape& shape)
       : shape_(shape),
         uses_(static_cast<std::size_t>(shape.items)),
-        place_(uses_.size(), Place::disk),
-        met_(shape.items) {
+        place_(uses_.size(), Place::disk) {
     const LoadOrder order = plan_load_order(shape.items, shape.fast_room);
     Step step;
     for (const auto steps = order.stream(); steps->next(step);) {
@@ -292,7 +308,6 @@ class Cache {
     out.fast_evict = step.evict;
     for (const Element x : step.evict) {
       place_[x] = Place::memory;
-      std::erase(fast_, x);
     }
     for (const Element x : step.load) {
       uses_[x].pop_back();
@@ -310,16 +325,7 @@ class Cache {
       place_[*goes] = Place::disk;
       memory_.erase(goes);
     }
-    for (const Element x : step.load) {
-      for (const Element y : fast_) {
-        if (!met_.contains(x, y)) {
-          met_.insert(x, y);
-          out.compute.emplace_back(std::min(x, y), std::max(x, y));
-        }
-      }
-      fast_.push_back(x);
-      out.fast_load.push_back(x);
-    }
+    out.fast_load = step.load;
     return out;
   }
 
@@ -335,24 +341,7 @@ class Cache {
   std::vector<std::vector<std::uint64_t>> uses_;  // by item: numbers of steps that transfer it
   std::vector<Place> place_;
   std::vector<Element> memory_;  // what is on the accelerator included
-  std::vector<Element> fast_;
-  PairSet met_;
 };
-
-ScheduleVerdict verdict_of(const Shape& shape, const LoadOrder::Maker& maker) {
-  const ScheduleRules rules{.items = shape.items,
-                            .room = shape.room,
-                            .fast_room = shape.fast_room,
-                            .compute = ComputeRules{}};
-  ScheduleVerdict verdict = check_schedule(*maker(), rules);
-  if (!verdict.valid()) {
-    throw InternalError(fmt::format(
-        "the order of {} items with room for {} and {}, in groups of {}, is wrong: {} {} missing",
-        shape.items, shape.room, shape.fast_room, shape.group_items, verdict.fault,
-        verdict.missing));
-  }
-  return verdict;
-}
 
 // Sizes around the most promising ones, the most promising first.
 std::vector<std::uint64_t> sizes_to_try(std::uint64_t items, std::uint64_t room,
@@ -377,6 +366,36 @@ std::vector<std::uint64_t> sizes_to_try(std::uint64_t items, std::uint64_t room,
   return sizes;
 }
 
+struct Offer {
+  std::uint64_t group_items = 0;  // 0: not in groups
+  LoadOrder::Maker maker;
+};
+
+// The first of those that cost least, loads and transfers being measured by the fewest there can be.
+Offer best_of(std::vector<Offer> offers, const LoadOrderFacts& bounds) {
+  const auto cost = [&](const Offer& offer) {
+    std::uint64_t loads = 0;
+    std::uint64_t transfers = 0;
+    const auto steps = offer.maker();
+    for (Step step; steps->next(step);) {
+      loads += step.load.size();
+      transfers += step.fast_load.size();
+    }
+    return static_cast<double>(loads) / static_cast<double>(bounds.bound.loads) +
+           static_cast<double>(transfers) / static_cast<double>(bounds.transfer_bound.loads);
+  };
+  std::size_t best = 0;
+  double least = offers.size() == 1 ? 0 : cost(offers[0]);
+  for (std::size_t i = 1; i < offers.size(); ++i) {
+    stop_if_asked();
+    if (const double its = cost(offers[i]); its < least) {
+      best = i;
+      least = its;
+    }
+  }
+  return std::move(offers[best]);
+}
+
 }  // namespace
 
 LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t fast_room) {
@@ -395,54 +414,40 @@ LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room, std::uint64_t
     throw ImpossibleParameters(fmt::format(
         "{} items: two levels have at most {}; make items larger", items, max_elements_in_memory));
   }
-  const auto cost = [&](const ScheduleVerdict& verdict) {
-    return static_cast<double>(verdict.loads) / static_cast<double>(facts.bound.loads) +
-           static_cast<double>(verdict.transfers) / static_cast<double>(facts.transfer_bound.loads);
-  };
-  // Each size is tried in full, as long as that takes no more than some seconds.
+  // As many as take no more than some seconds.
   constexpr std::uint64_t most_work = 30'000'000;
-  const std::uint64_t pairs = binomial(items, 2) + items;
-  std::optional<ScheduleVerdict> best;
-  LoadOrder::Maker best_maker;
-  std::uint64_t work = 0;
+  const std::uint64_t most_tried =
+      std::max<std::uint64_t>(1, most_work / (4 * (binomial(items, 2) + items)));
+  std::vector<Offer> offers;
   for (const std::uint64_t size : sizes_to_try(items, room, fast_room)) {
-    work += 4 * pairs;
-    if (best && work > most_work) {
-      break;
-    }
-    const Shape shape{items, room, fast_room, size};
-    const LoadOrder::Maker maker = with_groups(shape);
-    const ScheduleVerdict verdict = verdict_of(shape, maker);
-    if (!best || cost(verdict) < cost(*best)) {
-      best = verdict;
-      best_maker = maker;
-      facts.group_items = size;
+    if (offers.size() < most_tried) {
+      offers.push_back({size, with_groups({items, room, fast_room, size})});
     }
   }
-  facts.explanation = fmt::format(
-      "Groups of at most {} items are loaded; what a group meets for the first time is done at once: "
-      "up to {} of its items stay on the accelerator while the others pass.",
-      facts.group_items, fast_room - 1);
   constexpr std::uint64_t most_kept = 100'000;  // transfers
   if (facts.transfer_bound.loads <= most_kept) {
-    const Shape shape{items, room, fast_room, 0};
-    const LoadOrder::Maker maker = Cache(shape).run();
-    const ScheduleVerdict verdict = verdict_of(shape, maker);
-    if (cost(verdict) < cost(*best)) {
-      best = verdict;
-      best_maker = maker;
-      facts.group_items = 0;
-      facts.explanation =
-          "An order for the accelerator alone; what leaves it stays in memory, from which goes what "
-          "is needed last.";
-    }
+    offers.push_back({0, Cache({items, room, fast_room, 0}).run()});
   }
-  static_cast<ScheduleFacts&>(facts) = *best;
+  Offer best = best_of(std::move(offers), facts);
+  facts.group_items = best.group_items;
+  facts.explanation =
+      best.group_items == 0
+          ? "An order for the accelerator alone; what leaves it stays in memory, from which goes what "
+            "is needed last."
+          : fmt::format(
+                "Groups of at most {} items are loaded; what a group meets for the first time "
+                "is done at once: up to {} of its items stay on the accelerator while the "
+                "others pass.",
+                best.group_items, fast_room - 1);
+  const ScheduleVerdict verdict =
+      read_order(best.maker, LoadOrder(facts, best.maker).rules(),
+                 fmt::format("{} items with room for {} and {}, in groups of {}", items, room,
+                             fast_room, best.group_items));
+  static_cast<ScheduleFacts&>(facts) = verdict;
   facts.every_step_read = true;
-  facts.certificate = fmt::format(
-      "every step read: room at both levels, {} pairs computed on the accelerator, each once",
-      best->computed);
-  return {std::move(facts), std::move(best_maker)};
+  facts.certificate =
+      "every step read: room at both levels, " + pairs_read(verdict, items, " on the accelerator");
+  return {std::move(facts), std::move(best.maker)};
 }
 
 }  // namespace changeover

@@ -11,9 +11,11 @@
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/two_levels.hpp"
 #include "changeover/run/scope.hpp"
+#include "core/bit_scan.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "loadorder/order/order_relay.hpp"
+#include "loadorder/order/read_order.hpp"
 #include "loadorder/order/streamed_order.hpp"
 #include "loadorder/pairs/held_blocks.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
@@ -25,12 +27,12 @@ bool OrderRelay::Place::next(Step& next_step) {
     return false;
   }
   ++step;
-  const auto mark = [](std::vector<bool>& there, const Step& from, auto leave, auto come) {
+  const auto mark = [](std::vector<std::uint64_t>& there, const Step& from, auto leave, auto come) {
     for (const Element x : from.*leave) {
-      there[x] = false;
+      there[x / 64] &= ~(std::uint64_t{1} << x % 64);
     }
     for (const Element x : from.*come) {
-      there[x] = true;
+      there[x / 64] |= std::uint64_t{1} << x % 64;
     }
   };
   mark(present, next_step, &Step::evict, &Step::load);
@@ -45,7 +47,7 @@ OrderRelay::Place OrderRelay::take(const LoadOrder& order, std::uint64_t before)
       return std::exchange(left_, {});
     }
   }
-  const std::vector<bool> nothing(static_cast<std::size_t>(order.facts().items));
+  const std::vector<std::uint64_t> nothing(static_cast<std::size_t>(order.facts().items / 64 + 1));
   return {order.stream(), 0, nothing, nothing};
 }
 
@@ -94,7 +96,6 @@ class Stretch final : public StepSource {
     if (two_levels_) {  // whose items are not grouped
       step.fast_evict = inner_.fast_evict;
       step.fast_load = inner_.fast_load;
-      step.compute = inner_.compute;
     }
     return true;
   }
@@ -111,14 +112,14 @@ class Stretch final : public StepSource {
          {&inner_.evict, &inner_.load, &inner_.fast_evict, &inner_.fast_load}) {
       list->clear();
     }
-    for (Element x = 0; x < groups_; ++x) {
-      if (at_.present[x]) {
-        inner_.load.push_back(x);
+    const auto put = [](const std::vector<std::uint64_t>& there, std::vector<Element>& into) {
+      for (std::uint64_t x = next_bit(there, 0, 0); x < 64 * there.size();
+           x = next_bit(there, x + 1, 0)) {
+        into.push_back(static_cast<Element>(x));
       }
-      if (at_.fast[x]) {
-        inner_.fast_load.push_back(x);
-      }
-    }
+    };
+    put(at_.present, inner_.load);
+    put(at_.fast, inner_.fast_load);
     return true;
   }
 
@@ -264,21 +265,21 @@ class OneAfterAnother final : public StepSource {
   std::uint64_t worker_ = 0;
 };
 
+ScheduleRules rules_of(const SplitFacts& facts, const LoadOrderFacts& whole) {
+  return {.items = facts.items,
+          .room = facts.room,
+          .fast_room = whole.fast_room,
+          .wanted = whole.wanted};
+}
+
 void verify_split(const WorkerSplit& split) {
   const SplitFacts& facts = split.facts();
   CheckOptions options;
   if (split.order().facts().method == "streamed" && facts.groups == facts.items) {
     options.kept_as = names_by_window(best_streamed_shape(facts.items, facts.room));
   }
-  const LoadOrderFacts& whole = split.order().facts();
-  ScheduleRules rules{.items = facts.items,
-                      .room = facts.room,
-                      .fast_room = whole.fast_room,
-                      .wanted = whole.wanted};
-  if (rules.fast_room) {
-    rules.compute = ComputeRules{};
-  }
-  const ScheduleVerdict verdict = check_schedule(*split.stream(), rules, options);
+  const ScheduleVerdict verdict =
+      check_schedule(*split.stream(), rules_of(facts, split.order().facts()), options);
   if (!verdict.valid() || verdict.loads != facts.loads) {
     throw InternalError(fmt::format("the split of {} items with room for {} is wrong: {}{}",
                                     facts.items, facts.room, verdict.fault, verdict.example));
@@ -491,7 +492,18 @@ WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room, std::uint6
                              std::uint64_t workers) {
   check_workers(workers);
   WorkerSplit split = split_order(plan_two_levels(items, room, fast_room), items, room, workers);
-  verify_split(split);
+  SplitFacts& facts = split.facts_;
+  const ScheduleVerdict verdict =
+      read_order([&] { return split.stream(); }, rules_of(facts, split.order().facts()),
+                 fmt::format("{} items with room for {} and {}, for {} workers", items, room,
+                             fast_room, workers));
+  if (verdict.loads != facts.loads) {
+    throw InternalError(
+        fmt::format("the shares have {} loads, not {}", verdict.loads, facts.loads));
+  }
+  facts.transfers = verdict.transfers;
+  facts.certificate =
+      "every step read: room at both levels, " + pairs_read(verdict, items, " on the accelerator");
   return split;
 }
 

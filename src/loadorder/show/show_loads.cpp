@@ -43,7 +43,7 @@ class Said {
                .lockstep = facts_.lockstep,
                .wanted = facts_.wanted,
                .store = how.write_back} {
-    if (how.new_pairs || how.write_back || facts_.fast_room) {
+    if (how.new_pairs || how.write_back) {
       rules_.compute = how.compute;
     }
   }
@@ -92,16 +92,9 @@ class Said {
     return facts_.items <= max_elements_in_memory || facts_.wanted.graph() != nullptr;
   }
 
-  // Two levels have been read unless more is asked for, and what is too much to be kept in mind is
-  // not read twice.
+  // What is too much to be kept in mind is not read twice.
   [[nodiscard]] bool check_anew() const {
-    if (!rules_.compute || rules_.store) {
-      return rules_.store;
-    }
-    const ComputeRules& asked = how_.compute;
-    return spare_             ? facts_.every_step_read
-           : facts_.fast_room ? split_ != nullptr || asked.ordered || asked.self || asked.shuffle
-                              : each_pair_once();
+    return rules_.store || (rules_.compute && (spare_ ? facts_.every_step_read : each_pair_once()));
   }
 
   // Reads the steps that say what is computed. @throws InternalError
@@ -110,12 +103,10 @@ class Said {
     options.all_pairs = each_pair_once();
     checked_ = check_schedule(*steps(), rules_, options);
     if (!checked_.valid() || checked_.loads != facts_.loads ||
+        checked_.transfers != facts_.transfers ||
         (facts_.lockstep > 0 && checked_.span != facts_.span)) {
       throw InternalError(fmt::format("what the steps do is wrong: {} missing, {} repeated; {}",
                                       checked_.missing, checked_.repeated, checked_.fault));
-    }
-    if (split_ != nullptr) {
-      facts_.transfers = checked_.transfers;
     }
   }
 
@@ -387,6 +378,7 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
   whole.items = facts.items;
   whole.room = room;
   whole.loads = facts.loads;
+  whole.transfers = facts.transfers;
   whole.explanation = facts.explanation;
   whole.certificate = facts.certificate;
   whole.makespan_bound = room == facts.room ? facts.makespan_bound

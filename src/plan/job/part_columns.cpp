@@ -24,6 +24,26 @@ bool like_a_number(std::string_view text) {
   return !text.empty() && std::string_view("0123456789.,+-").find(text.front()) != text.npos;
 }
 
+// The words of a heading in lower case: what stands between blanks and signs, or begins with a capital in the middle of
+// "changeCost".
+std::vector<std::string> words_of(std::string_view text) {
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  std::vector<std::string> words(1);
+  char before = ' ';
+  for (const char c : text) {
+    const bool is_letter = is_small(c) || is_capital(c) || static_cast<unsigned char>(c) >= 0x80;
+    if ((!is_letter || (is_capital(c) && is_small(before))) && !words.back().empty()) {
+      words.emplace_back();
+    }
+    if (is_letter) {
+      words.back() += is_capital(c) ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    before = c;
+  }
+  return words;
+}
+
 bool has_word_of_headers(const Row& row) {
   return std::any_of(row.begin(), row.end(), [](const Field& field) {
     return heads_parts(field.text) || heads_costs(field.text) || heads_slots(field.text);
@@ -100,7 +120,9 @@ std::optional<std::size_t> cost_column(const std::vector<Row>& rows, const PartC
                                        const RowReader& reader) {
   const Row& first = rows.front();
   const auto of_changes = [&](std::size_t i) {
-    return lower(first[i].text).find("change") != std::string::npos;
+    const std::vector<std::string> words = words_of(first[i].text);
+    return std::any_of(words.begin(), words.end(),
+                       [](const std::string& word) { return word.starts_with("change"); });
   };
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < first.size(); ++i) {
@@ -141,11 +163,24 @@ std::string lower(std::string_view text) {
 }
 
 bool heads_costs(std::string_view text) {
-  constexpr std::array<std::string_view, 10> words{
-      "cost", "price", "preis", "kosten", "prix", "prec", "co\xc3\xbb", "aufwand", "eur", "usd"};
-  const std::string word = lower(text);
-  return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view each) { return word.find(each) != word.npos; });
+  // Whole words: "Europe" is none, nor is "precision".
+  constexpr auto alone = std::to_array<std::string_view>(
+      {"cost",    "costs", "price",  "prices", "pricing", "preis",  "preise", "preises", "kosten",
+       "aufwand", "prix",  "coût",   "coûts",  "cout",    "couts",  "precio", "precios", "coste",
+       "costes",  "costo", "costos", "costi",  "prezzo",  "prezzi", "preço",  "preços",  "preco",
+       "precos",  "custo", "custos", "prijs",  "prijzen", "eur",    "euro",   "euros",   "usd",
+       "gbp",     "chf",   "€",      "£",      "dollar",  "dollars"});
+  // Of a longer word the end: "Umbaukosten", "unitprice", but not "caprice".
+  constexpr auto ends = std::to_array<std::string_view>(
+      {"cost", "costs", "price", "prices", "preis", "preise", "kosten", "aufwand"});
+  constexpr std::size_t least_before = 3;
+  const std::vector<std::string> words = words_of(text);
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return std::find(alone.begin(), alone.end(), word) != alone.end() ||
+           std::any_of(ends.begin(), ends.end(), [&](std::string_view end) {
+             return word.size() >= end.size() + least_before && word.ends_with(end);
+           });
+  });
 }
 
 bool heads_slots(std::string_view text) {

@@ -254,6 +254,23 @@ TEST(Disjoint, ChecksRefuseWhatIsWrong) {
   EXPECT_FALSE(verdict_of({}, rules_with(4)).valid());
 }
 
+TEST(Disjoint, PairsMeetAtOneWorkerOrAreRefused) {
+  const LoadOrder order = plan_disjoint_order(12, 4, 2);
+  std::vector<Step> steps = all_steps(*order.stream());
+  EXPECT_TRUE(verdict_of(steps, order.rules()).valid());
+  // The last loads of both workers bring new pairs.
+  EXPECT_GT(verdict_of({steps.begin(), steps.end() - 2}, order.rules()).missing, 0U);
+  // Items of two workers do not meet.
+  const ScheduleRules rules{.items = 4, .room = 2, .lockstep = 2};
+  const std::vector<Step> apart{{.number = 1, .load = {0, 1}},
+                                {.number = 1, .load = {2, 3}, .worker = 1}};
+  EXPECT_EQ(verdict_of(apart, rules).missing, 4U);
+  // Of many items no pair is listed unless it is asked for.
+  const LoadOrderFacts facts = plan_disjoint_order(9000, 500, 6).facts();
+  EXPECT_NE(facts.certificate.find("all 40495500 pairs met"), std::string::npos)
+      << facts.certificate;
+}
+
 TEST(Disjoint, WorkHasBothWaysAndItemsAloneIfAskedTo) {
   const LoadOrder order = plan_disjoint_order(12, 4, 2);
   const ComputeRules both{.ordered = true, .self = true, .shuffle = 3};

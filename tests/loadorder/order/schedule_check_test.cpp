@@ -1,8 +1,13 @@
 // The check rejects what is wrong by one load, one eviction, one item.
 #include "changeover/loadorder/schedule.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
 
 #include "all_pairs/load_orders.hpp"
 #include "changeover/core/error.hpp"
@@ -152,6 +157,129 @@ TEST(Baselines, AreLoadOrdersWithTheNumbersOfBlocksThatAreKnown) {
       }
     }
   }
+}
+
+/// A random schedule: of each worker in turn, in lockstep or one after another.
+struct Wandering {
+  ScheduleRules rules;
+  std::vector<Step> steps;
+  std::set<ItemPair> met;  // in one memory, or on one accelerator
+};
+
+Wandering wander(std::mt19937& random, const ScheduleRules& rules, std::uint64_t count) {
+  const auto below = [&](std::size_t n) { return std::size_t{random() % n}; };
+  Wandering all{rules, {}, {}};
+  const bool fast = rules.fast_room.has_value();
+  const std::size_t workers = static_cast<std::size_t>(rules.lockstep > 0 ? rules.lockstep : 3);
+  std::vector<std::vector<Element>> memory(workers);
+  std::vector<std::vector<Element>> accelerator(workers);
+  std::set<Element> held;
+  const auto leave = [&](std::vector<Element>& list, std::vector<Element>& said) {
+    const std::size_t i = below(list.size());
+    said.push_back(list[i]);
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+  };
+  const auto meet = [&](Element x, const std::vector<Element>& others) {
+    for (const Element y : others) {
+      if (rules.wanted.contains(x, y)) {
+        all.met.emplace(std::min(x, y), std::max(x, y));
+      }
+    }
+  };
+  const auto play = [&](std::size_t w, std::uint64_t number) {
+    Step step{.number = number, .worker = w};
+    while (!accelerator[w].empty() && below(3) == 0) {
+      leave(accelerator[w], step.fast_evict);
+    }
+    // What is on the accelerator stays; the others go now and then, many at a time.
+    const bool full = memory[w].size() == rules.room;
+    for (std::size_t n = full ? 1 + below(below(40) == 0 ? rules.room : 3) : 0; n > 0; --n) {
+      const std::size_t i = below(memory[w].size());
+      const Element x = memory[w][i];
+      if (std::count(accelerator[w].begin(), accelerator[w].end(), x) == 0) {
+        step.evict.push_back(x);
+        held.erase(x);
+        memory[w].erase(memory[w].begin() + static_cast<std::ptrdiff_t>(i));
+        if (memory[w].empty()) {
+          break;
+        }
+      }
+    }
+    while (memory[w].size() < rules.room && held.size() < rules.items && below(50) != 0) {
+      const auto x = static_cast<Element>(below(rules.items));
+      if (held.insert(x).second) {
+        step.load.push_back(x);
+        if (!fast) {
+          meet(x, memory[w]);
+        }
+        memory[w].push_back(x);
+      }
+    }
+    for (std::size_t tries = fast ? below(9) : 0; tries > 0 && !memory[w].empty(); --tries) {
+      const Element x = memory[w][below(memory[w].size())];
+      if (accelerator[w].size() < *rules.fast_room &&
+          std::count(accelerator[w].begin(), accelerator[w].end(), x) == 0) {
+        step.fast_load.push_back(x);
+        meet(x, accelerator[w]);
+        accelerator[w].push_back(x);
+      }
+    }
+    all.steps.push_back(std::move(step));
+  };
+  for (std::size_t w = 0; w < (rules.lockstep > 0 ? 1 : workers); ++w) {
+    held.clear();
+    for (std::uint64_t number = 1; number <= count; ++number) {
+      for (std::size_t other = 0; other < rules.lockstep; ++other) {
+        play(other, number);
+      }
+      if (rules.lockstep == 0) {
+        play(w, number);
+      }
+    }
+  }
+  return all;
+}
+
+TEST(ScheduleCheck, MissesThePairsThatTheDefinitionMisses) {
+  std::mt19937 random(26);
+  std::uint64_t missing = 0;
+  const std::vector<WantedPairs> kinds{
+      {}, WantedPairs::between(70, 160), WantedPairs::beyond(100, 230)};
+  for (const WantedPairs& wanted : kinds) {
+    for (const std::uint64_t lockstep : {0U, 1U, 2U, 3U}) {
+      for (const std::uint64_t room : {5U, 31U, 40U, 70U}) {
+        for (const std::uint64_t fast_room : {0U, 4U, 33U}) {
+          if (fast_room > room) {
+            continue;
+          }
+          ScheduleRules rules{.items = 230, .room = room, .lockstep = lockstep, .wanted = wanted};
+          if (fast_room > 0) {
+            rules.fast_room = fast_room;
+          }
+          const Wandering all = wander(random, rules, 60 + random() % 2000);
+          CheckOptions named;
+          for (Element x = 0; x < 230; ++x) {
+            named.kept_as.push_back((7 * x + 3) % 230);
+          }
+          const std::uint64_t expected =
+              (wanted.are_all() ? 230U * 229 / 2 : wanted.count()) - all.met.size();
+          const std::string what =
+              fmt::format("{} {} {} {}", wanted.describe(), lockstep, room, fast_room);
+          for (const CheckOptions& options : {CheckOptions{}, named}) {
+            const ScheduleVerdict verdict = test::verdict_of(all.steps, rules, options);
+            EXPECT_EQ(verdict.fault, "") << what;
+            EXPECT_EQ(verdict.missing, expected) << what;
+          }
+          missing += expected;
+          CheckOptions few;
+          few.all_pairs = false;
+          few.watched = 230;  // all of them: each missing pair from both sides
+          EXPECT_EQ(test::verdict_of(all.steps, rules, few).missing, 2 * expected) << what;
+        }
+      }
+    }
+  }
+  EXPECT_GT(missing, 0U);
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(TwoLevels, OrdersMeetTheDefinitionAndTheBounds) {
         const std::string what = fmt::format("{} {} {}", items, room, fast_room);
         const LoadOrder order = plan_two_levels(items, room, fast_room);
         const LoadOrderFacts& facts = order.facts();
-        const auto all = all_steps(*order.stream());
+        const auto all = work_of(order.stream(), order.rules(ComputeRules{}));
         EXPECT_EQ(fault_of(all, items, room, fast_room), "") << what;
         std::uint64_t loads = 0;
         std::uint64_t transfers = 0;
@@ -131,13 +131,14 @@ TEST(TwoLevels, OfSeveralWorkersComputeEachPairOnceAtOneOfThem) {
           {5, 5, 2}}) {
       const WorkerSplit split = split_two_levels(items, room, fast_room, workers);
       ScheduleRules rules = split.order().rules(ComputeRules{});
-      const std::vector<Step> steps = all_steps(*split.stream());
+      const std::vector<Step> steps = work_of(split.stream(), rules);
       const ScheduleVerdict verdict = verdict_of(steps, rules);
       EXPECT_TRUE(verdict.valid()) << verdict.fault;
       EXPECT_EQ(verdict.computed, items * (items - 1) / 2);
       EXPECT_EQ(verdict.loads, split.facts().loads);
       EXPECT_EQ(verdict.makespan(), split.facts().makespan);
       EXPECT_GE(verdict.makespan(), split.facts().makespan_bound.loads);
+      EXPECT_EQ(verdict.transfers, split.facts().transfers);
       EXPECT_GE(verdict.transfers, split.order().facts().transfers);
       // Who computes a pair that another has computed is seen, and so is who starts with a full
       // accelerator.
@@ -152,7 +153,7 @@ TEST(TwoLevels, OfSeveralWorkersComputeEachPairOnceAtOneOfThem) {
 
 TEST(TwoLevels, ChecksRefuseWhatIsWrong) {
   const LoadOrder order = plan_two_levels(16, 8, 3);
-  const auto right = all_steps(*order.stream());
+  const auto right = work_of(order.stream(), order.rules(ComputeRules{}));
   const auto verdict_of = [&](const std::vector<Step>& all, std::uint64_t room = 8,
                               std::uint64_t fast_room = 3) {
     ScheduleRules rules = order.rules(ComputeRules{});
@@ -184,6 +185,29 @@ TEST(TwoLevels, ChecksRefuseWhatIsWrong) {
           [](auto& all) { std::swap(all[0].compute, all[1].compute); });
   refused("", [](auto& all) { all[1].compute.pop_back(); });
   refused("", [](auto& all) { all[1].compute.push_back(all[1].compute[0]); });
+}
+
+TEST(TwoLevels, MeetOnTheAcceleratorOrAreRefused) {
+  // What is not asked for is not listed: 2·10⁹ pairs would take longer than all else.
+  const LoadOrder order = plan_two_levels(40, 15, 4);
+  std::vector<Step> steps = all_steps(*order.stream());
+  for (const Step& step : steps) {
+    EXPECT_TRUE(step.compute.empty()) << step.number;
+  }
+  EXPECT_TRUE(test::verdict_of(steps, order.rules()).valid());
+  steps.back().fast_load.pop_back();
+  EXPECT_GT(test::verdict_of(steps, order.rules()).missing, 0U);
+  EXPECT_EQ(order.facts().computed, 780U);
+}
+
+TEST(TwoLevels, ManyItemsAreReadWithoutTheirPairs) {
+  const LoadOrderFacts facts = plan_two_levels(9000, 4000, 300).facts();
+  EXPECT_EQ(facts.computed, 0U);
+  EXPECT_NE(facts.certificate.find("all 40495500 pairs met on the accelerator"), std::string::npos)
+      << facts.certificate;
+  const SplitFacts split = split_two_levels(9000, 4000, 300, 3).facts();
+  EXPECT_EQ(split.certificate, facts.certificate);
+  EXPECT_GT(split.transfers, facts.transfers);
 }
 
 TEST(TwoLevels, RefusesWhatCannotBe) {

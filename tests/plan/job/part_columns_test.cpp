@@ -4,6 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
+#include "plan/job/part_columns.hpp"
 
 namespace changeover::part_columns_test {
 namespace {
@@ -73,6 +74,25 @@ TEST(PartColumns, SeparatorsAndDecimalCommas) {
   EXPECT_EQ(semicolons.change_costs[1], parse_amount("2.5"));
   const PartList tabs = parts("A x\t0,125\nB\t2\n");
   EXPECT_THAT(tabs.names, ElementsAre("A x", "B"));
+}
+
+TEST(PartColumns, WordsOfCostsAreWholeWords) {
+  for (const std::string heads : {"cost", "Costs", "unit_cost", "changeCost", "unitprice",
+                                  "Preis (EUR)", "in EUR", "price/EUR", "Umbaukosten", "Stückpreis",
+                                  "coût", "Prix unitaire", "precio", "preço", "€", "USD"}) {
+    EXPECT_TRUE(heads_costs(heads)) << heads;
+  }
+  for (const std::string other :
+       {"Europe", "neuron", "precision", "Precinct", "Costa Rica", "caprice", "accosted",
+        "priceless", "amateur", "usdx", "kostenlos", "Preisklasse", ""}) {
+    EXPECT_FALSE(heads_costs(other)) << other;
+  }
+  // A column that begins like a word of costs is not one, and "exchange" is no change.
+  EXPECT_THAT(parts("part,Europe,US\nA,1,2\nB,3,4\n").change_costs,
+              ElementsAre(std::nullopt, std::nullopt));
+  EXPECT_THAT(parts("part,Europe,cost\nA,x,2\nB,y,4\n").change_costs,
+              ElementsAre(parse_amount("2"), parse_amount("4")));
+  EXPECT_THAT(complaint("part,exchange price,cost\nA,1,2\n"), HasSubstr("may both head the costs"));
 }
 
 TEST(PartColumns, ASeparatorMayComeLate) {

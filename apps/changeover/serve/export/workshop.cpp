@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -142,6 +143,20 @@ void Workshop::refuse_what_is_no_site() {
         "--export {}: {} not of the earlier export and would be lost; export to a new folder, or "
         "put it elsewhere",
         printable(said_), printable(*other)));
+  }
+  refuse_where_we_are();
+}
+
+// The new folder takes the place of the one that is there, which goes: whoever is in it would be nowhere.
+void Workshop::refuse_where_we_are() const {
+  std::error_code fault;
+  const fs::path here = fs::canonical(".", fault);
+  if (!fault &&
+      std::mismatch(place_.begin(), place_.end(), here.begin(), here.end()).first == place_.end()) {
+    throw MissingResource(fmt::format(
+        "--export {}: you are in this folder, which a new one would replace; change to another, "
+        "and give the whole path: --export {}",
+        printable(said_), printable(place_.string())));
   }
 }
 

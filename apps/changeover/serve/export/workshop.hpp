@@ -45,7 +45,7 @@ class OpenFolder {
 class Workshop {
  public:
   /// @throws MissingResource if what is at `place` is not an unchanged folder of this kind or an empty one, naming what else is
-  /// there; or if nothing can be written beside it.
+  /// there, or holds the current folder; or if nothing can be written beside it.
   explicit Workshop(const std::string& place);
   ~Workshop();
   Workshop(const Workshop&) = delete;
@@ -65,6 +65,7 @@ class Workshop {
 
  private:
   void refuse_what_is_no_site();
+  void refuse_where_we_are() const;
   void make_folder();
   void announce(const std::string& name);
 

@@ -66,16 +66,13 @@ std::optional<Made> close_up_recipe(const Recipe& input, const Design& design) {
   if (p.kind != Kind::linear || p.change != 1 || p.strength != 2 || p.v <= p.k + 1) {
     return std::nullopt;
   }
-  const auto x = best_to_close_up(design, most_tries);
-  if (!x) {
+  const auto best = best_to_close_up(design, most_tries);
+  if (!best) {
     return std::nullopt;
   }
   Parameters smaller = p;
   --smaller.v;
-  // First of all: thrown between the parts of a braced list, a stop would have g++ 12 destroy some
-  // of them twice.
-  const std::uint64_t b = closed_up(design, *x)->block_count();
-  return Made{{"close-up", smaller, {{"element", *x}}, {input}, {}}, b};
+  return Made{{"close-up", smaller, {{"element", best->element}}, {input}, {}}, best->blocks};
 }
 
 const Construction& close_up_construction() { return only<CloseUp>(); }

@@ -170,8 +170,9 @@ const headings = {
   cost: /^((change|swap|set-?up|mounting)[ _-]?)?(cost|price)s?$/i,
   slot: /^slots?$/i,
 };
-/** In a row that is one of headings: more words for costs. */
-const saysCost = /cost|price|preis|kosten|prix|coû|aufwand|eur|usd/i;
+/** In a row that is one of headings: more words for costs, whole ones as in the command line: “Europe” is no price in euros. */
+const saysCost =
+  /(?<!\p{L})(costs?|prices?|pricing|preise?|preises|kosten|aufwand|prix|co[ûu]ts?|precios?|costes?|cost[oi]s?|prezz[oi]|pre[çc]os?|custos?|prijs|prijzen|euros?|eur|usd|gbp|chf|€|£|dollars?|\p{L}{3,}(costs?|prices?|preise?|kosten|aufwand))(?!\p{L})/iu;
 
 /**
  * Parts of a pasted table or a file: a name and, if there is one, a cost; with or without a first row of headings.

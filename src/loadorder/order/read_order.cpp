@@ -1,0 +1,37 @@
+#include "loadorder/order/read_order.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/loadorder/step_work.hpp"
+#include "core/checked.hpp"
+
+namespace changeover {
+
+ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
+                           const std::string& what) {
+  constexpr std::uint64_t most_pairs = 30'000'000;
+  std::unique_ptr<StepSource> steps = maker();
+  if (binomial(rules.items, 2) <= most_pairs) {
+    rules.compute = ComputeRules{};
+    steps = std::make_unique<StepWork>(std::move(steps), rules);
+  }
+  ScheduleVerdict verdict = check_schedule(*steps, rules);
+  if (!verdict.valid()) {
+    throw InternalError(fmt::format("the order of {} is wrong: {} {} pairs missing", what,
+                                    verdict.fault, verdict.missing));
+  }
+  return verdict;
+}
+
+std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t items,
+                       const std::string& where) {
+  const std::uint64_t count = binomial(items, 2);
+  const std::string pairs = fmt::format("{} pair{}", count, count == 1 ? "" : "s");
+  return verdict.computed == count ? fmt::format("{} computed{}, each once", pairs, where)
+                                   : fmt::format("all {} met{}", pairs, where);
+}
+
+}  // namespace changeover

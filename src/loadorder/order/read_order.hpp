@@ -1,0 +1,20 @@
+// Internal: an order is read before it is handed out.
+#pragma once
+
+#include <string>
+
+#include "changeover/loadorder/load_order.hpp"
+
+namespace changeover {
+
+/// Where all pairs meet; of few items also what StepWork says is computed there, each pair once, which costs more than all else.
+/// Orders that are read anew with their pairs when these are shown need no more. @throws InternalError if the
+/// steps are wrong; `what` says whose.
+[[nodiscard]] ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
+                                         const std::string& what);
+
+/// What such a verdict says of the pairs: "6 pairs computed on the accelerator, each once".
+[[nodiscard]] std::string pairs_read(const ScheduleVerdict& verdict, std::uint64_t items,
+                                     const std::string& where = "");
+
+}  // namespace changeover
