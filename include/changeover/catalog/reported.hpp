@@ -4,8 +4,9 @@
 //     reported_below(p, 64)->blocks;                // 63 [Bean2026]
 //     reported_below(p, 63).has_value();            // false: it is no better than what is held
 //
-// Reported is not verified. A catalog holds blocks, which are verified; here is a number and who says it, for whoever asks what is
-// known of some parameters. It is no bound, and no other answer depends on it.
+// Reported is not verified. A catalog holds blocks, which are verified; here is a number and who
+// says it, for the caller who asks what is known of some parameters. It is no bound, and no other
+// answer depends on it.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +28,8 @@ struct Reported {
 /// All of them.
 [[nodiscard]] std::span<const Reported> reported_designs();
 
-/// The one with the fewest blocks for exactly these parameters, if that is fewer than `held`, the number of blocks of
-/// the best design at hand; nullopt otherwise. Linear in the number of reports.
+/// The one with the fewest blocks for exactly these parameters, if that is fewer than `held`, the
+/// number of blocks of the best design at hand; nullopt otherwise. Linear in the number of reports.
 [[nodiscard]] std::optional<Reported> reported_below(const Parameters& p,
                                                      std::optional<std::uint64_t> held);
 
