@@ -26,6 +26,7 @@
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/catalog/label.hpp"
+#include "changeover/catalog/reported.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/enlarge.hpp"
 #include "changeover/construct/expansion.hpp"

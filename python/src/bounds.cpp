@@ -2,6 +2,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 
 #include "bind.hpp"
+#include "changeover/catalog/reported.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
 #include "long_work.hpp"
@@ -15,6 +16,7 @@ struct KnownBounds {
   std::vector<Bound> bounds;  // largest first; none if impossible
   std::optional<std::uint64_t> best_known;
   std::string construction;
+  std::optional<Reported> reported;
 };
 
 KnownBounds bounds(std::uint64_t v, std::uint64_t k, std::uint64_t change, const std::string& kind,
@@ -29,6 +31,7 @@ KnownBounds bounds(std::uint64_t v, std::uint64_t k, std::uint64_t change, const
         known.best_known = offer->b;
         known.construction = offer->recipe.construction;
       }
+      known.reported = reported_below(p, known.best_known);
     }
     return known;
   });
@@ -96,6 +99,15 @@ void bind_bounds(py::module_& module) {
       .def_readonly("construction", &KnownBounds::construction, "What makes that design.")
       .def_readonly("all", &KnownBounds::bounds, "Every bound that applies, largest first.")
       .def_property_readonly("status", &status, "'minimum', 'best-known', 'open' or 'impossible'.")
+      .def_property_readonly(
+          "reported",
+          [](const KnownBounds& self) {
+            return self.reported
+                       ? std::optional(std::pair(self.reported->blocks, self.reported->cites))
+                       : std::nullopt;
+          },
+          "Fewer blocks that a publication reports and that are not held here, so not verified, and its "
+          "key in the references; or None.")
       .def("__repr__", [](const KnownBounds& self) {
         return "<" + name(self.parameters) + ": " + status(self) + ">";
       });

@@ -46,6 +46,8 @@ class Designs(unittest.TestCase):
     def test_what_cannot_be_is_said(self):
         self.assertIsNone(changeover.design(4, 2))
         self.assertEqual(changeover.bounds(4, 2).status, "impossible")
+        self.assertEqual(changeover.bounds(26, 6, 1, "linear").reported, (63, "Bean2026"))
+        self.assertIsNone(changeover.bounds(20, 5).reported)
         with self.assertRaisesRegex(changeover.ImpossibleParameters, "k = 4 exceeds v = 3"):
             changeover.design(3, 4)
         with self.assertRaisesRegex(changeover.BadInput, "'linear' or 'circular'"):

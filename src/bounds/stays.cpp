@@ -2,12 +2,20 @@
 
 #include <algorithm>
 
+#include "bounds/short_stays.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
 
 std::uint64_t most_meetings(std::uint64_t s, std::uint64_t strength) {
   return s < strength ? s : checked_add(checked_multiply(s, s - 1), 1);
+}
+
+std::uint64_t most_stays_short(std::uint64_t s, std::uint64_t k) {
+  const std::uint64_t by_points = checked_multiply(most_meetings(s, 2), k);
+  const std::uint64_t by_pairs =
+      checked_multiply(s, checked_multiply(checked_add(s, 2), k) - (s + 1)) / 2;
+  return std::min(by_points, by_pairs);
 }
 
 Introductions least_introductions(std::uint64_t v, std::uint64_t k, std::uint64_t strength) {

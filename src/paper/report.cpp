@@ -20,10 +20,13 @@ std::string counted(const PaperItem& item) {
 }
 
 std::string summary(const PaperReport& report) {
-  return fmt::format("{} items: {} reproduced, {} differ, {} refuted, {} not checkable",
-                     report.items.size(), report.count(PaperStatus::reproduced),
-                     report.count(PaperStatus::differs), report.count(PaperStatus::refuted),
-                     report.count(PaperStatus::not_checkable));
+  const std::size_t consequences = report.consequences();
+  return fmt::format(
+      "{} items: {} reproduced, {} differ, {} refuted, {} vacuous, {} not checkable{}",
+      report.items.size() - consequences, report.count(PaperStatus::reproduced),
+      report.count(PaperStatus::differs), report.count(PaperStatus::refuted),
+      report.count(PaperStatus::vacuous), report.count(PaperStatus::not_checkable),
+      consequences == 0 ? "" : fmt::format("; {} consequences", consequences));
 }
 
 // Characters on a terminal, all of width one here.
@@ -65,13 +68,18 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// The items of one status with all that was found of them, under a heading.
-void append_findings(std::string& out, const PaperReport& report, PaperStatus status,
-                     std::string_view heading) {
-  out += fmt::format("\n## {}\n", heading);
+// The items for which that holds with all that was found of them, under a heading; nothing if there is none.
+template <typename Shown>
+void append_findings(std::string& out, const PaperReport& report, std::string_view heading,
+                     const Shown& shown) {
+  bool headed = false;
   for (const PaperItem& item : report.items) {
-    if (item.status != status) {
+    if (!shown(item)) {
       continue;
+    }
+    if (!headed) {
+      out += fmt::format("\n## {}\n", heading);
+      headed = true;
     }
     out += fmt::format("\n### {}: {}\n\n", item.place, escaped(item.what));
     for (const PaperFinding& finding : item.findings) {
@@ -84,6 +92,13 @@ void append_findings(std::string& out, const PaperReport& report, PaperStatus st
   }
 }
 
+// Whether others follow from what was found there.
+bool has_consequences(const PaperReport& report, const PaperItem& item) {
+  return item.status == PaperStatus::refuted && item.follows.empty() &&
+         std::any_of(report.items.begin(), report.items.end(),
+                     [&](const PaperItem& other) { return other.follows == item.place; });
+}
+
 }  // namespace
 
 std::string_view to_string(PaperStatus status) {
@@ -94,6 +109,8 @@ std::string_view to_string(PaperStatus status) {
       return "differs";
     case PaperStatus::refuted:
       return "refuted";
+    case PaperStatus::vacuous:
+      return "vacuous";
     case PaperStatus::not_checkable:
       break;
   }
@@ -101,9 +118,14 @@ std::string_view to_string(PaperStatus status) {
 }
 
 std::size_t PaperReport::count(PaperStatus status) const {
-  return static_cast<std::size_t>(
-      std::count_if(items.begin(), items.end(),
-                    [status](const PaperItem& item) { return item.status == status; }));
+  return static_cast<std::size_t>(std::count_if(
+      items.begin(), items.end(),
+      [status](const PaperItem& item) { return item.status == status && item.follows.empty(); }));
+}
+
+std::size_t PaperReport::consequences() const {
+  return static_cast<std::size_t>(std::count_if(
+      items.begin(), items.end(), [](const PaperItem& item) { return !item.follows.empty(); }));
 }
 
 PaperReport run_paper_report(const Registry& registry, const PaperReportOptions& options,
@@ -125,6 +147,9 @@ std::string render_text(const PaperReport& report) {
     const std::string checked = item.checked > 0 ? fmt::format(" [{}]", counted(item)) : "";
     append_wrapped(out, fmt::format("{:<13} {:<16} ", to_string(item.status), item.place),
                    std::string(31, ' '), item.what + checked);
+    if (!item.follows.empty()) {
+      append_wrapped(out, "    ", "    ", fmt::format("follows from {}", item.follows));
+    }
     for (const PaperFinding& finding : item.findings) {
       append_wrapped(out, "    printed: ", "             ", finding.printed);
       append_wrapped(out, "    true:    ", "             ", finding.truth);
@@ -141,42 +166,64 @@ std::string render_text(const PaperReport& report) {
 std::string render_markdown(const PaperReport& report) {
   std::string out =
       "# The source paper, rebuilt\n\n"
-      "Each statement of [ChafeeStevens2025], its own and those that it cites, and what the library finds\n"
-      "of it. *Reproduced*: rebuilt or recomputed, equal in every comparison. *Differs*: print and\n"
-      "computation part, or a proof leaves something out. *Refuted*: a statement that is false, with a\n"
-      "counterexample that was built and verified. *Not checkable*: no statement that a program could\n"
-      "decide, or one for which the paper names too little. \"For all k\" is checked up to a limit that\n"
-      "is named; where this is a proof, it is said. This page is written by `changeover paper`.\n\n";
+      "This library began with [ChafeeStevens2025]. Here is each statement of the paper, its own and those\n"
+      "that it cites, and what the library finds of it. *Reproduced*: rebuilt or recomputed, equal in every comparison. *Differs*: a\n"
+      "misprint, or a proof that leaves something out. *Refuted*: false as printed, with a counterexample\n"
+      "that was built and verified; most need one more condition. *Vacuous*: true, but there is no such\n"
+      "design. *Not checkable*: no statement that a program could decide, or one for which the paper\n"
+      "names too little. \"For all k\" is checked up to a limit that is named; where there is a proof, it\n"
+      "is said. `changeover paper` writes this page.\n\n";
   out += summary(report) + ".\n";
-  append_findings(out, report, PaperStatus::refuted, "What is refuted");
-  append_findings(out, report, PaperStatus::differs, "Where the print differs");
+  append_findings(out, report, "What to know first",
+                  [](const PaperItem& item) { return item.comes_first; });
+  append_findings(out, report, "One cause",
+                  [&](const PaperItem& item) { return has_consequences(report, item); });
+  append_findings(out, report, "What follows from it",
+                  [](const PaperItem& item) { return !item.follows.empty(); });
+  append_findings(out, report, "Other statements that are not true as printed",
+                  [&](const PaperItem& item) {
+                    return item.status == PaperStatus::refuted && item.follows.empty() &&
+                           !has_consequences(report, item);
+                  });
+  append_findings(out, report, "Where the print differs", [](const PaperItem& item) {
+    return item.status == PaperStatus::differs && item.follows.empty();
+  });
+  append_findings(out, report, "True of no design",
+                  [](const PaperItem& item) { return item.status == PaperStatus::vacuous; });
   out +=
       "\n## Every item\n\n| place | claim | status | compared | remarks |\n|---|---|---|---|---|\n";
   for (const PaperItem& item : report.items) {
     std::string notes;
-    if (item.findings.empty()) {
+    if (item.findings.empty() && !item.comes_first && item.status != PaperStatus::vacuous) {
       for (const std::string& note : item.notes) {
         notes += (notes.empty() ? "" : "; ") + escaped(note);
       }
     }
     out += fmt::format("| {} | {} | {} | {} | {} |\n", escaped(item.place), escaped(item.what),
-                       to_string(item.status), item.checked > 0 ? counted(item) : "", notes);
+                       item.follows.empty() ? std::string(to_string(item.status))
+                                            : fmt::format("{}: follows from {}",
+                                                          to_string(item.status), item.follows),
+                       item.checked > 0 ? counted(item) : "", notes);
   }
   return out;
 }
 
 std::string render_json(const PaperReport& report) {
   JsonWriter json;
-  json.begin_object().key("format").value("changeover-paper/2");
+  json.begin_object().key("format").value("changeover-paper/3");
   json.key("reproduced").value(report.count(PaperStatus::reproduced));
   json.key("differs").value(report.count(PaperStatus::differs));
   json.key("refuted").value(report.count(PaperStatus::refuted));
+  json.key("vacuous").value(report.count(PaperStatus::vacuous));
   json.key("not_checkable").value(report.count(PaperStatus::not_checkable));
+  json.key("consequences").value(report.consequences());
   json.key("items").begin_array();
   for (const PaperItem& item : report.items) {
     json.begin_object().key("place").value(item.place).key("what").value(item.what);
     json.key("status").value(to_string(item.status));
     json.key("checked").value(item.checked).key("unit").value(item.unit);
+    json.key("follows");
+    item.follows.empty() ? json.null() : json.value(item.follows);
     json.key("findings").begin_array();
     for (const PaperFinding& finding : item.findings) {
       json.begin_object().key("printed").value(finding.printed).key("truth").value(finding.truth);

@@ -11,6 +11,7 @@
 //                 and why
 //   refuted       a mathematical statement that is false: each finding is a counterexample, built and
 //                 verified, or a bound that excludes what is said to exist
+//   vacuous       true, but of nothing: there is no design of which it says something
 //   not checkable no statement that a program could decide, or one for which the paper names too little;
 //                 the reason is given
 // Nothing is hard-coded: a misprint is found because a comparison fails, and every comparison can
@@ -30,9 +31,9 @@
 
 namespace changeover {
 
-enum class PaperStatus : std::uint8_t { reproduced, differs, refuted, not_checkable };
+enum class PaperStatus : std::uint8_t { reproduced, differs, refuted, vacuous, not_checkable };
 
-/// "reproduced", "differs", "refuted", "not checkable".
+/// "reproduced", "differs", "refuted", "vacuous", "not checkable".
 [[nodiscard]] std::string_view to_string(PaperStatus status);
 
 /// Where print and computation part.
@@ -52,6 +53,9 @@ struct PaperItem {
   std::string unit;                    ///< of what: "blocks", "cells", "designs"
   std::vector<PaperFinding> findings;  ///< of an item that differs or is refuted
   std::vector<std::string> notes;      ///< remarks, and reasons why an item is not checkable
+  std::string follows =
+      {};  ///< the place of the item with the same cause, which says it; empty for an item of its own
+  bool comes_first = false;  ///< what a reader should know before the rest
 
   bool operator==(const PaperItem&) const = default;
 };
@@ -59,7 +63,11 @@ struct PaperItem {
 struct PaperReport {
   std::vector<PaperItem> items;  ///< in the order of the paper
 
+  /// Items of that status, without those that follow from another one.
   [[nodiscard]] std::size_t count(PaperStatus status) const;
+
+  /// Items that follow from another one.
+  [[nodiscard]] std::size_t consequences() const;
 };
 
 struct PaperReportOptions {
@@ -80,8 +88,9 @@ struct PaperReportOptions {
 /// The same as a Markdown page.
 [[nodiscard]] std::string render_markdown(const PaperReport& report);
 
-/// {"format":"changeover-paper/2","reproduced":n,"differs":n,"refuted":n,"not_checkable":n,"items":[{"place","what",
-///"status","checked","unit","findings":[{"printed","truth","why"}],"notes":[…]}]}. One line.
+/// {"format":"changeover-paper/3","reproduced":n,"differs":n,"refuted":n,"vacuous":n,"not_checkable":n,
+/// "consequences":n,"items":[{"place","what","status","checked","unit","follows","findings":[{"printed","truth",
+/// "why"}],"notes":[…]}]}. One line. "follows" is a place or null.
 [[nodiscard]] std::string render_json(const PaperReport& report);
 
 }  // namespace changeover

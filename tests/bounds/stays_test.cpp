@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "bounds/short_stays.hpp"
 #include "bounds/stays.hpp"
 #include "run/random.hpp"
 
@@ -64,6 +65,39 @@ TEST(Stays, AreAtLeastSoManyInEveryRandomListInWhichAllMeet) {
       introductions += stays;
     }
     EXPECT_GE(introductions, least_introductions(v, k, strength).count) << v << ' ' << k;
+  }
+}
+
+// Any of the elements, those with the fewest stays in particular, by counting pairs within them.
+TEST(Stays, AreAtLeastSoManyWithinAPart) {
+  Random random(6);
+  for (int i = 0; i < 3000; ++i) {
+    const std::uint64_t k = 2 + random.below(6);
+    const std::uint64_t v = k + random.below(12);
+    const std::vector<Block> sets = random_cover(v, k, 2, random);
+    for (std::uint64_t s = 1; s <= 12; ++s) {
+      std::uint64_t sum = 0;
+      for (const std::uint64_t stays : test::stays(v, sets)) {
+        sum += stays <= s ? s + 1 - stays : 0;
+      }
+      EXPECT_LE(sum, most_stays_short(s, k)) << v << ' ' << k << ", s = " << s;
+    }
+  }
+}
+
+TEST(Stays, WithinAPartTheSmallerConstantCounts) {
+  EXPECT_EQ(most_stays_short(1, 11), 11U);
+  EXPECT_EQ(most_stays_short(2, 11), 33U);
+  EXPECT_EQ(most_stays_short(3, 11), 76U);  // 7.5k - 6
+  EXPECT_EQ(most_stays_short(3, 12), 84U);  // 7k, and so is 7.5k - 6
+  EXPECT_EQ(most_stays_short(3, 13), 91U);
+  EXPECT_EQ(most_stays_short(4, 13), 146U);  // 12k - 10
+  EXPECT_EQ(most_stays_short(5, 3), 37U);    // half of 75, rounded down
+  for (std::uint64_t k = 2; k <= 200; ++k) {
+    for (std::uint64_t s = 2; s <= 40; ++s) {
+      const std::uint64_t before = most_stays_short(s, k) - most_stays_short(s - 1, k);
+      EXPECT_GE(most_stays_short(s + 1, k) - most_stays_short(s, k), before) << s << ' ' << k;
+    }
   }
 }
 

@@ -58,5 +58,11 @@ TEST_F(CatalogExamples, Label) {
   EXPECT_THAT(said.out, testing::StartsWith(to_hex(design_digest(blocks).checksum)));
 }
 
+TEST_F(CatalogExamples, Reported) {
+  const Parameters p{.v = 26, .k = 6, .change = 1, .kind = Kind::linear};
+  EXPECT_EQ(reported_below(p, 64)->blocks, 63U);
+  EXPECT_FALSE(reported_below(p, 63).has_value());
+}
+
 }  // namespace
 }  // namespace changeover::test::catalog_examples_test

@@ -21,14 +21,17 @@ std::string text(const KnownBounds& answer) {
   for (const Bound& bound : answer.bounds) {
     text += fmt::format("  b >= {:<8} {}: {}\n", bound.blocks, bound.name, bound.reason);
   }
+  const std::string reported =
+      answer.reported ? fmt::format("  {}\n", in_words(*answer.reported)) : "";
   if (!answer.best) {
-    return text + "  no construction serves these parameters: open\n";
+    return text + reported + "  no construction serves these parameters: open\n";
   }
   const std::uint64_t gap = answer.best->b - answer.bounds.front().blocks;
   text += fmt::format("  b <= {:<8} {}\n", answer.best->b, answer.best->recipe.construction);
-  return text + (gap == 0 ? "  minimum: the bound is attained\n"
-                          : fmt::format("  open: between {} and {}\n", answer.bounds.front().blocks,
-                                        answer.best->b));
+  return text + reported +
+         (gap == 0 ? "  minimum: the bound is attained\n"
+                   : fmt::format("  open: between {} and {}\n", answer.bounds.front().blocks,
+                                 answer.best->b));
 }
 
 // The kind that a single answer is about: the one with the fewest blocks known, circular among equals.

@@ -1,6 +1,7 @@
 // Section 2.1, the rest: what the paper cites from other works.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "changeover/bounds/lower_bound.hpp"
@@ -189,11 +190,15 @@ PaperItem check_3k_5(const PaperContext& context) {
       none += lower_bound(linear(v, k)).blocks > b ? 1U : 0U;
     }
   }
+  const std::uint64_t tried = context.options.largest_k - 3;
+  if (none == tried) {
+    check.is_vacuous();
+  }
   check.note(fmt::format(
-      "2k-4 is g1, so such a design is tight and no other has fewer blocks. The statement is empty: for "
-      "{} of {} k there is none, for k = 4, 5 by exhaustion and from k = 6 on by the bound of stays "
-      "(docs/theorems.md, Theorem 5)",
-      none, context.options.largest_k - 3));
+      "2k-4 is g1, so such a design would be tight, and no other could have fewer blocks. But for {} of {} k there "
+      "is none: for k = 4, 5 by exhaustion, and from k = 6 on by the bound of stays (docs/theorems.md, Theorem 5), "
+      "2b >= 3v-4k+2 = 5k-13, which is more than 2(2k-4) = 4k-8",
+      none, tried));
   return std::move(check).finish();
 }
 
@@ -348,13 +353,25 @@ PaperItem check_fixed_elements(const PaperContext& context) {
     });
   }
   bool told = false;
-  for (const Design& design : designs_to_try(context.registry, Kind::circular)) {
+  std::uint64_t once = 0;
+  const auto compare = [&](const Design& design) {
     const Verdict verdict = verify(design);
+    const std::vector<std::uint64_t> times = times_covered(design);
+    if (std::ranges::all_of(times, [](std::uint64_t n) { return n == 1; })) {
+      ++once;
+      const bool at = design.v() == count_of(context.paper.cited.fixed_at, {{'k', design.k()}});
+      check.expect(at == !verdict.fixed.empty(), [&] {
+        return PaperFinding{
+            "where every pair is covered once, a fixed element exactly if v = 2k-3",
+            fmt::format("the {} has {}", name(design.parameters()), braces(verdict.fixed)),
+            "verified"};
+      });
+    }
     const std::uint64_t g2 = static_cast<std::uint64_t>(
         value_of(context.paper.cited.circular_b, {{'v', design.v()}, {'k', design.k()}}).ceiling());
     const Bound bound = lower_bound(design.parameters());
     if (verdict.fixed.empty() || verdict.b != g2 || verdict.b != bound.blocks) {
-      continue;
+      return;
     }
     const bool holds = design.v() == count_of(context.paper.cited.fixed_at, {{'k', design.k()}});
     check.expect(holds || told, [&] {
@@ -362,16 +379,32 @@ PaperItem check_fixed_elements(const PaperContext& context) {
       return PaperFinding{
           "no fixed element unless v = 2k-3",
           fmt::format(
-              "a circular {} with ceil(g2) = {} blocks has {} fixed elements, and 2k-3 = {}",
-              dccd(design.v(), design.k(), verdict.b), g2, fixed, 2 * design.k() - 3),
-          fmt::format("add {} elements to every block of the circular {}; it is minimum, for {}",
-                      fixed, dccd(design.v() - fixed, design.k() - fixed, verdict.b),
-                      bound.reason)};
+              "a circular {} with ceil(g2) = {} blocks has {} fixed element{}, and 2k-3 = {}",
+              dccd(design.v(), design.k(), verdict.b), g2, fixed, fixed == 1 ? "" : "s",
+              2 * design.k() - 3),
+          fmt::format("add {} element{} to every block of the circular {}; it is minimum, for {}",
+                      fixed, fixed == 1 ? "" : "s",
+                      dccd(design.v() - fixed, design.k() - fixed, verdict.b), bound.reason)};
     });
     told = told || !holds;
+  };
+  for (const Design& design : designs_to_try(context.registry, Kind::circular)) {
+    compare(design);
   }
-  check.note(
-      fmt::format("all {} circular DCCD(7,5,3) that begin with {{0,1,2,3,4}} have one", all.found));
+  // Beyond 2k-3 the least example has one fixed element.
+  told = false;
+  for (std::uint64_t k = 5; k <= 8 && !told; ++k) {
+    for (std::uint64_t v = 2 * k - 2; v <= 2 * k && !told; ++v) {
+      if (const auto smaller = best_design(context.registry, circular(v - 1, k - 1))) {
+        compare(with_fixed_elements(*smaller, 1));
+      }
+    }
+  }
+  check.note(fmt::format(
+      "right where every pair is covered exactly once ({} designs compared): if x is in every block, every other "
+      "element is introduced once, so 2b = v-1, and b = g2 gives v = 2k-3; and at v = 2k-3 the k-2 blocks introduce "
+      "2k-4 of the 2k-3 elements. All {} circular DCCD(7,5,3) that begin with {{0,1,2,3,4}} have one",
+      once, all.found));
   return std::move(check).finish();
 }
 

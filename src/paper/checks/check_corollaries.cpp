@@ -144,6 +144,37 @@ PaperItem check_formula(const PaperContext& context, const std::vector<CyclicWit
   return std::move(check).finish();
 }
 
+// How two numbers that no (c,k) gives may have come about: another k in the formulas of Corollary 14, or an expansion
+// with some of the subsets only.
+std::string likely_slip(const PaperContext& context, const PrintedTriple& triple,
+                        const std::vector<CyclicWithSet>& designs) {
+  const PrintedDesign& formulas = context.paper.expanded;
+  for (const CyclicWithSet& cyclic : designs) {
+    if (cyclic.design.k() != triple.k) {
+      continue;
+    }
+    const std::uint64_t l = (2 * cyclic.c + 1) / (triple.k - 2);
+    for (std::uint64_t k = 3; k <= context.options.largest_k; ++k) {
+      const Values values{{'c', cyclic.c}, {'k', k}, {'l', l}};
+      if (k != triple.k && value_of(formulas.v, values).count() == triple.v &&
+          value_of(formulas.b, values).count() == triple.b) {
+        return fmt::format("Corollary 14 with c = {} and l = {} gives {} and {} if k is {} there",
+                           cyclic.c, l, triple.v, triple.b, k);
+      }
+    }
+    for (std::uint64_t subsets = 1; subsets < cyclic.set.size(); subsets += 2) {
+      if (cyclic.design.v() + subsets + 1 == triple.v &&
+          cyclic.design.block_count() + subsets * (subsets + 1) / 2 == triple.b) {
+        return fmt::format(
+            "{} and {} come out if the {} is expanded with {} of the {} members of its expansion set",
+            triple.v, triple.b, dccd(cyclic.design.v(), triple.k, cyclic.design.block_count()),
+            subsets, cyclic.set.size());
+      }
+    }
+  }
+  return "";
+}
+
 // One of the eleven: which (c,k) gives it, and does it exist.
 PaperItem check_triple(const PaperContext& context, const PrintedTriple& triple,
                        const std::vector<CyclicWithSet>& designs) {
@@ -186,6 +217,9 @@ PaperItem check_triple(const PaperContext& context, const PrintedTriple& triple,
     return PaperFinding{fmt::format("a tight circular {} exists", in_words(triple)), truth,
                         triple.b < bound.blocks ? bound.reason : "compared with Corollary 14"};
   });
+  if (const std::string slip = likely_slip(context, triple, designs); !slip.empty()) {
+    check.note("a slip of arithmetic, it seems: " + slip);
+  }
   return std::move(check).finish();
 }
 

@@ -15,11 +15,6 @@
 namespace changeover {
 namespace {
 
-Block sorted(Block block) {
-  std::sort(block.begin(), block.end());
-  return block;
-}
-
 using EdgeSet = std::set<std::pair<Element, Element>>;
 
 std::string in_words(const EdgeSet& edges) {
@@ -201,6 +196,38 @@ PaperItem check_theorem(const PaperContext& context) {
       fmt::format("k <= {}: base blocks as printed, differences, and every design in full; b is "
                   "the lower bound",
                   context.options.largest_k));
+  return std::move(check).finish();
+}
+
+// "The elements introduced in block B_{i,j} are B_{i,j} \ (A+j)."
+PaperItem check_introduced(const PaperContext& context) {
+  Check check(
+      "Theorem 10",
+      "the proof: the elements introduced in B_{i,j} are those of B_{i,j} that are not in A+j",
+      "blocks");
+  for (const PrintedBaseBlocks& row : context.paper.cyclic) {
+    for (std::uint64_t k = 3; k <= context.options.largest_k; ++k) {
+      const Parameters p = cyclic_parameters(row.c, k);
+      DevelopedSource source(BaseBlocks{p, base_blocks(row, k)});
+      for (Transitions steps(source); steps.next();) {
+        const std::uint64_t j = steps.index() / row.c;
+        Block fresh;
+        for (const Element x : steps.block()) {
+          if ((x + p.v - j) % p.v >= k - 2) {
+            fresh.push_back(x);
+          }
+        }
+        const Block introduced = sorted(steps.introduced());
+        check.expect(introduced == sorted(fresh), [&] {
+          return PaperFinding{fmt::format("c = {}, k = {}: {} are introduced in B_{{{},{}}}", row.c,
+                                          k, braces(sorted(fresh)), steps.index() % row.c, j),
+                              braces(introduced), "against the block before"};
+        });
+      }
+    }
+  }
+  check.note(fmt::format("c = 1, ..., {} and k <= {}, every block", context.paper.cyclic.size(),
+                         context.options.largest_k));
   return std::move(check).finish();
 }
 
@@ -439,6 +466,7 @@ std::vector<PaperItem> check_cyclic(const PaperContext& context) {
   add_developed(items, paper, "Table 8", row_of(paper, 1, 4),
                 "developed from the row c = 1 of Table 9 (Example 9)");
   items.push_back(check_theorem(context));
+  items.push_back(check_introduced(context));
   items.push_back(check_proof(context));
   add_developed(items, paper, "Table 10", row_of(paper, 2, 4),
                 "developed from the row c = 2 of Table 9 (Example 11)");

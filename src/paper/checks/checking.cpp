@@ -44,6 +44,16 @@ Check& Check::of_a_statement() {
   return *this;
 }
 
+Check& Check::follows(std::string place) {
+  follows_ = std::move(place);
+  return *this;
+}
+
+Check& Check::comes_first() {
+  item_.comes_first = true;
+  return *this;
+}
+
 void Check::lacks(std::string_view construction) {
   item_.status = PaperStatus::not_checkable;
   note(fmt::format("the construction \"{}\" that it takes is not in this registry", construction));
@@ -63,6 +73,7 @@ PaperItem Check::finish() && {
   }
   if (!item_.findings.empty()) {
     item_.status = failed_;
+    item_.follows = std::move(follows_);
   }
   return std::move(item_);
 }
@@ -74,6 +85,11 @@ PaperItem not_checkable(std::string place, std::string what, std::string reason)
   item.status = PaperStatus::not_checkable;
   item.notes.push_back(std::move(reason));
   return item;
+}
+
+Block sorted(Block block) {
+  std::sort(block.begin(), block.end());
+  return block;
 }
 
 std::string braces(std::span<const Element> block) {

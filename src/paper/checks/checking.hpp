@@ -43,6 +43,15 @@ class Check {
   /// What fails is not the print but the statement: a finding is a counterexample.
   Check& of_a_statement();
 
+  /// If it fails, it does so for the reason of another item, at that place.
+  Check& follows(std::string place);
+
+  /// What holds, holds of nothing.
+  void is_vacuous() { item_.status = PaperStatus::vacuous; }
+
+  /// A reader should know this before the rest.
+  Check& comes_first();
+
   /// Makes the item not checkable: a construction that it needs is not in the registry.
   void lacks(std::string_view construction);
 
@@ -57,10 +66,17 @@ class Check {
   PaperItem item_;
   PaperStatus failed_ = PaperStatus::differs;
   std::uint64_t untold_ = 0;  // findings beyond those that are listed
+  std::string follows_;       // from what, if it fails
 };
 
 /// A claim that is not checked, and why.
 [[nodiscard]] PaperItem not_checkable(std::string place, std::string what, std::string reason);
+
+/// The elements in order.
+[[nodiscard]] Block sorted(Block block);
+[[nodiscard]] inline Block sorted(std::span<const Element> block) {
+  return sorted(Block(block.begin(), block.end()));
+}
 
 /// "{0,1,4}", elements by number or by the names of the design.
 [[nodiscard]] std::string braces(std::span<const Element> block);

@@ -59,7 +59,9 @@ TEST(FalsifiedPaper, introduction) {
         section, [=](Paper& p) { ++p.costs[i].change; }, "Section 1", "costs");
   }
   expect_found(
-      section, [](Paper& p) { replace(p.covering, "2 4 9", "2 4 8"); }, "Section 1", "costs");
+      section, [](Paper& p) { replace(p.covering, "2 4 9", "2 4 8"); }, "Section 1", "covering");
+  expect_found(
+      section, [](Paper& p) { p.covering += "1 2 4\n"; }, "Section 1", "covering");
   Paper right = printed_paper();
   right.count_in_abstract = 11;
   EXPECT_TRUE(differing(section, right).empty()) << places(differing(section, right));
@@ -113,6 +115,7 @@ TEST(FalsifiedPaper, tightness) {
   // The statement is right where no two elements are in every block: the counterexamples all have such.
   for (const PaperItem& item : differing(check_tightness)) {
     EXPECT_EQ(item.status, PaperStatus::refuted);
+    EXPECT_EQ(item.follows, "Theorem 1");
   }
 }
 
@@ -135,6 +138,17 @@ TEST(FalsifiedPaper, preliminaries) {
       "g1 = g2");
   expect_found(
       section, [](Paper& p) { p.linear_bound += "+1"; }, "Theorem 1", "a linear");
+  expect_found(
+      section, [](Paper& p) { replace(p.circular_bound, "2k-3", "2k-2"); }, "Theorem 1",
+      "for v >= 2k-3");
+  expect_found(
+      section, [](Paper& p) { p.families[0].design.v = "2k-4"; }, "Theorem 1", "for v >= 2k-3");
+  expect_found(
+      section,
+      [](Paper& p) {
+        p.eleven[0] = {12, 10, 5};
+      },
+      "Theorem 1", "for v >= 2k-3");
   expect_found(section, in_table_2("^{6}", "^{4}"), "Table 2", "unchanged subsets");
   expect_found(section, in_table_2("^{2}", "^{5}"), "Table 2", "unchanged subsets");
   for (std::size_t i = 0; i < 6; ++i) {
@@ -265,6 +279,9 @@ TEST(FalsifiedPaper, cyclic) {
       section, [](Paper& p) { p.cyclic_up_to = 6; }, "Theorem 10", "(Table 9)");
   expect_found(
       section, [](Paper& p) { p.cyclic.pop_back(); }, "Theorem 10", "(Table 9)");
+  expect_found(
+      section, [](Paper& p) { p.cyclic[2].further[1] = "3(k-2)+1,k-2"; }, "Theorem 10",
+      "the elements introduced");
   // The link condition: without k-2 in the last base block the double change breaks.
   expect_found(
       section, [](Paper& p) { std::swap(p.cyclic[2].further[0], p.cyclic[2].further[2]); },

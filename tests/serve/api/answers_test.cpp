@@ -74,6 +74,10 @@ TEST_F(Answers, CellSaysAllThatIsKnown) {
   EXPECT_LE(cell["offers"].size(), 20U);
   EXPECT_TRUE(cell["impossible"].is_null());
   EXPECT_EQ(cell["history"].back()["b"], cell["designs"][0]["b"]);
+  EXPECT_TRUE(cell.at("reported").is_null());
+  const auto reported = json("/api/cell?v=26&k=6&change=1&kind=linear")["reported"];
+  EXPECT_EQ(reported["blocks"], 63);
+  EXPECT_EQ(reported["cites"], "Bean2026");
   const auto none = json("/api/cell?v=4&k=2&kind=circular");
   EXPECT_TRUE(none["impossible"].is_string());
   EXPECT_TRUE(none["best"].is_null());

@@ -92,6 +92,8 @@ export interface CellDetail extends Cell {
   offers: { construction: string; b: number; recipe: Recipe }[];
   history: { date: string; b: number; label: string; credit: Credit | string; how: string }[];
   impossible: string | null;
+  /** Fewer blocks that a publication reports; absent from data that an older version wrote. */
+  reported?: { blocks: number; cites: string } | null;
 }
 
 export interface Construction {

@@ -62,13 +62,18 @@ function argument(detail: CellDetail): string {
   return bound ? `its ${count(best.b, 'block')} are the lower bound “${bound.name}”: ${bound.reason}` : detail.reason;
 }
 
+/** What a publication reports and nobody here can verify. */
+function reported(detail: CellDetail): Child[] {
+  return detail.reported ? [`${number(detail.reported.blocks)} reported [${detail.reported.cites}], blocks not held here.`] : [];
+}
+
 function summary(cell: Cell, detail: CellDetail, frozen: boolean): HTMLElement {
   if (detail.impossible) {
     return h('p', { class: 'note' }, h('strong', {}, 'There is none: '), reason(detail.impossible), '.');
   }
   const best = detail.best;
   if (!best) {
-    return h('p', { class: 'note' }, 'No design with these parameters is known. ', !frozen && [h('a', { href: link('search', { ...cell }) }, 'Search for one'), '.']);
+    return h('p', { class: 'note' }, 'No design with these parameters is known. ', !frozen && [h('a', { href: link('search', { ...cell }) }, 'Search for one'), '.'], ' ', reported(detail));
   }
   const over = detail.lower_bound === null ? 0 : best.b - detail.lower_bound;
   const why = argument(detail);
@@ -80,6 +85,7 @@ function summary(cell: Cell, detail: CellDetail, frozen: boolean): HTMLElement {
       'div',
       {},
       over > 0 && h('p', {}, `${count(over, 'block')} over the lower bound ${number(detail.lower_bound!)} (b / bound ${ratio(best.b, detail.lower_bound!)}). A design with fewer blocks may exist.`),
+      detail.reported && h('p', {}, reported(detail)),
       why && h('p', {}, 'Minimum: ', reason(why), '.'),
       h('p', {}, 'Made by ', h('a', { href: link('theorems', { construction: best.construction }) }, best.construction), best.label && [', catalog label ', h('a', { class: 'code', href: link('design', { label: best.label }) }, best.label)], '.'),
       h(

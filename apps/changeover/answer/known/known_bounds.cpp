@@ -1,5 +1,7 @@
 #include "answer/known/known_bounds.hpp"
 
+#include <fmt/format.h>
+
 #include "io/write/json_writer.hpp"
 
 namespace changeover::cli {
@@ -15,12 +17,28 @@ std::string KnownBounds::status() const {
 }
 
 KnownBounds known_bounds(const Parameters& p) {
-  KnownBounds answer{.parameters = p, .impossible = impossibility(p), .bounds = {}, .best = {}};
+  KnownBounds answer{
+      .parameters = p, .impossible = impossibility(p), .bounds = {}, .best = {}, .reported = {}};
   if (!answer.impossible) {
     answer.bounds = lower_bounds(p);
     answer.best = best_known(p);
+    answer.reported = reported_below(p, answer.best ? std::optional(answer.best->b) : std::nullopt);
   }
   return answer;
+}
+
+std::string in_words(const Reported& reported) {
+  return fmt::format("{} reported [{}], blocks not held here", reported.blocks, reported.cites);
+}
+
+void write_reported(JsonWriter& json, const KnownBounds& known) {
+  json.key("reported");
+  if (!known.reported) {
+    json.null();
+    return;
+  }
+  json.begin_object().key("blocks").value(known.reported->blocks);
+  json.key("cites").value(known.reported->cites).end_object();
 }
 
 void begin_known(JsonWriter& json, const KnownBounds& known) {
@@ -40,6 +58,7 @@ std::string bounds_json(const KnownBounds& answer) {
   json.key("construction");
   answer.best ? json.value(answer.best->recipe.construction) : json.null();
   json.key("status").value(answer.status());
+  write_reported(json, answer);
   json.key("bounds").begin_array();
   for (const Bound& bound : answer.bounds) {
     json.begin_object().key("lower_bound").value(bound.blocks).key("name").value(bound.name);

@@ -74,6 +74,7 @@ std::string cell_json(const Catalog& catalog, const Parameters& p) {
   JsonWriter json;
   cli::begin_known(json, known);
   json.key("status").value(known.status());
+  cli::write_reported(json, known);
   json.key("bounds").begin_array();
   for (const Bound& bound : known.bounds) {
     json.begin_object().key("name").value(bound.name).key("blocks").value(bound.blocks);

@@ -155,8 +155,7 @@ constexpr Description description{
     .summary = "w new elements inserted at positions whose unchanged subsets cover all elements",
     .preconditions = "circular, m = 2 and v > 4k-5, or m = 1 and v > 2k-1, and some smaller v",
     .guarantee = "l ceil(w/2) blocks more for m = 2 and l positions; often economical",
-    .cited = "ChafeeStevens2025",
-    .place = "after Theorem 2: any w, and subsets that overlap",
+    .place = "docs/theorems.md, Theorem 3",
 };
 
 class PartialExpander final : public Rule {

@@ -228,7 +228,8 @@ constexpr Description description{
     .preconditions = "m = 2, k = 3, v >= 5",
     .guarantee =
         "a minimum DCCD(v,3), circular too; tight if v = 1, 3 mod 6 (Steiner triple systems)",
-    .cited = "GangodaGamachchige2017",
+    .cited = "GangodaGamachchige2014",
+    .place = "minimum for v = 0, 1, 3, 5 mod 6; for the other v by us",
 };
 
 class TriplesDoubleChange final : public Family {

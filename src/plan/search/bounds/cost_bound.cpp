@@ -404,7 +404,6 @@ Least least_tests(const Job& job, const Numbers& n) {
 Least least_introductions(const Numbers& n, std::uint64_t once, std::uint64_t by_stays) {
   Least least{0, "none is needed"};
   least.at_least(once, "each part once");
-  least.at_least(by_stays, "at most K parts come once, and on: docs/theorems.md, Theorem 5");
   const std::uint64_t v = n.parts.size();
   std::uint64_t start = 0;
   for (const Element x : n.parts) {
@@ -412,16 +411,15 @@ Least least_introductions(const Numbers& n, std::uint64_t once, std::uint64_t by
   }
   if (n.pairs == choose_two(v) && n.room >= 2 && v > n.room && start <= n.room) {
     const Parameters p{.v = v, .k = n.room, .change = 1, .kind = Kind::linear};
-    std::uint64_t b = 0;
     try {
-      b = lower_bound(p).blocks;
-    } catch (const Stopped&) {
-      return least;
+      const std::uint64_t b = lower_bound(p).blocks;
+      const std::uint64_t needed = n.room - 1 + b;
+      least.at_least(needed - std::min(needed, start),
+                     fmt::format("one change at a time takes {} blocks: {}", b, name(p, false)));
+    } catch (const Stopped&) {  // What follows holds all the same.
     }
-    const std::uint64_t needed = n.room - 1 + b;
-    least.at_least(needed - std::min(needed, start),
-                   fmt::format("one change at a time takes {} blocks: {}", b, name(p, false)));
   }
+  least.at_least(by_stays, "at most K parts come once, and on: docs/theorems.md, Theorem 5");
   return least;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bounds/short_stays.hpp"
+
 namespace changeover {
 
 namespace {
@@ -22,7 +24,11 @@ StaysCost stays_cost(std::vector<Amount> prices, std::uint64_t room, bool triple
   for (std::uint64_t s = 1; taken < n; ++s) {
     least.extra += n - taken;
     least.cost += cheapest[static_cast<std::size_t>(n - taken)];
-    taken = triples && s == 1 ? room : triples && s == 2 ? 5 * room : 2 * s * room;
+    if (triples || room == 1) {
+      taken = triples && s == 1 ? room : triples && s == 2 ? 5 * room : 2 * s * room;
+    } else {
+      taken = most_stays_short(s + 1, room) - most_stays_short(s, room);
+    }
   }
   return least;
 }

@@ -5,11 +5,11 @@
 //     least.cost;                   // of these
 //
 // Let Q be n parts of which every two must meet, K the room for them, i_x the stays of x in the list of set-ups, the
-// one at the start first. For every s, Σ max(0, s+1−i_x) ≤ (s²−s+1)K over Q [docs/theorems.md, Theorem 5]. With
-// Y_j the number of x with more than j stays this is Y_1 + … + Y_s ≥ s·n − (s²−s+1)K. The Y_j parts with more
+// one at the start first. For every s, Σ max(0, s+1−i_x) ≤ c_s over Q, c_s = most_stays_short(s, K) [docs/theorems.md, Theorem 5].
+// With Y_j the number of x with more than j stays this is Y_1 + … + Y_s ≥ s·n − c_s. The Y_j parts with more
 // than j stays cost, once each, at least what the Y_j cheapest do, f(Y_j); f is convex and, prices being at least 0, does not decrease. Of all Y_1 ≥ Y_2 ≥ …
-// with at least these partial sums Σ f(Y_j) is least where each partial sum is: Y_1 = n − K and Y_s = n − 2(s−1)K
-// for s > 1, each while positive, else 0.
+// with at least these partial sums Σ f(Y_j) is least where each partial sum is: Y_1 = n − K and Y_s = n − (c_s − c_{s−1})
+// for s > 1, each while positive, else 0; c_s − c_{s−1} does not decrease.
 #pragma once
 
 #include <cstdint>
