@@ -97,8 +97,8 @@ struct Made {
 /// it, or better. `design` is what the input builds. nullopt if it is no such design or v ≤ k + 1. O(bk).
 [[nodiscard]] std::optional<Made> close_up_recipe(const Recipe& input, const Design& design);
 
-/// *Coarsen*: g consecutive blocks of a linear single-change design on (v,k) in one, a linear g-change design
-/// on (v, k+g−1). `design` is what the input builds. nullopt if that cannot be done. O(gbk).
+/// *Coarsen*: g consecutive blocks of a single-change design on (v,k) in one, a g-change design on (v, k+g−1) of the
+/// same kind. `design` is what the input builds. nullopt if that cannot be done. O(gbk).
 [[nodiscard]] std::optional<Made> coarsen_recipe(const Recipe& input, const Design& design,
                                                  std::uint64_t g);
 
