@@ -126,6 +126,13 @@ struct CoverPositions {
                                                                    const CoverPositions& cover,
                                                                    std::uint64_t w);
 
+/// *Concatenate*: a linear single-change design with another one after it, `times` times. k−1 elements of its last block are those
+/// elements of the second that the unchanged subsets at these positions (increasing, 1 is between the first two blocks) leave
+/// out; these must be in its first or last block, the subsets disjoint. Each time w−k+1 elements are added. What does not fit is refused when the
+/// recipe is built. @throws ImpossibleParameters if the elements exceed 64 bits.
+[[nodiscard]] Recipe concatenate_recipe(Recipe first, Recipe second, std::vector<Element> positions,
+                                        std::uint64_t times = 1);
+
 /// *Interpolate*: each step of an M-change design in M/m steps of m. The input itself if m = M.
 /// @throws BadInput if m does not divide M.
 [[nodiscard]] Recipe interpolate_recipe(const Recipe& input, std::uint64_t m);
