@@ -41,6 +41,9 @@ Piece with_parts(std::vector<Block> blocks, const std::vector<Element>& position
     if (block.empty() || block.back() >= most_elements) {
       refuse(fmt::format("elements must be below {}", most_elements));
     }
+    if (std::ranges::adjacent_find(block) != block.end()) {
+      refuse("a block has an element twice");
+    }
     there.resize(std::max<std::size_t>(there.size(), block.back() + 1U));
     for (const Element x : block) {
       there[x] = true;

@@ -202,6 +202,7 @@ TEST(Concatenate, RefusesSpoiltRecipes) {
   spoil(ring->recipe, "no path", [](Recipe& r) { r.blocks.resize(1); });
   spoil(ring->recipe, "a short block", [](Recipe& r) { r.blocks[3].pop_back(); });
   spoil(ring->recipe, "a large element", [](Recipe& r) { r.blocks[3][0] = ~Element{0}; });
+  spoil(ring->recipe, "an element twice", [](Recipe& r) { r.blocks[3][0] = r.blocks[3][1]; });
   spoil(ring->recipe, "a gap", [](Recipe& r) {
     for (std::size_t i = 1; i < r.blocks.size(); ++i) {
       std::ranges::replace(r.blocks[i], Element{0}, Element{40});
