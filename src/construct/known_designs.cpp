@@ -200,7 +200,7 @@ class KnownDesigns::Cell {
   // On one level only: of all rules this one takes longest.
   void coarsen() {
     const std::uint64_t m = p_.change;
-    if (m < 2 || p_.kind != Kind::linear || p_.k <= m) {
+    if (m < 2 || p_.k <= m) {
       return;
     }
     Parameters q = with(p_, p_.v, p_.k - (m - 1));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "changeover/run/scope.hpp"
@@ -62,10 +63,23 @@ class Coarsening {
       coarse.append(block);
       i = j;
     }
-    return true;
+    return design_.parameters().kind == Kind::linear || closes(coarse, g);
   }
 
  private:
+  // Whether the last group has g elements that the first lacks; the first as many that it lacks.
+  [[nodiscard]] bool closes(const Design& coarse, std::size_t g) const {
+    const auto in_first = [&](Element x) { return first_group_.contains(x); };
+    return coarse.block_count() > 2 &&
+           k_ - static_cast<std::size_t>(
+                    std::ranges::count_if(coarse.block(coarse.block_count() - 1), in_first)) ==
+               g;
+  }
+  // Whether nothing may be put into this group that the first one has.
+  [[nodiscard]] bool meets_the_first(Element x, std::size_t j) const {
+    return j >= enters_.size() && first_group_.contains(x);
+  }
+
   [[nodiscard]] bool inside(Element x) const { return group_of_[x] == group_; }
   // Whether it was in the group before; it may be in this one as well.
   [[nodiscard]] bool before(Element x) const {
@@ -89,7 +103,8 @@ class Coarsening {
     if (lacking > 0) {
       std::vector<std::pair<std::size_t, Element>> free;
       for (Element x = 0; x < design_.v(); ++x) {
-        if (!inside(x) && !before(x) && (j >= enters_.size() || x != enters_[j])) {
+        if (!inside(x) && !before(x) && !meets_the_first(x, j) &&
+            (j >= enters_.size() || x != enters_[j])) {
           free.emplace_back(next_coming(x, j), x);
         }
       }
@@ -102,6 +117,9 @@ class Coarsening {
       for (std::size_t n = 0; n < lacking; ++n) {
         add(block, free[n].second);
       }
+    }
+    if (group_ == 0 && design_.parameters().kind == Kind::circular) {
+      first_group_.insert(block.begin(), block.end());
     }
     previous_ = block;
     std::sort(previous_.begin(), previous_.end());
@@ -125,14 +143,14 @@ class Coarsening {
   std::vector<std::size_t> read_;                // by element: of these
   std::vector<Element> enters_;                  // by block
   Block previous_;                               // the group before, sorted
+  std::set<Element> first_group_;                // of a circular design
 };
 
 }  // namespace
 
 std::optional<Design> coarsened(const Design& design, std::uint64_t g, std::uint64_t first) {
   Parameters p = design.parameters();
-  if (p.kind != Kind::linear || p.change != 1 || g < 2 || first < 1 || first > g ||
-      p.k + g - 1 >= p.v) {
+  if (p.change != 1 || g < 2 || first < 1 || first > g || p.k + g - 1 >= p.v) {
     return std::nullopt;
   }
   p.k += g - 1;

@@ -6,15 +6,20 @@
 // elsewhere too. A linear design leaves it out.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "construct/entry.hpp"
 #include "construct/tools/swaps.hpp"
+#include "construct/tools/unions.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {
@@ -85,9 +90,31 @@ class LegsOfWindows : public SwapPlan {
   Kind kind_;
 };
 
+/// Legs in which 0, …, r−1 are left out and others hold their places in the windows: nobody does at the window that the
+/// linear list begins after, that of K+r−1, and r, …, K+r−1 are there at the end of window −1. Element x is number x−r.
+class LegsWithHeldPlaces : public LegsOfWindows {
+ public:
+  LegsWithHeldPlaces(std::uint64_t k, const Deletion& deletion, Kind kind)
+      : LegsOfWindows({k, deletion}, kind, k - 1 + deletion.r - 1) {}
+
+ protected:
+  [[nodiscard]] Block last_of(std::uint64_t j) const final {
+    const std::uint64_t next = j == numbers().u - 1 ? numbers().r : j + 1;
+    Block block(static_cast<std::size_t>(numbers().big));
+    std::iota(block.begin(), block.end(), static_cast<Element>(number(next)));
+    block.push_back(static_cast<Element>(number(j)));
+    return block;
+  }
+
+  [[nodiscard]] bool deleted(std::uint64_t x) const { return x < numbers().r; }
+  [[nodiscard]] std::uint64_t number(std::uint64_t x) const { return x - numbers().r; }
+};
+
+/// A family of change number 1 or, if its lists permit it (tools/unions.hpp), of every change number.
 class WithoutNeighbours : public Family {
  protected:
-  using Family::Family;
+  explicit WithoutNeighbours(const Description& description, bool unions = false)
+      : Family(description), unions_(unions) {}
 
   /// r > 0; k ≥ 3.
   [[nodiscard]] virtual bool serves(std::uint64_t k, const Deletion& deletion) const = 0;
@@ -99,33 +126,52 @@ class WithoutNeighbours : public Family {
                                                 const Deletion& deletion) const = 0;
 
  private:
-  [[nodiscard]] std::optional<Deletion> deletion_of(const Parameters& p) const {
-    if (!asks_for_pairs(p, 1) || p.k < 3 || p.v <= 2 * p.k) {
-      return std::nullopt;
-    }
-    const std::uint64_t around = 2 * (p.k - 1);
-    const Deletion deletion{(p.v - 2) / around + 1, around - 1 - (p.v - 2) % around};
-    return deletion.r > 0 && serves(p.k, deletion) ? std::optional(deletion) : std::nullopt;
+  // The single-change design that p's blocks are unions of.
+  [[nodiscard]] static Parameters single(Parameters p) {
+    p.k -= p.change - 1;
+    p.change = 1;
+    return p;
   }
 
-  [[nodiscard]] std::uint64_t block_count(const Parameters& p, const Deletion& deletion) const {
+  [[nodiscard]] std::optional<Deletion> deletion_of(const Parameters& p) const {
+    const bool unites = p.change > 1;
+    if (!asks_for_pairs(p, p.change) || p.change == 0 || (unites && !unions_)) {
+      return std::nullopt;
+    }
+    const Parameters q = single(p);
+    if (q.k < 3 || q.v <= 2 * q.k || (unites && !unions_fit(q.k - 1, p.change))) {
+      return std::nullopt;
+    }
+    const std::uint64_t around = 2 * (q.k - 1);
+    const Deletion deletion{(q.v - 2) / around + 1, around - 1 - (q.v - 2) % around};
+    return deletion.r > 0 && serves(q.k, deletion) ? std::optional(deletion) : std::nullopt;
+  }
+
+  [[nodiscard]] std::uint64_t single_count(const Parameters& p, const Deletion& deletion) const {
     return checked_multiply(deletion.c, p.v + deletion.r) - saved(deletion) -
            (p.kind == Kind::linear ? 1 : 0);
   }
 
   [[nodiscard]] std::optional<Promise> promise(const Parameters& p) const final {
     const auto deletion = deletion_of(p);
-    return deletion ? std::optional(Promise{.b = block_count(p, *deletion)}) : std::nullopt;
+    return deletion ? std::optional(Promise{.b = ceil_div(single_count(p, *deletion), p.change)})
+                    : std::nullopt;
   }
 
   [[nodiscard]] std::unique_ptr<BlockSource> blocks(const Parameters& p) const final {
     const Deletion deletion = deletion_of(p).value();
-    return std::make_unique<SwapSource>(p, block_count(p, deletion), steps(p.k, deletion, p.kind));
+    const Parameters q = single(p);
+    auto source =
+        std::make_unique<SwapSource>(q, single_count(p, deletion), steps(q.k, deletion, p.kind));
+    return p.change == 1 ? std::move(source) : unions_of_blocks(std::move(source), p.change);
   }
 
   [[nodiscard]] std::string explanation(const Parameters& p) const final {
-    return explanation(p, deletion_of(p).value());
+    const std::string text = explanation(single(p), deletion_of(p).value());
+    return p.change == 1 ? text : fmt::format("{} Unite {} consecutive blocks.", text, p.change);
   }
+
+  bool unions_;
 };
 
 }  // namespace changeover

@@ -22,7 +22,7 @@ Parameters finer(Parameters p) {
 constexpr Description description{
     .name = "coarsen",
     .summary = "m consecutive blocks of a single-change design in one, for an m-change design",
-    .preconditions = "linear, m >= 2; a single-change design on (v,k-m+1) as input",
+    .preconditions = "m >= 2; a single-change design on (v,k-m+1) of the same kind as input",
     .guarantee = "the m-th part of the input's blocks, rarely a few more",
     .place = "src/construct/tools/coarsen.hpp",
 };
@@ -56,12 +56,11 @@ class Coarsen final : public Entry {
     const Parameters& p = recipe.parameters;
     const auto given = recipe.arguments.find("first");
     if (given == recipe.arguments.end() || given->second < 1 || p.change < 2 ||
-        static_cast<std::uint64_t>(given->second) > p.change || p.kind != Kind::linear ||
-        p.k >= p.v || finer(p).k < 2) {
-      throw BadInput(
-          fmt::format("coarsen to {} takes a linear single-change design on ({},{}) and how many "
-                      "blocks come first",
-                      changeover::name(p), p.v, finer(p).k));
+        static_cast<std::uint64_t>(given->second) > p.change || p.k >= p.v || finer(p).k < 2) {
+      throw BadInput(fmt::format(
+          "coarsen to {} takes a single-change design of its kind on ({},{}) and how many "
+          "blocks come first",
+          changeover::name(p), p.v, finer(p).k));
     }
     require_input(recipe, finer(p), {{"first", given->second}});
     return static_cast<std::uint64_t>(given->second);

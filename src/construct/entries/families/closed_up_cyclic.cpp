@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -21,21 +20,11 @@ namespace changeover {
 namespace {
 
 // Leg j makes the blocks with W_j.
-class ClosedUpCycle final : public LegsOfWindows {
+class ClosedUpCycle final : public LegsWithHeldPlaces {
  public:
-  ClosedUpCycle(std::uint64_t k, const Deletion& deletion, Kind kind)
-      : LegsOfWindows({k, deletion}, kind, k - 1 + deletion.r - 1) {}
+  using LegsWithHeldPlaces::LegsWithHeldPlaces;
 
  protected:
-  // Asked for j = u−1, where the next K elements that are left are there, and for j = K+r−1, where nobody holds a place.
-  [[nodiscard]] Block last_of(std::uint64_t j) const override {
-    const std::uint64_t next = j == numbers().u - 1 ? numbers().r : j + 1;
-    Block block(static_cast<std::size_t>(numbers().big));
-    std::iota(block.begin(), block.end(), static_cast<Element>(number(next)));
-    block.push_back(static_cast<Element>(number(j)));
-    return block;
-  }
-
   [[nodiscard]] std::vector<Swap> swaps_of(std::uint64_t j) const override {
     std::vector<Swap> swaps;
     std::uint64_t out = leaving_before(j);
@@ -58,9 +47,6 @@ class ClosedUpCycle final : public LegsOfWindows {
   }
 
  private:
-  [[nodiscard]] bool deleted(std::uint64_t x) const { return x < numbers().r; }
-  [[nodiscard]] std::uint64_t number(std::uint64_t x) const { return x - numbers().r; }
-
   // Who makes room when the window moves to W_j: j−1, or if there is no such element the last visitor of W_{j−1}.
   [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
     const std::uint64_t before = (j + numbers().u - 1) % numbers().u;

@@ -1,4 +1,4 @@
-// Tight circular single-change designs without some neighbours: closed-up-cyclic and substituted-cyclic.
+// Tight circular single-change designs without some neighbours: closed-up-cyclic, even-visits, substituted-cyclic.
 #include <gtest/gtest.h>
 
 #include "changeover/bounds/lower_bound.hpp"
@@ -85,10 +85,68 @@ TEST(SubstitutedCyclic, IsAsPromisedOverAllOfItsGaps) {
   });
 }
 
+TEST(EvenVisits, IsAsPromisedOverAllOfItsGaps) {
+  std::size_t built = 0;
+  for_each_v(10, 6, [&](std::uint64_t v, std::uint64_t k, const Place& place) {
+    for (const Kind kind : {Kind::circular, Kind::linear}) {
+      const auto offer = offer_of("even-visits", parameters(v, k, kind));
+      ASSERT_EQ(offer.has_value(), place.c >= 2 && place.r > 0 && place.r < k) << v << ' ' << k;
+      if (offer) {
+        EXPECT_EQ(offer->b + (kind == Kind::linear ? 1 : 0),
+                  place.c * (v + place.r) - (2 * place.c - 1) * place.r);
+        expect_as_promised(*offer);
+        ++built;
+      }
+    }
+  });
+  EXPECT_EQ(built, 2U * 5U * (2 + 3 + 4 + 5 + 6 + 7 + 8 + 9));  // K values of r for each c
+}
+
+// The m-th part of the blocks of the single-change list, rounded up.
+TEST(EvenVisits, UnionsAreAsPromisedForEveryChangeNumber) {
+  std::size_t built = 0;
+  for (std::uint64_t m = 2; m <= 5; ++m) {
+    for (std::uint64_t k = m + 2; k <= 3 * m + 3; ++k) {
+      const std::uint64_t small_k = k - m + 1;
+      for (std::uint64_t v = 2 * small_k + 1; v <= 8 * (small_k - 1) + 1; ++v) {
+        const Place place = place_of(v, small_k);
+        for (const Kind kind : {Kind::circular, Kind::linear}) {
+          const auto offer = offer_of("even-visits", {v, k, m, kind, 2});
+          ASSERT_EQ(offer.has_value(),
+                    place.c >= 2 && place.r > 0 && place.r < small_k && small_k > 2 * m)
+              << v << ' ' << k << ' ' << m;
+          if (offer) {
+            const auto single = offer_of("even-visits", parameters(v, small_k, kind));
+            ASSERT_TRUE(single);
+            EXPECT_EQ(offer->b, (single->b + m - 1) / m);
+            expect_as_promised(*offer);
+            ++built;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(built, 500U);
+}
+
+TEST(EvenVisits, SupersedesWhatSavesLessForEachElement) {
+  for_each_v(16, 5, [](std::uint64_t v, std::uint64_t k, const Place& place) {
+    const auto even = offer_of("even-visits", parameters(v, k));
+    if (even && place.c >= 3) {
+      EXPECT_LT(even->b, offer_of("closed-up-cyclic", parameters(v, k))->b);
+      EXPECT_LT(even->b, offer_of("substituted-cyclic", parameters(v, k))->b);
+    }
+    // One and two elements fewer than the tight design: one block over the bound.
+    if (even && place.r <= 2) {
+      EXPECT_EQ(even->b, (v * (v - 1) / 2 + k - 2) / (k - 1) + 1) << v << ' ' << k;
+    }
+  });
+}
+
 TEST(CyclicWithoutNeighbours, LargeOnesAreValid) {
   for (const auto& [v, k] :
        {std::pair<std::uint64_t, std::uint64_t>{285, 30}, {265, 30}, {320, 17}}) {
-    for (const char* name : {"closed-up-cyclic", "substituted-cyclic"}) {
+    for (const char* name : {"closed-up-cyclic", "even-visits", "substituted-cyclic"}) {
       for (const Kind kind : {Kind::circular, Kind::linear}) {
         const auto offer = offer_of(name, parameters(v, k, kind));
         ASSERT_TRUE(offer) << name << ' ' << v;
@@ -103,6 +161,11 @@ TEST(CyclicWithoutNeighbours, RefuseSpoiltRecipes) {
     expect_spoilt_recipes_refused(offer_of(name, parameters(17, 4))->recipe,
                                   {.any_v = true, .any_kind = true});
   }
+  for (const Parameters& p : {Parameters{44, 7, 1, Kind::linear, 2}, {27, 7, 2, Kind::linear, 2}}) {
+    expect_spoilt_recipes_refused(offer_of("even-visits", p)->recipe,
+                                  {.any_v = true, .any_kind = true});
+  }
+  EXPECT_FALSE(offer_of("even-visits", {39, 7, 4, Kind::linear, 2}));  // K < 2m
   EXPECT_FALSE(offer_of("closed-up-cyclic", parameters(25, 7)));
   EXPECT_FALSE(offer_of("closed-up-cyclic", parameters(18, 7)));
   EXPECT_FALSE(offer_of("substituted-cyclic", parameters(22, 7)));

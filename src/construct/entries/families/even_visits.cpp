@@ -1,0 +1,92 @@
+// The tight circular SCCD(2cK+1, k), K = k−1, with visits at even distances, without r ≤ K of its elements: a circular SCCD(2cK+1−r, k)
+// with c(2cK+1) − (2c−1)r blocks, and a linear one with one block fewer [docs/theorems.md, Theorem 12]. Unions of m consecutive blocks are
+// m-change designs.
+//
+// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+oK), o = 2c−2, 2c−4, …, 2 and then o = 1, for j = 0, …, u−1. Let
+// D = {0, …, r−1} be the elements that are left out. d+K, for d in D, enters at (j, o) = (d−K, 2) only. From there it stays, in the place
+// of d and then in its own, until the window has passed it. So each of D saves its own c entries and c−1 of another element.
+//
+// Element x is number x − r. The first block of a circular design is {u−1, r, …, r+K−1}.
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "changeover/construct/registry.hpp"
+#include "construct/tools/without_neighbours.hpp"
+
+namespace changeover {
+namespace {
+
+// Leg j makes the blocks with W_j.
+class EvenVisits final : public LegsWithHeldPlaces {
+ public:
+  using LegsWithHeldPlaces::LegsWithHeldPlaces;
+
+ protected:
+  [[nodiscard]] std::vector<Swap> swaps_of(std::uint64_t j) const override {
+    std::vector<Swap> swaps;
+    std::uint64_t out = leaving_before(j);
+    const auto enter = [&](std::uint64_t o) {
+      const std::uint64_t x = (j + o * numbers().big) % numbers().u;
+      if (!deleted(x) && (o == 2 || !holds_a_place(x))) {
+        swaps.push_back({.leaves = number(out), .enters = number(x)});
+        out = x;
+      }
+    };
+    for (std::uint64_t o = 2 * numbers().c - 2; o >= 2; o -= 2) {
+      enter(o);
+    }
+    enter(1);
+    return swaps;
+  }
+
+ private:
+  [[nodiscard]] bool holds_a_place(std::uint64_t x) const {
+    return x >= numbers().big && deleted(x - numbers().big);
+  }
+
+  // Who makes room when the window moves to W_j: j−1, or if there is no such element the last visitor of W_{j−1}.
+  [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
+    const std::uint64_t before = (j + numbers().u - 1) % numbers().u;
+    return deleted(before) ? before + 2 * numbers().big : before;
+  }
+};
+
+constexpr Description description{
+    .name = "even-visits",
+    .summary = "a tight circular single-change design without some neighbours, others stay once",
+    .preconditions = "v = 2cK+1-r, K = k-m >= 2, c >= 2, 1 <= r <= K; K >= 2m if m > 1",
+    .guarantee = "b = c(2cK+1) - (2c-1)r, linear 1 less; the m-th part of it if m > 1",
+    .place = "docs/theorems.md, Theorem 12",
+};
+
+class EvenVisitsFamily final : public WithoutNeighbours {
+ public:
+  EvenVisitsFamily() : WithoutNeighbours(description, true) {}
+
+ protected:
+  bool serves(std::uint64_t k, const Deletion& deletion) const override {
+    return deletion.c >= 2 && deletion.r < k;
+  }
+  std::uint64_t saved(const Deletion& deletion) const override {
+    return (2 * deletion.c - 1) * deletion.r;
+  }
+  std::unique_ptr<SwapPlan> steps(std::uint64_t k, const Deletion& deletion,
+                                  Kind kind) const override {
+    return std::make_unique<EvenVisits>(k, deletion, kind);
+  }
+  std::string explanation(const Parameters& p, const Deletion& deletion) const override {
+    return fmt::format(
+        "In the tight circular SCCD({},{}) of {} windows, visited at even distances, leave out {} neighbours; in place of "
+        "each, another element stays once and visits no more.",
+        p.v + deletion.r, p.k, deletion.c, deletion.r);
+  }
+};
+
+}  // namespace
+
+const Construction& even_visits_construction() { return only<EvenVisitsFamily>(); }
+
+}  // namespace changeover

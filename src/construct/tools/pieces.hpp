@@ -1,0 +1,72 @@
+// Pieces that are put after linear single-change designs: concatenation and rings [docs/theorems.md, Theorem 13].
+//
+//     const Piece piece = closing_piece(blocks, {7, 15, 32, 40});   // @throws BadInput if it is none
+//     auto longer = with_pieces(std::move(source), piece, 1000, larger);
+//
+// A *piece* is a list of blocks in which one element changes at each step, with *parts*: unchanged subsets, k−1 elements each, that are
+// disjoint. The elements in no part are the piece's *anchors*: k−1 in its first block or, for a ring, 2(k−1), k−1 of them in its first block and
+// the others in its last. After a design V the anchors are elements of V, those of the first block from the last
+// block of V, those of the last from the first of V; all other elements of the piece are new. At the position of each part U_i the blocks U_i ∪ {x} are
+// inserted for all x of V that are no anchors.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "changeover/construct/registry.hpp"
+#include "changeover/core/block.hpp"
+
+namespace changeover {
+
+struct Piece {
+  std::vector<Block> blocks;
+  std::vector<UnchangedSubset> parts;  ///< in order of position
+  Block first;                         ///< anchors in the first block, increasing
+  Block last;                          ///< anchors of the last block; none unless it closes a ring
+  Block fresh;                         ///< the elements of the parts, increasing
+
+  [[nodiscard]] std::uint64_t anchors() const { return first.size() + last.size(); }
+};
+
+/// A piece of blocks on 0, …, w−1, w ≤ 2^20, with the unchanged subsets at these positions as parts (1 is between the first two blocks). If the
+/// anchors are in the last block only, the list is reversed. @throws BadInput, in one line, if it is none.
+[[nodiscard]] Piece open_piece(std::vector<Block> blocks, const std::vector<Element>& positions);
+
+/// The same for a ring.
+[[nodiscard]] Piece closing_piece(std::vector<Block> blocks, const std::vector<Element>& positions);
+
+/// How many blocks a design of v elements and b blocks has after `times` such pieces. @throws ImpossibleParameters if they exceed
+/// 64 bits.
+[[nodiscard]] std::uint64_t count_with_pieces(std::uint64_t v, std::uint64_t b, const Piece& piece,
+                                              std::uint64_t times);
+
+/// The design with so many pieces after it, as a stream. `larger` has v + |fresh|·times elements. Memory of a piece and a block. Reading
+/// @throws BadInput if a ring's design has no disjoint anchors at its ends.
+[[nodiscard]] std::unique_ptr<BlockSource> with_pieces(std::unique_ptr<BlockSource> design,
+                                                       Piece piece, std::uint64_t times,
+                                                       const Parameters& larger);
+
+/// A piece that is written down: blocks as in short_blocks.hpp, positions of its parts.
+struct WrittenPiece {
+  std::uint64_t k = 0;
+  std::uint64_t w = 0;      ///< elements
+  std::uint64_t fresh = 0;  ///< how many of them are in parts
+  std::uint64_t b = 0;
+  std::string_view blocks{};
+  std::vector<Element> positions{};
+};
+
+/// Those for concatenation, and those that close rings, of least waste first.
+[[nodiscard]] const std::vector<WrittenPiece>& open_pieces();
+[[nodiscard]] const std::vector<WrittenPiece>& closing_pieces();
+
+/// The fewest blocks that concatenation makes for p, linear, of the registry's designs that are no concatenations, with one piece or more;
+/// or a written piece itself. nullopt if there is none.
+[[nodiscard]] std::optional<Offer> best_concatenation(const Parameters& p, const Registry& registry,
+                                                      bool pieces_alone);
+
+}  // namespace changeover
