@@ -8,7 +8,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 
-namespace changeover {
+namespace changeover::reported_test {
 namespace {
 
 constexpr Parameters reported_cell{.v = 26, .k = 6, .change = 1, .kind = Kind::linear};
@@ -49,4 +49,4 @@ TEST(Reported, nothing_is_below_a_bound_and_all_sources_are_in_the_references) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::reported_test

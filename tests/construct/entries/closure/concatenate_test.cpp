@@ -10,7 +10,7 @@
 #include "construct/tools/short_blocks.hpp"
 #include "construction_checks.hpp"
 
-namespace changeover {
+namespace changeover::concatenate_test {
 namespace {
 
 using namespace test;
@@ -238,4 +238,4 @@ TEST(Pieces, AreWhatTheySay) {
 }
 
 }  // namespace
-}  // namespace changeover
+}  // namespace changeover::concatenate_test
