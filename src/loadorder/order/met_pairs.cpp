@@ -183,7 +183,8 @@ void MetPairs::watch(const CheckOptions& options) {
   met_.assign(watched_.size(), std::vector<bool>(static_cast<std::size_t>(items_), false));
 }
 
-// Pairs that nobody wants are not missed. Where sets are wanted, an item has at most two runs of others.
+// Pairs that nobody wants are not missed. Where sets are wanted, an item has at most two runs of
+// others.
 void MetPairs::leave_out_unwanted() {
   for (Element x = 1; x < items_; ++x) {
     for (Element first = 0; first < x; first += 64) {

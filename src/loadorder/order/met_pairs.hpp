@@ -41,12 +41,13 @@ class SeenPairs {
   std::uint64_t size_ = 0;
 };
 
-/// What has been in one memory, in words: for rooms of many items. A pair belongs to the row of the one that came later as far as
-/// that has the larger name; when a name leaves, its row takes what came in the meantime, which is kept as a set for each
-/// so many arrivals.
+/// What has been in one memory, in words: for rooms of many items. A pair belongs to the row of the
+/// one that came later as far as that has the larger name; when a name leaves, its row takes what
+/// came in the meantime, which is kept as a set for each so many arrivals.
 class MetInWords {
  public:
-  /// since[x], shared by memories that never hold the same item: so many arrivals of its memory were before x left out.
+  /// since[x], shared by memories that never hold the same item: so many arrivals of its memory
+  /// were before x left out.
   MetInWords(std::uint64_t room, std::vector<std::uint32_t>& since);
 
   void arrive(Element name, PairSet& pairs);
@@ -78,7 +79,8 @@ class MetPairs {
   MetPairs(const MetPairs&) = delete;
   MetPairs& operator=(const MetPairs&) = delete;
 
-  /// x comes to what is in the `memory` of a worker; place[y] is not 0 for what is there, or in lockstep at any worker.
+  /// x comes to what is in the `memory` of a worker; place[y] is not 0 for what is there, or in
+  /// lockstep at any worker.
   void arrive(std::size_t worker, Element x, const std::vector<Element>& memory,
               const std::vector<std::uint32_t>& place);
   /// x leaves its place in the list of what is there, which the last one takes.

@@ -1,7 +1,8 @@
 // Internal: which step computes which pair.
 //
-// A pair belongs to the first step that has both items in memory, or on the accelerator; workers come
-// one after another, or step together. Within a step pairs are listed by the arrival of the later item, and those with
+// A pair belongs to the first step that has both items in memory, or on the accelerator; workers
+// come one after another, or step together. Within a step pairs are listed by the arrival of the
+// later item, and those with
 // an item that goes next come before the others of the last arrival. What goes next goes first only
 // as far as the next loads need its place.
 #pragma once
@@ -30,8 +31,8 @@ struct AssignedStep {
 
 class PairAssigner {
  public:
-  /// `lockstep`: so many workers step together; 0: one comes after another. Pairs meet in memory, or
-  /// where the room is, on the `accelerator`.
+  /// `lockstep`: so many workers step together; 0: one comes after another. Pairs meet in memory,
+  /// or where the room is, on the `accelerator`.
   PairAssigner(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {},
                std::size_t lockstep = 0, bool accelerator = false)
       : room_(room),

@@ -7,9 +7,9 @@
 
 namespace changeover {
 
-/// Where all pairs meet; of few items also what StepWork says is computed there, each pair once, which costs more than all else.
-/// Orders that are read anew with their pairs when these are shown need no more. @throws InternalError if the
-/// steps are wrong; `what` says whose.
+/// Where all pairs meet; of few items also what StepWork says is computed there, each pair once,
+/// which costs more than all else. Orders that are read anew with their pairs when these are shown
+/// need no more. @throws InternalError if the steps are wrong; `what` says whose.
 [[nodiscard]] ScheduleVerdict read_order(const LoadOrder::Maker& maker, ScheduleRules rules,
                                          const std::string& what);
 

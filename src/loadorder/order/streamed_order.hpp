@@ -13,7 +13,8 @@
 // (q−1)n + 1, …, qn. The 2c windows with the X's hold 0, …, v−2, and v−1 meets them at the end. The items in memory
 // when the first window comes are all but one dropped; that one is numbered 0. Otherwise number x is the item
 // 2cx modulo v, counted from the first that is left: then j+cn, …, j+n, of which there are c, are c items in a row.
-// Whatever reads ahead, and disks that turn, can make use of that. Verification is slower by it, since
+// Whatever reads ahead, and disks that turn, can make use of that. Verification is slower by it,
+// since
 // the pairs of a window no longer share cache lines; names_by_window() mends that.
 #pragma once
 
@@ -54,8 +55,9 @@ struct StreamedShape {
 [[nodiscard]] std::unique_ptr<StepSource> streamed_steps(const StreamedShape& shape);
 
 /// For CheckOptions::kept_as: names by which a window is consecutive numbers, so that an item which passes needs one
-/// cache line of pairs, and the next windows need the same lines. At P = 65,535 that makes the check 1.3 times as fast
-/// for C = 40 and for C = 500, and shares of 10,000 workers 1.6 times. None without windows.
+/// cache line of pairs, and the next windows need the same lines. At P = 65,535 that makes the
+/// check 1.3 times as fast for C = 40 and for C = 500, and shares of 10,000 workers 1.6 times. None
+/// without windows.
 [[nodiscard]] std::vector<Element> names_by_window(const StreamedShape& shape);
 
 /// Checks the differences of the base blocks; says how in one line. @throws InternalError if they are not

@@ -18,8 +18,8 @@
 namespace changeover {
 namespace {
 
-/// The orders for the accelerator, each made once: `fresh` items with each other and with `others`, or with the others alone. For any
-/// thread.
+/// The orders for the accelerator, each made once: `fresh` items with each other and with `others`,
+/// or with the others alone. For any thread.
 class InnerOrders {
  public:
   explicit InnerOrders(std::uint64_t room) : room_(room) {}
@@ -371,7 +371,8 @@ struct Offer {
   LoadOrder::Maker maker;
 };
 
-// The first of those that cost least, loads and transfers being measured by the fewest there can be.
+// The first of those that cost least, loads and transfers being measured by the fewest there can
+// be.
 Offer best_of(std::vector<Offer> offers, const LoadOrderFacts& bounds) {
   const auto cost = [&](const Offer& offer) {
     std::uint64_t loads = 0;

@@ -11,8 +11,8 @@
 
 namespace changeover {
 
-/// Elements, in words of 64: of those that are close to each other many in one word. Only words that hold some are kept, in
-/// order. O(words) a change, O(log words) if the word is there already.
+/// Elements, in words of 64: of those that are close to each other many in one word. Only words
+/// that hold some are kept, in order. O(words) a change, O(log words) if the word is there already.
 class WordSet {
  public:
   using Word = std::pair<std::uint32_t, std::uint64_t>;  // elements from 64 · first, a bit each

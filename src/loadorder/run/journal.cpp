@@ -158,9 +158,16 @@ void Journal::check_head(const std::string& found, const std::vector<JournalFiel
   std::size_t at = title.size();
   for (const JournalField& field : job) {
     const std::string part = part_of_head(field);
-    // The last separator is the end of the line.
-    if (at > found.size() || found.compare(at, part.size() - 2, part, 0, part.size() - 2) != 0) {
+    // With the semicolon: "shares 4" is no beginning of "shares 4, even in loads". Behind the last
+    // one the line ends.
+    if (at > found.size() || found.compare(at, part.size() - 1, part, 0, part.size() - 1) != 0) {
       differs = field.name;
+      const std::size_t value = at + field.name.size() + 1;
+      if (field.name == "shares" && value < found.size()) {
+        differs += fmt::format(", there '{}', now '{}'",
+                               found.substr(value, found.find_first_of(";\n", value) - value),
+                               field.value);
+      }
       break;
     }
     at += part.size();

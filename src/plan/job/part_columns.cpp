@@ -24,8 +24,8 @@ bool like_a_number(std::string_view text) {
   return !text.empty() && std::string_view("0123456789.,+-").find(text.front()) != text.npos;
 }
 
-// The words of a heading in lower case: what stands between blanks and signs, or begins with a capital in the middle of
-// "changeCost".
+// The words of a heading in lower case: what stands between blanks and signs, or begins with a
+// capital in the middle of "changeCost".
 std::vector<std::string> words_of(std::string_view text) {
   const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
   const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };

@@ -33,5 +33,40 @@ TEST(Journal, AFirstLineThatEndsAnywhereIsNewOrAnotherJobs) {
   }
 }
 
+TEST(Journal, SaysWhatIsAnother) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("journal");
+  const auto job = [](const std::string& name, const std::string& shares) {
+    return std::vector<JournalField>{{"job", name}, {"order", "a; b"}, {"shares", shares}};
+  };
+  const auto complaint = [&](const std::vector<JournalField>& fields) -> std::string {
+    try {
+      Journal(path, fields, 20);
+    } catch (const BadInput& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  { Journal(path, job("sums", "4"), 20).begin(); }
+  EXPECT_EQ(complaint(job("sums", "4")), "");
+  EXPECT_NE(complaint(job("sum", "4")).find("differs in: job; name another file"),
+            std::string::npos);
+  // One that begins like the other, both ways round: shares that were cut by another rule.
+  EXPECT_NE(
+      complaint(job("sums", "4, even in loads"))
+          .find("differs in: shares, there '4', now '4, even in loads'; name another file, or "
+                "remove this one to begin anew"),
+      std::string::npos)
+      << complaint(job("sums", "4, even in loads"));
+  { Journal(folder.file("even"), job("sums", "4, even in loads"), 20).begin(); }
+  try {
+    Journal(folder.file("even"), job("sums", "4"), 20);
+    ADD_FAILURE() << "it is of other shares";
+  } catch (const BadInput& fault) {
+    EXPECT_NE(std::string(fault.what()).find("differs in: shares, there '4"), std::string::npos)
+        << fault.what();
+  }
+}
+
 }  // namespace
 }  // namespace changeover::test::journal_test

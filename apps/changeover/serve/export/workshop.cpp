@@ -147,7 +147,8 @@ void Workshop::refuse_what_is_no_site() {
   refuse_where_we_are();
 }
 
-// The new folder takes the place of the one that is there, which goes: whoever is in it would be nowhere.
+// The new folder takes the place of the one that is there, which goes: whoever is in it would be
+// nowhere.
 void Workshop::refuse_where_we_are() const {
   std::error_code fault;
   const fs::path here = fs::canonical(".", fault);
