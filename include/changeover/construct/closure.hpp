@@ -97,8 +97,9 @@ struct Made {
 /// it, or better. `design` is what the input builds. nullopt if it is no such design or v ≤ k + 1. O(bk).
 [[nodiscard]] std::optional<Made> close_up_recipe(const Recipe& input, const Design& design);
 
-/// *Coarsen*: g consecutive blocks of a single-change design on (v,k) in one, a g-change design on (v, k+g−1) of the
-/// same kind. `design` is what the input builds. nullopt if that cannot be done. O(gbk).
+/// *Coarsen*: g consecutive blocks of a single-change design on (v,k) in one, a g-change design on
+/// (v, k+g−1) of the same kind. `design` is what the input builds. nullopt if that cannot be done.
+/// O(gbk).
 [[nodiscard]] std::optional<Made> coarsen_recipe(const Recipe& input, const Design& design,
                                                  std::uint64_t g);
 
@@ -126,10 +127,11 @@ struct CoverPositions {
                                                                    const CoverPositions& cover,
                                                                    std::uint64_t w);
 
-/// *Concatenate*: a linear single-change design with another one after it, `times` times. k−1 elements of its last block are those
-/// elements of the second that the unchanged subsets at these positions (increasing, 1 is between the first two blocks) leave
-/// out; these must be in its first or last block, the subsets disjoint. Each time w−k+1 elements are added. What does not fit is refused when the
-/// recipe is built. @throws ImpossibleParameters if the elements exceed 64 bits.
+/// *Concatenate*: a linear single-change design with another one after it, `times` times. The
+/// unchanged subsets of the second at these positions (increasing, 1 is between the first two
+/// blocks) must be disjoint and leave out k−1 elements, which are in its first or its last block:
+/// they become elements of the block before. Each time w−k+1 elements are added. What does not fit
+/// is refused when the recipe is built. @throws ImpossibleParameters if the elements exceed 64 bits.
 [[nodiscard]] Recipe concatenate_recipe(Recipe first, Recipe second, std::vector<Element> positions,
                                         std::uint64_t times = 1);
 

@@ -20,7 +20,8 @@
 namespace changeover {
 namespace {
 
-// How large the bases are that pieces are put after; any larger one is such a base with pieces, or has no fewer blocks.
+// How large the bases are that pieces are put after; any larger one is such a base with pieces,
+// or has no fewer blocks.
 constexpr std::uint64_t largest_base = 48;
 // How often a piece is taken that has waste.
 constexpr std::uint64_t most_of_the_worse = 3;

@@ -1,13 +1,16 @@
-// Pieces that are put after linear single-change designs: concatenation and rings [docs/theorems.md, Theorem 13].
+// Pieces that are put after linear single-change designs: concatenation and rings
+// [docs/theorems.md, Theorem 13].
 //
-//     const Piece piece = closing_piece(blocks, {7, 15, 32, 40});   // @throws BadInput if it is none
+//     const Piece piece = open_piece(blocks, {8, 16, 33, 41});
 //     auto longer = with_pieces(std::move(source), piece, 1000, larger);
 //
-// A *piece* is a list of blocks in which one element changes at each step, with *parts*: unchanged subsets, k−1 elements each, that are
-// disjoint. The elements in no part are the piece's *anchors*: k−1 in its first block or, for a ring, 2(k−1), k−1 of them in its first block and
-// the others in its last. After a design V the anchors are elements of V, those of the first block from the last
-// block of V, those of the last from the first of V; all other elements of the piece are new. At the position of each part U_i the blocks U_i ∪ {x} are
-// inserted for all x of V that are no anchors.
+// A *piece* is a list of blocks in which one element changes at each step, with *parts*:
+// unchanged subsets, k−1 elements each, that are disjoint. The elements in no part are the
+// piece's *anchors*: k−1 in its first block or, for a ring, 2(k−1), k−1 of them in its first
+// block and the others in its last. After a design V the anchors are elements of V, those of the
+// first block from the last block of V, those of the last from the first of V; all other elements
+// of the piece are new. At the position of each part U_i the blocks U_i ∪ {x} are inserted for
+// all x of V that are no anchors.
 #pragma once
 
 #include <cstddef>
@@ -32,19 +35,21 @@ struct Piece {
   [[nodiscard]] std::uint64_t anchors() const { return first.size() + last.size(); }
 };
 
-/// A piece of blocks on 0, …, w−1, w ≤ 2^20, with the unchanged subsets at these positions as parts (1 is between the first two blocks). If the
-/// anchors are in the last block only, the list is reversed. @throws BadInput, in one line, if it is none.
+/// A piece of blocks on 0, …, w−1, w ≤ 2^20, with the unchanged subsets at these positions as
+/// parts (1 is between the first two blocks). If the anchors are in the last block only, the list
+/// is reversed. @throws BadInput, in one line, if it is none.
 [[nodiscard]] Piece open_piece(std::vector<Block> blocks, const std::vector<Element>& positions);
 
 /// The same for a ring.
 [[nodiscard]] Piece closing_piece(std::vector<Block> blocks, const std::vector<Element>& positions);
 
-/// How many blocks a design of v elements and b blocks has after `times` such pieces. @throws ImpossibleParameters if they exceed
-/// 64 bits.
+/// How many blocks a design of v elements and b blocks has after `times` such pieces. @throws
+/// ImpossibleParameters if they exceed 64 bits.
 [[nodiscard]] std::uint64_t count_with_pieces(std::uint64_t v, std::uint64_t b, const Piece& piece,
                                               std::uint64_t times);
 
-/// The design with so many pieces after it, as a stream. `larger` has v + |fresh|·times elements. Memory of a piece and a block. Reading
+/// The design with so many pieces after it, as a stream. `larger` has v + |fresh|·times elements.
+/// Memory of a piece and a block. Reading
 /// @throws BadInput if a ring's design has no disjoint anchors at its ends.
 [[nodiscard]] std::unique_ptr<BlockSource> with_pieces(std::unique_ptr<BlockSource> design,
                                                        Piece piece, std::uint64_t times,
@@ -64,8 +69,9 @@ struct WrittenPiece {
 [[nodiscard]] const std::vector<WrittenPiece>& open_pieces();
 [[nodiscard]] const std::vector<WrittenPiece>& closing_pieces();
 
-/// The fewest blocks that concatenation makes for p, linear, of the registry's designs that are no concatenations, with one piece or more;
-/// or a written piece itself. nullopt if there is none.
+/// The fewest blocks that concatenation makes for p, linear, of the registry's designs that are
+/// no concatenations, with one piece or more; or a written piece itself. nullopt if there is
+/// none.
 [[nodiscard]] std::optional<Offer> best_concatenation(const Parameters& p, const Registry& registry,
                                                       bool pieces_alone);
 

@@ -1,9 +1,10 @@
-// Families that leave out neighbours of the tight circular SCCD(2cK+1, k), K = k−1: v = 2cK+1−r, 0 < r < 2K.
+// Families that leave out neighbours of the tight circular SCCD(2cK+1, k), K = k−1: v = 2cK+1−r,
+// 0 < r < 2K.
 //
 //     class ClosedUp final : public WithoutNeighbours { … };  // says which it serves, what it saves, and the legs
 //
-// In each of these designs some block is needed for one pair only if the list begins with the next block, and this pair meets
-// elsewhere too. A linear design leaves it out.
+// In each of these designs some block is needed for one pair only if the list begins with the
+// next block, and this pair meets elsewhere too. A linear design leaves it out.
 #pragma once
 
 #include <fmt/format.h>
@@ -41,9 +42,9 @@ struct CycleNumbers {
   std::uint64_t r;
 };
 
-/// The steps of such a design, a leg for each of the u = 2cK+1 windows. The circular list begins with the last block of
-/// window −1. The linear list begins after the last step of window `before`, with the block that its next step makes;
-/// that last step's own block is left out.
+/// The steps of such a design, a leg for each of the u = 2cK+1 windows. The circular list begins
+/// with the last block of window −1. The linear list begins after the last step of window
+/// `before`, with the block that its next step makes; that last step's own block is left out.
 class LegsOfWindows : public SwapPlan {
  public:
   LegsOfWindows(const CycleNumbers& numbers, Kind kind, std::uint64_t before)
@@ -90,8 +91,9 @@ class LegsOfWindows : public SwapPlan {
   Kind kind_;
 };
 
-/// Legs in which 0, …, r−1 are left out and others hold their places in the windows: nobody does at the window that the
-/// linear list begins after, that of K+r−1, and r, …, K+r−1 are there at the end of window −1. Element x is number x−r.
+/// Legs in which 0, …, r−1 are left out and others hold their places in the windows: nobody does
+/// at the window that the linear list begins after, that of K+r−1, and r, …, K+r−1 are there at
+/// the end of window −1. Element x is number x−r.
 class LegsWithHeldPlaces : public LegsOfWindows {
  public:
   LegsWithHeldPlaces(std::uint64_t k, const Deletion& deletion, Kind kind)
@@ -110,7 +112,8 @@ class LegsWithHeldPlaces : public LegsOfWindows {
   [[nodiscard]] std::uint64_t number(std::uint64_t x) const { return x - numbers().r; }
 };
 
-/// A family of change number 1 or, if its lists permit it (tools/unions.hpp), of every change number.
+/// A family of change number 1 or, if its lists permit it (tools/unions.hpp), of every change
+/// number.
 class WithoutNeighbours : public Family {
  protected:
   explicit WithoutNeighbours(const Description& description, bool unions = false)

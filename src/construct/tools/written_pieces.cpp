@@ -1,4 +1,5 @@
-// The pieces that are written down. Each was found by annealing in which the cells of its parts were locked.
+// The pieces that are written down. Each was found by annealing in which the cells of its parts
+// were locked.
 #include <vector>
 
 #include "construct/tools/pieces.hpp"

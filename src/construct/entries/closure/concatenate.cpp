@@ -1,7 +1,9 @@
-// Concatenate: linear single-change designs V and W one after the other, where k−1 elements at the end of V serve W too.
+// Concatenate: linear single-change designs V and W one after the other, where k−1 elements at
+// the end of V serve W too.
 //
-// The recipe's inputs are V and W; its list of positions names unchanged subsets of W that partition W without k−1 elements of its
-// first or last block. `times` says how often W comes. See construct/tools/pieces.hpp.
+// The recipe's inputs are V and W; its list of positions names unchanged subsets of W that
+// partition W without k−1 elements of its first or last block. `times` says how often W comes.
+// See construct/tools/pieces.hpp.
 #include <fmt/format.h>
 
 #include <utility>
@@ -49,8 +51,9 @@ class Concatenate final : public Entry {
     const std::uint64_t times = required_times(recipe);
     const Parameters& second = recipe.inputs[1].parameters;
     return fmt::format(
-        "After the {} put the {}{}: {} elements at the end of what is there are the new one's too, the others new; beside {} "
-        "unchanged subsets, which hold all of these, every old element is inserted.",
+        "After the {} put the {}{}: {} elements at the end of what is there are the new one's too, "
+        "the others new; beside {} unchanged subsets, which hold all of these, every old element "
+        "is inserted.",
         changeover::name(recipe.inputs[0].parameters), changeover::name(second),
         times == 1 ? "" : fmt::format(" {} times", times), second.k - 1,
         recipe.blocks.front().size());

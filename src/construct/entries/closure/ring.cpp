@@ -1,7 +1,9 @@
-// Ring: a linear single-change design made circular by a path from its last block to its first, on new elements.
+// Ring: a linear single-change design made circular by a path from its last block to its first,
+// on new elements.
 //
-// The recipe's input is the design; its first list names positions of the path, and the path's blocks follow. The elements in no
-// unchanged subset there are anchors: k−1 in the path's first block, k−1 in its last. See construct/tools/pieces.hpp.
+// The recipe's input is the design; its first list names positions of the path, and the path's
+// blocks follow. The elements in no unchanged subset there are anchors: k−1 in the path's first
+// block, k−1 in its last. See construct/tools/pieces.hpp.
 #include <fmt/format.h>
 
 #include <utility>
@@ -77,8 +79,8 @@ class Ring final : public Entry {
   std::string explain(const Recipe& recipe) const override {
     const Piece piece = path_of(recipe);
     return fmt::format(
-        "Close the {} by a path of {} blocks on {} new elements and {} at each of its ends; beside {} unchanged subsets, which "
-        "hold all new ones, every other element is inserted.",
+        "Close the {} by a path of {} blocks on {} new elements and {} at each of its ends; beside "
+        "{} unchanged subsets, which hold all new ones, every other element is inserted.",
         changeover::name(recipe.inputs.front().parameters), piece.blocks.size(), piece.fresh.size(),
         piece.first.size(), piece.parts.size());
   }

@@ -1,10 +1,13 @@
-// The tight circular SCCD(2cK+1, k), K = k−1, with visits at even distances, without r ≤ K of its elements: a circular SCCD(2cK+1−r, k)
-// with c(2cK+1) − (2c−1)r blocks, and a linear one with one block fewer [docs/theorems.md, Theorem 12]. Unions of m consecutive blocks are
-// m-change designs.
+// The tight circular SCCD(2cK+1, k), K = k−1, with visits at even distances, without r ≤ K of its
+// elements: a circular SCCD(2cK+1−r, k) with c(2cK+1) − (2c−1)r blocks, and a linear one with one
+// block fewer [docs/theorems.md, Theorem 12]. Unions of m consecutive blocks are m-change
+// designs.
 //
-// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+oK), o = 2c−2, 2c−4, …, 2 and then o = 1, for j = 0, …, u−1. Let
-// D = {0, …, r−1} be the elements that are left out. d+K, for d in D, enters at (j, o) = (d−K, 2) only. From there it stays, in the place
-// of d and then in its own, until the window has passed it. So each of D saves its own c entries and c−1 of another element.
+// With u = 2cK+1 and W_j = {j, …, j+K−1} over Z_u the tight design is W_j + (j+oK), o = 2c−2,
+// 2c−4, …, 2 and then o = 1, for j = 0, …, u−1. Let D = {0, …, r−1} be the elements that are left
+// out. d+K, for d in D, enters at (j, o) = (d−K, 2) only. From there it stays, in the place of d
+// and then in its own, until the window has passed it. So each of D saves its own c entries and
+// c−1 of another element.
 //
 // Element x is number x − r. The first block of a circular design is {u−1, r, …, r+K−1}.
 #include <fmt/format.h>
@@ -47,7 +50,8 @@ class EvenVisits final : public LegsWithHeldPlaces {
     return x >= numbers().big && deleted(x - numbers().big);
   }
 
-  // Who makes room when the window moves to W_j: j−1, or if there is no such element the last visitor of W_{j−1}.
+  // Who makes room when the window moves to W_j: j−1, or if there is no such element the last
+  // visitor of W_{j−1}.
   [[nodiscard]] std::uint64_t leaving_before(std::uint64_t j) const {
     const std::uint64_t before = (j + numbers().u - 1) % numbers().u;
     return deleted(before) ? before + 2 * numbers().big : before;
@@ -79,8 +83,8 @@ class EvenVisitsFamily final : public WithoutNeighbours {
   }
   std::string explanation(const Parameters& p, const Deletion& deletion) const override {
     return fmt::format(
-        "In the tight circular SCCD({},{}) of {} windows, visited at even distances, leave out {} neighbours; in place of "
-        "each, another element stays once and visits no more.",
+        "In the tight circular SCCD({},{}) of {} windows, visited at even distances, leave out {} "
+        "neighbours; in place of each, another element stays once and visits no more.",
         p.v + deletion.r, p.k, deletion.c, deletion.r);
   }
 };

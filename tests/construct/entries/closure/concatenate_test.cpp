@@ -19,7 +19,8 @@ Parameters single(std::uint64_t v, std::uint64_t k, Kind kind = Kind::linear) {
   return {v, k, 1, kind, 2};
 }
 
-// Four times the blocks over the counting bound, before rounding, for k = 5; one for each pair too many.
+// Four times the blocks over the counting bound, before rounding, for k = 5; one for each pair
+// too many.
 std::uint64_t waste(const Parameters& p, std::uint64_t b) {
   const std::uint64_t pairs = p.v * (p.v - 1) / 2;
   return p.kind == Kind::linear ? 4 * (b - 1) + 10 - pairs : 4 * b - pairs;
@@ -104,7 +105,8 @@ TEST(Ring, IsAtMostOneOverButInOneClass) {
   EXPECT_FALSE(offer_of("ring", single(50, 4, Kind::circular)));
 }
 
-// Any two designs that fit: each of the tight ones for k = 3, 4 with a partition that leaves out k−1 elements of an end, after any design.
+// Any two designs that fit: each of the tight ones for k = 3, 4 with a partition that leaves out
+// k−1 elements of an end, after any design.
 TEST(Concatenate, TakesAnyTwoDesignsThatFit) {
   std::size_t built = 0;
   std::size_t reversed = 0;

@@ -1,4 +1,5 @@
-// Tight circular single-change designs without some neighbours: closed-up-cyclic, even-visits, substituted-cyclic.
+// Tight circular single-change designs without some neighbours: closed-up-cyclic, even-visits,
+// substituted-cyclic.
 #include <gtest/gtest.h>
 
 #include "changeover/bounds/lower_bound.hpp"
