@@ -6,7 +6,7 @@
 
 #include "changeover/core/sha256.hpp"
 
-namespace changeover::fuzz::chain {
+namespace changeover::fuzz {
 
 std::string with_right_chain(const std::string& journal) {
   constexpr std::size_t digits = 32;
@@ -50,4 +50,4 @@ std::string with_right_check(const std::string& checkpoint) {
   return text + line;
 }
 
-}  // namespace changeover::fuzz::chain
+}  // namespace changeover::fuzz

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace changeover::fuzz::promises {
+namespace changeover::fuzz {
 namespace {
 
 // The length of the UTF-8 character at the front; 0 if there is none, or one that a terminal obeys. Shares nothing with
@@ -112,4 +112,4 @@ std::optional<std::string> Scratch::bytes(const std::string& name) const {
   return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
-}  // namespace changeover::fuzz::promises
+}  // namespace changeover::fuzz

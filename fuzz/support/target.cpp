@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace changeover::fuzz::target {
+namespace changeover::fuzz {
 namespace {
 
 std::vector<Target>& known() {
@@ -24,4 +24,4 @@ void must(bool kept, const std::string& promise) {
   }
 }
 
-}  // namespace changeover::fuzz::target
+}  // namespace changeover::fuzz
