@@ -190,7 +190,7 @@ TEST_F(Formats, AFormatThatContradictsTheEndingIsRefused) {
        {"$changeover design 7 3 --format ljcr -o a.svg", 2, "contradicts the file extension"},
        {"$changeover design 7 3 --format tikz -o a.tex && cat a.tex", 0, "tikzpicture"},
        {"$changeover design 7 3 --format csv -o a.txt && cat a.txt", 0, "element_1"},
-       {"$changeover loadorder --items 6 --room 3 --json -o a.json && cat a.json", 0, "{\"items\""},
+       {"$changeover loadorder --items 6 --room 3 --json -o a.json && cat a.json", 0, "{\"format\":\"changeover-loads/1\",\"items\":6"},
        {"$changeover loadorder --items 6 --room 3 -o b.json", 2,
         "unknown file extension '.json'; use .txt, .jsonl or .csv"},
        {"$changeover manual design -o a.json", 2, "unknown file extension '.json'; use .1, .man"},

@@ -116,7 +116,7 @@ TEST(FindMinimum, SaysThatNothingIsPossible) {
 }
 
 TEST(FindMinimum, LeavesAnIntervalWhenItIsStopped) {
-  const Parameters p{.v = 21, .k = 5, .change = 1};
+  const Parameters p{.v = 23, .k = 5, .change = 1};
   const auto known = from_construction(p);
   ASSERT_TRUE(known.has_value());
   RunControl none({.time = std::chrono::seconds(0)});
