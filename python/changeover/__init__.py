@@ -7,9 +7,10 @@
     >>> d.blocks[0]
     (0, 1, 38, 43)
 
-An m-change covering design is an ordered list of k-element blocks over v elements in which every pair of elements
-meets in some block and consecutive blocks differ in exactly m elements (``change``); circular if the last and the first
-block do so too. Everything that is handed out was verified. What takes long lets other threads run, and Ctrl-C ends it.
+An m-change covering design is an ordered list of k-element blocks over v elements in which every
+pair of elements meets in some block and consecutive blocks differ in exactly m elements
+(``change``); circular if the last and the first block do so too. Everything that is handed out was
+verified. What takes long lets other threads run, and Ctrl-C ends it.
 """
 
 from . import _core, catalog

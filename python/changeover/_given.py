@@ -21,7 +21,8 @@ def is_text(value: Any) -> bool:
 
 
 def is_bytes(value: Any) -> bool:
-    return isinstance(value, (bytes, bytearray)) or (isinstance(value, memoryview) and value.format == "B")
+    return isinstance(value,
+                      (bytes, bytearray)) or (isinstance(value, memoryview) and value.format == "B")
 
 
 def is_data_frame(value: Any) -> bool:
@@ -50,7 +51,8 @@ def has_numbered_rows(table: Any) -> bool:
 
 
 def listed(argument: str, holds: str, value: Any, ordered: bool = False) -> Iterable[Any]:
-    """The value, if going through it gives what is meant; TypeError for a string, whose letters that would be, and the like."""
+    """The value, if going through it gives what is meant; TypeError for a string, whose letters
+    that would be, and the like."""
     def refuse(what: str) -> NoReturn:
         raise TypeError(f"{argument} has {holds}{what}")
     if is_text(value):

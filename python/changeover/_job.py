@@ -49,7 +49,8 @@ def _pair(argument: str, pair: Any) -> list[str]:
 
 
 def _pairs(argument: str, pairs: Any) -> list[list[str]]:
-    return [_pair(argument, pair) for pair in _rows(argument, rows_of(argument, "pairs of parts", pairs))]
+    return [_pair(argument, pair)
+            for pair in _rows(argument, rows_of(argument, "pairs of parts", pairs))]
 
 
 def _items(argument: str, value: Any) -> list[tuple[Any, Any]]:
@@ -73,7 +74,8 @@ def _test(test: Any) -> Any:
         if not {"parts"} <= test.keys() <= {"parts", "result"}:
             raise BadInput('done has dicts with "parts" and "result" only')
         setup, result = test["parts"], test.get("result")
-    elif isinstance(test, tuple) and len(test) == 2 and hasattr(type(test[0]), "__iter__") and not is_text(test[0]):
+    elif isinstance(test, tuple) and len(test) == 2 and hasattr(type(test[0]),
+        "__iter__") and not is_text(test[0]):
         setup, result = test
     else:
         return names_in("done", test)
@@ -97,11 +99,13 @@ def _slot(name: str, room: Any) -> dict[str, Any]:
     if not hasattr(room, "__len__") or not hasattr(room, "__getitem__") or len(room) != 2:
         refuse()
     limits = {"least": room[0], "most": room[1]}
-    return {"name": name, **{key: number(limit) for key, limit in limits.items() if limit is not None}}
+    return {"name": name,
+            **{key: number(limit) for key, limit in limits.items() if limit is not None}}
 
 
 def _table(costs: Any) -> list[list[str]]:
-    """What a change costs by what is replaced: a dict from (out, in) to costs, as a square table with its heads."""
+    """What a change costs by what is replaced: a dict from (out, in) to costs, as a square table
+    with its heads."""
     by_pair: dict[tuple[str, str], str] = {}
     heads: dict[str, None] = {}
     for pair, cost in _items("change_costs", costs):
@@ -110,7 +114,8 @@ def _table(costs: Any) -> list[list[str]]:
         if len(heads) > _most_parts:
             raise BadInput("change_costs names more parts than there are")
         by_pair[out, into] = _amount("change_costs", cost)
-    return [["", *heads], *([out, *(by_pair.get((out, into), "") for into in heads)] for out in heads)]
+    return [["", *heads],
+            *([out, *(by_pair.get((out, into), "") for into in heads)] for out in heads)]
 
 
 def _check_columns(columns: list[Any]) -> None:
@@ -141,13 +146,15 @@ def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
     if index.name is not None or not says_nothing:
         if hasattr(index, "levels"):
             raise TypeError("parts: an index of several levels; give reset_index() of it")
-        frame = frame.rename_axis(("index" if has_names else "name") if index.name is None else index.name)
+        frame = frame.rename_axis(("index" if has_names else "name") if index.name is None
+                                  else index.name)
         frame = frame.reset_index()  # The names are beside the columns.
     _check_columns(list(frame.columns))
     text = io.StringIO()
     writer = csv.writer(text)
     writer.writerow(frame.columns)
-    rows = [["" if is_missing(field) else field for field in row] for row in frame.itertuples(index=False, name=None)]
+    rows = [["" if is_missing(field) else field for field in row]
+            for row in frame.itertuples(index=False, name=None)]
     writer.writerows(rows)
     parts: list[dict[str, str]] = _core.read_parts(words_of(text.getvalue()))
     if len(parts) != len(rows):
@@ -157,14 +164,16 @@ def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
 
 def _part_named(part: Any) -> str:
     """What has items inside is no name, nor is what is missing."""
-    if not is_text(part) and (is_bytes(part) or hasattr(type(part), "__iter__") or is_missing(part)):
+    if not is_text(part) and (is_bytes(part) or hasattr(type(part), "__iter__")
+                              or is_missing(part)):
         raise TypeError(f"parts has names, texts or numbers, not {_core.quoted(words_of(repr(part)))}")
     return words_of(part)
 
 
 def _parts_one_by_one(given: Any) -> list[dict[str, str]]:
     if not leads_from_keys(given):
-        rows: Iterable[Any] = ((part, None) for part in listed("parts", "names, or is how many there are", given, True))
+        rows: Iterable[Any] = ((part, None)
+            for part in listed("parts", "names, or is how many there are", given, True))
     elif hasattr(given, "index") and has_numbered_rows(given):
         raise TypeError("parts is a Series with numbers as its index; give list(...) of it if its values are names, "
                         "to_dict() of it if they are costs")
@@ -218,7 +227,8 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
     """The document of the arguments of plan() that are objects."""
     change_cost, change_costs = given["change_cost"], given["change_costs"]
     document: dict[str, Any] = {
-        "parts": _parts(given["parts"], given["slots"], given["slot_of"], change_cost is None and change_costs is None),
+        "parts": _parts(given["parts"], given["slots"], given["slot_of"],
+                        change_cost is None and change_costs is None),
         "test_cost": _amount("test_cost", given["test_cost"])}
     for argument in ("change_cost", "budget"):
         if given[argument] is not None:
@@ -226,15 +236,19 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
     if change_costs is not None:
         document["change_costs"] = _table(change_costs)
     if given["slots"] is not None:
-        document["slots"] = [_slot(words_of(name), room) for name, room in _items("slots", given["slots"])]
+        document["slots"] = [_slot(words_of(name), room) for name,
+                             room in _items("slots", given["slots"])]
     if given["pairs"] is not None:
         document["pairs"] = _pairs("pairs", given["pairs"])
-    lists = {"never": _pairs("never", given["never"]), "mounted": names_in("mounted", given["mounted"]),
+    lists = {"never": _pairs("never", given["never"]),
+             "mounted": names_in("mounted", given["mounted"]),
              "start": names_in("start", given["start"]),
              "first": [names_in("first", setup)
-                       for setup in _rows("first", rows_of("first", "set-ups, lists of parts", given["first"], True))]}
+                       for setup in _rows("first",
+                           rows_of("first", "set-ups, lists of parts", given["first"], True))]}
     if given["weights"] is not None:
         lists["weights"] = [[*_pair("weights", pair), _amount("weights", weight)]
                             for pair, weight in _items("weights", given["weights"])]
-    lists["done"] = [_test(test) for test in _rows("done", rows_of("done", "set-ups, lists of parts", given["done"]))]
+    lists["done"] = [_test(test)
+        for test in _rows("done", rows_of("done", "set-ups, lists of parts", given["done"]))]
     return {**document, **{key: rows for key, rows in lists.items() if rows}}

@@ -1,4 +1,5 @@
-"""What the modules of the package share: calls that say in one line what does not fit, and objects that only functions make."""
+"""What the modules of the package share: calls that say in one line what does not fit, and objects
+that only functions make."""
 
 from __future__ import annotations
 
@@ -19,7 +20,8 @@ T = TypeVar("T")
 
 
 class Made:
-    """What functions return: it is not made by hand, and has either facts, or what the compiled module keeps of it."""
+    """What functions return: it is not made by hand, and has either facts, or what the compiled
+    module keeps of it."""
 
     __slots__ = ("_core", "_facts", "__weakref__")
     _core: Any
@@ -42,7 +44,8 @@ class Made:
 
 
 for _each in vars(_core).values():
-    if isinstance(_each, type):  # Nor is what the compiled module has; pybind11 would hand out what is empty.
+    if isinstance(_each,
+        type):  # Nor is what the compiled module has; pybind11 would hand out what is empty.
         setattr(_each, "__new__", Made.__new__)
         setattr(_each, "__reduce_ex__", Made.__reduce_ex__)
 
@@ -122,8 +125,10 @@ def _same_if(fits: Callable[[Any], object]) -> Callable[[Any], Any]:
 
 
 _readers: dict[Any, tuple[Callable[[Any], Any], str]] = {
-    int: (_whole, "a whole number from 0 to 2**64 - 1"), float: (_number, "a number"), bool: (_truth, "True or False"),
-    str: (_text, "a string"), Literal: (_text, "a string"), collections.abc.Callable: (_same_if(callable), "a function"),
+    int: (_whole, "a whole number from 0 to 2**64 - 1"), float: (_number,
+        "a number"), bool: (_truth, "True or False"),
+    str: (_text, "a string"), Literal: (_text,
+        "a string"), collections.abc.Callable: (_same_if(callable), "a function"),
     collections.abc.Iterable: (_same_if(lambda value: iter(value) is not None), "an iterable")}
 
 
@@ -159,7 +164,8 @@ def _shown(value: Any) -> str:
     return text if len(text) <= 80 else f"<{type(value).__name__}>"
 
 
-def _bound(name: str, signature: inspect.Signature, given: tuple[Any, ...], named: dict[str, Any]) -> Any:
+def _bound(name: str, signature: inspect.Signature, given: tuple[Any, ...],
+           named: dict[str, Any]) -> Any:
     """The arguments, or in a line why they are none."""
     try:
         bound = signature.bind(*given, **named)
@@ -174,11 +180,13 @@ def _bound(name: str, signature: inspect.Signature, given: tuple[Any, ...], name
     return bound
 
 
-def checked(function: Callable[..., Any], name: str, owner: Optional[type] = None) -> Callable[..., Any]:
+def checked(function: Callable[..., Any], name: str, owner: Optional[type] = None) -> Callable[...,
+                                                                                               Any]:
     hints = typing.get_type_hints(function)
     written = inspect.signature(function)
     signature = written.replace(
-        parameters=[each.replace(annotation=owner if each.name == "self" else hints.get(each.name, each.empty))
+        parameters=[each.replace(annotation=owner if each.name == "self"
+                                 else hints.get(each.name, each.empty))
                     for each in written.parameters.values()],
         return_annotation=hints.get("return", written.return_annotation))
 
@@ -189,7 +197,8 @@ def checked(function: Callable[..., Any], name: str, owner: Optional[type] = Non
             raise TypeError(bound)
         return function(*bound.args, **bound.kwargs)
 
-    shown = [each.replace(annotation=each.empty) if each.name == "self" else each for each in signature.parameters.values()]
+    shown = [each.replace(annotation=each.empty) if each.name == "self" else each
+             for each in signature.parameters.values()]
     setattr(call, "__signature__", signature.replace(parameters=shown))
     return call
 
@@ -209,7 +218,8 @@ def _check_methods(owner: type) -> None:
 
 
 def check_calls(module: dict[str, Any]) -> None:
-    """Has the public functions of a module, and the methods of its classes, called with what their annotations say, or refused."""
+    """Has the public functions of a module, and the methods of its classes, called with what their
+    annotations say, or refused."""
     for name, each in list(module.items()):
         if name.startswith("_") or getattr(each, "__module__", None) != module["__name__"]:
             continue

@@ -51,7 +51,8 @@ def _entry(core: Any) -> Any:
 
 
 def find(label: str) -> Optional[Entry]:
-    """The entry of a label, of an alias, or of the beginning of one label alone; None if there is none."""
+    """The entry of a label, of an alias, or of the beginning of one label alone; None if there is
+    none."""
     entry: Optional[Entry] = _entry(_core.find(label))
     return entry
 
@@ -73,13 +74,15 @@ def entries(
     best_only: bool = True,
     users_only: bool = False,
 ) -> List[Entry]:
-    """A list of the entries that are asked for, by change, kind, k, v, b; the best of each cell only unless said."""
+    """A list of the entries that are asked for, by change, kind, k, v, b; the best of each cell
+    only unless said."""
     found = _core.entries(v_from, v_to, k_from, k_to, change, kind, status, best_only, users_only)
     return [_entry(core) for core in found]
 
 
 def add(design: Design, *, who: str, date: str, note: str = "") -> str:
-    """Puts a design into the user's catalog and returns its label. Raises BadInput if it is none."""
+    """Puts a design into the user's catalog and returns its label. Raises BadInput if it is
+    none."""
     label: str = _core.add(design._core, who, date, note)
     return label
 

@@ -17,8 +17,8 @@ Block = Tuple[int, ...]
 
 
 class Blocks(_core.Memory):
-    """Blocks in order: a read-only sequence of tuples of element numbers, and a buffer of shape (b, k) of unsigned 32-bit integers
-    that NumPy wraps without a copy: numpy.asarray(blocks)."""
+    """Blocks in order: a read-only sequence of tuples of element numbers, and a buffer of shape (b,
+    k) of unsigned 32-bit integers that NumPy wraps without a copy: numpy.asarray(blocks)."""
 
     __slots__ = ()
 
@@ -86,7 +86,8 @@ class Verdict(Made):
     kind: str = fact()
     strength: int = fact()
     bad_steps: int = fact("How many steps do not change exactly `change` elements.")
-    bad_step_examples: List[Tuple[int, int, int]] = fact("Up to twenty (from, to, changes); blocks are numbered from 1.")
+    bad_step_examples: List[Tuple[int, int,
+        int]] = fact("Up to twenty (from, to, changes); blocks are numbered from 1.")
     uncovered: int = fact("How many pairs are in no block.")
     uncovered_examples: List[List[int]] = fact("Up to twenty of them.")
     excess: int = fact("Newly covered pairs, with repetition, less the distinct ones.")
@@ -95,7 +96,8 @@ class Verdict(Made):
     memberships: List[int] = fact("r_x: by element, how many blocks contain it.")
 
     def as_dict(self) -> Dict[str, Any]:
-        """Everything that the verifier found, as `changeover verify --json` has it under "details"."""
+        """Everything that the verifier found, as `changeover verify --json` has it under
+        "details"."""
         said: Dict[str, Any] = json.loads(self._core.verdict())
         return said
 
@@ -112,13 +114,15 @@ def _verdict(core: Any) -> Verdict:
     bound = core.lower_bound()
     return made(Verdict, {
         **said, "lower_bound": bound, "minimum": said["valid"] and said["b"] == bound,
-        "bad_step_examples": [(step["from"], step["to"], step["changes"]) for step in said["bad_step_examples"]],
+        "bad_step_examples": [(step["from"], step["to"], step["changes"])
+                              for step in said["bad_step_examples"]],
         "introductions": [each["introductions"] for each in said["elements"]],
         "memberships": [each["blocks"] for each in said["elements"]]}, core)
 
 
 class Design(Made):
-    """Blocks with their verdict: changeover.design() makes one, and Design(blocks, ...) is one of yours."""
+    """Blocks with their verdict: changeover.design() makes one, and Design(blocks, ...) is one of
+    yours."""
 
     __slots__ = ()
 
@@ -186,10 +190,11 @@ class Design(Made):
         set: Optional[int] = None,
         factorization: Literal["circle", "doubled"] = "circle",
     ) -> Design:
-        """A design on more elements, verified: by the recursion with an expansion set, the one that is found as number `set` if
-        given; where there is none, and for a number of new_elements (0: the best one), at unchanged subsets that may overlap.
-        factorization, circle or doubled, is that of the new elements. Raises MissingResource with the reason if there is no such
-        set or the elements cannot be inserted."""
+        """A design on more elements, verified: by the recursion with an expansion set, the one that
+        is found as number `set` if given; where there is none, and for a number of new_elements (0:
+        the best one), at unchanged subsets that may overlap. factorization, circle or doubled, is
+        that of the new elements. Raises MissingResource with the reason if there is no such set or
+        the elements cannot be inserted."""
         return design_of(self._core.expand(new_elements, set, factorization))
 
     def to_string(self, format: str = "text") -> str:
@@ -258,14 +263,16 @@ class Stream(Made):
 
 
 def _numbers_in(blocks: Any) -> Optional[Tuple[bytes, int]]:
-    """The numbers of a buffer of two dimensions of whole numbers, in 64 bits each, and how many are in a row."""
+    """The numbers of a buffer of two dimensions of whole numbers, in 64 bits each, and how many are
+    in a row."""
     try:
         view = memoryview(blocks)
     except Exception:
         return None
     form = view.format
     letters = "bhiq" if form[-1:] in tuple("bhilqn") else "BHIQ" if form[-1:] in tuple("BHILQN") else ""
-    if view.ndim != 2 or not letters or view.shape is None or not (len(form) == 1 or form[0] in "=@<"):
+    if view.ndim != 2 or not letters or view.shape is None or not (len(form) == 1
+                                                                   or form[0] in "=@<"):
         return None
     k = view.shape[1]
     numbers = memoryview(view.tobytes()).cast(letters[view.itemsize.bit_length() - 1])
@@ -276,8 +283,9 @@ def _numbers_in(blocks: Any) -> Optional[Tuple[bytes, int]]:
 
 
 def _core_of(blocks: Any, *parameters: Any) -> Any:
-    """A design of the compiled module, of a Design or Blocks, a two-dimensional buffer of whole numbers (a NumPy array), or any
-    iterable of iterables of numbers or strings. What is not said is inferred by the rules of files."""
+    """A design of the compiled module, of a Design or Blocks, a two-dimensional buffer of whole
+    numbers (a NumPy array), or any iterable of iterables of numbers or strings. What is not said is
+    inferred by the rules of files."""
     if isinstance(blocks, Design):
         return blocks._core.told(*parameters)
     if isinstance(blocks, (str, bytes)):
@@ -288,9 +296,11 @@ def _core_of(blocks: Any, *parameters: Any) -> Any:
         return core
     # Anything else is written down as JSON and read as a file would be: one set of rules, one set of messages.
     holds = "lists of elements"
-    rows = [[element if isinstance(element, str) else operator.index(element) for element in listed("blocks", holds, block)]
+    rows = [[element if isinstance(element, str) else operator.index(element)
+             for element in listed("blocks", holds, block)]
             for block in rows_of("blocks", holds, blocks, True)]
-    return _core.read_text(words_of(json.dumps(rows, ensure_ascii=False, separators=(",", ":"))), "blocks", *parameters)
+    return _core.read_text(words_of(json.dumps(rows, ensure_ascii=False, separators=(",", ":"))),
+                           "blocks", *parameters)
 
 
 def design(
@@ -298,18 +308,22 @@ def design(
 ) -> Optional[Design]:
     """The best design that is known without search, verified, or None.
 
-    v elements, blocks of k, consecutive blocks differ in `change` elements; kind 'linear' or 'circular', or None: whichever has
-    fewer blocks, circular if both have as many. Raises ImpossibleParameters if no such blocks can be written down,
-    MissingResource if the design is too long for memory: see stream().
+    v elements, blocks of k, consecutive blocks differ in `change` elements; kind 'linear' or
+    'circular', or None: whichever has fewer blocks, circular if both have as many. Raises
+    ImpossibleParameters if no such blocks can be written down, MissingResource if the design is too
+    long for memory: see stream().
     """
     core = _core.design(v, k, change, kind, strength, construction)
     return core and design_of(core)
 
 
-def stream(v: int, k: int, change: int = 2, kind: Optional[Kind] = None, *, batch: int = 65536) -> Optional[Stream]:
-    """The blocks of the same design as design() in batches: an iterator of Blocks of shape (at most batch, k), or None.
+def stream(v: int, k: int, change: int = 2, kind: Optional[Kind] = None, *,
+           batch: int = 65536) -> Optional[Stream]:
+    """The blocks of the same design as design() in batches: an iterator of Blocks of shape (at most
+    batch, k), or None.
 
-    For designs that are too long for memory. Raises InternalError at the end if what was read is no design.
+    For designs that are too long for memory. Raises InternalError at the end if what was read is no
+    design.
     """
     core = _core.stream(v, k, change, kind, batch)
     return core and made(Stream, core.facts(), core)
@@ -318,8 +332,9 @@ def stream(v: int, k: int, change: int = 2, kind: Optional[Kind] = None, *, batc
 def explain(
     v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2
 ) -> Optional[Dict[str, Any]]:
-    """How the design of design() is built: a dict with construction, v, k, change, kind, explanation, citation, b and inputs, a
-    list of the same for the designs that it is made of. None if nothing serves."""
+    """How the design of design() is built: a dict with construction, v, k, change, kind,
+    explanation, citation, b and inputs, a list of the same for the designs that it is made of. None
+    if nothing serves."""
     tree: Optional[Dict[str, Any]] = _core.explain(v, k, change, kind, strength)
     return tree
 
@@ -339,16 +354,18 @@ def verify(
 ) -> Verdict:
     """What is true of a list of blocks.
 
-    blocks: a Design, an array of shape (b, k) of whole numbers, or lists of numbers or names. If v is not said, what occurs is the
-    whole set; if change is not said, the first two blocks say it; kind is 'linear' unless said. Raises BadInput for blocks of
-    different sizes, repeated elements, or elements that are not below v. O(bk).
+    blocks: a Design, an array of shape (b, k) of whole numbers, or lists of numbers or names. If v
+    is not said, what occurs is the whole set; if change is not said, the first two blocks say it;
+    kind is 'linear' unless said. Raises BadInput for blocks of different sizes, repeated elements,
+    or elements that are not below v. O(bk).
     """
     return _verdict(_core_of(blocks, v, change, kind, strength))
 
 
 def read(path: str) -> Design:
-    """The design of a file of any format that is known: text, JSON, CSV, GAP, Sage, XML of designtheory.org. Its verdict may be
-    that it is none. Raises BadInput with line and column, MissingResource."""
+    """The design of a file of any format that is known: text, JSON, CSV, GAP, Sage, XML of
+    designtheory.org. Its verdict may be that it is none. Raises BadInput with line and column,
+    MissingResource."""
     return design_of(_core.read(path))
 
 

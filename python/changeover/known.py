@@ -69,7 +69,8 @@ def bounds(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int
     """
     name, facts, listed = _core.bounds(v, k, change, kind, strength)
     best, worst = facts["best_known"], facts["lower_bound"]
-    facts["all"] = [made(Bound, {"blocks": blocks, "name": of, "reason": reason}) for blocks, of, reason in listed]
+    facts["all"] = [made(Bound, {"blocks": blocks, "name": of, "reason": reason}) for blocks, of,
+                    reason in listed]
     facts["status"] = (
         "impossible" if worst is None else "open" if best is None else "minimum" if best == worst else "best-known")
     return made(Bounds, facts, name)
@@ -87,22 +88,26 @@ def _ends(what: Any, name: str) -> Tuple[int, int]:
     return what, what
 
 
-def _table(k_from: int, k_to: int, v_from: int, v_to: int, change: int, kind: Optional[Kind]) -> List[Cell]:
-    return [made(Cell, facts, name) for name, facts in _core.table(k_from, k_to, v_from, v_to, change, kind)]
+def _table(k_from: int, k_to: int, v_from: int, v_to: int, change: int,
+           kind: Optional[Kind]) -> List[Cell]:
+    return [made(Cell, facts, name) for name,
+            facts in _core.table(k_from, k_to, v_from, v_to, change, kind)]
 
 
 def table(k: Range, v: Range, change: int = 2, kind: Optional[Kind] = None) -> List[Cell]:
     """The best known design for every v and k of a range, with its lower bound.
 
-    ``k`` and ``v`` are an int, a range such as ``range(3, 9)``, or a pair (first, last). Cells come by kind (circular first if
-    none is named), k, v. A few milliseconds a cell; raises BadInput beyond v = 1000.
+    ``k`` and ``v`` are an int, a range such as ``range(3, 9)``, or a pair (first, last). Cells come
+    by kind (circular first if none is named), k, v. A few milliseconds a cell; raises BadInput
+    beyond v = 1000.
     """
     cells: List[Cell] = _checked_table(*_ends(k, "k"), *_ends(v, "v"), change, kind)
     return cells
 
 
 def to_pandas(what: Union[Design, RunSheet, Iterable[Cell]]) -> Any:
-    """A pandas.DataFrame of a table (a row a cell), a design (a row a block), or a run sheet (a row a test).
+    """A pandas.DataFrame of a table (a row a cell), a design (a row a block), or a run sheet (a row
+    a test).
 
     Raises ImportError without pandas.
     """
@@ -118,11 +123,13 @@ def to_pandas(what: Union[Design, RunSheet, Iterable[Cell]]) -> Any:
         return frame
     columns = ("v", "k", "change", "kind", "b", "lower_bound", "status", "construction")
     cells: Any = what
-    return pandas.DataFrame([[getattr(cell, name) for name in columns] for cell in cells], columns=columns)
+    return pandas.DataFrame([[getattr(cell, name) for name in columns] for cell in cells],
+                            columns=columns)
 
 
 def to_sage(what: Design) -> Any:
-    """A design as Sage's IncidenceStructure, blocks in their order. Raises ImportError outside of Sage."""
+    """A design as Sage's IncidenceStructure, blocks in their order. Raises ImportError outside of
+    Sage."""
     sage: Any = importlib.import_module("sage.combinat.designs.incidence_structures")
     points: List[Any] = list(range(what.v)) if what.labels is None else what.labels
     return sage.IncidenceStructure(points, [[points[x] for x in block] for block in what.blocks])

@@ -1,4 +1,5 @@
-"""Load orders: items into memory such that every pair meets there, and the executor that goes by them."""
+"""Load orders: items into memory such that every pair meets there, and the executor that goes by
+them."""
 
 from __future__ import annotations
 
@@ -42,8 +43,8 @@ class LoadOrder(Made):
 
 
 class WorkerLoads(Made):
-    """A load order for several workers: steps (evict, load) of each, after which every pair was in the memory of one of them
-    together."""
+    """A load order for several workers: steps (evict, load) of each, after which every pair was in
+    the memory of one of them together."""
 
     __slots__ = ()
 
@@ -134,12 +135,14 @@ def load_order(
     seed: int = 1,
     progress: Progress = None,
 ) -> Any:
-    """An order of loads after which every pair of `items` items was in memory together, with room for `room`; `time` seconds of
-    search for a better one. Verified. Iterating gives steps (evict, load).
+    """An order of loads after which every pair of `items` items was in memory together, with room
+    for `room`; `time` seconds of search for a better one. Verified. Iterating gives steps (evict,
+    load).
 
-    pairs: only these must meet, rows of two item numbers, a NumPy array of shape (n, 2), too; items may then be None.
-    against: each of the items with each of so many others, numbered after them. done_items: the pairs of the first so many have
-    met before. workers: split it for so many, which gives WorkerLoads. Raises BadInput, ImpossibleParameters.
+    pairs: only these must meet, rows of two item numbers, a NumPy array of shape (n, 2), too; items
+    may then be None. against: each of the items with each of so many others, numbered after them.
+    done_items: the pairs of the first so many have met before. workers: split it for so many, which
+    gives WorkerLoads. Raises BadInput, ImpossibleParameters.
     """
     if sum(each is not None for each in (pairs, against, done_items)) > 1:
         raise BadInput("give one of pairs, against and done_items")
@@ -147,7 +150,8 @@ def load_order(
         raise BadInput("give items, how many there are")
     if time is not None and not 0 <= time <= 1e9:
         raise ValueError("time is a number of seconds, 0 or more")
-    asked = {"items": items, "room": room, "against": against, "done_items": done_items, "workers": workers}
+    asked = {"items": items, "room": room, "against": against, "done_items": done_items,
+             "workers": workers}
     ends = None if pairs is None else _ends(pairs)
     core, facts = _core.load_order(
         json.dumps(asked), None if ends is None else ends.tobytes(), time, threads, seed, progress)
@@ -164,14 +168,16 @@ def all_pairs(
     threads: int = 1,
     journal: str = "",
 ) -> Report:
-    """Runs an all-pairs job over a file of items of item_bytes each, never more than `room` of them in memory.
+    """Runs an all-pairs job over a file of items of item_bytes each, never more than `room` of them
+    in memory.
 
-    compute(i, j, first, second) is called once for each pair i < j and for each item with itself (i = j), with read-only
-    memoryviews that end with the call; what is made of them (slices, arrays) stays as it is, and keeps the item in memory beyond
-    the room. With a journal a job that was ended goes on where it was. What compute raises ends the job. Raises BadInput,
-    MissingResource.
+    compute(i, j, first, second) is called once for each pair i < j and for each item with itself (i
+    = j), with read-only memoryviews that end with the call; what is made of them (slices, arrays)
+    stays as it is, and keeps the item in memory beyond the room. With a journal a job that was
+    ended goes on where it was. What compute raises ends the job. Raises BadInput, MissingResource.
     """
-    return made(Report, _core.all_pairs(path, item_bytes, room, compute, header_bytes, threads, journal))
+    return made(Report,
+                _core.all_pairs(path, item_bytes, room, compute, header_bytes, threads, journal))
 
 
 check_calls(globals())

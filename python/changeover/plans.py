@@ -33,7 +33,8 @@ def _decimal(amount: Any) -> Decimal:
 
 
 def _step(step: Dict[str, Any]) -> Dict[str, Any]:
-    return {"number": step["step"], "take_out": step["take_out"], "put_in": step["put_in"], "setup": step["set_up"],
+    return {"number": step["step"], "take_out": step["take_out"], "put_in": step["put_in"],
+            "setup": step["set_up"],
             "cost": _decimal(step["cost"]), "cost_so_far": _decimal(step["cost_so_far"])}
 
 
@@ -94,7 +95,8 @@ class RunSheet(_Sheets):
 
     __slots__ = ()
 
-    steps: List[Dict[str, Any]] = fact("A dict for each test: number, take_out, put_in, setup (names), cost, cost_so_far.")
+    steps: List[Dict[str,
+        Any]] = fact("A dict for each test: number, take_out, put_in, setup (names), cost, cost_so_far.")
     met_only_in_failed: int = fact(
         "Pairs (triples with strength 3) that met only in tests that failed or whose result is not understood.")
     cheapest: bool = fact("Proved: nothing is cheaper.")
@@ -107,11 +109,13 @@ class RunSheet(_Sheets):
         seed: int = 1,
         progress: Progress = None,
     ) -> Dict[str, Any]:
-        """Which plan is cheapest when changes become dearer or cheaper against tests, and where it breaks even.
+        """Which plan is cheapest when changes become dearer or cheaper against tests, and where it
+        breaks even.
 
-        A dict: ranges, by ratio of the cost of a change to that of a test (of a factor of all change costs, if these differ:
-        by_factor) without gaps, each with from and to (Fractions; None: from 0, without end), name, how, tests, changes and
-        setups; asked, where the sheet stands (None if tests cost nothing); interrupted. time: seconds; None: a fixed amount of
+        A dict: ranges, by ratio of the cost of a change to that of a test (of a factor of all
+        change costs, if these differ: by_factor) without gaps, each with from and to (Fractions;
+        None: from 0, without end), name, how, tests, changes and setups; asked, where the sheet
+        stands (None if tests cost nothing); interrupted. time: seconds; None: a fixed amount of
         search for each ratio.
 
         Raises BadInput if costs depend on what is replaced.
@@ -120,20 +124,25 @@ class RunSheet(_Sheets):
             return two and Fraction(*two)
 
         answer: Dict[str, Any] = self._core.what_if(time, threads, seed, progress)
-        ranges = [{**each, "from": ratio(each["from"]), "to": ratio(each["to"])} for each in answer["ranges"]]
+        ranges = [{**each, "from": ratio(each["from"]), "to": ratio(each["to"])}
+                  for each in answer["ranges"]]
         return {**answer, "asked": ratio(answer["asked"]), "ranges": ranges}
 
-    def diagnose(self, results: Iterable[Union[Result, Tuple[Iterable[Part], Union[bool, str]]]]) -> Dict[str, Any]:
+    def diagnose(self,
+        results: Iterable[Union[Result,
+                                Tuple[Iterable[Part], Union[bool, str]]]]) -> Dict[str, Any]:
         """Which one fault explains the results, and which tests tell apart what is left.
 
-        results: for each of the first tests of the sheet True if it passed, False if it failed, None if nothing is known, or a
-        text such as 'FAILED - hang'; or tuples (set-up, result) for tests of other set-ups.
+        results: for each of the first tests of the sheet True if it passed, False if it failed,
+        None if nothing is known, or a text such as 'FAILED - hang'; or tuples (set-up, result) for
+        tests of other set-ups.
 
-        A dict: passed, failed; unread, the texts that are not understood, each with its place in results; suspects, each a tuple
-        of one part or of two that do not work together; two, pairs of suspects that explain all together where none does alone;
-        contradictions, (what failed, what passed though it had all of it); tests, a tree of dicts with after (results so far,
-        True for passed), setup, take_out, put_in, cost, if_it_fails and if_it_passes (suspects); most_cost, of the tests that
-        are made. Raises BadInput for other results.
+        A dict: passed, failed; unread, the texts that are not understood, each with its place in
+        results; suspects, each a tuple of one part or of two that do not work together; two, pairs
+        of suspects that explain all together where none does alone; contradictions, (what failed,
+        what passed though it had all of it); tests, a tree of dicts with after (results so far,
+        True for passed), setup, take_out, put_in, cost, if_it_fails and if_it_passes (suspects);
+        most_cost, of the tests that are made. Raises BadInput for other results.
         """
         wanted = "results has True (passed), False (failed), None or a text for each of the first tests, or (set-up, result)"
         if isinstance(results, str):
@@ -159,7 +168,8 @@ class RunSheet(_Sheets):
                 raise BadInput(wanted)
             read = _core.result_of(said)
             if read in ("pass", "fail"):
-                tested.append((steps[of_sheet - 1]["setup"] if setup is None else setup, read == "fail"))
+                tested.append((steps[of_sheet - 1]["setup"] if setup is None else setup,
+                               read == "fail"))
             elif read == "unread":
                 unread.append((place, result))
         found: Dict[str, Any] = json.loads(self._core.diagnose(tested), parse_float=Decimal)
@@ -170,9 +180,11 @@ class RunSheet(_Sheets):
         return {
             "passed": found["passed"], "failed": found["failed"], "suspects": suspects(found["suspects"]),
             "two": [tuple(suspects(both)) for both in found["two"]],
-            "contradictions": [(each["failed"], each["passed"]) for each in found["contradictions"]],
+            "contradictions": [(each["failed"], each["passed"])
+                               for each in found["contradictions"]],
             "tests": [{
-                "after": tuple(result == "pass" for result in each["after"]), "setup": each["set_up"],
+                "after": tuple(result == "pass"
+                               for result in each["after"]), "setup": each["set_up"],
                 "take_out": each["take_out"], "put_in": each["put_in"], "cost": _decimal(each["cost"]),
                 "if_it_fails": suspects(each["if_it_fails"]), "if_it_passes": suspects(each["if_it_passes"]),
             } for each in found["tests"]],
@@ -190,7 +202,8 @@ class BenchSheets(_Sheets):
 
     __slots__ = ()
 
-    sheets: List[List[Dict[str, Any]]] = fact("For each bench a list of its tests, as RunSheet.steps.")
+    sheets: List[List[Dict[str,
+                           Any]]] = fact("For each bench a list of its tests, as RunSheet.steps.")
     makespan: Decimal = fact("What the bench costs that costs most; exact.")
     makespan_bound: Decimal = fact("Of the bench that costs most.")
     makespan_reason: str = fact("Of that bound.")
@@ -210,11 +223,14 @@ def _facts(core: Any) -> Dict[str, Any]:
         **said, "complete": core.complete, "interrupted": core.interrupted, "cost": _decimal(said["cost"]),
         "lower_bound": _decimal(bound["cost"]), "candidates": [
             {key: _decimal(each[key]) if key in ("cost", "makespan") else each[key]
-             for key in ("name", "how", "tests", "changes", "cost", "makespan") if key in each} for each in said["candidates"]]}
+             for key in ("name", "how", "tests", "changes", "cost",
+                         "makespan") if key in each} for each in said["candidates"]]}
     if "sheets" not in said:
-        return {**facts, "steps": [_step(step) for step in said["steps"]], "reason": bound["reason"],
+        return {**facts, "steps": [_step(step) for step in said["steps"]],
+                "reason": bound["reason"],
                 "cheapest": said["proved_cheapest"]}
-    return {**facts, "sheets": [[_step(step) for step in sheet["steps"]] for sheet in said["sheets"]],
+    return {**facts,
+            "sheets": [[_step(step) for step in sheet["steps"]] for sheet in said["sheets"]],
             "reason": bound["cost_reason"], "makespan": _decimal(said["makespan"]),
             "makespan_bound": _decimal(bound["makespan"]), "makespan_reason": bound["makespan_reason"]}
 
@@ -280,23 +296,27 @@ def plan(
     compact: bool = False,
     steps: Optional[int] = None,
 ) -> Any:
-    """The cheapest list of tests that was found in which every two parts are mounted together at least once.
+    """The cheapest list of tests that was found in which every two parts are mounted together at
+    least once.
 
-    parts: how many, a list of names, or a dict from names to what it costs to mount them; at_once of them fit. Costs are
-    numbers, Decimals or strings, and exact.
+    parts: how many, a list of names, or a dict from names to what it costs to mount them; at_once
+    of them fit. Costs are numbers, Decimals or strings, and exact.
 
-    change_cost: of a part whose cost is not given. change_costs: a dict from (out, in) to the cost of putting in one part where
-    the other was taken out, for every two parts. strength: 2, every two parts must meet, or 3, every three. pairs: only these
-    must; never: these must not. slots: a dict from the name of a slot to how many of its parts a set-up has, a number or
+    change_cost: of a part whose cost is not given. change_costs: a dict from (out, in) to the cost
+    of putting in one part where the other was taken out, for every two parts. strength: 2, every
+    two parts must meet, or 3, every three. pairs: only these must; never: these must not. slots: a
+    dict from the name of a slot to how many of its parts a set-up has, a number or
     (least, most), None for no limit, with slot_of, a dict from parts to their slots; parts that cannot meet then need not.
-    mounted: parts that stay; start: parts that are mounted before the first test; first: set-ups that must be run first;
-    weights: a dict from pairs to what testing them is worth (others 1); done: tests that were done, lists of names, each alone
-    or as (names, result), where result is True (passed), False (failed), None or a text such as 'FAILED - hang'. Pairs that met
-    only in tests that failed, or whose text is not understood, are needed again, unless trust_failed. budget: test as much as it
-    pays for. benches: so many side by side, which gives BenchSheets, else it is a RunSheet; objective: 'makespan' (None), what
-    the bench costs that costs most is least, or 'cost', of all of them. time: seconds of search; None: a fixed amount of it, or
-    steps, moves of each local search. done_first: only so many of done were done. shuffle: a seed by which parts are exchanged
-    that nothing tells apart. title, compact: of what is written.
+    mounted: parts that stay; start: parts that are mounted before the first test; first: set-ups
+    that must be run first; weights: a dict from pairs to what testing them is worth (others 1);
+    done: tests that were done, lists of names, each alone or as (names, result), where result is
+    True (passed), False (failed), None or a text such as 'FAILED - hang'. Pairs that met only in
+    tests that failed, or whose text is not understood, are needed again, unless trust_failed.
+    budget: test as much as it pays for. benches: so many side by side, which gives BenchSheets,
+    else it is a RunSheet; objective: 'makespan' (None), what the bench costs that costs most is
+    least, or 'cost', of all of them. time: seconds of search; None: a fixed amount of it, or steps,
+    moves of each local search. done_first: only so many of done were done. shuffle: a seed by which
+    parts are exchanged that nothing tells apart. title, compact: of what is written.
 
     Raises BadInput with the reason if no list can do it.
     """
@@ -304,10 +324,12 @@ def plan(
     document = document_of(given)
     if objective not in (None, "makespan", "cost"):
         raise BadInput("objective is 'makespan', what the bench costs that costs most, or 'cost', of all benches")
-    for argument in ("at_once", "strength", "benches", "objective", "done_first", "shuffle", "steps"):
+    for argument in ("at_once", "strength", "benches", "objective", "done_first", "shuffle",
+                     "steps"):
         if given[argument] is not None:
             document[argument] = given[argument]
-    document.update({key: value for key, value in (("trust_failed", trust_failed), ("compact", compact), ("title", title)) if value})
+    document.update({key: value for key,
+        value in (("trust_failed", trust_failed), ("compact", compact), ("title", title)) if value})
     core = _core.plan(json.dumps(document), time, threads, seed, progress)
     return made(RunSheet if benches is None else BenchSheets, _facts(core), core)
 

@@ -40,7 +40,8 @@ class Classification(Made):
     tight: int = fact("Classes of tight designs.")
     complete: bool = fact("These are all; otherwise the search was stopped, and these are some.")
     interrupted: bool = fact()
-    group_orders: Dict[int, int] = fact("How many classes have an automorphism group of each order.")
+    group_orders: Dict[int,
+                       int] = fact("How many classes have an automorphism group of each order.")
     designs: List[Design] = fact("The first `keep` representatives.")
 
     def __repr__(self) -> str:
@@ -62,13 +63,14 @@ def search(
     exact: bool = False,
     progress: Progress = None,
 ) -> SearchResult:
-    """Looks for a design with fewer blocks than any that is known, for `time` seconds (None: until it is the lower bound) with
-    `threads` threads.
+    """Looks for a design with fewer blocks than any that is known, for `time` seconds (None: until
+    it is the lower bound) with `threads` threads.
 
-    exact=True walks up from the lower bound and proves each number of blocks impossible, with checked proofs, until there is a
-    design: the minimum. progress is called now and then with a dict (phase, steps, best, elapsed, left, ...); what it raises
-    ends the search and arrives here. Ctrl-C ends it and keeps the best so far, marked interrupted. With one thread the result of
-    a search that no clock ends depends on the seed alone.
+    exact=True walks up from the lower bound and proves each number of blocks impossible, with
+    checked proofs, until there is a design: the minimum. progress is called now and then with a
+    dict (phase, steps, best, elapsed, left, ...); what it raises ends the search and arrives here.
+    Ctrl-C ends it and keeps the best so far, marked interrupted. With one thread the result of a
+    search that no clock ends depends on the seed alone.
     """
     facts = _core.search(
         v, k, change, kind, strength, time, threads, seed, target, start and start._core, exact, progress)
@@ -90,7 +92,8 @@ def classify(
     threads: int = 1,
     progress: Progress = None,
 ) -> Classification:
-    """All designs with exactly b blocks up to names of elements and rotation, and reversal if asked for.
+    """All designs with exactly b blocks up to names of elements and rotation, and reversal if asked
+    for.
 
     Raises ImpossibleParameters above 64 elements or 4096 blocks. Exponential in b.
     """
