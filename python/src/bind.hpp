@@ -1,4 +1,5 @@
-// The parts of the module `changeover._core`, a file each, and what they share.
+// The parts of the private module `changeover._core`, a file each, and what they share. Arguments come as the functions of the package
+// have checked them, so nothing here says what they mean: that stands there.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,40 +9,25 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/core/recipe.hpp"
 #include "changeover/verify/verified_design.hpp"
 
 namespace changeover::python {
 
 namespace py = pybind11;
 
-/// Has every method of the module's types refuse an object that was made by __new__ alone, in which there is nothing.
-/// After all have been bound.
-void refuse_empty_objects(const py::module_& module);
-
-void bind_errors(py::module_& module);
-void bind_blocks(py::module_& module);
+void register_errors();
+void bind_memory(py::module_& module);
 void bind_designs(py::module_& module);
 void bind_bounds(py::module_& module);
 void bind_search(py::module_& module);
 void bind_catalog(py::module_& module);
-void bind_benches(py::module_& module);
 void bind_plan(py::module_& module);
 void bind_loads(py::module_& module);
-
-/// Blocks that somebody keeps alive: rows of k numbers, shown to Python as a read-only buffer.
-struct Blocks {
-  std::shared_ptr<const void> owner;
-  const Element* data = nullptr;
-  std::size_t count = 0;
-  std::size_t k = 0;
-};
-
-[[nodiscard]] Blocks blocks_of(const std::shared_ptr<const Design>& design);
 
 /// For the time of one call: an iterator is not for two threads at once. @throws value_error as generators do.
 class OneAtATime {
@@ -68,15 +54,19 @@ struct HeldDesign {
 
 [[nodiscard]] HeldDesign held(VerifiedDesign design);
 
-/// @throws value_error for another word than "linear" and "circular".
+/// @throws BadInput for another word than "linear" and "circular".
 [[nodiscard]] Kind kind_of(const std::string& word);
 
 /// Both kinds, circular first, if none is named.
 [[nodiscard]] std::vector<Kind> kinds_of(const std::optional<std::string>& word);
 
-/// A JSON text as Python's objects.
-[[nodiscard]] py::object from_json(const std::string& json);
+/// Checked. A strength that is too large for its type is one that is too large.
+[[nodiscard]] Parameters parameters(std::uint64_t v, std::uint64_t k, std::uint64_t change,
+                                    Kind kind, std::uint64_t strength = 2);
 
-[[nodiscard]] py::dict as_dict(const Recipe& recipe);
+/// A dict with v, k, change, kind, strength.
+[[nodiscard]] py::dict facts_of(const Parameters& parameters);
+
+[[nodiscard]] py::tuple tuple_of(std::span<const Element> elements);
 
 }  // namespace changeover::python

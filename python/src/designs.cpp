@@ -1,5 +1,7 @@
 // Designs and verdicts: made, read, verified, written, compared, enlarged, streamed.
 #include <algorithm>
+#include <cstring>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -9,17 +11,23 @@
 #include "changeover/construct/explanation.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/core/transitions.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/other_formats.hpp"
 #include "changeover/io/tables.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
-#include "foreign_blocks.hpp"
 #include "gil.hpp"
 #include "long_work.hpp"
+#include "memory.hpp"
 
 namespace changeover::python {
 namespace {
+
+std::uint32_t strength_of(std::uint64_t strength) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(std::min(strength, most));
+}
 
 HeldDesign verified_or_not(Design design) {
   Verdict verdict = verify(design, {.unchanged = true});
@@ -38,17 +46,16 @@ std::optional<Offer> best_of(const std::vector<Parameters>& asked,
 }
 
 std::vector<Parameters> asked_for(std::uint64_t v, std::uint64_t k, std::uint64_t change,
-                                  const std::optional<std::string>& kind, std::uint32_t strength) {
+                                  const std::optional<std::string>& kind, std::uint64_t strength) {
   std::vector<Parameters> asked;
   for (const Kind each : kinds_of(kind)) {
-    asked.push_back({.v = v, .k = k, .change = change, .kind = each, .strength = strength});
-    check(asked.back());
+    asked.push_back(parameters(v, k, change, each, strength));
   }
   return asked;
 }
 
 std::optional<HeldDesign> design(std::uint64_t v, std::uint64_t k, std::uint64_t change,
-                                 const std::optional<std::string>& kind, std::uint32_t strength,
+                                 const std::optional<std::string>& kind, std::uint64_t strength,
                                  const std::string& construction) {
   const std::vector<Parameters> asked = asked_for(v, k, change, kind, strength);
   return stoppable([&]() -> std::optional<HeldDesign> {
@@ -99,17 +106,87 @@ py::list transitions_of(const HeldDesign& self) {
   py::list steps;
   DesignSource source(*self.design);
   for (Transitions step(source); step.next();) {
-    const auto tuple = [](std::span<const Element> elements) {
-      py::tuple all(elements.size());
-      for (std::size_t i = 0; i < elements.size(); ++i) {
-        all[i] = py::int_(elements[i]);
-      }
-      return all;
-    };
-    steps.append(
-        py::make_tuple(tuple(step.block()), tuple(step.introduced()), tuple(step.leaving())));
+    steps.append(py::make_tuple(tuple_of(step.block()), tuple_of(step.introduced()),
+                                tuple_of(step.leaving())));
   }
   return steps;
+}
+
+// What is said of blocks; the rest is inferred by the rules of files (io/input.hpp).
+ReadOptions said(std::optional<std::uint64_t> v, std::optional<std::uint64_t> change,
+                 const std::optional<std::string>& kind, std::uint64_t strength) {
+  return {.v = v,
+          .change = change,
+          .kind = kind ? std::optional(kind_of(*kind)) : std::nullopt,
+          .strength = strength_of(strength)};
+}
+
+// The blocks of a design with other parameters.
+HeldDesign told(const HeldDesign& self, std::optional<std::uint64_t> v,
+                std::optional<std::uint64_t> change, const std::optional<std::string>& kind,
+                std::uint64_t strength) {
+  const ReadOptions options = said(v, change, kind, strength);
+  Parameters p = self.design->parameters();
+  p.v = options.v.value_or(p.v);
+  p.change = options.change.value_or(p.change);
+  p.kind = options.kind.value_or(p.kind);
+  p.strength = options.strength.value_or(p.strength);
+  Design design(p, self.design->blocks());
+  return stoppable([&] { return verified_or_not(std::move(design)); });
+}
+
+// Rows of k numbers: those below a v that was said, or all that occur if these are 0, 1, …, n−1; nothing if they are names.
+std::optional<HeldDesign> from_numbers(const py::bytes& bytes, std::size_t k,
+                                       std::optional<std::uint64_t> v,
+                                       std::optional<std::uint64_t> change,
+                                       const std::optional<std::string>& kind,
+                                       std::uint64_t strength) {
+  const ReadOptions options = said(v, change, kind, strength);
+  const auto text = static_cast<std::string_view>(bytes);
+  std::vector<std::uint64_t> numbers(text.size() / sizeof(std::uint64_t));
+  if (numbers.empty() || k == 0) {
+    return std::nullopt;
+  }
+  std::memcpy(numbers.data(), text.data(), text.size());
+  const std::uint64_t largest = *std::max_element(numbers.begin(), numbers.end());
+  if (largest >= max_elements_in_memory || (v && largest >= *v)) {
+    return std::nullopt;
+  }
+  std::vector<bool> occurs(largest + 1, false);
+  for (const std::uint64_t number : numbers) {
+    occurs[number] = true;
+  }
+  if (!v && std::find(occurs.begin(), occurs.end(), false) != occurs.end()) {
+    return std::nullopt;
+  }
+  const std::vector<Element> elements(numbers.begin(), numbers.end());
+  const auto block = [&](std::size_t index) { return std::span(elements).subspan(index * k, k); };
+  std::uint64_t changed = change.value_or(2);
+  if (!change && elements.size() >= 2 * k) {
+    const std::uint64_t first = difference(block(1), block(0)).size();
+    changed = first == 0 ? 2 : first;
+  }
+  Design design(Parameters{.v = v.value_or(largest + 1),
+                           .k = k,
+                           .change = changed,
+                           .kind = options.kind.value_or(Kind::linear),
+                           .strength = options.strength.value_or(2)});
+  design.reserve(elements.size() / k);
+  for (std::size_t i = 0; i < elements.size() / k; ++i) {
+    try {
+      design.append(block(i));
+    } catch (const BadInput& fault) {
+      throw BadInput("block " + std::to_string(i + 1) + ": " + fault.what());
+    }
+  }
+  return stoppable([&] { return std::optional(verified_or_not(std::move(design))); });
+}
+
+HeldDesign read_text(const std::string& text, const std::string& name, const ReadOptions& options) {
+  return stoppable([&] {
+    return verified_or_not(
+        read_design(name.empty() ? input_from_text(text) : input_from_text(text, name), options));
+  });
 }
 
 // A stream of blocks in batches, verified on the way.
@@ -118,7 +195,7 @@ class Stream {
   Stream(std::unique_ptr<BlockSource> source, std::uint64_t b, std::size_t batch)
       : source_(std::move(source)), running_(source_->parameters()), b_(b), batch_(batch) {}
 
-  [[nodiscard]] Blocks next() {
+  [[nodiscard]] py::object next(const py::object& type) {
     const OneAtATime one(busy_);
     const auto k = static_cast<std::size_t>(source_->parameters().k);
     const auto room = std::make_shared<std::vector<Element>>(batch_ * k);
@@ -142,11 +219,14 @@ class Stream {
       throw py::stop_iteration();
     }
     seen_ += filled / k;
-    return {room, room->data(), filled / k, k};
+    return blocks_of(type, room, room->data(), filled / k, k);
   }
 
-  [[nodiscard]] std::uint64_t b() const { return b_; }
-  [[nodiscard]] const Parameters& parameters() const { return source_->parameters(); }
+  [[nodiscard]] py::dict facts() const {
+    py::dict facts = facts_of(source_->parameters());
+    facts["b"] = b_;
+    return facts;
+  }
 
  private:
   void finish() {
@@ -184,12 +264,9 @@ std::unique_ptr<Stream> stream(std::uint64_t v, std::uint64_t k, std::uint64_t c
 }
 
 py::dict as_dict_of(const RecipeNode& node) {
-  py::dict one;
-  one["construction"] = std::string(node.construction->name());
-  one["v"] = node.parameters.v;
-  one["k"] = node.parameters.k;
-  one["change"] = node.parameters.change;
-  one["kind"] = std::string(to_string(node.parameters.kind));
+  py::dict one(py::arg("construction") = std::string(node.construction->name()));
+  one.attr("update")(facts_of(node.parameters));
+  one.attr("pop")("strength");
   one["explanation"] = node.explanation;
   one["citation"] = node.citation;
   one["b"] = node.b;
@@ -202,7 +279,7 @@ py::dict as_dict_of(const RecipeNode& node) {
 }
 
 py::object explain(std::uint64_t v, std::uint64_t k, std::uint64_t change,
-                   const std::optional<std::string>& kind, std::uint32_t strength) {
+                   const std::optional<std::string>& kind, std::uint64_t strength) {
   const std::vector<Parameters> asked = asked_for(v, k, change, kind, strength);
   const auto tree = stoppable([&]() -> std::optional<RecipeNode> {
     const auto offer = best_of(asked, "");
@@ -241,253 +318,110 @@ std::vector<py::dict> constructions() {
   return all;
 }
 
-void bind_verdict(py::module_& module) {
-  py::class_<Verdict>(module, "Verdict",
-                      "What is true of a list of blocks; a true value if it is a design.")
-      .def_property_readonly("valid", &Verdict::valid,
-                             "It is a change covering design with these parameters.")
-      .def_property_readonly("tight", &Verdict::tight, "Every pair is newly covered exactly once.")
-      .def_property_readonly("economical", &Verdict::economical,
-                             "It has as many blocks as the counting bound.")
-      .def_readonly("b", &Verdict::b, "Number of blocks.")
-      .def_property_readonly(
-          "lower_bound", [](const Verdict& self) { return lower_bound(self.parameters).blocks; },
-          "No design with these parameters has fewer blocks.")
-      .def_property_readonly(
-          "minimum",
-          [](const Verdict& self) {
-            return self.valid() && self.b == lower_bound(self.parameters).blocks;
-          },
-          "Proved: no design with these parameters has fewer blocks.")
-      .def_property_readonly("v", [](const Verdict& self) { return self.parameters.v; })
-      .def_property_readonly("k", [](const Verdict& self) { return self.parameters.k; })
-      .def_property_readonly("change", [](const Verdict& self) { return self.parameters.change; })
-      .def_property_readonly(
-          "kind", [](const Verdict& self) { return std::string(to_string(self.parameters.kind)); })
-      .def_property_readonly("strength",
-                             [](const Verdict& self) { return self.parameters.strength; })
-      .def_readonly("bad_steps", &Verdict::bad_steps,
-                    "How many steps do not change exactly `change` elements.")
-      .def_property_readonly(
-          "bad_step_examples",
-          [](const Verdict& self) {
-            std::vector<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>> steps;
-            for (const BadStep& step : self.bad_step_examples) {
-              steps.emplace_back(step.from, step.to, step.changes);
-            }
-            return steps;
-          },
-          "Up to twenty (from, to, changes); blocks are numbered from 1.")
-      .def_readonly("uncovered", &Verdict::uncovered, "How many pairs are in no block.")
-      .def_readonly("uncovered_examples", &Verdict::uncovered_examples, "Up to twenty of them.")
-      .def_readonly("excess", &Verdict::excess,
-                    "Newly covered pairs, with repetition, less the distinct ones.")
-      .def_readonly("fixed", &Verdict::fixed, "Elements that are in every block.")
-      .def_property_readonly(
-          "introductions",
-          [](const Verdict& self) {
-            std::vector<std::uint64_t> all;
-            for (const ElementCount& each : self.elements) {
-              all.push_back(each.introductions);
-            }
-            return all;
-          },
-          "i_x: by element, in how many blocks it is introduced.")
-      .def_property_readonly(
-          "memberships",
-          [](const Verdict& self) {
-            std::vector<std::uint64_t> all;
-            for (const ElementCount& each : self.elements) {
-              all.push_back(each.blocks);
-            }
-            return all;
-          },
-          "r_x: by element, how many blocks contain it.")
-      .def(
-          "as_dict", [](const Verdict& self) { return from_json(verdict_to_json(self)); },
-          "Everything that the verifier found, as `changeover verify --json` has it under \"details\".")
-      .def("__bool__", &Verdict::valid)
-      .def("__repr__", [](const Verdict& self) {
-        return "<Verdict: " + name(self.parameters) + ", " + std::to_string(self.b) + " blocks, " +
-               (self.valid() ? (self.tight() ? "valid, tight>" : "valid>") : "not valid>");
-      });
+py::dict facts_of_design(const HeldDesign& self) {
+  const Design& design = *self.design;
+  py::dict facts = facts_of(design.parameters());
+  facts["name"] = name(design.parameters());
+  facts["b"] = design.block_count();
+  facts["labels"] = design.labels().empty() ? py::none() : py::cast(design.labels());
+  facts["valid"] = self.verdict.valid();
+  return facts;
 }
 
-void bind_design_class(py::module_& module) {
-  const auto parameters = [](const HeldDesign& self) -> const Parameters& {
-    return self.design->parameters();
-  };
-  py::class_<HeldDesign>(
-      module, "Design",
-      "Blocks with their verdict: changeover.design() makes one, and Design(blocks, ...) is one of yours.")
-      .def(py::init([](const py::object& blocks, std::optional<std::uint64_t> v,
-                       std::optional<std::uint64_t> change, const std::string& kind,
-                       std::uint32_t strength) {
-             Design design = design_from(
-                 blocks, {.v = v, .change = change, .kind = kind_of(kind), .strength = strength});
-             return stoppable([&] { return verified_or_not(std::move(design)); });
-           }),
-           py::arg("blocks"), py::arg("v") = py::none(), py::arg("change") = py::none(),
-           py::arg("kind") = "linear", py::arg("strength") = 2)
-      .def_property_readonly(
-          "v", [=](const HeldDesign& self) { return parameters(self).v; }, "Number of elements.")
-      .def_property_readonly(
-          "k", [=](const HeldDesign& self) { return parameters(self).k; }, "Elements in a block.")
-      .def_property_readonly(
-          "change", [=](const HeldDesign& self) { return parameters(self).change; },
-          "Elements in which consecutive blocks differ.")
-      .def_property_readonly(
-          "kind",
-          [=](const HeldDesign& self) { return std::string(to_string(parameters(self).kind)); },
-          "'linear' or 'circular'.")
-      .def_property_readonly("strength",
-                             [=](const HeldDesign& self) { return parameters(self).strength; })
-      .def_property_readonly(
-          "b", [](const HeldDesign& self) { return self.design->block_count(); },
-          "Number of blocks.")
-      .def_property_readonly(
-          "blocks", [](const HeldDesign& self) { return blocks_of(self.design); },
-          "The blocks, shape (b, k), without a copy.")
-      .def_property_readonly(
-          "labels",
-          [](const HeldDesign& self) {
-            return self.design->labels().empty() ? std::nullopt
-                                                 : std::optional(self.design->labels());
-          },
-          "Names of the elements, or None if they are numbers.")
-      .def_readonly("verdict", &HeldDesign::verdict, "What the verifier found.")
-      .def_property_readonly(
-          "recipe",
-          [](const HeldDesign& self) -> py::object {
-            return self.design->recipe ? py::object(as_dict(*self.design->recipe)) : py::none();
-          },
-          "How the blocks are made, as a dict, if that is known.")
-      .def_property_readonly("transitions", &transitions_of,
-                             "A list of (block, introduced, leaving), tuples of element numbers.")
-      .def(
-          "expand", &enlarged, py::kw_only(), py::arg("new_elements") = py::none(),
-          py::arg("set") = py::none(), py::arg("factorization") = "circle",
-          "A design on more elements, verified: by the recursion with an expansion set, the one that is found as number "
-          "`set` if given; where there is none, and for a number of new_elements (0: the best one), at unchanged subsets "
-          "that may overlap. factorization, circle or doubled, is that of the new elements. Raises MissingResource with "
-          "the reason if there is no such set or the elements cannot be inserted.")
-      .def("to_string", &text_of, py::arg("format") = "text",
-           "As text, json, csv, gap, sage, designtheory, ljcr or latex.")
-      .def(
-          "is_same_as",
-          [](const HeldDesign& self, const HeldDesign& other, bool reversal) {
-            return stoppable([&] {
-              return find_isomorphism(*self.design, *other.design, {.reversal = reversal})
-                  .has_value();
-            });
-          },
-          py::arg("other"), py::arg("reversal") = false,
-          "Whether they are the same up to names of elements and, if circular, rotation.")
-      .def(
-          "canonical",
-          [](const HeldDesign& self, bool reversal) {
-            return stoppable([&] {
-              return verified_or_not(canonical_form(*self.design, {.reversal = reversal}).design);
-            });
-          },
-          py::arg("reversal") = false,
-          "The same design for all designs that are the same as this one.")
-      .def_property_readonly(
-          "group_order",
-          [](const HeldDesign& self) {
-            const std::string order = stoppable([&] { return automorphisms(*self.design).order; });
-            return py::int_(py::str(order));
-          },
-          "Order of the automorphism group, exact.")
-      .def(
-          "__eq__",
-          [](const HeldDesign& self, const HeldDesign& other) {
-            return self.design->parameters() == other.design->parameters() &&
-                   self.design->labels() == other.design->labels() &&
-                   std::ranges::equal(self.design->elements(), other.design->elements());
-          },
-          py::is_operator())
-      .def(py::pickle([](const HeldDesign& self) { return py::make_tuple(text_of(self, "json")); },
-                      [](const py::tuple& state) {
-                        const auto text = state[0].cast<std::string>();
-                        return stoppable(
-                            [&] { return verified_or_not(read_design(input_from_text(text))); });
-                      }))
-      .def("__len__", [](const HeldDesign& self) { return self.design->block_count(); })
-      .def("__iter__",
-           [](const HeldDesign& self) { return py::iter(py::cast(blocks_of(self.design))); })
-      .def("__repr__", [=](const HeldDesign& self) {
-        return "<" + name(parameters(self)) + ", " + std::to_string(self.design->block_count()) +
-               " blocks" + (self.verdict.valid() ? ">" : ", not valid>");
-      });
+bool equal(const HeldDesign& self, const HeldDesign& other) {
+  return self.design->parameters() == other.design->parameters() &&
+         self.design->labels() == other.design->labels() &&
+         std::ranges::equal(self.design->elements(), other.design->elements());
+}
+
+bool same(const HeldDesign& self, const HeldDesign& other, bool reversal) {
+  return stoppable([&] {
+    return find_isomorphism(*self.design, *other.design, {.reversal = reversal}).has_value();
+  });
+}
+
+HeldDesign canonical(const HeldDesign& self, bool reversal) {
+  return stoppable(
+      [&] { return verified_or_not(canonical_form(*self.design, {.reversal = reversal}).design); });
 }
 
 }  // namespace
 
+Kind kind_of(const std::string& word) {
+  if (const auto kind = kind_from_string(word)) {
+    return *kind;
+  }
+  throw BadInput("kind is 'linear' or 'circular', not '" + word + "'");
+}
+
+std::vector<Kind> kinds_of(const std::optional<std::string>& word) {
+  return word ? std::vector<Kind>{kind_of(*word)} : std::vector<Kind>{Kind::circular, Kind::linear};
+}
+
+Parameters parameters(std::uint64_t v, std::uint64_t k, std::uint64_t change, Kind kind,
+                      std::uint64_t strength) {
+  const Parameters p{
+      .v = v, .k = k, .change = change, .kind = kind, .strength = strength_of(strength)};
+  check(p);
+  return p;
+}
+
+py::dict facts_of(const Parameters& parameters) {
+  return py::dict(py::arg("v") = parameters.v, py::arg("k") = parameters.k,
+                  py::arg("change") = parameters.change,
+                  py::arg("kind") = std::string(to_string(parameters.kind)),
+                  py::arg("strength") = parameters.strength);
+}
+
+HeldDesign held(VerifiedDesign design) {
+  Verdict verdict = design.verdict();
+  return {std::make_shared<const Design>(std::move(design).take()), std::move(verdict)};
+}
+
 void bind_designs(py::module_& module) {
-  bind_verdict(module);
-  bind_design_class(module);
-  py::class_<Stream>(module, "Stream",
-                     "Batches of blocks, one after another; verified when the last one was read.")
-      .def_property_readonly("b", &Stream::b, "Number of blocks of the whole stream.")
-      .def_property_readonly("v", [](const Stream& self) { return self.parameters().v; })
-      .def_property_readonly("k", [](const Stream& self) { return self.parameters().k; })
-      .def_property_readonly(
-          "kind", [](const Stream& self) { return std::string(to_string(self.parameters().kind)); })
-      .def("__iter__", [](py::object self) { return self; })
-      .def("__next__", &Stream::next);
-  module.def(
-      "design", &design, py::arg("v"), py::arg("k"), py::arg("change") = 2,
-      py::arg("kind") = py::none(), py::arg("strength") = 2, py::kw_only(),
-      py::arg("construction") = "",
-      "The best design that is known without search, verified, or None.\n\n"
-      "v elements, blocks of k, consecutive blocks differ in `change` elements; kind 'linear' or 'circular', "
-      "or None: whichever has fewer blocks, circular if both have as many. Raises ImpossibleParameters if no "
-      "such blocks can be written down, MissingResource if the design is too long for memory: see stream().");
-  module.def(
-      "stream", &stream, py::arg("v"), py::arg("k"), py::arg("change") = 2,
-      py::arg("kind") = py::none(), py::kw_only(), py::arg("batch") = 65536,
-      "The blocks of the same design as design() in batches: an iterator of Blocks of shape (at most batch, k), or "
-      "None. For designs that are too long for memory. Raises InternalError at the end if what was read is no design.");
-  module.def(
-      "explain", &explain, py::arg("v"), py::arg("k"), py::arg("change") = 2,
-      py::arg("kind") = py::none(), py::arg("strength") = 2,
-      "How the design of design() is built: a dict with construction, v, k, change, kind, explanation, citation, b "
-      "and inputs, a list of the same for the designs that it is made of. None if nothing serves.");
-  module.def("constructions", &constructions,
-             "A dict for each construction: name, summary, preconditions, guarantee, citation.");
-  module.def(
-      "verify",
-      [](const py::object& blocks, std::optional<std::uint64_t> v,
-         std::optional<std::uint64_t> change, const std::optional<std::string>& kind,
-         std::uint32_t strength) {
-        Design design =
-            design_from(blocks, {.v = v,
-                                 .change = change,
-                                 .kind = kind ? std::optional(kind_of(*kind)) : std::nullopt,
-                                 .strength = strength});
-        return stoppable([&] { return verify(design, {.unchanged = true}); });
-      },
-      py::arg("blocks"), py::arg("v") = py::none(), py::arg("change") = py::none(),
-      py::arg("kind") = py::none(), py::arg("strength") = 2,
-      "What is true of a list of blocks.\n\n"
-      "blocks: a Design, an array of shape (b, k) of whole numbers, or lists of numbers or names. If v is not said, what "
-      "occurs is the whole set; if change is not said, the first two blocks say it; kind is 'linear' unless said. Raises "
-      "BadInput for blocks of different sizes, repeated elements, or elements that are not below v. O(bk).");
-  module.def(
-      "read",
-      [](const std::string& path) {
-        return stoppable([&] { return verified_or_not(read_design(path)); });
-      },
-      py::arg("path"),
-      "The design of a file of any format that is known: text, JSON, CSV, GAP, Sage, XML of designtheory.org. Its verdict may "
-      "be that it is none. Raises BadInput with line and column, MissingResource.");
-  module.def(
-      "loads",
-      [](const std::string& text) {
-        return stoppable([&] { return verified_or_not(read_design(input_from_text(text))); });
-      },
-      py::arg("text"), "The same for a text in memory.");
+  py::class_<HeldDesign>(module, "Design")
+      .def("facts", &facts_of_design)
+      .def("verdict", [](const HeldDesign& self) { return verdict_to_json(self.verdict); })
+      .def("lower_bound",
+           [](const HeldDesign& self) { return lower_bound(self.verdict.parameters).blocks; })
+      .def("blocks",
+           [](const HeldDesign& self, const py::object& type) {
+             const Design& design = *self.design;
+             return blocks_of(type, self.design, design.elements().data(), design.block_count(),
+                              static_cast<std::size_t>(design.k()));
+           })
+      .def("recipe",
+           [](const HeldDesign& self) {
+             return self.design->recipe ? recipe_to_json(*self.design->recipe) : "null";
+           })
+      .def("transitions", &transitions_of)
+      .def("expand", &enlarged)
+      .def("to_string", &text_of)
+      .def("is_same_as", &same)
+      .def("canonical", &canonical)
+      .def("group_order",
+           [](const HeldDesign& self) {
+             return stoppable([&] { return automorphisms(*self.design).order; });
+           })
+      .def("equals", &equal)
+      .def("told", &told);
+  py::class_<Stream>(module, "Stream").def("facts", &Stream::facts).def("next", &Stream::next);
+  module.def("design", &design);
+  module.def("stream", &stream);
+  module.def("explain", &explain);
+  module.def("constructions", &constructions);
+  module.def("from_numbers", &from_numbers);
+  module.def("read_text", [](const std::string& text, const std::string& name) {
+    return read_text(text, name, {});
+  });
+  module.def("read_text", [](const std::string& text, const std::string& name,
+                             std::optional<std::uint64_t> v, std::optional<std::uint64_t> change,
+                             const std::optional<std::string>& kind, std::uint64_t strength) {
+    return read_text(text, name, said(v, change, kind, strength));
+  });
+  module.def("read", [](const std::string& path) {
+    return stoppable([&] { return verified_or_not(read_design(path)); });
+  });
 }
 
 }  // namespace changeover::python

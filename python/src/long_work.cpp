@@ -146,9 +146,6 @@ LongWork::LongWork(LongOptions options) : options_(std::move(options)) {
   if (options_.threads < 1 || options_.threads > most_threads) {
     throw py::value_error("threads is a number from 1 to 4096");
   }
-  if (!options_.progress.is_none() && PyCallable_Check(options_.progress.ptr()) == 0) {
-    throw py::type_error("progress is a function that takes a dict, or None");
-  }
 }
 
 void LongWork::run(const std::function<void(RunControl&)>& work) {

@@ -26,9 +26,19 @@ struct LongOptions {
   bool keeps_best = false;  ///< KeyboardInterrupt is no fault: what was found is the answer
 };
 
+/// Of calls that keep the best that they found.
+[[nodiscard]] inline LongOptions limits(std::optional<double> time, std::uint64_t threads,
+                                        std::uint64_t seed, pybind11::object progress) {
+  return {.seconds = time,
+          .threads = threads,
+          .seed = seed,
+          .progress = std::move(progress),
+          .keeps_best = true};
+}
+
 class LongWork {
  public:
-  /// @throws value_error for a time or a number of threads that is none; type_error if progress cannot be called.
+  /// @throws value_error for a time or a number of threads that is none.
   explicit LongWork(LongOptions options);
 
   /// Runs it to its end. @throws what it throws; error_already_set for signals and callbacks. Stopped becomes TimeoutError.

@@ -4,17 +4,15 @@
 
 PYBIND11_MODULE(_core, module) {
   using namespace changeover::python;
-  module.doc() = "Change covering designs: the compiled part of the package changeover.";
+  module.doc() = "What the package changeover calls. Its functions are for its modules alone.";
   module.attr("__version__") = std::string(changeover::version);
   stop_long_work_at_the_end();
-  bind_errors(module);
-  bind_blocks(module);
+  register_errors();
+  bind_memory(module);
   bind_designs(module);
   bind_bounds(module);
   bind_search(module);
   bind_catalog(module);
-  bind_benches(module);
   bind_plan(module);
   bind_loads(module);
-  refuse_empty_objects(module);
 }

@@ -16,7 +16,7 @@ print(build_backend.build_wheel(".", {"built": sys.argv[1]}))' "$build" 2>said |
 }
 archive=$(echo ./*.tar.gz)
 tar -tzf "$archive" >listed
-for path in CMakeLists.txt pyproject.toml PKG-INFO python/build_backend.py python/changeover/__init__.pyi web/dist/index.html LICENSE; do
+for path in CMakeLists.txt pyproject.toml PKG-INFO python/build_backend.py python/changeover/plans.py web/dist/index.html LICENSE; do
   grep -q "^[^/]*/$path\$" listed || {
     printf 'the source archive lacks %s\n' "$path" >&2
     exit 1

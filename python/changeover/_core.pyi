@@ -1,0 +1,6 @@
+# The compiled module: what its functions take and return is said by those that call them.
+from typing import Any
+
+class Memory: ...
+
+def __getattr__(name: str) -> Any: ...

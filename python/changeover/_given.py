@@ -1,0 +1,80 @@
+"""What callers give where several kinds of objects would do: lists, tables of columns, texts."""
+
+from __future__ import annotations
+
+import collections
+import collections.abc
+from typing import Any, Iterable, NoReturn
+
+from . import _core
+
+
+def words_of(value: Any) -> str:
+    """The words of a value; UnicodeEncodeError, a ValueError, for what is no text in UTF-8."""
+    text = str(value)
+    text.encode()
+    return text
+
+
+def is_text(value: Any) -> bool:
+    return isinstance(value, (str, collections.UserString))
+
+
+def is_bytes(value: Any) -> bool:
+    return isinstance(value,
+                      (bytes, bytearray)) or (isinstance(value, memoryview) and value.format == "B")
+
+
+def is_data_frame(value: Any) -> bool:
+    return hasattr(value, "itertuples") and hasattr(value, "columns")
+
+
+def leads_from_keys(value: Any) -> bool:
+    """Whether it is a mapping, or pandas' Series."""
+    return isinstance(value, collections.abc.Mapping) or (
+        hasattr(value, "items") and hasattr(value, "index") and not is_data_frame(value))
+
+
+def is_missing(value: Any) -> bool:
+    """None, a NaN, or what pandas has for them."""
+    if value is None or type(value).__name__ in ("NAType", "NaTType"):
+        return True
+    try:
+        return not is_text(value) and bool(value != value)
+    except Exception:  # An array has no answer.
+        return False
+
+
+def has_numbered_rows(table: Any) -> bool:
+    """Whether the index, of a table or of a Series, is whole numbers."""
+    return getattr(getattr(table.index, "dtype", None), "kind", "") in ("i", "u")
+
+
+def listed(argument: str, holds: str, value: Any, ordered: bool = False) -> Iterable[Any]:
+    """The value, if going through it gives what is meant; TypeError for a string, whose letters
+    that would be, and the like."""
+    def refuse(what: str) -> NoReturn:
+        raise TypeError(f"{argument} has {holds}{what}")
+    if is_text(value):
+        refuse(", and is a list of them, not a string")
+    if is_bytes(value):
+        refuse(", and is a list of them, not bytes")
+    if isinstance(value, collections.abc.Mapping):
+        refuse(", and is a list of them, not a dict; what its keys lead to would be lost")
+    if is_data_frame(value):
+        refuse(", not a DataFrame; give its rows, or one of its columns")
+    if not isinstance(value, collections.abc.Iterable):
+        refuse(f", not {_core.quoted(words_of(repr(value)))}")
+    if ordered and isinstance(value, (set, frozenset)):
+        refuse(" in an order, and a set has none; give sorted(...) of it")
+    return value
+
+
+def rows_of(argument: str, holds: str, value: Any, ordered: bool = False) -> Iterable[Any]:
+    """The same; of a table of columns its rows, if its index says nothing."""
+    if not is_data_frame(value):
+        return listed(argument, holds, value, ordered)
+    if not has_numbered_rows(value):
+        raise TypeError(f"{argument}: the index of the DataFrame would be lost; give reset_index() of it")
+    rows: Iterable[Any] = value.itertuples(index=False, name=None)
+    return rows

@@ -1,0 +1,256 @@
+"""Jobs as Python tells them, made into the document "changeover-job/1"."""
+
+from __future__ import annotations
+
+import csv
+import io
+import operator
+from typing import Any, Iterable, Iterator, NoReturn, Optional
+
+from . import _core
+from ._given import (
+    has_numbered_rows, is_bytes, is_data_frame, is_missing, is_text, leads_from_keys, listed, rows_of, words_of)
+from .errors import BadInput
+
+_most_parts = 1000
+_most_rows = 1 << 22  # as in a file
+_too_many_or_few = "parts is a number from 2 to 1000, or that many names"
+_wanted_of_done = ("done has set-ups, lists of parts, each alone or as (set-up, result), where result is True, False, None or a text")
+
+
+def _amount(argument: str, value: Any) -> str:
+    """Numbers, strings and decimals alike, exactly as they are written."""
+    words = words_of(value)
+    _core.check_amount(argument, words)
+    return words
+
+
+def names_in(argument: str, parts: Any) -> list[str]:
+    names: list[str] = []
+    for part in listed(argument, "parts", parts):
+        if len(names) > _most_parts:
+            raise BadInput(f"{argument} names more parts than there are")
+        names.append(words_of(part))
+    return names
+
+
+def _rows(argument: str, rows: Iterable[Any]) -> Iterator[Any]:
+    for number, row in enumerate(rows):
+        if number == _most_rows:
+            raise BadInput(f"{argument} has more than 4194304 rows; give each once")
+        yield row
+
+
+def _pair(argument: str, pair: Any) -> list[str]:
+    names = names_in(argument, pair)
+    if len(names) != 2 or names[0] == names[1]:
+        raise BadInput(f"{argument} is pairs of two parts")
+    return names
+
+
+def _pairs(argument: str, pairs: Any) -> list[list[str]]:
+    return [_pair(argument, pair)
+            for pair in _rows(argument, rows_of(argument, "pairs of parts", pairs))]
+
+
+def _items(argument: str, value: Any) -> list[tuple[Any, Any]]:
+    """What is in a dict now: to read it runs code of the caller, which may change it."""
+    if not isinstance(value, dict):
+        raise BadInput(f"{argument} is a dict")
+    return list(value.items())
+
+
+def result_of(result: Any) -> Optional[str]:
+    """'pass', 'fail', '' (nothing is known) or a text; None for what is no result."""
+    if is_missing(result):
+        return ""
+    if isinstance(result, bool) or getattr(getattr(result, "dtype", None), "kind", "") == "b":
+        return "pass" if result else "fail"
+    return words_of(result) if isinstance(result, str) else None
+
+
+def _test(test: Any) -> Any:
+    if isinstance(test, dict):
+        if not {"parts"} <= test.keys() <= {"parts", "result"}:
+            raise BadInput('done has dicts with "parts" and "result" only')
+        if "result" not in test:
+            return names_in("done", test["parts"])
+        setup, result = test["parts"], test["result"]
+    elif isinstance(test, tuple) and len(test) == 2 and hasattr(type(test[0]),
+        "__iter__") and not is_text(test[0]):
+        setup, result = test
+    else:
+        return names_in("done", test)
+    said = result_of(result)
+    if said is None:
+        raise BadInput(_wanted_of_done)
+    return {"parts": names_in("done", setup), "result": said}
+
+
+def _slot(name: str, room: Any) -> dict[str, Any]:
+    def refuse() -> NoReturn:
+        raise BadInput(f"slots says how many parts are in {_core.quoted(name)}: a number, or (least, most) with None for no limit")
+
+    def number(given: Any) -> str:
+        if not isinstance(given, int) or not 0 <= given < 1 << 64:
+            refuse()
+        return str(given)
+
+    if isinstance(room, int):
+        return {"name": name, "least": number(room), "most": number(room)}
+    if not hasattr(room, "__len__") or not hasattr(room, "__getitem__") or len(room) != 2:
+        refuse()
+    limits = {"least": room[0], "most": room[1]}
+    return {"name": name,
+            **{key: number(limit) for key, limit in limits.items() if limit is not None}}
+
+
+def _table(costs: Any) -> list[list[str]]:
+    """What a change costs by what is replaced: a dict from (out, in) to costs, as a square table
+    with its heads."""
+    by_pair: dict[tuple[str, str], str] = {}
+    heads: dict[str, None] = {}
+    for pair, cost in _items("change_costs", costs):
+        out, into = _pair("change_costs", pair)
+        heads.update({out: None, into: None})
+        if len(heads) > _most_parts:
+            raise BadInput("change_costs names more parts than there are")
+        by_pair[out, into] = _amount("change_costs", cost)
+    return [["", *heads],
+            *([out, *(by_pair.get((out, into), "") for into in heads)] for out in heads)]
+
+
+def _check_columns(columns: list[Any]) -> None:
+    """Refuses a column that would be dropped, or read as something else than it says."""
+    headings = [words_of(column) for column in columns]
+    if len(columns) <= 2 and all(hasattr(type(column), "__index__") for column in columns):
+        return  # names and costs, without a heading
+    of: dict[str, list[str]] = {"name": [], "slot": [], "cost": [], "": []}
+    for heading in headings:
+        of[_core.heads(heading)].append(heading)
+    others = of[""]
+    if not of["name"] and others:
+        of["name"].append(others.pop(0))
+    if not of["name"]:
+        raise BadInput("parts: no column has the names; call one of them name")
+    others += [heading for key in ("name", "slot", "cost") for heading in of[key][1:]]
+    if others:
+        raise BadInput(f"parts: the column {_core.quoted(others[0])} is not read; leave it out, or have one column each called "
+                       "name, cost and slot")
+
+
+def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
+    """A table of columns is read as a file of it would be: the same headers, the same refusals."""
+    index = frame.index
+    has_names = any(_core.heads(words_of(column)) == "name" for column in frame.columns)
+    # Rows that were left out leave numbers that say nothing.
+    says_nothing = type(index).__name__ == "RangeIndex" or (has_names and has_numbered_rows(frame))
+    if index.name is not None or not says_nothing:
+        if hasattr(index, "levels"):
+            raise TypeError("parts: an index of several levels; give reset_index() of it")
+        frame = frame.rename_axis(("index" if has_names else "name") if index.name is None
+                                  else index.name)
+        frame = frame.reset_index()  # The names are beside the columns.
+    _check_columns(list(frame.columns))
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow(frame.columns)
+    rows = [["" if is_missing(field) else field for field in row]
+            for row in frame.itertuples(index=False, name=None)]
+    writer.writerows(rows)
+    parts: list[dict[str, str]] = _core.read_parts(words_of(text.getvalue()))
+    if len(parts) != len(rows):
+        raise BadInput("parts: a row without a name; name the part")
+    return parts
+
+
+def _part_named(part: Any) -> str:
+    """What has items inside is no name, nor is what is missing."""
+    if not is_text(part) and (is_bytes(part) or hasattr(type(part), "__iter__")
+                              or is_missing(part)):
+        raise TypeError(f"parts has names, texts or numbers, not {_core.quoted(words_of(repr(part)))}")
+    return words_of(part)
+
+
+def _parts_one_by_one(given: Any) -> list[dict[str, str]]:
+    if not leads_from_keys(given):
+        rows: Iterable[Any] = ((part, None)
+            for part in listed("parts", "names, or is how many there are", given, True))
+    elif hasattr(given, "index") and has_numbered_rows(given):
+        raise TypeError("parts is a Series with numbers as its index; give list(...) of it if its values are names, "
+                        "to_dict() of it if they are costs")
+    else:
+        rows = list(given.items())
+    has_costs = leads_from_keys(given)
+    parts: list[dict[str, str]] = []
+    for part, cost in rows:
+        if len(parts) == _most_parts:
+            raise BadInput(_too_many_or_few)
+        parts.append({"name": _part_named(part)})
+        if has_costs:
+            parts[-1]["cost"] = _amount("parts", cost)
+    if len({part["name"] for part in parts}) != len(parts):
+        raise BadInput("two parts have the same name")
+    return parts
+
+
+def _parts(given: Any, slots: Any, slot_of: Any, needs_costs: bool) -> Any:
+    """The parts by number, by name, or by name with their costs and slots."""
+    if hasattr(type(given), "__index__") and not hasattr(type(given), "__iter__"):
+        count = operator.index(given)
+        if not 2 <= count <= _most_parts:
+            raise BadInput(_too_many_or_few)
+        if slot_of is None:
+            return count
+        parts = [{"name": str(number)} for number in range(1, count + 1)]
+    else:
+        parts = _parts_in_columns(given) if is_data_frame(given) else _parts_one_by_one(given)
+    if len(parts) < 2:
+        raise BadInput("a pair needs two parts")
+    has_column = any("slot" in part for part in parts)
+    if has_column and slot_of is not None:
+        raise BadInput("parts has a column slot, and slot_of says the same; give one of them")
+    if (slots is None) == (has_column or slot_of is not None):
+        raise BadInput("parts has a column slot; give slots, how many parts each has, or leave the column out" if has_column
+                       else "slots and slot_of come together: how many parts a slot has, and which parts are in it")
+    if slot_of is not None:
+        by_name = {part["name"]: part for part in parts}
+        for part, slot in _items("slot_of", slot_of):
+            name = words_of(part)
+            if name not in by_name:
+                raise BadInput(f"slot_of: there is no part {_core.quoted(name)}")
+            by_name[name]["slot"] = words_of(slot)
+    if needs_costs and not all(part.get("cost") for part in parts):
+        raise BadInput("give change_cost, or parts as a dict from names to their change costs")
+    return parts
+
+
+def document_of(given: dict[str, Any]) -> dict[str, Any]:
+    """The document of the arguments of plan() that are objects."""
+    change_cost, change_costs = given["change_cost"], given["change_costs"]
+    document: dict[str, Any] = {
+        "parts": _parts(given["parts"], given["slots"], given["slot_of"],
+                        change_cost is None and change_costs is None),
+        "test_cost": _amount("test_cost", given["test_cost"])}
+    for argument in ("change_cost", "budget"):
+        if given[argument] is not None:
+            document[argument] = _amount(argument, given[argument])
+    if change_costs is not None:
+        document["change_costs"] = _table(change_costs)
+    if given["slots"] is not None:
+        document["slots"] = [_slot(words_of(name), room) for name,
+                             room in _items("slots", given["slots"])]
+    if given["pairs"] is not None:
+        document["pairs"] = _pairs("pairs", given["pairs"])
+    lists = {"never": _pairs("never", given["never"]),
+             "mounted": names_in("mounted", given["mounted"]),
+             "start": names_in("start", given["start"]),
+             "first": [names_in("first", setup)
+                       for setup in _rows("first",
+                           rows_of("first", "set-ups, lists of parts", given["first"], True))]}
+    if given["weights"] is not None:
+        lists["weights"] = [[*_pair("weights", pair), _amount("weights", weight)]
+                            for pair, weight in _items("weights", given["weights"])]
+    lists["done"] = [_test(test)
+        for test in _rows("done", rows_of("done", "set-ups, lists of parts", given["done"]))]
+    return {**document, **{key: rows for key, rows in lists.items() if rows}}

@@ -1,0 +1,229 @@
+"""What the modules of the package share: calls that say in one line what does not fit, and objects
+that only functions make."""
+
+from __future__ import annotations
+
+import collections.abc
+import functools
+import inspect
+import operator
+import reprlib
+import types
+import typing
+from typing import Any, Callable, Dict, Literal, Optional, Type, TypeVar
+
+from . import _core
+
+Kind = Literal["linear", "circular"]
+Progress = Optional[Callable[[Dict[str, Any]], object]]
+T = TypeVar("T")
+
+
+class Made:
+    """What functions return: it is not made by hand, and has either facts, or what the compiled
+    module keeps of it."""
+
+    __slots__ = ("_core", "_facts", "__weakref__")
+    _core: Any
+    _facts: dict[str, Any]
+
+    def __new__(cls, *_args: Any, **_named: Any) -> Any:
+        raise TypeError(f"{cls.__name__} is what functions of changeover return, and is not made by hand")
+
+    def __reduce_ex__(self, _protocol: Any = 2) -> Any:
+        raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
+
+    __reduce__ = __reduce_ex__
+
+    if not typing.TYPE_CHECKING:  # Only for what is not there.
+
+        def __getattr__(self, name):
+            if name in Made.__slots__:
+                raise TypeError("this object was made without its constructor, and there is nothing in it")
+            raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
+
+
+for _each in vars(_core).values():
+    if isinstance(_each,
+        type):  # Nor is what the compiled module has; pybind11 would hand out what is empty.
+        setattr(_each, "__new__", Made.__new__)
+        setattr(_each, "__reduce_ex__", Made.__reduce_ex__)
+
+
+def made(kind: Type[T], facts: dict[str, Any], core: Any = None) -> T:
+    one: Any = object.__new__(kind)
+    one._facts = facts
+    one._core = core
+    return typing.cast(T, one)
+
+
+def _own(value: Any) -> Any:
+    """A copy for whoever may change it."""
+    if isinstance(value, list):
+        return [_own(each) for each in value]
+    return {key: _own(each) for key, each in value.items()} if isinstance(value, dict) else value
+
+
+class _Fact(property):
+    def __set_name__(self, owner: type, name: str) -> None:
+        text = self.__doc__
+        property.__init__(self, lambda one: _own(one._facts[name]))
+        self.__doc__ = text
+
+
+def fact(doc: Optional[str] = None) -> Any:
+    """A property: the fact of its name."""
+    one = _Fact()
+    one.__doc__ = doc
+    return one
+
+
+class _Misfit(Exception):
+    """What an argument is, in words."""
+
+
+def _text(value: Any) -> str:
+    if isinstance(value, str):
+        value.encode()
+        return value
+    if not isinstance(value, (bytes, bytearray)):
+        raise ValueError
+    return value.decode()
+
+
+def _whole(value: Any) -> int:
+    """What Python takes for an index, and what becomes an int without being a float or a text."""
+    try:
+        number = operator.index(value)
+    except Exception:
+        if isinstance(value, (float, str, bytes, bytearray)):
+            raise
+        number = int(value)
+    if not 0 <= number < 1 << 64:
+        raise ValueError
+    return number
+
+
+def _number(value: Any) -> float:
+    if isinstance(value, (str, bytes, bytearray)):
+        raise ValueError
+    return float(value)
+
+
+def _truth(value: Any) -> bool:
+    if value is not None and not hasattr(type(value), "__bool__"):
+        raise ValueError
+    return bool(value)
+
+
+def _same_if(fits: Callable[[Any], object]) -> Callable[[Any], Any]:
+    def same(value: Any) -> Any:
+        if not fits(value):
+            raise ValueError
+        return value
+    return same
+
+
+_readers: dict[Any, tuple[Callable[[Any], Any], str]] = {
+    int: (_whole, "a whole number from 0 to 2**64 - 1"), float: (_number,
+        "a number"), bool: (_truth, "True or False"),
+    str: (_text, "a string"), Literal: (_text,
+        "a string"), collections.abc.Callable: (_same_if(callable), "a function"),
+    collections.abc.Iterable: (_same_if(lambda value: iter(value) is not None), "an iterable")}
+
+
+def _fitted(wanted: Any, value: Any) -> Any:
+    """The argument as its annotation says; any value where that says more than one thing."""
+    origin, inner = typing.get_origin(wanted), typing.get_args(wanted)
+    if origin is typing.Union:
+        if len(inner) != 2 or inner[1] is not type(None):
+            return value
+        try:
+            return None if value is None else _fitted(inner[0], value)
+        except _Misfit as fault:
+            raise _Misfit(f"{fault} or None")
+    if isinstance(wanted, type) and wanted.__module__.startswith("changeover."):
+        reader, words = _same_if(lambda given: isinstance(given, wanted)), f"a {wanted.__name__}"
+    elif (origin or wanted) in _readers:
+        reader, words = _readers[origin or wanted]
+    else:
+        return value
+    try:
+        return reader(value)
+    except Exception:  # Of whoever wrote the value.
+        is_text = isinstance(value, str) and reader is _text
+        raise _Misfit(words + " that can be written as UTF-8" if is_text else words)
+
+
+def _shown(value: Any) -> str:
+    """A value in a line, whatever its repr() does."""
+    try:
+        text = " ".join(reprlib.repr(value).split())
+    except Exception:  # Such as an int of more digits than Python writes.
+        text = f"<{type(value).__name__}>"
+    return text if len(text) <= 80 else f"<{type(value).__name__}>"
+
+
+def _bound(name: str, signature: inspect.Signature, given: tuple[Any, ...],
+           named: dict[str, Any]) -> Any:
+    """The arguments, or in a line why they are none."""
+    try:
+        bound = signature.bind(*given, **named)
+    except TypeError as fault:
+        names = ", ".join(each for each in signature.parameters if each != "self")
+        return f"{name}(): {fault}; its arguments are {names or 'none'}"
+    for argument, value in bound.arguments.items():
+        try:
+            bound.arguments[argument] = _fitted(signature.parameters[argument].annotation, value)
+        except _Misfit as fault:
+            return f"{name}(): {argument} is {fault}, not {_shown(value)}"
+    return bound
+
+
+def checked(function: Callable[..., Any], name: str, owner: Optional[type] = None) -> Callable[...,
+                                                                                               Any]:
+    hints = typing.get_type_hints(function)
+    written = inspect.signature(function)
+    signature = written.replace(
+        parameters=[each.replace(annotation=owner if each.name == "self"
+                                 else hints.get(each.name, each.empty))
+                    for each in written.parameters.values()],
+        return_annotation=hints.get("return", written.return_annotation))
+
+    @functools.wraps(function)
+    def call(*given: Any, **named: Any) -> Any:
+        bound = _bound(name, signature, given, named)
+        if isinstance(bound, str):
+            raise TypeError(bound)
+        return function(*bound.args, **bound.kwargs)
+
+    shown = [each.replace(annotation=each.empty) if each.name == "self" else each
+             for each in signature.parameters.values()]
+    setattr(call, "__signature__", signature.replace(parameters=shown))
+    return call
+
+
+def _check_methods(owner: type) -> None:
+    """Those that it inherits, too: what does not fit is then said in its name."""
+    for name in dir(owner):
+        method = getattr(owner, name)
+        if not isinstance(method, types.FunctionType) or hasattr(method, "__wrapped__"):
+            continue
+        if name == "__init__":
+            setattr(owner, name, checked(method, owner.__name__, owner))
+            given = list(inspect.signature(getattr(owner, name)).parameters.values())[1:]
+            setattr(owner, "__signature__", inspect.Signature(given))
+        elif not name.startswith("_"):
+            setattr(owner, name, checked(method, f"{owner.__name__}.{name}", owner))
+
+
+def check_calls(module: dict[str, Any]) -> None:
+    """Has the public functions of a module, and the methods of its classes, called with what their
+    annotations say, or refused."""
+    for name, each in list(module.items()):
+        if name.startswith("_") or getattr(each, "__module__", None) != module["__name__"]:
+            continue
+        if isinstance(each, types.FunctionType):
+            module[name] = checked(each, name)
+        elif isinstance(each, type):
+            _check_methods(each)

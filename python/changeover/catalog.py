@@ -1,0 +1,90 @@
+"""The catalog that comes with the package, and the user's own."""
+
+from __future__ import annotations
+
+import json
+from typing import Any, Dict, List, Optional
+
+from . import _core
+from ._made import Kind, Made, check_calls, fact, made
+from .designs import Design, design_of
+
+__all__ = ["add", "cell", "entries", "find"]
+
+
+class Entry(Made):
+    """A design of the catalog, with all that is said of it."""
+
+    __slots__ = ()
+
+    label: str = fact("Permanent; made of the parameters and the blocks alone.")
+    v: int = fact()
+    k: int = fact()
+    change: int = fact()
+    kind: str = fact()
+    strength: int = fact()
+    b: int = fact()
+    lower_bound: int = fact("That was known when the entry was written.")
+    reason: str = fact()
+    status: str = fact("'minimum', 'best-known' or 'retracted'.")
+    credit: Dict[str, str] = fact("A dict with who, date, program, command.")
+    cites: List[str] = fact()
+    note: str = fact()
+    retracted: str = fact("Why it is no longer vouched for; empty if it is.")
+
+    @property
+    def recipe(self) -> Dict[str, Any]:
+        """How its blocks are made."""
+        recipe: Dict[str, Any] = json.loads(self._core.recipe())
+        return recipe
+
+    def design(self) -> Design:
+        """Its blocks, built and verified."""
+        return design_of(self._core.design())
+
+    def __repr__(self) -> str:
+        return f"<{self.label}>"
+
+
+def _entry(core: Any) -> Any:
+    return core and made(Entry, core.facts(), core)
+
+
+def find(label: str) -> Optional[Entry]:
+    """The entry of a label, of an alias, or of the beginning of one label alone; None if there is
+    none."""
+    entry: Optional[Entry] = _entry(_core.find(label))
+    return entry
+
+
+def cell(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int = 2) -> List[Entry]:
+    """All entries of a cell, fewest blocks first, retracted ones too."""
+    return [_entry(core) for core in _core.cell(v, k, change, kind, strength)]
+
+
+def entries(
+    *,
+    v_from: Optional[int] = None,
+    v_to: Optional[int] = None,
+    k_from: Optional[int] = None,
+    k_to: Optional[int] = None,
+    change: Optional[int] = None,
+    kind: Optional[Kind] = None,
+    status: str = "",
+    best_only: bool = True,
+    users_only: bool = False,
+) -> List[Entry]:
+    """A list of the entries that are asked for, by change, kind, k, v, b; the best of each cell
+    only unless said."""
+    found = _core.entries(v_from, v_to, k_from, k_to, change, kind, status, best_only, users_only)
+    return [_entry(core) for core in found]
+
+
+def add(design: Design, *, who: str, date: str, note: str = "") -> str:
+    """Puts a design into the user's catalog and returns its label. Raises BadInput if it is
+    none."""
+    label: str = _core.add(design._core, who, date, note)
+    return label
+
+
+check_calls(globals())

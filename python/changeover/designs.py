@@ -1,0 +1,377 @@
+"""Designs: made, read, verified, written, compared, enlarged, streamed."""
+
+from __future__ import annotations
+
+import copyreg
+import json
+import operator
+from array import array
+from typing import Any, Dict, Iterable, Iterator, List, Literal, Optional, SupportsIndex, Tuple, Union, overload
+
+from . import _core
+from ._given import listed, rows_of, words_of
+from ._made import Kind, Made, check_calls, fact, made
+from .errors import BadInput
+
+Block = Tuple[int, ...]
+
+
+class Blocks(_core.Memory):
+    """Blocks in order: a read-only sequence of tuples of element numbers, and a buffer of shape (b,
+    k) of unsigned 32-bit integers that NumPy wraps without a copy: numpy.asarray(blocks)."""
+
+    __slots__ = ()
+
+    @property
+    def shape(self) -> Tuple[int, int]:
+        """(b, k)"""
+        rows, k = self._view().shape or (0, 0)
+        return rows, k
+
+    def tolist(self) -> List[List[int]]:
+        """A list of lists of int."""
+        rows: Any = self._view().tolist()
+        return list(rows)
+
+    @overload
+    def __getitem__(self, index: slice) -> Blocks: ...
+    @overload
+    def __getitem__(self, index: SupportsIndex) -> Block: ...
+
+    def __getitem__(self, index: Any) -> Any:
+        count = len(self)
+        if isinstance(index, slice):
+            first, stop, step = index.indices(count)
+            return _core.part(Blocks, self, first, len(range(first, stop, step)), step)
+        if not hasattr(type(index), "__index__"):
+            raise TypeError(f"blocks have a number or a slice as index, not {_core.quoted(words_of(repr(index)))}")
+        place = operator.index(index)
+        if not -count <= place < count:
+            raise IndexError(f"there are {count} blocks")
+        return _core.row(self, place % count)
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def __iter__(self) -> Iterator[Block]:
+        return (_core.row(self, place) for place in range(len(self)))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Blocks):
+            return NotImplemented
+        return self._view() == other._view()
+
+    def _view(self) -> memoryview:
+        exporter: Any = self
+        return memoryview(exporter)
+
+    def __repr__(self) -> str:
+        return "<{} blocks of {} elements>".format(*self.shape)
+
+
+class Verdict(Made):
+    """What is true of a list of blocks; a true value if it is a design."""
+
+    __slots__ = ()
+
+    valid: bool = fact("It is a change covering design with these parameters.")
+    tight: bool = fact("Every pair is newly covered exactly once.")
+    economical: bool = fact("It has as many blocks as the counting bound.")
+    minimum: bool = fact("Proved: no design with these parameters has fewer blocks.")
+    b: int = fact("Number of blocks.")
+    lower_bound: int = fact("No design with these parameters has fewer blocks.")
+    v: int = fact()
+    k: int = fact()
+    change: int = fact()
+    kind: str = fact()
+    strength: int = fact()
+    bad_steps: int = fact("How many steps do not change exactly `change` elements.")
+    bad_step_examples: List[Tuple[int, int,
+        int]] = fact("Up to twenty (from, to, changes); blocks are numbered from 1.")
+    uncovered: int = fact("How many pairs are in no block.")
+    uncovered_examples: List[List[int]] = fact("Up to twenty of them.")
+    excess: int = fact("Newly covered pairs, with repetition, less the distinct ones.")
+    fixed: List[int] = fact("Elements that are in every block.")
+    introductions: List[int] = fact("i_x: by element, in how many blocks it is introduced.")
+    memberships: List[int] = fact("r_x: by element, how many blocks contain it.")
+
+    def as_dict(self) -> Dict[str, Any]:
+        """Everything that the verifier found, as `changeover verify --json` has it under
+        "details"."""
+        said: Dict[str, Any] = json.loads(self._core.verdict())
+        return said
+
+    def __bool__(self) -> bool:
+        return self.valid
+
+    def __repr__(self) -> str:
+        found = "valid, tight" if self.valid and self.tight else "valid" if self.valid else "not valid"
+        return f"<Verdict: {self._core.facts()['name']}, {self.b} blocks, {found}>"
+
+
+def _verdict(core: Any) -> Verdict:
+    said = json.loads(core.verdict())
+    bound = core.lower_bound()
+    return made(Verdict, {
+        **said, "lower_bound": bound, "minimum": said["valid"] and said["b"] == bound,
+        "bad_step_examples": [(step["from"], step["to"], step["changes"])
+                              for step in said["bad_step_examples"]],
+        "introductions": [each["introductions"] for each in said["elements"]],
+        "memberships": [each["blocks"] for each in said["elements"]]}, core)
+
+
+class Design(Made):
+    """Blocks with their verdict: changeover.design() makes one, and Design(blocks, ...) is one of
+    yours."""
+
+    __slots__ = ()
+
+    v: int = fact("Number of elements.")
+    k: int = fact("Elements in a block.")
+    change: int = fact("Elements in which consecutive blocks differ.")
+    kind: str = fact("'linear' or 'circular'.")
+    strength: int = fact()
+    b: int = fact("Number of blocks.")
+    labels: Optional[List[str]] = fact("Names of the elements, or None if they are numbers.")
+
+    def __new__(cls, *_args: Any, **_named: Any) -> Any:
+        return object.__new__(cls)
+
+    def __init__(
+        self,
+        blocks: Any,
+        v: Optional[int] = None,
+        change: Optional[int] = None,
+        kind: Kind = "linear",
+        strength: int = 2,
+    ) -> None:
+        self._take(_core_of(blocks, v, change, kind, strength))
+
+    def _take(self, core: Any) -> Any:
+        self._core = core
+        self._facts = core.facts()
+        return self
+
+    @property
+    def blocks(self) -> Blocks:
+        """The blocks, shape (b, k), without a copy."""
+        blocks: Blocks = self._core.blocks(Blocks)
+        return blocks
+
+    @property
+    def verdict(self) -> Verdict:
+        """What the verifier found."""
+        if "verdict" not in self._facts:
+            self._facts["verdict"] = _verdict(self._core)
+        verdict: Verdict = self._facts["verdict"]
+        return verdict
+
+    @property
+    def recipe(self) -> Optional[Dict[str, Any]]:
+        """How the blocks are made, as a dict, if that is known."""
+        recipe: Optional[Dict[str, Any]] = json.loads(self._core.recipe())
+        return recipe
+
+    @property
+    def transitions(self) -> List[Tuple[Block, Block, Block]]:
+        """A list of (block, introduced, leaving), tuples of element numbers."""
+        steps: List[Tuple[Block, Block, Block]] = self._core.transitions()
+        return steps
+
+    @property
+    def group_order(self) -> int:
+        """Order of the automorphism group, exact."""
+        return int(self._core.group_order())
+
+    def expand(
+        self,
+        *,
+        new_elements: Optional[int] = None,
+        set: Optional[int] = None,
+        factorization: Literal["circle", "doubled"] = "circle",
+    ) -> Design:
+        """A design on more elements, verified: by the recursion with an expansion set, the one that
+        is found as number `set` if given; where there is none, and for a number of new_elements (0:
+        the best one), at unchanged subsets that may overlap. factorization, circle or doubled, is
+        that of the new elements. Raises MissingResource with the reason if there is no such set or
+        the elements cannot be inserted."""
+        return design_of(self._core.expand(new_elements, set, factorization))
+
+    def to_string(self, format: str = "text") -> str:
+        """As text, json, csv, gap, sage, designtheory, ljcr or latex."""
+        text: str = self._core.to_string(format)
+        return text
+
+    def is_same_as(self, other: Design, reversal: bool = False) -> bool:
+        """Whether they are the same up to names of elements and, if circular, rotation."""
+        return bool(self._core.is_same_as(other._core, reversal))
+
+    def canonical(self, reversal: bool = False) -> Design:
+        """The same design for all designs that are the same as this one."""
+        return design_of(self._core.canonical(reversal))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Design):
+            return NotImplemented
+        return bool(self._core.equals(other._core))
+
+    def __getstate__(self) -> Tuple[str]:
+        return (self.to_string("json"),)
+
+    def __setstate__(self, state: Any) -> None:
+        if not isinstance(state, tuple) or len(state) != 1 or not isinstance(state[0], str):
+            raise TypeError("Design.__setstate__(): the state is what pickle made of a design")
+        self._take(_core.read_text(state[0], ""))
+
+    def __reduce_ex__(self, _protocol: Any = 2) -> Any:
+        return getattr(copyreg, "__newobj__"), (type(self),), self.__getstate__()
+
+    __reduce__ = __reduce_ex__
+
+    def __len__(self) -> int:
+        return self.b
+
+    def __iter__(self) -> Iterator[Block]:
+        return iter(self.blocks)
+
+    def __repr__(self) -> str:
+        return f"<{self._facts['name']}, {self.b} blocks{'' if self._facts['valid'] else ', not valid'}>"
+
+
+def design_of(core: Any) -> Design:
+    """A design of the compiled module."""
+    design: Design = Design.__new__(Design)._take(core)
+    return design
+
+
+class Stream(Made):
+    """Batches of blocks, one after another; verified when the last one was read."""
+
+    __slots__ = ()
+
+    b: int = fact("Number of blocks of the whole stream.")
+    v: int = fact()
+    k: int = fact()
+    kind: str = fact()
+
+    def __iter__(self) -> Stream:
+        return self
+
+    def __next__(self) -> Blocks:
+        blocks: Blocks = self._core.next(Blocks)
+        return blocks
+
+
+def _numbers_in(blocks: Any) -> Optional[Tuple[bytes, int]]:
+    """The numbers of a buffer of two dimensions of whole numbers, in 64 bits each, and how many are
+    in a row."""
+    try:
+        view = memoryview(blocks)
+    except Exception:
+        return None
+    form = view.format
+    letters = "bhiq" if form[-1:] in tuple("bhilqn") else "BHIQ" if form[-1:] in tuple("BHILQN") else ""
+    if view.ndim != 2 or not letters or view.shape is None or not (len(form) == 1
+                                                                   or form[0] in "=@<"):
+        return None
+    k = view.shape[1]
+    numbers = memoryview(view.tobytes()).cast(letters[view.itemsize.bit_length() - 1])
+    if letters == "bhiq" and min(numbers, default=0) < 0:
+        place = next(place for place, number in enumerate(numbers) if number < 0)
+        raise BadInput(f"block {place // k + 1}: an element is negative; elements are 0, 1, ...")
+    return array("Q", numbers).tobytes(), k
+
+
+def _core_of(blocks: Any, *parameters: Any) -> Any:
+    """A design of the compiled module, of a Design or Blocks, a two-dimensional buffer of whole
+    numbers (a NumPy array), or any iterable of iterables of numbers or strings. What is not said is
+    inferred by the rules of files."""
+    if isinstance(blocks, Design):
+        return blocks._core.told(*parameters)
+    if isinstance(blocks, (str, bytes)):
+        raise TypeError("blocks are an array or a list of lists; changeover.loads() reads a text")
+    table = _numbers_in(blocks)
+    core = table and _core.from_numbers(*table, *parameters)
+    if core:
+        return core
+    # Anything else is written down as JSON and read as a file would be: one set of rules, one set of messages.
+    holds = "lists of elements"
+    rows = [[element if isinstance(element, str) else operator.index(element)
+             for element in listed("blocks", holds, block)]
+            for block in rows_of("blocks", holds, blocks, True)]
+    return _core.read_text(words_of(json.dumps(rows, ensure_ascii=False, separators=(",", ":"))),
+                           "blocks", *parameters)
+
+
+def design(
+    v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2, *, construction: str = ""
+) -> Optional[Design]:
+    """The best design that is known without search, verified, or None.
+
+    v elements, blocks of k, consecutive blocks differ in `change` elements; kind 'linear' or
+    'circular', or None: whichever has fewer blocks, circular if both have as many. Raises
+    ImpossibleParameters if no such blocks can be written down, MissingResource if the design is too
+    long for memory: see stream().
+    """
+    core = _core.design(v, k, change, kind, strength, construction)
+    return core and design_of(core)
+
+
+def stream(v: int, k: int, change: int = 2, kind: Optional[Kind] = None, *,
+           batch: int = 65536) -> Optional[Stream]:
+    """The blocks of the same design as design() in batches: an iterator of Blocks of shape (at most
+    batch, k), or None.
+
+    For designs that are too long for memory. Raises InternalError at the end if what was read is no
+    design.
+    """
+    core = _core.stream(v, k, change, kind, batch)
+    return core and made(Stream, core.facts(), core)
+
+
+def explain(
+    v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2
+) -> Optional[Dict[str, Any]]:
+    """How the design of design() is built: a dict with construction, v, k, change, kind,
+    explanation, citation, b and inputs, a list of the same for the designs that it is made of. None
+    if nothing serves."""
+    tree: Optional[Dict[str, Any]] = _core.explain(v, k, change, kind, strength)
+    return tree
+
+
+def constructions() -> List[Dict[str, str]]:
+    """A dict for each construction: name, summary, preconditions, guarantee, citation."""
+    listed_: List[Dict[str, str]] = _core.constructions()
+    return listed_
+
+
+def verify(
+    blocks: Any,
+    v: Optional[int] = None,
+    change: Optional[int] = None,
+    kind: Optional[Kind] = None,
+    strength: int = 2,
+) -> Verdict:
+    """What is true of a list of blocks.
+
+    blocks: a Design, an array of shape (b, k) of whole numbers, or lists of numbers or names. If v
+    is not said, what occurs is the whole set; if change is not said, the first two blocks say it;
+    kind is 'linear' unless said. Raises BadInput for blocks of different sizes, repeated elements,
+    or elements that are not below v. O(bk).
+    """
+    return _verdict(_core_of(blocks, v, change, kind, strength))
+
+
+def read(path: str) -> Design:
+    """The design of a file of any format that is known: text, JSON, CSV, GAP, Sage, XML of
+    designtheory.org. Its verdict may be that it is none. Raises BadInput with line and column,
+    MissingResource."""
+    return design_of(_core.read(path))
+
+
+def loads(text: str) -> Design:
+    """The same for a text in memory."""
+    return design_of(_core.read_text(text, ""))
+
+
+check_calls(globals())

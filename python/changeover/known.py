@@ -1,0 +1,142 @@
+"""Lower bounds with their reasons, what is known, and tables of both."""
+
+from __future__ import annotations
+
+import importlib
+from typing import Any, Iterable, List, Optional, Tuple, Union
+
+from . import _core
+from ._made import Kind, Made, check_calls, checked, fact, made
+from .designs import Design
+from .errors import BadInput
+from .plans import RunSheet
+
+Range = Union[int, range, Tuple[int, int]]
+
+
+class Bound(Made):
+    """A number of blocks that no design goes below, and why."""
+
+    __slots__ = ()
+
+    blocks: int = fact()
+    name: str = fact("'counting', 'degree', 'stays', …")
+    reason: str = fact("One line of plain mathematics.")
+
+    def __repr__(self) -> str:
+        return f"<at least {self.blocks} ({self.name})>"
+
+
+class Bounds(Made):
+    """What is known of the least number of blocks."""
+
+    __slots__ = ()
+
+    lower_bound: Optional[int] = fact("The largest lower bound; None if no design exists.")
+    reason: str = fact("Of the bound, or why no design exists; one line.")
+    best_known: Optional[int] = fact("Blocks of the best design that is known, or None.")
+    construction: str = fact("What makes that design.")
+    reported: Optional[Tuple[int, str]] = fact(
+        "Fewer blocks that a publication reports and that are not held here, so not verified, and its key in the references; "
+        "or None.")
+    all: List[Bound] = fact("Every bound that applies, largest first.")
+    status: str = fact("'minimum', 'best-known', 'open' or 'impossible'.")
+
+    def __repr__(self) -> str:
+        return f"<{self._core}: {self.status}>"
+
+
+class Cell(Made):
+    """What is known of one set of parameters: a cell of a table."""
+
+    __slots__ = ()
+
+    v: int = fact()
+    k: int = fact()
+    change: int = fact()
+    kind: str = fact()
+    b: Optional[int] = fact("Blocks of the best design that is known, or None.")
+    lower_bound: Optional[int] = fact()
+    reason: str = fact()
+    status: str = fact("'minimum', 'best-known', 'open' or 'impossible'.")
+    construction: Optional[str] = fact()
+
+    def __repr__(self) -> str:
+        return f"<{self._core}: {self.status}>"
+
+
+def bounds(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int = 2) -> Bounds:
+    """Lower bounds on the number of blocks with their reasons, and the best design that is known.
+
+    Raises ImpossibleParameters if no such blocks can be written down.
+    """
+    name, facts, listed = _core.bounds(v, k, change, kind, strength)
+    best, worst = facts["best_known"], facts["lower_bound"]
+    facts["all"] = [made(Bound, {"blocks": blocks, "name": of, "reason": reason}) for blocks, of,
+                    reason in listed]
+    facts["status"] = (
+        "impossible" if worst is None else "open" if best is None else "minimum" if best == worst else "best-known")
+    return made(Bounds, facts, name)
+
+
+def _ends(what: Any, name: str) -> Tuple[int, int]:
+    """The first and the last of an int, a range or a pair."""
+    if isinstance(what, range):
+        if len(what) == 0 or what.step != 1:
+            raise BadInput(f"{name} is a range without gaps, not {what}")
+        return what[0], what[-1]
+    if isinstance(what, tuple):
+        first, last = what
+        return first, last
+    return what, what
+
+
+def _table(k_from: int, k_to: int, v_from: int, v_to: int, change: int,
+           kind: Optional[Kind]) -> List[Cell]:
+    return [made(Cell, facts, name) for name,
+            facts in _core.table(k_from, k_to, v_from, v_to, change, kind)]
+
+
+def table(k: Range, v: Range, change: int = 2, kind: Optional[Kind] = None) -> List[Cell]:
+    """The best known design for every v and k of a range, with its lower bound.
+
+    ``k`` and ``v`` are an int, a range such as ``range(3, 9)``, or a pair (first, last). Cells come
+    by kind (circular first if none is named), k, v. A few milliseconds a cell; raises BadInput
+    beyond v = 1000.
+    """
+    cells: List[Cell] = _checked_table(*_ends(k, "k"), *_ends(v, "v"), change, kind)
+    return cells
+
+
+def to_pandas(what: Union[Design, RunSheet, Iterable[Cell]]) -> Any:
+    """A pandas.DataFrame of a table (a row a cell), a design (a row a block), or a run sheet (a row
+    a test).
+
+    Raises ImportError without pandas.
+    """
+    pandas: Any = importlib.import_module("pandas")
+    if isinstance(what, RunSheet):
+        return pandas.DataFrame(what.steps).set_index("number")
+    if isinstance(what, Design):
+        names = [f"element_{i + 1}" for i in range(what.k)]
+        frame = pandas.DataFrame(what.blocks.tolist(), columns=names)
+        if what.labels:
+            frame = frame.apply(lambda column: column.map(dict(enumerate(what.labels))))
+        frame.index = pandas.RangeIndex(1, what.b + 1, name="block")
+        return frame
+    columns = ("v", "k", "change", "kind", "b", "lower_bound", "status", "construction")
+    cells: Any = what
+    return pandas.DataFrame([[getattr(cell, name) for name in columns] for cell in cells],
+                            columns=columns)
+
+
+def to_sage(what: Design) -> Any:
+    """A design as Sage's IncidenceStructure, blocks in their order. Raises ImportError outside of
+    Sage."""
+    sage: Any = importlib.import_module("sage.combinat.designs.incidence_structures")
+    points: List[Any] = list(range(what.v)) if what.labels is None else what.labels
+    return sage.IncidenceStructure(points, [[points[x] for x in block] for block in what.blocks])
+
+
+check_calls(globals())
+_checked_table = checked(_table, "table")

@@ -1,0 +1,337 @@
+"""Run sheets: which tests to make, in which order, for the least cost."""
+
+from __future__ import annotations
+
+import json
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any, Callable, Dict, Iterable, List, Literal, Mapping, Optional, Tuple, Union, overload
+
+from . import _core
+from ._job import document_of, names_in, result_of
+from ._made import Made, Progress, check_calls, fact, made
+from .errors import BadInput
+
+Cost = Union[int, float, str, Decimal]
+Part = Union[str, int]
+Pair = Tuple[Part, Part]
+Parts = Union[int, Iterable[Part], Mapping[Any, Cost]]
+Pairs = Optional[Iterable[Iterable[Part]]]
+Room = Union[int, Tuple[Optional[int], Optional[int]]]
+Result = Union[bool, str, None]
+Done = Union[Iterable[Part], Tuple[Iterable[Part], Result], Dict[str, Any]]
+Objective = Literal["makespan", "cost"]
+
+
+def _decimal(amount: Any) -> Decimal:
+    """Exact, without decimals or with two at least."""
+    whole = int(amount)
+    if whole == amount:
+        return Decimal(whole)
+    text = str(amount).rstrip("0")
+    return Decimal(text + "0" * (2 - len(text.partition(".")[2])))
+
+
+def _step(step: Dict[str, Any]) -> Dict[str, Any]:
+    return {"number": step["step"], "take_out": step["take_out"], "put_in": step["put_in"],
+            "setup": step["set_up"],
+            "cost": _decimal(step["cost"]), "cost_so_far": _decimal(step["cost_so_far"])}
+
+
+class _Sheets(Made):
+    """What the run sheets of one bench and of several have in common."""
+
+    __slots__ = ()
+
+    tests: int = fact("Of all benches.")
+    changes: int = fact("Of all benches.")
+    complete: bool = fact("All that must meet does, on one bench or another; a budget may not pay for it.")
+    pairs_tested: int = fact("Of the pairs that must meet.")
+    pairs_needed: int = fact()
+    triples_tested: int = fact("Of three parts that must meet, with strength 3.")
+    triples_needed: int = fact()
+    cost: Decimal = fact("Exact, of all benches.")
+    lower_bound: Decimal = fact("No list of tests that does the job costs less.")
+    reason: str = fact("Of the bound.")
+    interrupted: bool = fact("Ctrl-C ended the search.")
+    candidates: List[Dict[str, Any]] = fact(
+        "What it was compared with, the best first: dicts with name, how, tests, changes, cost, and of several benches makespan.")
+    notes: List[str] = fact(
+        "What else is to be said of the job, a line each: results that are not understood, pairs that cannot meet.")
+
+    def to_csv(self) -> str:
+        return self._written("csv")
+
+    def to_html(self) -> str:
+        return self._written("html")
+
+    def to_json(self) -> str:
+        """The document that the command line writes with --json, byte for byte."""
+        return self._written("json")
+
+    def to_markdown(self) -> str:
+        return self._written("markdown")
+
+    def to_text(self) -> str:
+        return self._written("table")
+
+    def to_xlsx(self) -> bytes:
+        """The bytes of a workbook."""
+        workbook: bytes = self._core.written("xlsx")
+        return workbook
+
+    def request_json(self) -> str:
+        """What was asked, as the document that `changeover plan --request` reads."""
+        text: str = self._core.request_json()
+        return text
+
+    def _written(self, format: str) -> str:
+        text: bytes = self._core.written(format)
+        return text.decode()
+
+
+class RunSheet(_Sheets):
+    """A run sheet, counted by code that shares nothing with what made it."""
+
+    __slots__ = ()
+
+    steps: List[Dict[str,
+        Any]] = fact("A dict for each test: number, take_out, put_in, setup (names), cost, cost_so_far.")
+    met_only_in_failed: int = fact(
+        "Pairs (triples with strength 3) that met only in tests that failed or whose result is not understood.")
+    cheapest: bool = fact("Proved: nothing is cheaper.")
+
+    def what_if(
+        self,
+        *,
+        time: Optional[float] = None,
+        threads: int = 1,
+        seed: int = 1,
+        progress: Progress = None,
+    ) -> Dict[str, Any]:
+        """Which plan is cheapest when changes become dearer or cheaper against tests, and where it
+        breaks even.
+
+        A dict: ranges, by ratio of the cost of a change to that of a test (of a factor of all
+        change costs, if these differ: by_factor) without gaps, each with from and to (Fractions;
+        None: from 0, without end), name, how, tests, changes and setups; asked, where the sheet
+        stands (None if tests cost nothing); interrupted. time: seconds; None: a fixed amount of
+        search for each ratio.
+
+        Raises BadInput if costs depend on what is replaced.
+        """
+        def ratio(two: Optional[Tuple[int, int]]) -> Optional[Fraction]:
+            return two and Fraction(*two)
+
+        answer: Dict[str, Any] = self._core.what_if(time, threads, seed, progress)
+        ranges = [{**each, "from": ratio(each["from"]), "to": ratio(each["to"])}
+                  for each in answer["ranges"]]
+        return {**answer, "asked": ratio(answer["asked"]), "ranges": ranges}
+
+    def diagnose(self,
+        results: Iterable[Union[Result,
+                                Tuple[Iterable[Part], Union[bool, str]]]]) -> Dict[str, Any]:
+        """Which one fault explains the results, and which tests tell apart what is left.
+
+        results: for each of the first tests of the sheet True if it passed, False if it failed,
+        None if nothing is known, or a text such as 'FAILED - hang'; or tuples (set-up, result) for
+        tests of other set-ups.
+
+        A dict: passed, failed; unread, the texts that are not understood, each with its place in
+        results; suspects, each a tuple of one part or of two that do not work together; two, pairs
+        of suspects that explain all together where none does alone; contradictions, (what failed,
+        what passed though it had all of it); tests, a tree of dicts with after (results so far,
+        True for passed), setup, take_out, put_in, cost, if_it_fails and if_it_passes (suspects);
+        most_cost, of the tests that are made. Raises BadInput for other results.
+        """
+        wanted = "results has True (passed), False (failed), None or a text for each of the first tests, or (set-up, result)"
+        if isinstance(results, str):
+            raise BadInput(wanted)
+        steps = self.steps
+        tested: List[Tuple[List[str], bool]] = []
+        unread = []
+        of_sheet = 0
+        for place, result in enumerate(results):
+            setup: Any = None
+            if isinstance(result, tuple):
+                if len(result) != 2:
+                    raise BadInput(wanted)
+                setup, result = result
+                setup = names_in("results", setup)
+                self._core.check_parts(setup)
+            elif of_sheet == len(steps):
+                raise BadInput("results has more than the sheet has tests")
+            else:
+                of_sheet += 1
+            said = result_of(result)
+            if said is None or (result is None and setup is not None):
+                raise BadInput(wanted)
+            read = _core.result_of(said)
+            if read in ("pass", "fail"):
+                tested.append((steps[of_sheet - 1]["setup"] if setup is None else setup,
+                               read == "fail"))
+            elif read == "unread":
+                unread.append((place, result))
+        found: Dict[str, Any] = json.loads(self._core.diagnose(tested), parse_float=Decimal)
+
+        def suspects(all_of_them: List[List[str]]) -> List[Tuple[str, ...]]:
+            return [tuple(each) for each in all_of_them]
+
+        return {
+            "passed": found["passed"], "failed": found["failed"], "suspects": suspects(found["suspects"]),
+            "two": [tuple(suspects(both)) for both in found["two"]],
+            "contradictions": [(each["failed"], each["passed"])
+                               for each in found["contradictions"]],
+            "tests": [{
+                "after": tuple(result == "pass"
+                               for result in each["after"]), "setup": each["set_up"],
+                "take_out": each["take_out"], "put_in": each["put_in"], "cost": _decimal(each["cost"]),
+                "if_it_fails": suspects(each["if_it_fails"]), "if_it_passes": suspects(each["if_it_passes"]),
+            } for each in found["tests"]],
+            "most_cost": _decimal(found["most_cost"]), "unread": unread}
+
+    def __len__(self) -> int:
+        return self.tests
+
+    def __repr__(self) -> str:
+        return f"<RunSheet: {self.tests} tests, {self.changes} changes, cost {self.cost}>"
+
+
+class BenchSheets(_Sheets):
+    """Run sheets for several benches, counted by code that shares nothing with what made them."""
+
+    __slots__ = ()
+
+    sheets: List[List[Dict[str,
+                           Any]]] = fact("For each bench a list of its tests, as RunSheet.steps.")
+    makespan: Decimal = fact("What the bench costs that costs most; exact.")
+    makespan_bound: Decimal = fact("Of the bench that costs most.")
+    makespan_reason: str = fact("Of that bound.")
+
+    def __len__(self) -> int:
+        return len(self.sheets)
+
+    def __repr__(self) -> str:
+        return f"<BenchSheets: {len(self)} benches, {self.tests} tests, makespan {self.makespan}>"
+
+
+def _facts(core: Any) -> Dict[str, Any]:
+    """What the document of an answer says, under the names that it has in Python."""
+    said: Dict[str, Any] = json.loads(core.written("json"), parse_float=Decimal)
+    bound = said["lower_bound"]
+    facts = {
+        **said, "complete": core.complete, "interrupted": core.interrupted, "cost": _decimal(said["cost"]),
+        "lower_bound": _decimal(bound["cost"]), "candidates": [
+            {key: _decimal(each[key]) if key in ("cost", "makespan") else each[key]
+             for key in ("name", "how", "tests", "changes", "cost",
+                         "makespan") if key in each} for each in said["candidates"]]}
+    if "sheets" not in said:
+        return {**facts, "steps": [_step(step) for step in said["steps"]],
+                "reason": bound["reason"],
+                "cheapest": said["proved_cheapest"]}
+    return {**facts,
+            "sheets": [[_step(step) for step in sheet["steps"]] for sheet in said["sheets"]],
+            "reason": bound["cost_reason"], "makespan": _decimal(said["makespan"]),
+            "makespan_bound": _decimal(bound["makespan"]), "makespan_reason": bound["makespan_reason"]}
+
+
+@overload
+def plan(
+    parts: Parts, at_once: int, *, test_cost: Cost, change_cost: Optional[Cost] = None,
+    change_costs: Optional[Mapping[Pair, Cost]] = None, strength: int = 2, pairs: Pairs = None,
+    never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
+    slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
+    start: Iterable[Part] = (), first: Iterable[Iterable[Part]] = (),
+    weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
+    trust_failed: bool = False, budget: Optional[Cost] = None, benches: None = None,
+    objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
+    shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
+    steps: Optional[int] = None,
+) -> RunSheet: ...
+@overload
+def plan(
+    parts: Parts, at_once: int, *, test_cost: Cost, change_cost: Optional[Cost] = None,
+    change_costs: Optional[Mapping[Pair, Cost]] = None, strength: int = 2, pairs: Pairs = None,
+    never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
+    slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
+    start: Iterable[Part] = (), first: Iterable[Iterable[Part]] = (),
+    weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
+    trust_failed: bool = False, budget: Optional[Cost] = None, benches: int,
+    objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
+    shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
+    steps: Optional[int] = None,
+) -> BenchSheets: ...
+
+
+def plan(
+    parts: Parts,
+    at_once: int,
+    *,
+    test_cost: Cost,
+    change_cost: Optional[Cost] = None,
+    change_costs: Optional[Mapping[Pair, Cost]] = None,
+    strength: int = 2,
+    pairs: Any = None,
+    never: Any = (),
+    slots: Optional[Mapping[str, Room]] = None,
+    slot_of: Optional[Mapping[Any, str]] = None,
+    mounted: Any = (),
+    start: Any = (),
+    first: Any = (),
+    weights: Optional[Mapping[Pair, Cost]] = None,
+    done: Any = (),
+    trust_failed: bool = False,
+    budget: Optional[Cost] = None,
+    benches: Optional[int] = None,
+    objective: Optional[Objective] = None,
+    time: Optional[float] = None,
+    threads: int = 1,
+    seed: int = 1,
+    progress: Progress = None,
+    done_first: Optional[int] = None,
+    shuffle: Optional[int] = None,
+    title: Optional[str] = None,
+    compact: bool = False,
+    steps: Optional[int] = None,
+) -> Any:
+    """The cheapest list of tests that was found in which every two parts are mounted together at
+    least once.
+
+    parts: how many, a list of names, or a dict from names to what it costs to mount them; at_once
+    of them fit. Costs are numbers, Decimals or strings, and exact.
+
+    change_cost: of a part whose cost is not given. change_costs: a dict from (out, in) to the cost
+    of putting in one part where the other was taken out, for every two parts. strength: 2, every
+    two parts must meet, or 3, every three. pairs: only these must; never: these must not. slots: a
+    dict from the name of a slot to how many of its parts a set-up has, a number or
+    (least, most), None for no limit, with slot_of, a dict from parts to their slots; parts that cannot meet then need not.
+    mounted: parts that stay; start: parts that are mounted before the first test; first: set-ups
+    that must be run first; weights: a dict from pairs to what testing them is worth (others 1);
+    done: tests that were done, lists of names, each alone or as (names, result), where result is
+    True (passed), False (failed), None or a text such as 'FAILED - hang'. Pairs that met only in
+    tests that failed, or whose text is not understood, are needed again, unless trust_failed.
+    budget: test as much as it pays for. benches: so many side by side, which gives BenchSheets,
+    else it is a RunSheet; objective: 'makespan' (None), what the bench costs that costs most is
+    least, or 'cost', of all of them. time: seconds of search; None: a fixed amount of it, or steps,
+    moves of each local search. done_first: only so many of done were done. shuffle: a seed by which
+    parts are exchanged that nothing tells apart. title, compact: of what is written.
+
+    Raises BadInput with the reason if no list can do it.
+    """
+    given = locals()
+    document = document_of(given)
+    if objective not in (None, "makespan", "cost"):
+        raise BadInput("objective is 'makespan', what the bench costs that costs most, or 'cost', of all benches")
+    for argument in ("at_once", "strength", "benches", "objective", "done_first", "shuffle",
+                     "steps"):
+        if given[argument] is not None:
+            document[argument] = given[argument]
+    document.update({key: value for key,
+        value in (("trust_failed", trust_failed), ("compact", compact), ("title", title)) if value})
+    core = _core.plan(json.dumps(document), time, threads, seed, progress)
+    return made(RunSheet if benches is None else BenchSheets, _facts(core), core)
+
+
+check_calls(globals())

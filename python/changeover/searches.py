@@ -1,0 +1,106 @@
+"""Searches and classifications: they end when they are asked to, and keep what they found."""
+
+from __future__ import annotations
+
+from typing import Dict, List, Optional
+
+from . import _core
+from ._made import Kind, Made, Progress, check_calls, fact, made
+from .designs import Design, design_of
+
+
+class SearchResult(Made):
+    """What a search found before it ended; the best so far if it was stopped."""
+
+    __slots__ = ()
+
+    design: Optional[Design] = fact("The best design, verified, or None.")
+    b: Optional[int] = fact("Its number of blocks, or None.")
+    lower_bound: int = fact("No design has fewer blocks.")
+    reason: str = fact("Of the bound, if the search was exact.")
+    minimum: bool = fact("Proved: nothing has fewer blocks than `design`, or nothing exists.")
+    why_stopped: str = fact("'found', 'exhausted', 'time limit', 'interrupted', …")
+    interrupted: bool = fact("Ctrl-C ended it.")
+    how: str = fact("How the design was found, one line.")
+    moves: int = fact("Proposals of the local search.")
+    seconds: float = fact()
+
+    def __repr__(self) -> str:
+        found = "no design" if self.b is None else f"{self.b} blocks"
+        return f"<SearchResult: {found}, at least {self.lower_bound}, {self.why_stopped}>"
+
+
+class Classification(Made):
+    """All designs with so many blocks, up to isomorphism."""
+
+    __slots__ = ()
+
+    standard_forms: int = fact()
+    classes: int = fact("Isomorphism classes.")
+    tight: int = fact("Classes of tight designs.")
+    complete: bool = fact("These are all; otherwise the search was stopped, and these are some.")
+    interrupted: bool = fact()
+    group_orders: Dict[int,
+                       int] = fact("How many classes have an automorphism group of each order.")
+    designs: List[Design] = fact("The first `keep` representatives.")
+
+    def __repr__(self) -> str:
+        return f"<{self.classes} classes>"
+
+
+def search(
+    v: int,
+    k: int,
+    change: int = 2,
+    kind: Kind = "linear",
+    strength: int = 2,
+    *,
+    time: Optional[float] = 60.0,
+    threads: int = 1,
+    seed: int = 1,
+    target: Optional[int] = None,
+    start: Optional[Design] = None,
+    exact: bool = False,
+    progress: Progress = None,
+) -> SearchResult:
+    """Looks for a design with fewer blocks than any that is known, for `time` seconds (None: until
+    it is the lower bound) with `threads` threads.
+
+    exact=True walks up from the lower bound and proves each number of blocks impossible, with
+    checked proofs, until there is a design: the minimum. progress is called now and then with a
+    dict (phase, steps, best, elapsed, left, ...); what it raises ends the search and arrives here.
+    Ctrl-C ends it and keeps the best so far, marked interrupted. With one thread the result of a
+    search that no clock ends depends on the seed alone.
+    """
+    facts = _core.search(
+        v, k, change, kind, strength, time, threads, seed, target, start and start._core, exact, progress)
+    core = facts["design"]
+    found = core and design_of(core)
+    return made(SearchResult, {**facts, "design": found, "b": found and found.b})
+
+
+def classify(
+    v: int,
+    k: int,
+    b: int,
+    change: int = 2,
+    kind: Kind = "linear",
+    *,
+    reversal: bool = False,
+    keep: int = 100,
+    time: Optional[float] = None,
+    threads: int = 1,
+    progress: Progress = None,
+) -> Classification:
+    """All designs with exactly b blocks up to names of elements and rotation, and reversal if asked
+    for.
+
+    Raises ImpossibleParameters above 64 elements or 4096 blocks. Exponential in b.
+    """
+    facts = _core.classify(v, k, b, change, kind, reversal, keep, time, threads, progress)
+    orders = {int(order): count for order, count in facts["group_orders"]}
+    designs = [design_of(core) for core in facts["designs"]]
+    return made(Classification, {**facts, "group_orders": orders, "designs": designs})
+
+
+check_calls(globals())
