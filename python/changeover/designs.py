@@ -288,8 +288,8 @@ def _core_of(blocks: Any, v: Any, change: Any, kind: Any, strength: int) -> Any:
     if isinstance(blocks, Design):
         v = blocks.v if v is None else v
         change = blocks.change if change is None else change
-        kind = kind or blocks.kind
-        blocks = blocks.blocks
+        elements = blocks.blocks._view().tobytes()
+        return _core.from_numbers(elements, blocks.k, v, change, kind or blocks.kind, strength)
     if isinstance(blocks, (str, bytes)):
         raise TypeError("blocks are an array or a list of lists; changeover.loads() reads a text")
     parameters = v, change, kind, strength

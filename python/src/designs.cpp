@@ -25,8 +25,11 @@ namespace changeover::python {
 namespace {
 
 std::uint32_t strength_of(std::uint64_t strength) {
-  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-  return static_cast<std::uint32_t>(std::min(strength, most));
+  if (strength > std::numeric_limits<std::uint32_t>::max()) {
+    throw BadInput("strength = " + std::to_string(strength) +
+                   " cannot be; give a whole number from 2 to 4");
+  }
+  return static_cast<std::uint32_t>(strength);
 }
 
 HeldDesign verified_or_not(Design design) {
