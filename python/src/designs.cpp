@@ -139,11 +139,7 @@ HeldDesign from_numbers(const py::bytes& bytes, std::size_t k, std::uint64_t v,
                            .strength = *options.strength});
   design.reserve(elements.size() / k);
   for (std::size_t i = 0; i < elements.size() / k; ++i) {
-    try {
-      design.append(std::span(elements).subspan(i * k, k));
-    } catch (const BadInput& fault) {
-      throw BadInput("block " + std::to_string(i + 1) + ": " + fault.what());
-    }
+    design.append(std::span(elements).subspan(i * k, k));
   }
   return stoppable([&] { return verified_or_not(std::move(design)); });
 }
