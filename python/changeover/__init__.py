@@ -15,7 +15,8 @@ verified. What takes long lets other threads run, and Ctrl-C ends it.
 
 from . import _core, catalog
 from .catalog import Entry
-from .designs import Blocks, Design, Stream, Verdict, constructions, design, explain, loads, read, stream, verify
+from .designs import (
+    Blocks, Design, Stream, Verdict, constructions, design, explain, loads, read, stream, verify)
 from .errors import BadInput, Error, ImpossibleParameters, InternalError, MissingResource
 from .known import Bound, Bounds, Cell, bounds, table, to_pandas, to_sage
 from .orders import LoadOrder, Report, WorkerLoads, all_pairs, load_order
@@ -25,8 +26,10 @@ from .searches import Classification, SearchResult, classify, search
 __version__: str = _core.__version__
 
 __all__ = [
-    "BadInput", "BenchSheets", "Blocks", "Bound", "Bounds", "Cell", "Classification", "Design", "Entry", "Error",
-    "ImpossibleParameters", "InternalError", "LoadOrder", "MissingResource", "Report", "RunSheet", "SearchResult",
-    "Stream", "Verdict", "WorkerLoads", "__version__", "all_pairs", "bounds", "catalog", "classify", "constructions", "design",
-    "explain", "load_order", "loads", "plan", "read", "search", "stream", "table", "to_pandas", "to_sage", "verify",
+    "BadInput", "BenchSheets", "Blocks", "Bound", "Bounds", "Cell", "Classification", "Design",
+    "Entry", "Error", "ImpossibleParameters", "InternalError", "LoadOrder", "MissingResource",
+    "Report", "RunSheet", "SearchResult", "Stream", "Verdict", "WorkerLoads", "__version__",
+    "all_pairs", "bounds", "catalog", "classify", "constructions", "design", "explain",
+    "load_order", "loads", "plan", "read", "search", "stream", "table", "to_pandas", "to_sage",
+    "verify",
 ]

@@ -75,6 +75,7 @@ def rows_of(argument: str, holds: str, value: Any, ordered: bool = False) -> Ite
     if not is_data_frame(value):
         return listed(argument, holds, value, ordered)
     if not has_numbered_rows(value):
-        raise TypeError(f"{argument}: the index of the DataFrame would be lost; give reset_index() of it")
+        raise TypeError(
+            f"{argument}: the index of the DataFrame would be lost; give reset_index() of it")
     rows: Iterable[Any] = value.itertuples(index=False, name=None)
     return rows

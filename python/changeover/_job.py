@@ -9,13 +9,15 @@ from typing import Any, Iterable, Iterator, NoReturn, Optional
 
 from . import _core
 from ._given import (
-    has_numbered_rows, is_bytes, is_data_frame, is_missing, is_text, leads_from_keys, listed, rows_of, words_of)
+    has_numbered_rows, is_bytes, is_data_frame, is_missing, is_text, leads_from_keys, listed,
+    rows_of, words_of)
 from .errors import BadInput
 
 _most_parts = 1000
 _most_rows = 1 << 22  # as in a file
 _too_many_or_few = "parts is a number from 2 to 1000, or that many names"
-_wanted_of_done = ("done has set-ups, lists of parts, each alone or as (set-up, result), where result is True, False, None or a text")
+_wanted_of_done = ("done has set-ups, lists of parts, each alone or as (set-up, result), where "
+                   "result is True, False, None or a text")
 
 
 def _amount(argument: str, value: Any) -> str:
@@ -76,8 +78,8 @@ def _test(test: Any) -> Any:
         if "result" not in test:
             return names_in("done", test["parts"])
         setup, result = test["parts"], test["result"]
-    elif isinstance(test, tuple) and len(test) == 2 and hasattr(type(test[0]),
-        "__iter__") and not is_text(test[0]):
+    elif (isinstance(test, tuple) and len(test) == 2 and hasattr(type(test[0]), "__iter__")
+          and not is_text(test[0])):
         setup, result = test
     else:
         return names_in("done", test)
@@ -89,7 +91,8 @@ def _test(test: Any) -> Any:
 
 def _slot(name: str, room: Any) -> dict[str, Any]:
     def refuse() -> NoReturn:
-        raise BadInput(f"slots says how many parts are in {_core.quoted(name)}: a number, or (least, most) with None for no limit")
+        raise BadInput(f"slots says how many parts are in {_core.quoted(name)}: a number, or "
+                       "(least, most) with None for no limit")
 
     def number(given: Any) -> str:
         if not isinstance(given, int) or not 0 <= given < 1 << 64:
@@ -135,8 +138,8 @@ def _check_columns(columns: list[Any]) -> None:
         raise BadInput("parts: no column has the names; call one of them name")
     others += [heading for key in ("name", "slot", "cost") for heading in of[key][1:]]
     if others:
-        raise BadInput(f"parts: the column {_core.quoted(others[0])} is not read; leave it out, or have one column each called "
-                       "name, cost and slot")
+        raise BadInput(f"parts: the column {_core.quoted(others[0])} is not read; leave it out, or "
+                       "have one column each called name, cost and slot")
 
 
 def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
@@ -168,7 +171,8 @@ def _part_named(part: Any) -> str:
     """What has items inside is no name, nor is what is missing."""
     if not is_text(part) and (is_bytes(part) or hasattr(type(part), "__iter__")
                               or is_missing(part)):
-        raise TypeError(f"parts has names, texts or numbers, not {_core.quoted(words_of(repr(part)))}")
+        shown = _core.quoted(words_of(repr(part)))
+        raise TypeError(f"parts has names, texts or numbers, not {shown}")
     return words_of(part)
 
 
@@ -177,8 +181,8 @@ def _parts_one_by_one(given: Any) -> list[dict[str, str]]:
         rows: Iterable[Any] = ((part, None)
             for part in listed("parts", "names, or is how many there are", given, True))
     elif hasattr(given, "index") and has_numbered_rows(given):
-        raise TypeError("parts is a Series with numbers as its index; give list(...) of it if its values are names, "
-                        "to_dict() of it if they are costs")
+        raise TypeError("parts is a Series with numbers as its index; give list(...) of it if its "
+                        "values are names, to_dict() of it if they are costs")
     else:
         rows = list(given.items())
     has_costs = leads_from_keys(given)
@@ -211,8 +215,10 @@ def _parts(given: Any, slots: Any, slot_of: Any, needs_costs: bool) -> Any:
     if has_column and slot_of is not None:
         raise BadInput("parts has a column slot, and slot_of says the same; give one of them")
     if (slots is None) == (has_column or slot_of is not None):
-        raise BadInput("parts has a column slot; give slots, how many parts each has, or leave the column out" if has_column
-                       else "slots and slot_of come together: how many parts a slot has, and which parts are in it")
+        raise BadInput(
+            "parts has a column slot; give slots, how many parts each has, or leave the column out"
+            if has_column else "slots and slot_of come together: how many parts a slot has, and "
+            "which parts are in it")
     if slot_of is not None:
         by_name = {part["name"]: part for part in parts}
         for part, slot in _items("slot_of", slot_of):

@@ -19,7 +19,14 @@ Progress = Optional[Callable[[Dict[str, Any]], object]]
 T = TypeVar("T")
 
 
-class Made:
+class _Closed(type):
+    """Objects of its classes have no attributes but those that their class says."""
+
+    def __new__(cls, name: str, bases: tuple[type, ...], space: dict[str, Any]) -> _Closed:
+        return super().__new__(cls, name, bases, {"__slots__": (), **space})
+
+
+class Made(metaclass=_Closed):
     """What functions return: it is not made by hand, and has either facts, or what the compiled
     module keeps of it."""
 
@@ -28,7 +35,8 @@ class Made:
     _facts: dict[str, Any]
 
     def __new__(cls, *_args: Any, **_named: Any) -> Any:
-        raise TypeError(f"{cls.__name__} is what functions of changeover return, and is not made by hand")
+        raise TypeError(
+            f"{cls.__name__} is what functions of changeover return, and is not made by hand")
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
         raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
@@ -39,13 +47,14 @@ class Made:
 
         def __getattr__(self, name):
             if name in Made.__slots__:
-                raise TypeError("this object was made without its constructor, and there is nothing in it")
+                raise TypeError(
+                    "this object was made without its constructor, and there is nothing in it")
             raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
 
 
+# Nor is what the compiled module has made by hand: pybind11 would hand out what is empty.
 for _each in vars(_core).values():
-    if isinstance(_each,
-        type):  # Nor is what the compiled module has; pybind11 would hand out what is empty.
+    if isinstance(_each, type):
         setattr(_each, "__new__", Made.__new__)
         setattr(_each, "__reduce_ex__", Made.__reduce_ex__)
 

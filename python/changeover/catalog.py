@@ -15,8 +15,6 @@ __all__ = ["add", "cell", "entries", "find"]
 class Entry(Made):
     """A design of the catalog, with all that is said of it."""
 
-    __slots__ = ()
-
     label: str = fact("Permanent; made of the parameters and the blocks alone.")
     v: int = fact()
     k: int = fact()
@@ -63,16 +61,9 @@ def cell(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int =
 
 
 def entries(
-    *,
-    v_from: Optional[int] = None,
-    v_to: Optional[int] = None,
-    k_from: Optional[int] = None,
-    k_to: Optional[int] = None,
-    change: Optional[int] = None,
-    kind: Optional[Kind] = None,
-    status: str = "",
-    best_only: bool = True,
-    users_only: bool = False,
+    *, v_from: Optional[int] = None, v_to: Optional[int] = None, k_from: Optional[int] = None,
+    k_to: Optional[int] = None, change: Optional[int] = None, kind: Optional[Kind] = None,
+    status: str = "", best_only: bool = True, users_only: bool = False,
 ) -> List[Entry]:
     """A list of the entries that are asked for, by change, kind, k, v, b; the best of each cell
     only unless said."""

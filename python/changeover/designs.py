@@ -6,7 +6,7 @@ import copyreg
 import json
 import operator
 from array import array
-from typing import Any, Dict, Iterable, Iterator, List, Literal, Optional, SupportsIndex, Tuple, Union, overload
+from typing import Any, Dict, Iterator, List, Literal, Optional, SupportsIndex, Tuple, overload
 
 from . import _core
 from ._given import listed, rows_of, words_of
@@ -44,7 +44,8 @@ class Blocks(_core.Memory):
             first, stop, step = index.indices(count)
             return _core.part(Blocks, self, first, len(range(first, stop, step)), step)
         if not hasattr(type(index), "__index__"):
-            raise TypeError(f"blocks have a number or a slice as index, not {_core.quoted(words_of(repr(index)))}")
+            shown = _core.quoted(words_of(repr(index)))
+            raise TypeError(f"blocks have a number or a slice as index, not {shown}")
         place = operator.index(index)
         if not -count <= place < count:
             raise IndexError(f"there are {count} blocks")
@@ -71,8 +72,6 @@ class Blocks(_core.Memory):
 
 class Verdict(Made):
     """What is true of a list of blocks; a true value if it is a design."""
-
-    __slots__ = ()
 
     valid: bool = fact("It is a change covering design with these parameters.")
     tight: bool = fact("Every pair is newly covered exactly once.")
@@ -105,7 +104,7 @@ class Verdict(Made):
         return self.valid
 
     def __repr__(self) -> str:
-        found = "valid, tight" if self.valid and self.tight else "valid" if self.valid else "not valid"
+        found = "not valid" if not self.valid else "valid, tight" if self.tight else "valid"
         return f"<Verdict: {self._core.facts()['name']}, {self.b} blocks, {found}>"
 
 
@@ -124,8 +123,6 @@ class Design(Made):
     """Blocks with their verdict: changeover.design() makes one, and Design(blocks, ...) is one of
     yours."""
 
-    __slots__ = ()
-
     v: int = fact("Number of elements.")
     k: int = fact("Elements in a block.")
     change: int = fact("Elements in which consecutive blocks differ.")
@@ -138,12 +135,8 @@ class Design(Made):
         return object.__new__(cls)
 
     def __init__(
-        self,
-        blocks: Any,
-        v: Optional[int] = None,
-        change: Optional[int] = None,
-        kind: Kind = "linear",
-        strength: int = 2,
+        self, blocks: Any, v: Optional[int] = None, change: Optional[int] = None,
+        kind: Kind = "linear", strength: int = 2,
     ) -> None:
         self._take(_core_of(blocks, v, change, kind, strength))
 
@@ -184,10 +177,7 @@ class Design(Made):
         return int(self._core.group_order())
 
     def expand(
-        self,
-        *,
-        new_elements: Optional[int] = None,
-        set: Optional[int] = None,
+        self, *, new_elements: Optional[int] = None, set: Optional[int] = None,
         factorization: Literal["circle", "doubled"] = "circle",
     ) -> Design:
         """A design on more elements, verified: by the recursion with an expansion set, the one that
@@ -235,7 +225,8 @@ class Design(Made):
         return iter(self.blocks)
 
     def __repr__(self) -> str:
-        return f"<{self._facts['name']}, {self.b} blocks{'' if self._facts['valid'] else ', not valid'}>"
+        fault = "" if self._facts["valid"] else ", not valid"
+        return f"<{self._facts['name']}, {self.b} blocks{fault}>"
 
 
 def design_of(core: Any) -> Design:
@@ -246,8 +237,6 @@ def design_of(core: Any) -> Design:
 
 class Stream(Made):
     """Batches of blocks, one after another; verified when the last one was read."""
-
-    __slots__ = ()
 
     b: int = fact("Number of blocks of the whole stream.")
     v: int = fact()
@@ -262,49 +251,63 @@ class Stream(Made):
         return blocks
 
 
-def _numbers_in(blocks: Any) -> Optional[Tuple[bytes, int]]:
-    """The numbers of a buffer of two dimensions of whole numbers, in 64 bits each, and how many are
-    in a row."""
+def _from_numbers(blocks: Any, v: Optional[int], change: Optional[int], *more: Any) -> Any:
+    """Of a buffer of two dimensions of whole numbers: those below a v that was said, or all that
+    occur if these are 0, 1, …, n−1. None if it is something else, or the numbers are names."""
     try:
         view = memoryview(blocks)
     except Exception:
         return None
     form = view.format
-    letters = "bhiq" if form[-1:] in tuple("bhilqn") else "BHIQ" if form[-1:] in tuple("BHILQN") else ""
-    if view.ndim != 2 or not letters or view.shape is None or not (len(form) == 1
-                                                                   or form[0] in "=@<"):
+    kinds = [sizes for letters, sizes in (("bhilqn", "bhiq"), ("BHILQN", "BHIQ"))
+             if form[-1:] and form[-1:] in letters]
+    if view.ndim != 2 or not kinds or not (len(form) == 1 or form[0] in "=@<"):
         return None
-    k = view.shape[1]
-    numbers = memoryview(view.tobytes()).cast(letters[view.itemsize.bit_length() - 1])
-    if letters == "bhiq" and min(numbers, default=0) < 0:
+    k = (view.shape or (0, 0))[1]
+    letter: Any = kinds[0][view.itemsize.bit_length() - 1]
+    numbers = memoryview(view.tobytes()).cast(letter)
+    if not len(numbers):
+        return None
+    if min(numbers) < 0:
         place = next(place for place, number in enumerate(numbers) if number < 0)
         raise BadInput(f"block {place // k + 1}: an element is negative; elements are 0, 1, ...")
-    return array("Q", numbers).tobytes(), k
+    largest = max(numbers)
+    if largest >= (_core.most_elements if v is None else min(v, _core.most_elements)) or (
+            v is None and len(set(numbers)) <= largest):
+        return None
+    if change is None:
+        change = len(set(numbers[k:2 * k]).difference(numbers[:k])) or 2
+    elements = array("I", numbers).tobytes()
+    return _core.from_numbers(elements, k, largest + 1 if v is None else v, change, *more)
 
 
-def _core_of(blocks: Any, *parameters: Any) -> Any:
+def _core_of(blocks: Any, v: Any, change: Any, kind: Any, strength: int) -> Any:
     """A design of the compiled module, of a Design or Blocks, a two-dimensional buffer of whole
     numbers (a NumPy array), or any iterable of iterables of numbers or strings. What is not said is
     inferred by the rules of files."""
     if isinstance(blocks, Design):
-        return blocks._core.told(*parameters)
+        v = blocks.v if v is None else v
+        change = blocks.change if change is None else change
+        elements = blocks.blocks._view().tobytes()
+        return _core.from_numbers(elements, blocks.k, v, change, kind or blocks.kind, strength)
     if isinstance(blocks, (str, bytes)):
         raise TypeError("blocks are an array or a list of lists; changeover.loads() reads a text")
-    table = _numbers_in(blocks)
-    core = table and _core.from_numbers(*table, *parameters)
+    parameters = v, change, kind, strength
+    core = _from_numbers(blocks, *parameters)
     if core:
         return core
-    # Anything else is written down as JSON and read as a file would be: one set of rules, one set of messages.
+    # Anything else is written down as JSON and read as a file would be: one set of rules.
     holds = "lists of elements"
     rows = [[element if isinstance(element, str) else operator.index(element)
              for element in listed("blocks", holds, block)]
             for block in rows_of("blocks", holds, blocks, True)]
-    return _core.read_text(words_of(json.dumps(rows, ensure_ascii=False, separators=(",", ":"))),
-                           "blocks", *parameters)
+    text = words_of(json.dumps(rows, ensure_ascii=False, separators=(",", ":")))
+    return _core.read_text(text, "blocks", *parameters)
 
 
 def design(
-    v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2, *, construction: str = ""
+    v: int, k: int, change: int = 2, kind: Optional[Kind] = None, strength: int = 2, *,
+    construction: str = "",
 ) -> Optional[Design]:
     """The best design that is known without search, verified, or None.
 
@@ -346,10 +349,7 @@ def constructions() -> List[Dict[str, str]]:
 
 
 def verify(
-    blocks: Any,
-    v: Optional[int] = None,
-    change: Optional[int] = None,
-    kind: Optional[Kind] = None,
+    blocks: Any, v: Optional[int] = None, change: Optional[int] = None, kind: Optional[Kind] = None,
     strength: int = 2,
 ) -> Verdict:
     """What is true of a list of blocks.

@@ -17,8 +17,6 @@ Range = Union[int, range, Tuple[int, int]]
 class Bound(Made):
     """A number of blocks that no design goes below, and why."""
 
-    __slots__ = ()
-
     blocks: int = fact()
     name: str = fact("'counting', 'degree', 'stays', …")
     reason: str = fact("One line of plain mathematics.")
@@ -29,8 +27,6 @@ class Bound(Made):
 
 class Bounds(Made):
     """What is known of the least number of blocks."""
-
-    __slots__ = ()
 
     lower_bound: Optional[int] = fact("The largest lower bound; None if no design exists.")
     reason: str = fact("Of the bound, or why no design exists; one line.")
@@ -48,8 +44,6 @@ class Bounds(Made):
 
 class Cell(Made):
     """What is known of one set of parameters: a cell of a table."""
-
-    __slots__ = ()
 
     v: int = fact()
     k: int = fact()
@@ -75,7 +69,8 @@ def bounds(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int
     facts["all"] = [made(Bound, {"blocks": blocks, "name": of, "reason": reason}) for blocks, of,
                     reason in listed]
     facts["status"] = (
-        "impossible" if worst is None else "open" if best is None else "minimum" if best == worst else "best-known")
+        "impossible" if worst is None else "open" if best is None
+        else "minimum" if best == worst else "best-known")
     return made(Bounds, facts, name)
 
 

@@ -6,7 +6,8 @@ from __future__ import annotations
 import json
 import operator
 from array import array
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Optional, SupportsIndex, Tuple, overload
+from typing import (
+    Any, Callable, Iterable, Iterator, List, Optional, SupportsIndex, Tuple, Union, overload)
 
 from . import _core
 from ._given import listed, rows_of, words_of
@@ -19,8 +20,6 @@ _most_items: int = _core.most_items
 
 class LoadOrder(Made):
     """Steps (evict, load), lists of item numbers, after which every pair was in memory together."""
-
-    __slots__ = ()
 
     items: int = fact()
     room: int = fact()
@@ -50,8 +49,6 @@ class LoadOrder(Made):
 class WorkerLoads(Made):
     """A load order for several workers: steps (evict, load) of each, after which every pair was in
     the memory of one of them together."""
-
-    __slots__ = ()
 
     items: int = fact()
     room: int = fact()
@@ -84,8 +81,6 @@ class WorkerLoads(Made):
 class Report(Made):
     """What an out-of-core job did."""
 
-    __slots__ = ()
-
     finished: bool = fact()
     steps: int = fact()
     steps_resumed: int = fact("Done by an earlier run, as the journal says.")
@@ -98,7 +93,8 @@ class Report(Made):
 def _item(number: Any) -> int:
     item = operator.index(number)
     if not 0 <= item < _most_items:
-        raise BadInput(f"pairs: items are numbered from 0 to {_most_items - 1}, not {_core.quoted(words_of(item))}")
+        shown = _core.quoted(words_of(item))
+        raise BadInput(f"pairs: items are numbered from 0 to {_most_items - 1}, not {shown}")
     return item
 
 
@@ -133,18 +129,10 @@ def load_order(
 
 
 def load_order(
-    items: Optional[int],
-    room: int,
-    *,
-    pairs: Any = None,
-    against: Optional[int] = None,
-    done_items: Optional[int] = None,
-    workers: Optional[int] = None,
-    time: Optional[float] = None,
-    threads: int = 1,
-    seed: int = 1,
-    progress: Progress = None,
-) -> Any:
+    items: Optional[int], room: int, *, pairs: Any = None, against: Optional[int] = None,
+    done_items: Optional[int] = None, workers: Optional[int] = None, time: Optional[float] = None,
+    threads: int = 1, seed: int = 1, progress: Progress = None,
+) -> Union[LoadOrder, WorkerLoads]:
     """An order of loads after which every pair of `items` items was in memory together, with room
     for `room`; `time` seconds of search for a better one. Verified. Iterating gives steps (evict,
     load).
@@ -165,18 +153,15 @@ def load_order(
     ends = None if pairs is None else _ends(pairs)
     core, facts = _core.load_order(
         json.dumps(asked), None if ends is None else ends.tobytes(), time, threads, seed, progress)
-    return made(LoadOrder if workers is None else WorkerLoads, facts, core)
+    if workers is None:
+        return made(LoadOrder, facts, core)
+    return made(WorkerLoads, facts, core)
 
 
 def all_pairs(
-    path: str,
-    item_bytes: int,
-    room: int,
-    compute: Callable[[int, int, memoryview, memoryview], object],
-    *,
-    header_bytes: int = 0,
-    threads: int = 1,
-    journal: str = "",
+    path: str, item_bytes: int, room: int,
+    compute: Callable[[int, int, memoryview, memoryview], object], *, header_bytes: int = 0,
+    threads: int = 1, journal: str = "",
 ) -> Report:
     """Runs an all-pairs job over a file of items of item_bytes each, never more than `room` of them
     in memory.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Callable, Dict, Iterable, List, Literal, Mapping, Optional, Tuple, Union, overload
+from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Tuple, Union, overload
 
 from . import _core
 from ._job import document_of, names_in, result_of
@@ -41,11 +41,10 @@ def _step(step: Dict[str, Any]) -> Dict[str, Any]:
 class _Sheets(Made):
     """What the run sheets of one bench and of several have in common."""
 
-    __slots__ = ()
-
     tests: int = fact("Of all benches.")
     changes: int = fact("Of all benches.")
-    complete: bool = fact("All that must meet does, on one bench or another; a budget may not pay for it.")
+    complete: bool = fact(
+        "All that must meet does, on one bench or another; a budget may not pay for it.")
     pairs_tested: int = fact("Of the pairs that must meet.")
     pairs_needed: int = fact()
     triples_tested: int = fact("Of three parts that must meet, with strength 3.")
@@ -55,9 +54,11 @@ class _Sheets(Made):
     reason: str = fact("Of the bound.")
     interrupted: bool = fact("Ctrl-C ended the search.")
     candidates: List[Dict[str, Any]] = fact(
-        "What it was compared with, the best first: dicts with name, how, tests, changes, cost, and of several benches makespan.")
+        "What it was compared with, the best first: dicts with name, how, tests, changes, cost, "
+        "and of several benches makespan.")
     notes: List[str] = fact(
-        "What else is to be said of the job, a line each: results that are not understood, pairs that cannot meet.")
+        "What else is to be said of the job, a line each: results that are not understood, pairs "
+        "that cannot meet.")
 
     def to_csv(self) -> str:
         return self._written("csv")
@@ -93,20 +94,15 @@ class _Sheets(Made):
 class RunSheet(_Sheets):
     """A run sheet, counted by code that shares nothing with what made it."""
 
-    __slots__ = ()
-
-    steps: List[Dict[str,
-        Any]] = fact("A dict for each test: number, take_out, put_in, setup (names), cost, cost_so_far.")
+    steps: List[Dict[str, Any]] = fact(
+        "A dict for each test: number, take_out, put_in, setup (names), cost, cost_so_far.")
     met_only_in_failed: int = fact(
-        "Pairs (triples with strength 3) that met only in tests that failed or whose result is not understood.")
+        "Pairs (triples with strength 3) that met only in tests that failed or whose result is "
+        "not understood.")
     cheapest: bool = fact("Proved: nothing is cheaper.")
 
     def what_if(
-        self,
-        *,
-        time: Optional[float] = None,
-        threads: int = 1,
-        seed: int = 1,
+        self, *, time: Optional[float] = None, threads: int = 1, seed: int = 1,
         progress: Progress = None,
     ) -> Dict[str, Any]:
         """Which plan is cheapest when changes become dearer or cheaper against tests, and where it
@@ -144,7 +140,8 @@ class RunSheet(_Sheets):
         True for passed), setup, take_out, put_in, cost, if_it_fails and if_it_passes (suspects);
         most_cost, of the tests that are made. Raises BadInput for other results.
         """
-        wanted = "results has True (passed), False (failed), None or a text for each of the first tests, or (set-up, result)"
+        wanted = ("results has True (passed), False (failed), None or a text for each of the first "
+                  "tests, or (set-up, result)")
         if isinstance(results, str):
             raise BadInput(wanted)
         steps = self.steps
@@ -178,15 +175,18 @@ class RunSheet(_Sheets):
             return [tuple(each) for each in all_of_them]
 
         return {
-            "passed": found["passed"], "failed": found["failed"], "suspects": suspects(found["suspects"]),
+            "passed": found["passed"], "failed": found["failed"],
+            "suspects": suspects(found["suspects"]),
             "two": [tuple(suspects(both)) for both in found["two"]],
             "contradictions": [(each["failed"], each["passed"])
                                for each in found["contradictions"]],
             "tests": [{
                 "after": tuple(result == "pass"
                                for result in each["after"]), "setup": each["set_up"],
-                "take_out": each["take_out"], "put_in": each["put_in"], "cost": _decimal(each["cost"]),
-                "if_it_fails": suspects(each["if_it_fails"]), "if_it_passes": suspects(each["if_it_passes"]),
+                "take_out": each["take_out"], "put_in": each["put_in"],
+                "cost": _decimal(each["cost"]),
+                "if_it_fails": suspects(each["if_it_fails"]),
+                "if_it_passes": suspects(each["if_it_passes"]),
             } for each in found["tests"]],
             "most_cost": _decimal(found["most_cost"]), "unread": unread}
 
@@ -199,8 +199,6 @@ class RunSheet(_Sheets):
 
 class BenchSheets(_Sheets):
     """Run sheets for several benches, counted by code that shares nothing with what made them."""
-
-    __slots__ = ()
 
     sheets: List[List[Dict[str,
                            Any]]] = fact("For each bench a list of its tests, as RunSheet.steps.")
@@ -220,7 +218,8 @@ def _facts(core: Any) -> Dict[str, Any]:
     said: Dict[str, Any] = json.loads(core.written("json"), parse_float=Decimal)
     bound = said["lower_bound"]
     facts = {
-        **said, "complete": core.complete, "interrupted": core.interrupted, "cost": _decimal(said["cost"]),
+        **said, "complete": core.complete, "interrupted": core.interrupted,
+        "cost": _decimal(said["cost"]),
         "lower_bound": _decimal(bound["cost"]), "candidates": [
             {key: _decimal(each[key]) if key in ("cost", "makespan") else each[key]
              for key in ("name", "how", "tests", "changes", "cost",
@@ -232,7 +231,8 @@ def _facts(core: Any) -> Dict[str, Any]:
     return {**facts,
             "sheets": [[_step(step) for step in sheet["steps"]] for sheet in said["sheets"]],
             "reason": bound["cost_reason"], "makespan": _decimal(said["makespan"]),
-            "makespan_bound": _decimal(bound["makespan"]), "makespan_reason": bound["makespan_reason"]}
+            "makespan_bound": _decimal(bound["makespan"]),
+            "makespan_reason": bound["makespan_reason"]}
 
 
 @overload
@@ -266,36 +266,17 @@ def plan(
 
 
 def plan(
-    parts: Parts,
-    at_once: int,
-    *,
-    test_cost: Cost,
-    change_cost: Optional[Cost] = None,
-    change_costs: Optional[Mapping[Pair, Cost]] = None,
-    strength: int = 2,
-    pairs: Any = None,
-    never: Any = (),
-    slots: Optional[Mapping[str, Room]] = None,
-    slot_of: Optional[Mapping[Any, str]] = None,
-    mounted: Any = (),
-    start: Any = (),
-    first: Any = (),
-    weights: Optional[Mapping[Pair, Cost]] = None,
-    done: Any = (),
-    trust_failed: bool = False,
-    budget: Optional[Cost] = None,
-    benches: Optional[int] = None,
-    objective: Optional[Objective] = None,
-    time: Optional[float] = None,
-    threads: int = 1,
-    seed: int = 1,
-    progress: Progress = None,
-    done_first: Optional[int] = None,
-    shuffle: Optional[int] = None,
-    title: Optional[str] = None,
-    compact: bool = False,
+    parts: Parts, at_once: int, *, test_cost: Cost, change_cost: Optional[Cost] = None,
+    change_costs: Optional[Mapping[Pair, Cost]] = None, strength: int = 2, pairs: Any = None,
+    never: Any = (), slots: Optional[Mapping[str, Room]] = None,
+    slot_of: Optional[Mapping[Any, str]] = None, mounted: Any = (), start: Any = (),
+    first: Any = (), weights: Optional[Mapping[Pair, Cost]] = None, done: Any = (),
+    trust_failed: bool = False, budget: Optional[Cost] = None, benches: Optional[int] = None,
+    objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
+    seed: int = 1, progress: Progress = None, done_first: Optional[int] = None,
+    shuffle: Optional[int] = None, title: Optional[str] = None, compact: bool = False,
     steps: Optional[int] = None,
-) -> Any:
+) -> Union[RunSheet, BenchSheets]:
     """The cheapest list of tests that was found in which every two parts are mounted together at
     least once.
 
@@ -306,7 +287,8 @@ def plan(
     of putting in one part where the other was taken out, for every two parts. strength: 2, every
     two parts must meet, or 3, every three. pairs: only these must; never: these must not. slots: a
     dict from the name of a slot to how many of its parts a set-up has, a number or
-    (least, most), None for no limit, with slot_of, a dict from parts to their slots; parts that cannot meet then need not.
+    (least, most), None for no limit, with slot_of, a dict from parts to their slots; parts that
+    cannot meet then need not.
     mounted: parts that stay; start: parts that are mounted before the first test; first: set-ups
     that must be run first; weights: a dict from pairs to what testing them is worth (others 1);
     done: tests that were done, lists of names, each alone or as (names, result), where result is
@@ -323,7 +305,8 @@ def plan(
     given = locals()
     document = document_of(given)
     if objective not in (None, "makespan", "cost"):
-        raise BadInput("objective is 'makespan', what the bench costs that costs most, or 'cost', of all benches")
+        raise BadInput("objective is 'makespan', what the bench costs that costs most, or 'cost', "
+                       "of all benches")
     for argument in ("at_once", "strength", "benches", "objective", "done_first", "shuffle",
                      "steps"):
         if given[argument] is not None:
@@ -331,7 +314,9 @@ def plan(
     document.update({key: value for key,
         value in (("trust_failed", trust_failed), ("compact", compact), ("title", title)) if value})
     core = _core.plan(json.dumps(document), time, threads, seed, progress)
-    return made(RunSheet if benches is None else BenchSheets, _facts(core), core)
+    if benches is None:
+        return made(RunSheet, _facts(core), core)
+    return made(BenchSheets, _facts(core), core)
 
 
 check_calls(globals())

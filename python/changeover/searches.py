@@ -12,8 +12,6 @@ from .designs import Design, design_of
 class SearchResult(Made):
     """What a search found before it ended; the best so far if it was stopped."""
 
-    __slots__ = ()
-
     design: Optional[Design] = fact("The best design, verified, or None.")
     b: Optional[int] = fact("Its number of blocks, or None.")
     lower_bound: int = fact("No design has fewer blocks.")
@@ -33,8 +31,6 @@ class SearchResult(Made):
 class Classification(Made):
     """All designs with so many blocks, up to isomorphism."""
 
-    __slots__ = ()
-
     standard_forms: int = fact()
     classes: int = fact("Isomorphism classes.")
     tight: int = fact("Classes of tight designs.")
@@ -49,19 +45,9 @@ class Classification(Made):
 
 
 def search(
-    v: int,
-    k: int,
-    change: int = 2,
-    kind: Kind = "linear",
-    strength: int = 2,
-    *,
-    time: Optional[float] = 60.0,
-    threads: int = 1,
-    seed: int = 1,
-    target: Optional[int] = None,
-    start: Optional[Design] = None,
-    exact: bool = False,
-    progress: Progress = None,
+    v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int = 2, *,
+    time: Optional[float] = 60.0, threads: int = 1, seed: int = 1, target: Optional[int] = None,
+    start: Optional[Design] = None, exact: bool = False, progress: Progress = None,
 ) -> SearchResult:
     """Looks for a design with fewer blocks than any that is known, for `time` seconds (None: until
     it is the lower bound) with `threads` threads.
@@ -73,24 +59,16 @@ def search(
     search that no clock ends depends on the seed alone.
     """
     facts = _core.search(
-        v, k, change, kind, strength, time, threads, seed, target, start and start._core, exact, progress)
+        v, k, change, kind, strength, time, threads, seed, target, start and start._core, exact,
+        progress)
     core = facts["design"]
     found = core and design_of(core)
     return made(SearchResult, {**facts, "design": found, "b": found and found.b})
 
 
 def classify(
-    v: int,
-    k: int,
-    b: int,
-    change: int = 2,
-    kind: Kind = "linear",
-    *,
-    reversal: bool = False,
-    keep: int = 100,
-    time: Optional[float] = None,
-    threads: int = 1,
-    progress: Progress = None,
+    v: int, k: int, b: int, change: int = 2, kind: Kind = "linear", *, reversal: bool = False,
+    keep: int = 100, time: Optional[float] = None, threads: int = 1, progress: Progress = None,
 ) -> Classification:
     """All designs with exactly b blocks up to names of elements and rotation, and reversal if asked
     for.

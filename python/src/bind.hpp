@@ -60,7 +60,7 @@ struct HeldDesign {
 /// Both kinds, circular first, if none is named.
 [[nodiscard]] std::vector<Kind> kinds_of(const std::optional<std::string>& word);
 
-/// Checked. A strength that is too large for its type is one that is too large.
+/// @throws as check(); BadInput for a strength that its type does not hold.
 [[nodiscard]] Parameters parameters(std::uint64_t v, std::uint64_t k, std::uint64_t change,
                                     Kind kind, std::uint64_t strength = 2);
 

@@ -25,8 +25,11 @@ namespace changeover::python {
 namespace {
 
 std::uint32_t strength_of(std::uint64_t strength) {
-  constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
-  return static_cast<std::uint32_t>(std::min(strength, most));
+  if (strength > std::numeric_limits<std::uint32_t>::max()) {
+    throw BadInput("strength = " + std::to_string(strength) +
+                   " cannot be; give a whole number from 2 to 4");
+  }
+  return static_cast<std::uint32_t>(strength);
 }
 
 HeldDesign verified_or_not(Design design) {
@@ -121,65 +124,24 @@ ReadOptions said(std::optional<std::uint64_t> v, std::optional<std::uint64_t> ch
           .strength = strength_of(strength)};
 }
 
-// The blocks of a design with other parameters.
-HeldDesign told(const HeldDesign& self, std::optional<std::uint64_t> v,
-                std::optional<std::uint64_t> change, const std::optional<std::string>& kind,
-                std::uint64_t strength) {
-  const ReadOptions options = said(v, change, kind, strength);
-  Parameters p = self.design->parameters();
-  p.v = options.v.value_or(p.v);
-  p.change = options.change.value_or(p.change);
-  p.kind = options.kind.value_or(p.kind);
-  p.strength = options.strength.value_or(p.strength);
-  Design design(p, self.design->blocks());
-  return stoppable([&] { return verified_or_not(std::move(design)); });
-}
-
-// Rows of k numbers: those below a v that was said, or all that occur if these are 0, 1, …, n−1; nothing if they are names.
-std::optional<HeldDesign> from_numbers(const py::bytes& bytes, std::size_t k,
-                                       std::optional<std::uint64_t> v,
-                                       std::optional<std::uint64_t> change,
-                                       const std::optional<std::string>& kind,
-                                       std::uint64_t strength) {
+// Rows of k numbers of 32 bits.
+HeldDesign from_numbers(const py::bytes& bytes, std::size_t k, std::uint64_t v,
+                        std::uint64_t change, const std::optional<std::string>& kind,
+                        std::uint64_t strength) {
   const ReadOptions options = said(v, change, kind, strength);
   const auto text = static_cast<std::string_view>(bytes);
-  std::vector<std::uint64_t> numbers(text.size() / sizeof(std::uint64_t));
-  if (numbers.empty() || k == 0) {
-    return std::nullopt;
-  }
-  std::memcpy(numbers.data(), text.data(), text.size());
-  const std::uint64_t largest = *std::max_element(numbers.begin(), numbers.end());
-  if (largest >= max_elements_in_memory || (v && largest >= *v)) {
-    return std::nullopt;
-  }
-  std::vector<bool> occurs(largest + 1, false);
-  for (const std::uint64_t number : numbers) {
-    occurs[number] = true;
-  }
-  if (!v && std::find(occurs.begin(), occurs.end(), false) != occurs.end()) {
-    return std::nullopt;
-  }
-  const std::vector<Element> elements(numbers.begin(), numbers.end());
-  const auto block = [&](std::size_t index) { return std::span(elements).subspan(index * k, k); };
-  std::uint64_t changed = change.value_or(2);
-  if (!change && elements.size() >= 2 * k) {
-    const std::uint64_t first = difference(block(1), block(0)).size();
-    changed = first == 0 ? 2 : first;
-  }
-  Design design(Parameters{.v = v.value_or(largest + 1),
+  std::vector<Element> elements(text.size() / sizeof(Element));
+  std::memcpy(elements.data(), text.data(), text.size());
+  Design design(Parameters{.v = v,
                            .k = k,
-                           .change = changed,
+                           .change = change,
                            .kind = options.kind.value_or(Kind::linear),
-                           .strength = options.strength.value_or(2)});
+                           .strength = *options.strength});
   design.reserve(elements.size() / k);
   for (std::size_t i = 0; i < elements.size() / k; ++i) {
-    try {
-      design.append(block(i));
-    } catch (const BadInput& fault) {
-      throw BadInput("block " + std::to_string(i + 1) + ": " + fault.what());
-    }
+    design.append(std::span(elements).subspan(i * k, k));
   }
-  return stoppable([&] { return std::optional(verified_or_not(std::move(design))); });
+  return stoppable([&] { return verified_or_not(std::move(design)); });
 }
 
 HeldDesign read_text(const std::string& text, const std::string& name, const ReadOptions& options) {
@@ -403,8 +365,8 @@ void bind_designs(py::module_& module) {
            [](const HeldDesign& self) {
              return stoppable([&] { return automorphisms(*self.design).order; });
            })
-      .def("equals", &equal)
-      .def("told", &told);
+      .def("equals", &equal);
+  module.attr("most_elements") = max_elements_in_memory;
   py::class_<Stream>(module, "Stream").def("facts", &Stream::facts).def("next", &Stream::next);
   module.def("design", &design);
   module.def("stream", &stream);

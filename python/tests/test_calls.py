@@ -2,9 +2,9 @@
 
 import copy
 import inspect
-import pickle
 import os
 import pickle
+import pydoc
 import tempfile
 import unittest
 from decimal import Decimal
@@ -144,6 +144,28 @@ class Calls(unittest.TestCase):
     def test_a_state_that_is_none_is_refused_in_one_line(self):
         for state in ({}, None, b"x", [1]):
             self.assertIn("__setstate__(): ", self.said(changeover.Design.__new__(changeover.Design).__setstate__, state))
+
+    def test_help_says_each_signature_once_with_its_types(self):
+        for owner in (changeover, changeover.catalog, changeover.Design, changeover.RunSheet, changeover.BenchSheets):
+            for name, each in vars(owner).items():
+                if name[0] != "_" and callable(each) and hasattr(each, "__wrapped__"):
+                    signature = inspect.signature(each)
+                    said = pydoc.render_doc(each, renderer=pydoc.plaintext)
+                    self.assertEqual(said.count(f"{name}("), 1 + (each.__doc__ or "").count(f"{name}("), name)
+                    self.assertIsNot(signature.return_annotation, signature.empty, name)
+                    for argument in signature.parameters.values():
+                        self.assertTrue(argument.name == "self" or argument.annotation is not argument.empty, name)
+        self.assertEqual(str(inspect.signature(changeover.Design))[:8], "(blocks:")
+
+    def test_what_is_changed_of_an_answer_changes_nothing(self):
+        sheet = changeover.plan(4, 3, test_cost=1, change_cost=1, steps=10)
+        steps = sheet.steps
+        sheet.steps[0]["setup"].append("x")
+        self.assertEqual(sheet.steps, steps)
+        with self.assertRaises(AttributeError):
+            sheet.tests = 3
+        with self.assertRaises(AttributeError):
+            sheet.more = 3
 
     def test_functions_can_be_sent_to_other_processes(self):
         for function in (changeover.design, changeover.verify, changeover.catalog.find, changeover.Design.expand):

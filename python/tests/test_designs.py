@@ -234,6 +234,10 @@ class Numpy(unittest.TestCase):
         wrong[5, 2] = -1
         with self.assertRaisesRegex(changeover.BadInput, "block 6: an element is negative"):
             changeover.verify(wrong)
+        wrong[5, 2] = wrong[5, 1]
+        for blocks, v in ((wrong, 61), (changeover.design(61, 4), 5)):
+            with self.assertRaisesRegex(changeover.BadInput, r"^block \d+:? [^:]*element"):
+                changeover.verify(blocks, v=v)
         with self.assertRaises(TypeError):
             changeover.verify(array.astype(float))
 
