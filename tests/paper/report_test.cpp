@@ -248,11 +248,9 @@ TEST(PaperReport, is_not_checkable_where_constructions_are_missing) {
 
 TEST(PaperReport, text_has_a_line_an_item_and_counts) {
   const std::string text = render_text(whole_report());
-  EXPECT_NE(
-      text.find(
-          "109 items: 89 reproduced, 10 differ, 5 refuted, 1 vacuous, 4 not checkable; "
-          "5 consequences\n"),
-      std::string::npos);
+  EXPECT_NE(text.find("109 items: 89 reproduced, 10 differ, 5 refuted, 1 vacuous, 4 not checkable; "
+                      "5 consequences\n"),
+            std::string::npos);
   EXPECT_EQ(text.find('\t'), std::string::npos);
   std::size_t begin = 0;
   for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', begin)) {

@@ -18,7 +18,7 @@ std::string fish_quoted(std::string_view text) {
 }
 
 std::string offer_of(const OptionDescription& each) {
-  return !each.words.empty()     ? " -xa " + fish_quoted(fmt::format("{}", fmt::join(each.words, " ")))
+  return !each.words.empty() ? " -xa " + fish_quoted(fmt::format("{}", fmt::join(each.words, " ")))
          : each.kind == "file"   ? " -rF"
          : each.kind == "folder" ? " -xa '(__fish_complete_directories)'"
          : each.kind == "flag"   ? ""
@@ -34,8 +34,8 @@ std::string verb_lines(const VerbDescription& verb) {
     if (each.positional) {
       files = files || each.kind == "file";
       if (!each.words.empty()) {
-        text += begin + " -a " + fish_quoted(fmt::format("{}", fmt::join(each.words, " "))) + " -d " +
-                fish_quoted(each.help) + "\n";
+        text += begin + " -a " + fish_quoted(fmt::format("{}", fmt::join(each.words, " "))) +
+                " -d " + fish_quoted(each.help) + "\n";
       }
       continue;
     }

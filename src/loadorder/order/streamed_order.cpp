@@ -85,7 +85,7 @@ class StreamedSteps final : public StepSource {
       fill(step, shape_.room);
       slot_ = n_;
       next_ = shape_.room;
-      skipped_ = p;  // nobody
+      skipped_ = p;  // none
       stage_ = Stage::pass;
     }
   }

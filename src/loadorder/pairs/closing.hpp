@@ -99,7 +99,7 @@ class Closing {
   std::vector<std::uint32_t> position_;
   std::vector<Element> memory_;        // open items
   std::vector<std::uint32_t> place_;   // by item: in memory_ plus one
-  std::vector<Element> closed_;        // items in memory that nobody needs
+  std::vector<Element> closed_;        // items in memory that no other needs
   std::vector<std::uint32_t> needed_;  // by item in memory, 0: to be found
   std::vector<std::uint64_t> log_;     // pairs met in a trial, by place in partners_
   std::vector<Element> log_owner_;

@@ -61,7 +61,7 @@ class Lacking {
     if (!resting_.holds(x)) {
       load(x);
     }
-    if (resting_.holds(x)) {  // nobody evicts it now
+    if (resting_.holds(x)) {  // it is not evicted now
       there_.remove(x);
       resting_.remove(x);
       --in_memory_;
@@ -106,7 +106,7 @@ class Lacking {
     settle(x);
   }
 
-  // After it has met somebody.
+  // After it has met a partner.
   void settle(Element x) {
     if (lacks_[x] == 0) {
       there_.remove(x);
@@ -147,7 +147,7 @@ class Lacking {
   std::vector<bool> closed_;
   BucketQueue there_;    // in memory, by what they lack
   BucketQueue gone_;     // evicted, by what they lack
-  BucketQueue resting_;  // in memory, the one that met nobody for longest first
+  BucketQueue resting_;  // in memory, the one first whose last meeting is longest ago
   std::uint64_t in_memory_ = 0;
   std::uint64_t held_ = 0;
   std::vector<Element> missing_;

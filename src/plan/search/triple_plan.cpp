@@ -96,7 +96,7 @@ class GreedyForTriples {
 
   void fill(Block& setup) const {
     while (setup.size() < job_->room()) {
-      Element best = nobody;
+      Element best = no_part;
       std::uint64_t most = 0;
       for (Element y = 0; y < v_; ++y) {
         if (left_[y] == 0 || !joins(setup, y)) {
@@ -107,7 +107,7 @@ class GreedyForTriples {
           best = y;
         }
       }
-      if (best == nobody) {
+      if (best == no_part) {
         break;
       }
       setup.push_back(best);

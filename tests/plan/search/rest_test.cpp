@@ -103,7 +103,7 @@ TEST(ReadDone, ADamagedSheetIsRefusedWhereItIsDamaged) {
 
 TEST(ReadDone, NoNumberBecomesAnotherPart) {
   const std::string sheet = "step,take_out,put_in,slot_1,slot_2\n1,,,1,3\n";
-  // Part 2 of 1, 2, 3 is gone: 3 is still 3, and where 3 is gone, 3 is nobody.
+  // Part 2 of 1, 2, 3 is gone: 3 is still 3, and where 3 is gone, 3 is no_part.
   EXPECT_THAT(read_done(*input_from_text(sheet), {"1", "3"}).setups, ElementsAre(Block{0, 1}));
   const DoneList list = read_done(*input_from_text(sheet), {"7", "1", "2"});
   EXPECT_THAT(list.setups, ElementsAre(Block{1}));

@@ -176,7 +176,7 @@ TEST(Lists, KeepCountUnderAllMoves) {
         switch (below(6)) {
           case 0:
             if (!lists.holds(at, x)) {
-              lists.replace(at, lists.setup(at).size() > 2 ? lists.setup(at)[0] : nobody, x);
+              lists.replace(at, lists.setup(at).size() > 2 ? lists.setup(at)[0] : no_part, x);
             }
             break;
           case 1:
@@ -209,7 +209,7 @@ TEST(Lists, KeepCountUnderAllMoves) {
         for (std::size_t at = 0; at < lists.tests(); ++at) {
           ASSERT_FALSE(lists.holds(lists.spot(at), target[0]) &&
                        lists.holds(lists.spot(at), target[1]) &&
-                       (target[2] == nobody || lists.holds(lists.spot(at), target[2])));
+                       (target[2] == no_part || lists.holds(lists.spot(at), target[2])));
         }
       }
     }

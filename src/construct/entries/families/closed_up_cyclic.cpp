@@ -32,7 +32,7 @@ class ClosedUpCycle final : public LegsWithHeldPlaces {
       swaps.push_back({.leaves = number(out), .enters = number(x)});
       out = x;
     };
-    const bool held = deleted(j);  // whoever stayed for it is there already
+    const bool held = deleted(j);  // what stays in its place is there already
     for (std::uint64_t p = numbers().c; p >= 2; --p) {
       const std::uint64_t visitor = (j + p * numbers().big) % numbers().u;
       if (!deleted(visitor) && !(held && p == 2 && deleted(j + numbers().big))) {

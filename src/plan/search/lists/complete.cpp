@@ -124,12 +124,12 @@ void prune(Lists& lists, RunControl& control) {
           bool spare = true;
           std::size_t last = at;
           for (; last < lists.tests(bench) && lists.holds({bench, last}, x); ++last) {
-            spare = spare && lists.may_replace({bench, last}, x, nobody);
+            spare = spare && lists.may_replace({bench, last}, x, no_part);
           }
           if (last > at && spare) {
             again = no_worse([&] {
                       for (std::size_t i = at; i < last; ++i) {
-                        lists.replace({bench, i}, x, nobody);
+                        lists.replace({bench, i}, x, no_part);
                       }
                     }) ||
                     again;

@@ -120,7 +120,7 @@ std::size_t Lists::index(Element x, Element y, Element z) const {
 
 std::array<Element, 3> Lists::open_target(std::size_t index) const {
   std::size_t left = open_[index];
-  std::array<Element, 3> target{0, 0, nobody};
+  std::array<Element, 3> target{0, 0, no_part};
   if (triples_) {
     Element z = 2;
     while (choose_three(z + std::size_t{1}) <= left) {
@@ -166,15 +166,15 @@ bool Lists::joins(std::span<const Element> setup, Element y) const {
 
 bool Lists::may_replace(Spot where, Element out, Element in) const {
   const std::span<const Element> now = setup(where);
-  if (out == nobody && now.size() >= job_->room()) {
+  if (out == no_part && now.size() >= job_->room()) {
     return false;
   }
-  if (in == nobody && now.size() < 2) {
+  if (in == no_part && now.size() < 2) {
     return false;
   }
   if (fitting_.has_slots()) {
-    const std::size_t from = out == nobody ? fitting_.slots() : fitting_.slot(out);
-    const std::size_t to = in == nobody ? fitting_.slots() : fitting_.slot(in);
+    const std::size_t from = out == no_part ? fitting_.slots() : fitting_.slot(out);
+    const std::size_t to = in == no_part ? fitting_.slots() : fitting_.slot(in);
     const auto there = [&](std::size_t slot) {
       return static_cast<std::uint64_t>(std::count_if(
           now.begin(), now.end(), [&](Element z) { return fitting_.slot(z) == slot; }));
@@ -184,7 +184,7 @@ bool Lists::may_replace(Spot where, Element out, Element in) const {
       return false;
     }
   }
-  return in == nobody || never_.empty() || std::none_of(now.begin(), now.end(), [&](Element z) {
+  return in == no_part || never_.empty() || std::none_of(now.begin(), now.end(), [&](Element z) {
            return z != out && bit(never_[in], z);
          });
 }
@@ -283,13 +283,13 @@ void Lists::do_replace(Spot where, Element out, Element in) {
   Place& place = places_[order_[where.bench][where.at]];
   const Spot next{where.bench, where.at + 1};
   std::int64_t rise = -step_into(where) - step_into(next);
-  if (out != nobody) {
+  if (out != no_part) {
     *std::find(place.elements.begin(), place.elements.end(), out) = place.elements.back();
     place.elements.pop_back();
     place.bits[out >> 6] &= ~(std::uint64_t{1} << (out & 63));
     count_with<false>(place.elements, out);
   }
-  if (in != nobody) {
+  if (in != no_part) {
     count_with<true>(place.elements, in);
     place.elements.push_back(in);
     place.bits[in >> 6] |= std::uint64_t{1} << (in & 63);

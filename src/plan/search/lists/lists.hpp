@@ -24,7 +24,7 @@ namespace changeover {
 using BenchLists = std::vector<std::vector<Block>>;
 
 /// No part.
-inline constexpr Element nobody = std::numeric_limits<Element>::max();
+inline constexpr Element no_part = std::numeric_limits<Element>::max();
 
 /// A set-up by its place.
 struct Spot {
@@ -52,7 +52,7 @@ class Lists {
   /// The weight of what has not met, in millionths; 1 each where the job says nothing else.
   [[nodiscard]] std::uint64_t missing() const { return missing_; }
   [[nodiscard]] std::size_t open() const { return open_.size(); }
-  /// What has not met, number index < open(): the last part is nobody if it is a pair.
+  /// What has not met, number index < open(): the last part is `no_part` if it is a pair.
   [[nodiscard]] std::array<Element, 3> open_target(std::size_t index) const;
   [[nodiscard]] bool of_triples() const { return triples_; }
   [[nodiscard]] const std::vector<Element>& movable() const { return movable_; }
@@ -65,7 +65,7 @@ class Lists {
   }
   [[nodiscard]] BenchLists lists() const;
   [[nodiscard]] const Fitting& fitting() const { return fitting_; }
-  /// Whether a set-up stays one that may be if `out` goes and `in` comes; nobody for neither.
+  /// Whether a set-up stays one that may be if `out` goes and `in` comes; `no_part` for neither.
   [[nodiscard]] bool may_replace(Spot where, Element out, Element in) const;
   /// Whether y may be with all parts of a set-up.
   [[nodiscard]] bool joins(std::span<const Element> setup, Element y) const;

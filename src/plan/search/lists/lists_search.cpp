@@ -123,15 +123,15 @@ class ListsAnnealer {
   Spot some_spot() { return lists_->spot(below(lists_->tests())); }
   Element some_part() { return lists_->movable()[below(lists_->movable().size())]; }
 
-  // A movable part of a set-up; nobody if it is none or one of those that are to stay.
+  // A movable part of a set-up; `no_part` if it is none or one of those that are to stay.
   Element some_part_of(Spot where, std::span<const Element> staying) {
     const auto setup = lists_->setup(where);
     if (setup.empty()) {
-      return nobody;
+      return no_part;
     }
     const Element x = setup[below(setup.size())];
     const bool stays = std::find(staying.begin(), staying.end(), x) != staying.end();
-    return lists_->is_movable(x) && !stays ? x : nobody;
+    return lists_->is_movable(x) && !stays ? x : no_part;
   }
 
   void move() {
@@ -160,7 +160,7 @@ class ListsAnnealer {
     const Spot where = some_spot();
     const Element in = some_part();
     const Element out = some_part_of(where, {});
-    if (out != nobody && !lists_->holds(where, in)) {
+    if (out != no_part && !lists_->holds(where, in)) {
       replace_around(where, out, in);
     }
   }
@@ -204,15 +204,15 @@ class ListsAnnealer {
       return;
     }
     if (lists_->setup(*where).size() < lists_->job().room() && random_->one_in_two()) {
-      replace_around(*where, nobody, in);
-    } else if (const Element out = some_part_of(*where, staying); out != nobody) {
+      replace_around(*where, no_part, in);
+    } else if (const Element out = some_part_of(*where, staying); out != no_part) {
       replace_around(*where, out, in);
     }
   }
 
   [[nodiscard]] bool replaceable(Spot where, Element out, Element in) const {
-    return (out == nobody || lists_->holds(where, out)) &&
-           (in == nobody || !lists_->holds(where, in)) && lists_->may_replace(where, out, in);
+    return (out == no_part || lists_->holds(where, out)) &&
+           (in == no_part || !lists_->holds(where, in)) && lists_->may_replace(where, out, in);
   }
 
   // Here, or also in set-ups before it, after it or both, as long as it goes.
@@ -242,9 +242,9 @@ class ListsAnnealer {
   void change_run() {
     const Spot where = some_spot();
     if (lists_->setup(where).size() < lists_->job().room() && random_->one_in_two()) {
-      replace_around(where, nobody, some_part());
-    } else if (const Element out = some_part_of(where, {}); out != nobody) {
-      replace_around(where, out, nobody);
+      replace_around(where, no_part, some_part());
+    } else if (const Element out = some_part_of(where, {}); out != no_part) {
+      replace_around(where, out, no_part);
     }
   }
 
