@@ -2,7 +2,7 @@
 #
 # Writes registry_entries.cpp, which lists every construction, and stores its path in <variable>.
 # Each src/construct/entries/**/NAME.cpp defines
-# `const Construction& NAME_construction()` in namespace changeover; the list is sorted by NAME.
+# `const Construction& construction()` in namespace changeover::NAME_entry; the list is sorted by NAME.
 #
 # The list is generated rather than collected by objects that register themselves: a linker takes
 # from a static library only the object files that something refers to, so a self-registering
@@ -24,8 +24,8 @@ function(changeover_generate_registry variable)
   set(declarations "")
   set(values "")
   foreach(name IN LISTS names)
-    string(APPEND declarations "const Construction& ${name}_construction();\n")
-    string(APPEND values "      &${name}_construction(),\n")
+    string(APPEND declarations "namespace ${name}_entry { const Construction& construction(); }\n")
+    string(APPEND values "      &${name}_entry::construction(),\n")
   endforeach()
 
   set(file "${PROJECT_BINARY_DIR}/generated/registry_entries.cpp")

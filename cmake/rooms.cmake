@@ -30,9 +30,6 @@ set(CHANGEOVER_COLD_io COLD ONLY "io/(workbook|request)/")
 set(CHANGEOVER_COLD_paper COLD)
 set(CHANGEOVER_COLD_plan COLD ONLY "plan/(job|sheet|request)/")
 
-# Rooms of which each source is compiled alone: theirs are alike, and so are their names, or faults are planted in them one by one.
-set(CHANGEOVER_APART bounds construct draw proof verify)
-
 # Third-party libraries, always used in sources only: no public header includes one.
 foreach(room IN LISTS CHANGEOVER_ROOMS)
   set(CHANGEOVER_LIBRARIES_${room} fmt::fmt)

@@ -10,8 +10,6 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t most_examples = 20;
-
 Block sorted_and_checked(const Block& block, std::size_t number, const Parameters& p) {
   Block sorted = block;
   std::sort(sorted.begin(), sorted.end());
@@ -93,7 +91,7 @@ DifferenceVerdict verify_differences(const BaseBlocks& base) {
       distinct += 2 * d == p.v ? p.v / 2 : p.v;
     } else {
       ++verdict.uncovered;
-      if (verdict.uncovered_examples.size() < most_examples) {
+      if (verdict.uncovered_examples.size() < DifferenceVerdict::most_examples) {
         verdict.uncovered_examples.push_back(d);
       }
     }

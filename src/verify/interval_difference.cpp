@@ -12,8 +12,6 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t most_examples = 20;
-
 // The interval {first, …, first+length−1} of Z_v.
 struct Interval {
   std::uint64_t first = 0;
@@ -197,7 +195,7 @@ DifferenceVerdict verify_differences(const IntervalBaseBlocks& base) {
   std::uint64_t covered_to = 0;
   const auto gap_up_to = [&](std::uint64_t end) {
     for (std::uint64_t d = covered_to + 1;
-         d <= end && verdict.uncovered_examples.size() < most_examples; ++d) {
+         d <= end && verdict.uncovered_examples.size() < DifferenceVerdict::most_examples; ++d) {
       verdict.uncovered_examples.push_back(d);
     }
     verdict.uncovered += end > covered_to ? end - covered_to : 0;

@@ -50,7 +50,13 @@ def compile_commands():
     path = os.path.join(RELEASE, "compile_commands.json")
     if not os.path.exists(path):
         fail("no build/release: run ./dev test first", 2)
-    return {e["file"]: shlex.split(e["command"]) for e in json.load(open(path))}
+    commands = {}
+    for entry in json.load(open(path)):
+        command = shlex.split(entry["command"])
+        # Sources that are compiled together stand in a file that includes them, each by its whole path.
+        together = re.findall(r'^#include "(.+)"$', open(entry["file"]).read(), flags=re.M) if "/Unity/" in entry["file"] else []
+        commands |= {source: command for source in together or [entry["file"]]}
+    return commands
 
 
 def files_of(room):

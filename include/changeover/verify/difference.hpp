@@ -31,7 +31,8 @@ struct DifferenceVerdict {
   std::uint64_t bad_steps = 0;  ///< steps B₀→B₁, …, link, that do not change m elements
   std::optional<std::uint64_t> first_bad_step;  ///< 1-based; c is the link
   std::uint64_t uncovered = 0;                  ///< differences 1..⌊v/2⌋ that no base block has
-  std::vector<std::uint64_t> uncovered_examples;  ///< the first twenty
+  std::vector<std::uint64_t> uncovered_examples;  ///< the first most_examples
+  static constexpr std::size_t most_examples = 20;
   std::uint64_t excess = 0;                       ///< of the developed design, in pairs
   bool tight = false;
 

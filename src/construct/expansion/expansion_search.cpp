@@ -11,6 +11,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/tools/exact_cover.hpp"
 #include "core/checked.hpp"
+#include "core/sorted.hpp"
 
 namespace changeover {
 namespace {
@@ -42,12 +43,6 @@ void for_each_subset(const Block& from, std::size_t size, Visit&& visit) {
       chosen[j] = chosen[j - 1] + 1;
     }
   }
-}
-
-Block sorted(std::span<const Element> block) {
-  Block result(block.begin(), block.end());
-  std::sort(result.begin(), result.end());
-  return result;
 }
 
 // Whether the choices at an end can be written down.

@@ -11,18 +11,13 @@
 #include "changeover/run/scope.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 #include "core/checked.hpp"
+#include "core/sorted.hpp"
 
 namespace changeover {
 namespace {
 
 // The search recurses once an element at most.
 constexpr std::uint64_t max_searched_elements = 4096;
-
-Block sorted(std::span<const Element> block) {
-  Block result(block.begin(), block.end());
-  std::sort(result.begin(), result.end());
-  return result;
-}
 
 // Which elements are to be taken by the ends and which are left out.
 struct Finish {

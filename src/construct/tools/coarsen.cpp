@@ -10,21 +10,21 @@
 namespace changeover {
 namespace {
 
-constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t unset = std::numeric_limits<std::size_t>::max();
 
 class Coarsening {
  public:
   Coarsening(const Design& design, std::uint64_t g)
       : design_(design),
         k_(static_cast<std::size_t>(design.k() + g - 1)),
-        group_of_(static_cast<std::size_t>(design.v()), never),
+        group_of_(static_cast<std::size_t>(design.v()), unset),
         comes_(static_cast<std::size_t>(design.v())),
         read_(static_cast<std::size_t>(design.v())) {
-    std::vector<std::size_t> last(static_cast<std::size_t>(design.v()), never);
+    std::vector<std::size_t> last(static_cast<std::size_t>(design.v()), unset);
     enters_.assign(design.block_count(), 0);
     for (std::size_t i = 0; i < design.block_count(); ++i) {
       for (const Element x : design.block(i)) {
-        if (last[x] == never || last[x] + 1 < i) {
+        if (last[x] == unset || last[x] + 1 < i) {
           comes_[x].push_back(i);
           enters_[i] = x;  // of no use for the first block
         }
@@ -54,7 +54,7 @@ class Coarsening {
       // What enters next must be new to this group.
       while (j < b && inside(enters_[j]) && !holds(j - 1, enters_[j]) && j - i > 1) {
         --j;
-        group_of_[block.back()] = never;
+        group_of_[block.back()] = unset;
         block.pop_back();
       }
       if (!fill(block, j)) {
@@ -126,13 +126,13 @@ class Coarsening {
     return true;
   }
 
-  // When x enters next, from block j on; `never` if it does not.
+  // When x enters next, from block j on; `unset` if it does not.
   std::size_t next_coming(Element x, std::size_t j) {
     std::size_t& read = read_[x];
     while (read < comes_[x].size() && comes_[x][read] < j) {
       ++read;
     }
-    return read < comes_[x].size() ? comes_[x][read] : never;
+    return read < comes_[x].size() ? comes_[x][read] : unset;
   }
 
   const Design& design_;

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t most_blocks = 12;  // more lines than that say nothing
 constexpr double list_width = 330;
 constexpr double font = 12;
-constexpr double line_height = 17;
+constexpr double list_line = 17;
 
 // What a block newly covers, in words: "5" between elements of the only cycle, "0:5" of cycle 0, "0-1:5" from cycle 0 to cycle
 // 1, ∞ for a pair with a fixed element.
@@ -73,7 +73,7 @@ class BlockList {
 
   void headline(const std::string& text) { line(text, false, 0); }
   void line(const std::string& text, bool soft, double indent = 18) {
-    y_ += line_height;
+    y_ += list_line;
     Mark mark{.shape = Text{.at = {left_ + indent, y_},
                             .content = fitted(text, list_width - indent, font)}};
     if (soft) {
@@ -89,12 +89,12 @@ class BlockList {
   void block(const Paint& paint, const std::vector<std::string>& words) {
     y_ += 6;
     list_.marks.push_back(
-        {.shape = Rectangle{.x = left_, .y = y_ + line_height - 10, .width = 11, .height = 11},
+        {.shape = Rectangle{.x = left_, .y = y_ + list_line - 10, .width = 11, .height = 11},
          .style = {.fill = paint}});
     lines(words, false);
   }
 
-  double height() const { return y_ + line_height; }
+  double height() const { return y_ + list_line; }
   Mark take() {
     return {.shape = std::move(list_), .kind = "blocks", .style = {.font_size = font}};
   }

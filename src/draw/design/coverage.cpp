@@ -15,7 +15,7 @@ namespace changeover {
 namespace {
 
 constexpr double usual_width = 640;
-constexpr double longest_name = 120;
+constexpr double longest_row_name = 120;
 constexpr std::size_t most_with_titles = 100;  // of more elements, pairs of one colour are one mark
 constexpr std::size_t steps_of_colour = 48;
 
@@ -62,7 +62,7 @@ class Coverage {
     for (const Element x : order_) {
       widest_ = std::max(widest_, text_width(drawing.name(x), font_));
     }
-    widest_ = std::min(widest_, longest_name);
+    widest_ = std::min(widest_, longest_row_name);
     left_ = widest_ + 6;
     top_ = font_ + 6;
   }

@@ -11,12 +11,12 @@
 namespace changeover {
 namespace {
 
-constexpr double usual_width = 900, usual_height = 560;  // of the field of bars
+constexpr double field_width = 900, field_height = 560;  // of the field of bars
 constexpr double small_font = 8, usual_font = 11;
-constexpr double longest_name = 120;
+constexpr double longest_bar_name = 120;
 constexpr double beyond = 5;  // by so much a bar that goes on stands out of the frame
 constexpr double axis_height = 18;
-constexpr double narrowest = 1.8;  // of a bar
+constexpr double thinnest_bar = 1.8;  // of a bar
 
 class Stays {
  public:
@@ -25,8 +25,8 @@ class Stays {
         stays_(stays_of(drawing)),
         order_(ordered(stays_, drawing.options.order)),
         blocks_(static_cast<double>(stays_.last - stays_.first + 1)),
-        unit_(std::clamp(usual_width / blocks_, 1.0, 24.0)),
-        row_(std::clamp(usual_height / static_cast<double>(order_.size()), 3.0, 18.0)) {
+        unit_(std::clamp(field_width / blocks_, 1.0, 24.0)),
+        row_(std::clamp(field_height / static_cast<double>(order_.size()), 3.0, 18.0)) {
     font_ = row_ >= usual_font + 2 ? usual_font : small_font;
     for (const Element x : order_) {
       widest_ = std::max(widest_, text_width(drawing.name(x), font_));
@@ -36,7 +36,7 @@ class Stays {
       }
       most_ = std::max(most_, stays_.of[x].size());
     }
-    left_ = std::min(widest_, longest_name) + 6 + beyond;
+    left_ = std::min(widest_, longest_bar_name) + 6 + beyond;
   }
 
   Picture draw() {
@@ -59,7 +59,7 @@ class Stays {
         const std::string name = drawing_.name(order_[i]);
         names.marks.push_back(
             {.shape = Text{.at = {left_ - beyond - 4, y + row_ / 2 + 0.36 * font_},
-                           .content = fitted(name, longest_name, font_),
+                           .content = fitted(name, longest_bar_name, font_),
                            .element = true},
              .title = name});
       }
@@ -118,7 +118,8 @@ class Stays {
   Rectangle bar(std::uint64_t from, std::uint64_t to, bool before, bool after, double y) const {
     const double gap = std::min(0.15 * row_, 2.0);
     // A stay of one block is seen however narrow blocks are.
-    const double wider = std::max(0.0, narrowest - static_cast<double>(to - from + 1) * unit_) / 2;
+    const double wider =
+        std::max(0.0, thinnest_bar - static_cast<double>(to - from + 1) * unit_) / 2;
     const double left = x_of(from) - (before ? beyond : wider);
     const double right = x_of(to) + unit_ + (after ? beyond : wider);
     return {.x = left, .y = y + gap, .width = right - left, .height = row_ - 2 * gap};

@@ -41,9 +41,9 @@ std::string plain_words(std::string_view text) {
   return words;
 }
 
-class Writer {
+class TikzWriter {
  public:
-  explicit Writer(Theme theme) : theme_(theme) {}
+  explicit TikzWriter(Theme theme) : theme_(theme) {}
 
   std::string write(const Picture& picture) {
     if (theme_ == Theme::dark) {
@@ -169,7 +169,7 @@ std::string tikz(const Picture& picture, Theme theme) {
         "a picture of {} marks is too large for TeX, which takes {}; draw a part with --from and --to, or write svg",
         marks, most_marks_of_tikz));
   }
-  return Writer(theme).write(picture);
+  return TikzWriter(theme).write(picture);
 }
 
 }  // namespace changeover

@@ -87,11 +87,6 @@ PaperItem not_checkable(std::string place, std::string what, std::string reason)
   return item;
 }
 
-Block sorted(Block block) {
-  std::sort(block.begin(), block.end());
-  return block;
-}
-
 std::string braces(std::span<const Element> block) {
   return fmt::format("{{{}}}", fmt::join(block, ","));
 }

@@ -18,6 +18,7 @@
 #include "changeover/construct/expansion.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/verify/verdict.hpp"
+#include "core/sorted.hpp"
 #include "paper/print/formula.hpp"
 #include "paper/report.hpp"
 
@@ -71,12 +72,6 @@ class Check {
 
 /// A claim that is not checked, and why.
 [[nodiscard]] PaperItem not_checkable(std::string place, std::string what, std::string reason);
-
-/// The elements in order.
-[[nodiscard]] Block sorted(Block block);
-[[nodiscard]] inline Block sorted(std::span<const Element> block) {
-  return sorted(Block(block.begin(), block.end()));
-}
 
 /// "{0,1,4}", elements by number or by the names of the design.
 [[nodiscard]] std::string braces(std::span<const Element> block);

@@ -13,7 +13,7 @@
 #include "construct/entry.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::blow_up_entry {
 namespace {
 
 constexpr Description description{
@@ -90,6 +90,12 @@ class BlowUp final : public Rule {
 
 }  // namespace
 
+const Construction& construction() { return only<BlowUp>(); }
+
+}  // namespace changeover::blow_up_entry
+
+namespace changeover {
+
 Recipe blow_up_recipe(const Recipe& input, std::uint64_t s) {
   if (s == 0) {
     throw BadInput("an element cannot be replaced by no copies at all");
@@ -103,7 +109,5 @@ Recipe blow_up_recipe(const Recipe& input, std::uint64_t s) {
   p.change = checked_multiply(s, p.change);
   return {"blow-up", p, {{"s", static_cast<std::int64_t>(s)}}, {input}, {}};
 }
-
-const Construction& blow_up_construction() { return only<BlowUp>(); }
 
 }  // namespace changeover

@@ -10,7 +10,7 @@
 #include "construct/entry.hpp"
 #include "construct/tools/close_up.hpp"
 
-namespace changeover {
+namespace changeover::close_up_entry {
 namespace {
 
 constexpr Description description{
@@ -60,6 +60,12 @@ class CloseUp final : public Entry {
 
 }  // namespace
 
+const Construction& construction() { return only<CloseUp>(); }
+
+}  // namespace changeover::close_up_entry
+
+namespace changeover {
+
 std::optional<Made> close_up_recipe(const Recipe& input, const Design& design) {
   constexpr std::size_t most_tries = 4;
   const Parameters& p = input.parameters;
@@ -74,7 +80,5 @@ std::optional<Made> close_up_recipe(const Recipe& input, const Design& design) {
   --smaller.v;
   return Made{{"close-up", smaller, {{"element", best->element}}, {input}, {}}, best->blocks};
 }
-
-const Construction& close_up_construction() { return only<CloseUp>(); }
 
 }  // namespace changeover

@@ -9,7 +9,7 @@
 #include "construct/entry.hpp"
 #include "construct/tools/coarsen.hpp"
 
-namespace changeover {
+namespace changeover::coarsen_entry {
 namespace {
 
 // The parameters of the single-change design of which p's g-change design is made.
@@ -69,6 +69,12 @@ class Coarsen final : public Entry {
 
 }  // namespace
 
+const Construction& construction() { return only<Coarsen>(); }
+
+}  // namespace changeover::coarsen_entry
+
+namespace changeover {
+
 std::optional<Made> coarsen_recipe(const Recipe& input, const Design& design, std::uint64_t g) {
   std::optional<Made> best;
   for (std::uint64_t first = 1; first <= g; ++first) {
@@ -84,7 +90,5 @@ std::optional<Made> coarsen_recipe(const Recipe& input, const Design& design, st
   }
   return best;
 }
-
-const Construction& coarsen_construction() { return only<Coarsen>(); }
 
 }  // namespace changeover

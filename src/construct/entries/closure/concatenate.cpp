@@ -16,7 +16,7 @@
 #include "construct/tools/read_within_memory.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::concatenate_entry {
 namespace {
 
 constexpr Description description{
@@ -89,6 +89,12 @@ class Concatenate final : public Entry {
 
 }  // namespace
 
+const Construction& construction() { return only<Concatenate>(); }
+
+}  // namespace changeover::concatenate_entry
+
+namespace changeover {
+
 Recipe concatenate_recipe(Recipe first, Recipe second, std::vector<Element> positions,
                           std::uint64_t times) {
   Parameters p = first.parameters;
@@ -99,7 +105,5 @@ Recipe concatenate_recipe(Recipe first, Recipe second, std::vector<Element> posi
           {std::move(first), std::move(second)},
           {std::move(positions)}};
 }
-
-const Construction& concatenate_construction() { return only<Concatenate>(); }
 
 }  // namespace changeover

@@ -17,7 +17,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::cut_entry {
 namespace {
 
 Parameters circular(Parameters p) {
@@ -173,6 +173,15 @@ class Cut final : public Construction {
 
 }  // namespace
 
+const Construction& construction() {
+  static const Cut construction;
+  return construction;
+}
+
+}  // namespace changeover::cut_entry
+
+namespace changeover {
+
 Recipe cut_recipe(Recipe input, std::uint64_t at) {
   if (input.parameters.kind != Kind::circular) {
     throw BadInput("cut: only a circular design can be cut open");
@@ -180,11 +189,6 @@ Recipe cut_recipe(Recipe input, std::uint64_t at) {
   Parameters linear = input.parameters;
   linear.kind = Kind::linear;
   return {"cut", linear, {{"at", static_cast<std::int64_t>(at)}}, {std::move(input)}, {}};
-}
-
-const Construction& cut_construction() {
-  static const Cut construction;
-  return construction;
 }
 
 }  // namespace changeover

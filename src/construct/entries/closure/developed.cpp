@@ -14,7 +14,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::developed_entry {
 namespace {
 
 /// What a recipe develops under: the power `shift` of an automorphism.
@@ -121,6 +121,6 @@ class Developed final : public Entry {
 
 }  // namespace
 
-const Construction& developed_construction() { return only<Developed>(); }
+const Construction& construction() { return only<Developed>(); }
 
-}  // namespace changeover
+}  // namespace changeover::developed_entry

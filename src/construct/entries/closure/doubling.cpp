@@ -11,7 +11,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::doubling_entry {
 namespace {
 
 constexpr std::string_view single_change = "mcsorley-circular";
@@ -81,6 +81,6 @@ class Doubling final : public Entry {
 
 }  // namespace
 
-const Construction& doubling_construction() { return only<Doubling>(); }
+const Construction& construction() { return only<Doubling>(); }
 
-}  // namespace changeover
+}  // namespace changeover::doubling_entry

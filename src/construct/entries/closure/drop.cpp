@@ -19,7 +19,7 @@
 #include "construct/tools/read_within_memory.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::drop_entry {
 namespace {
 
 /// Which blocks stay. The pairs are counted once; only blocks all of whose pairs are elsewhere can ever
@@ -211,15 +211,24 @@ class Drop final : public Construction {
 
 }  // namespace
 
+const Construction& construction() {
+  static const Drop construction;
+  return construction;
+}
+
+}  // namespace changeover::drop_entry
+
+namespace changeover {
+
 std::uint64_t needed_block_count(const Design& design) {
-  return Dropping(design).run(design.parameters().kind);
+  return drop_entry::Dropping(design).run(design.parameters().kind);
 }
 
 Design without_needless_blocks(const Design& design) {
   if (design.parameters().strength != 2) {
     return design;
   }
-  Dropping dropping(design);
+  drop_entry::Dropping dropping(design);
   if (dropping.run(design.parameters().kind) == design.block_count()) {
     return design;
   }
@@ -229,7 +238,7 @@ Design without_needless_blocks(const Design& design) {
 }
 
 BestCut best_cut(const Design& design, std::size_t most_cuts, std::uint64_t enough) {
-  Dropping dropping(design);
+  drop_entry::Dropping dropping(design);
   BestCut best{0, design.block_count()};
   for (std::size_t at = 0; at < design.block_count() && at < most_cuts; ++at) {
     const std::uint64_t needed = dropping.run(Kind::linear, at);
@@ -244,10 +253,5 @@ BestCut best_cut(const Design& design, std::size_t most_cuts, std::uint64_t enou
 }
 
 Recipe drop_recipe(const Recipe& input) { return {"drop", input.parameters, {}, {input}, {}}; }
-
-const Construction& drop_construction() {
-  static const Drop construction;
-  return construction;
-}
 
 }  // namespace changeover

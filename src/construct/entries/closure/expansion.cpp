@@ -13,7 +13,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::expansion_entry {
 namespace {
 
 // The parameters of the smaller design: ℓ(k−2) + ℓ + 1 = ℓ(k−1) + 1 = v.
@@ -102,6 +102,6 @@ class Expansion final : public Entry {
 
 }  // namespace
 
-const Construction& expansion_construction() { return only<Expansion>(); }
+const Construction& construction() { return only<Expansion>(); }
 
-}  // namespace changeover
+}  // namespace changeover::expansion_entry

@@ -12,7 +12,7 @@
 #include "construct/entry.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::fix_entry {
 namespace {
 
 constexpr Description description{
@@ -60,6 +60,12 @@ class Fix final : public Rule {
 
 }  // namespace
 
+const Construction& construction() { return only<Fix>(); }
+
+}  // namespace changeover::fix_entry
+
+namespace changeover {
+
 Recipe fix_recipe(const Recipe& input, std::uint64_t f) {
   if (f == 0) {
     return input;
@@ -69,7 +75,5 @@ Recipe fix_recipe(const Recipe& input, std::uint64_t f) {
   p.k = checked_add(p.k, f);
   return {"fix", p, {{"f", static_cast<std::int64_t>(f)}}, {input}, {}};
 }
-
-const Construction& fix_construction() { return only<Fix>(); }
 
 }  // namespace changeover

@@ -14,7 +14,7 @@
 #include "construct/entry.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::interpolate_entry {
 namespace {
 
 // Between two blocks the smallest of what leaves goes first, for the smallest of what enters.
@@ -160,6 +160,12 @@ class Interpolate final : public Entry {
 
 }  // namespace
 
+const Construction& construction() { return only<Interpolate>(); }
+
+}  // namespace changeover::interpolate_entry
+
+namespace changeover {
+
 std::uint64_t interpolated_count(const Parameters& p, std::uint64_t m, std::uint64_t b) {
   return p.kind == Kind::circular ? checked_multiply(p.change / m, b)
                                   : checked_add(checked_multiply(p.change / m, b - 1), 1);
@@ -176,7 +182,5 @@ Recipe interpolate_recipe(const Recipe& input, std::uint64_t m) {
   p.change = m;
   return {"interpolate", p, {}, {input}, {}};
 }
-
-const Construction& interpolate_construction() { return only<Interpolate>(); }
 
 }  // namespace changeover

@@ -28,7 +28,7 @@
 #include "construct/tools/read_within_memory.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::partial_expansion_entry {
 namespace {
 
 // The largest v that is offered: a cover lists v elements.
@@ -462,15 +462,21 @@ constexpr std::uint64_t most_elements_covered = 2000;
 
 }  // namespace
 
+const Construction& construction() { return only<PartialExpander>(); }
+
+}  // namespace changeover::partial_expansion_entry
+
+namespace changeover {
+
 std::optional<CoverPositions> cover_positions(const Design& design) {
   const Parameters& p = design.parameters();
-  if (p.strength != 2 || p.change >= p.k || p.v > most_elements_covered || p.v <= p.k ||
-      (p.kind == Kind::circular && design.block_count() < 2)) {
+  if (p.strength != 2 || p.change >= p.k || p.v > partial_expansion_entry::most_elements_covered ||
+      p.v <= p.k || (p.kind == Kind::circular && design.block_count() < 2)) {
     return std::nullopt;
   }
   CoverOptions options;
   options.new_elements = p.change;  // then nothing is left out
-  options.limits.nodes = cover_nodes;
+  options.limits.nodes = partial_expansion_entry::cover_nodes;
   const std::optional<UnchangedCover> cover = find_cover(design, options);
   if (!cover) {
     return std::nullopt;
@@ -496,7 +502,7 @@ std::optional<std::uint64_t> partial_expansion_count(const Parameters& p, std::u
 }
 
 Recipe partial_expansion_recipe(const Recipe& input, const CoverPositions& cover, std::uint64_t w) {
-  Recipe recipe{std::string(own_name),
+  Recipe recipe{std::string(partial_expansion_entry::own_name),
                 input.parameters,
                 {{"w", static_cast<std::int64_t>(w)}},
                 {input},
@@ -504,7 +510,5 @@ Recipe partial_expansion_recipe(const Recipe& input, const CoverPositions& cover
   recipe.parameters.v = checked_add(input.parameters.v, w);
   return recipe;
 }
-
-const Construction& partial_expansion_construction() { return only<PartialExpander>(); }
 
 }  // namespace changeover

@@ -16,7 +16,7 @@
 #include "construct/tools/short_blocks.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::ring_entry {
 namespace {
 
 constexpr Description description{
@@ -114,6 +114,6 @@ class Ring final : public Entry {
 
 }  // namespace
 
-const Construction& ring_construction() { return only<Ring>(); }
+const Construction& construction() { return only<Ring>(); }
 
-}  // namespace changeover
+}  // namespace changeover::ring_entry

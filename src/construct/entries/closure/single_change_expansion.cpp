@@ -12,7 +12,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::single_change_expansion_entry {
 namespace {
 
 std::optional<Parameters> input_parameters(const Parameters& p) {
@@ -98,6 +98,6 @@ class SingleChangeExpansion final : public Entry {
 
 }  // namespace
 
-const Construction& single_change_expansion_construction() { return only<SingleChangeExpansion>(); }
+const Construction& construction() { return only<SingleChangeExpansion>(); }
 
-}  // namespace changeover
+}  // namespace changeover::single_change_expansion_entry

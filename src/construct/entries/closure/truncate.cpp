@@ -15,7 +15,7 @@
 #include "construct/entry.hpp"
 #include "construct/tools/read_within_memory.hpp"
 
-namespace changeover {
+namespace changeover::truncate_entry {
 namespace {
 
 Parameters smaller(Parameters p) {
@@ -201,9 +201,19 @@ class Truncate final : public Construction {
 
 }  // namespace
 
+const Construction& construction() {
+  static const Truncate construction;
+  return construction;
+}
+
+}  // namespace changeover::truncate_entry
+
+namespace changeover {
+
 std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design) {
-  if (const auto x = Truncation(design).last_that_can_go()) {
-    return Recipe{"truncate", smaller(input.parameters), {{"element", *x}}, {input}, {}};
+  if (const auto x = truncate_entry::Truncation(design).last_that_can_go()) {
+    return Recipe{
+        "truncate", truncate_entry::smaller(input.parameters), {{"element", *x}}, {input}, {}};
   }
   return std::nullopt;
 }
@@ -211,19 +221,14 @@ std::optional<Recipe> truncate_recipe(const Recipe& input, const Design& design)
 std::optional<Design> truncated(const Design& design, std::uint64_t elements) {
   Design result = design;
   for (std::uint64_t i = 0; i < elements; ++i) {
-    Truncation truncation(result);
+    truncate_entry::Truncation truncation(result);
     const auto x = truncation.last_that_can_go();
     if (!x) {
       return std::nullopt;
     }
-    result = Design(smaller(result.parameters()), *truncation.without(*x));
+    result = Design(truncate_entry::smaller(result.parameters()), *truncation.without(*x));
   }
   return result;
-}
-
-const Construction& truncate_construction() {
-  static const Truncate construction;
-  return construction;
 }
 
 }  // namespace changeover

@@ -12,7 +12,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::unfix_entry {
 namespace {
 
 constexpr Description description{
@@ -68,6 +68,12 @@ class Unfix final : public Entry {
 
 }  // namespace
 
+const Construction& construction() { return only<Unfix>(); }
+
+}  // namespace changeover::unfix_entry
+
+namespace changeover {
+
 std::optional<Recipe> unfix_recipe(const Recipe& input, const Design& design) {
   const Parameters& p = input.parameters;
   if (design.block_count() == 0 || p.k <= p.change || p.k <= p.strength) {
@@ -86,7 +92,5 @@ std::optional<Recipe> unfix_recipe(const Recipe& input, const Design& design) {
   --smaller.k;
   return Recipe{"unfix", smaller, {{"element", fixed - blocks.begin()}}, {input}, {}};
 }
-
-const Construction& unfix_construction() { return only<Unfix>(); }
 
 }  // namespace changeover

@@ -16,7 +16,7 @@
 #include "construct/entry.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::absent_once_entry {
 namespace {
 
 // d = v − k = mp − r; the circle has tp + 1 blocks.
@@ -106,6 +106,6 @@ class AbsentOnce final : public Family {
 
 }  // namespace
 
-const Construction& absent_once_construction() { return only<AbsentOnce>(); }
+const Construction& construction() { return only<AbsentOnce>(); }
 
-}  // namespace changeover
+}  // namespace changeover::absent_once_entry

@@ -20,7 +20,7 @@
 #include "construct/entry.hpp"
 #include "construct/tools/swaps.hpp"
 
-namespace changeover {
+namespace changeover::chained_windows_entry {
 namespace {
 
 bool spares_a_block(std::uint64_t k, std::uint64_t w) { return k >= 7 && w >= 3; }
@@ -184,6 +184,6 @@ class ChainedWindows final : public Family {
 
 }  // namespace
 
-const Construction& chained_windows_construction() { return only<ChainedWindows>(); }
+const Construction& construction() { return only<ChainedWindows>(); }
 
-}  // namespace changeover
+}  // namespace changeover::chained_windows_entry

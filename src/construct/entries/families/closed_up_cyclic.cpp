@@ -16,7 +16,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/tools/without_neighbours.hpp"
 
-namespace changeover {
+namespace changeover::closed_up_cyclic_entry {
 namespace {
 
 // Leg j makes the blocks with W_j.
@@ -90,6 +90,6 @@ class ClosedUpCyclic final : public WithoutNeighbours {
 
 }  // namespace
 
-const Construction& closed_up_cyclic_construction() { return only<ClosedUpCyclic>(); }
+const Construction& construction() { return only<ClosedUpCyclic>(); }
 
-}  // namespace changeover
+}  // namespace changeover::closed_up_cyclic_entry

@@ -18,7 +18,7 @@
 #include "construct/entry.hpp"
 #include "construct/tools/swaps.hpp"
 
-namespace changeover {
+namespace changeover::closed_up_windows_entry {
 namespace {
 
 class ClosedUp final : public SwapPlan {
@@ -154,6 +154,6 @@ class ClosedUpWindows final : public Family {
 
 }  // namespace
 
-const Construction& closed_up_windows_construction() { return only<ClosedUpWindows>(); }
+const Construction& construction() { return only<ClosedUpWindows>(); }
 
-}  // namespace changeover
+}  // namespace changeover::closed_up_windows_entry

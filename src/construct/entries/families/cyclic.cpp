@@ -7,7 +7,7 @@
 
 #include "construct/tools/interval_family.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_entry {
 namespace {
 
 constexpr Description description{
@@ -46,6 +46,6 @@ class Cyclic final : public IntervalFamily {
 
 }  // namespace
 
-const Construction& cyclic_construction() { return only<Cyclic>(); }
+const Construction& construction() { return only<Cyclic>(); }
 
-}  // namespace changeover
+}  // namespace changeover::cyclic_entry

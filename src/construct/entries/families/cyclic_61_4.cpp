@@ -5,7 +5,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_61_4_entry {
 namespace {
 
 constexpr Parameters served{61, 4, 2, Kind::circular, 2};
@@ -51,6 +51,6 @@ class Cyclic61x4 final : public Family {
 
 }  // namespace
 
-const Construction& cyclic_61_4_construction() { return only<Cyclic61x4>(); }
+const Construction& construction() { return only<Cyclic61x4>(); }
 
-}  // namespace changeover
+}  // namespace changeover::cyclic_61_4_entry

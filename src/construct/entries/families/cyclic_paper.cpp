@@ -13,7 +13,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_paper_entry {
 namespace {
 
 // The two elements besides A, as p·n + q with n = k−2.
@@ -137,6 +137,6 @@ class CyclicPaper final : public Family {
 
 }  // namespace
 
-const Construction& cyclic_paper_construction() { return only<CyclicPaper>(); }
+const Construction& construction() { return only<CyclicPaper>(); }
 
-}  // namespace changeover
+}  // namespace changeover::cyclic_paper_entry

@@ -7,7 +7,7 @@
 // translate of the first.
 #include "construct/tools/interval_family.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_single_change_entry {
 namespace {
 
 constexpr Description description{
@@ -45,6 +45,6 @@ class CyclicSingleChange final : public IntervalFamily {
 
 }  // namespace
 
-const Construction& cyclic_single_change_construction() { return only<CyclicSingleChange>(); }
+const Construction& construction() { return only<CyclicSingleChange>(); }
 
-}  // namespace changeover
+}  // namespace changeover::cyclic_single_change_entry

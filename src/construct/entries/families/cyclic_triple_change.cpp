@@ -15,7 +15,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/tools/interval_family.hpp"
 
-namespace changeover {
+namespace changeover::cyclic_triple_change_entry {
 namespace {
 
 using Triple = std::array<int, 3>;
@@ -174,6 +174,6 @@ class CyclicTripleChange final : public IntervalFamily {
 
 }  // namespace
 
-const Construction& cyclic_triple_change_construction() { return only<CyclicTripleChange>(); }
+const Construction& construction() { return only<CyclicTripleChange>(); }
 
-}  // namespace changeover
+}  // namespace changeover::cyclic_triple_change_entry

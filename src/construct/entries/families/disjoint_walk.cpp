@@ -19,7 +19,7 @@
 #include "construct/tools/path.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::disjoint_walk_entry {
 namespace {
 
 class Walk {
@@ -183,6 +183,6 @@ class DisjointWalk final : public Family {
 
 }  // namespace
 
-const Construction& disjoint_walk_construction() { return only<DisjointWalk>(); }
+const Construction& construction() { return only<DisjointWalk>(); }
 
-}  // namespace changeover
+}  // namespace changeover::disjoint_walk_entry

@@ -19,7 +19,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/tools/without_neighbours.hpp"
 
-namespace changeover {
+namespace changeover::even_visits_entry {
 namespace {
 
 // Leg j makes the blocks with W_j.
@@ -91,6 +91,6 @@ class EvenVisitsFamily final : public WithoutNeighbours {
 
 }  // namespace
 
-const Construction& even_visits_construction() { return only<EvenVisitsFamily>(); }
+const Construction& construction() { return only<EvenVisitsFamily>(); }
 
-}  // namespace changeover
+}  // namespace changeover::even_visits_entry

@@ -9,7 +9,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::fixed_element_entry {
 namespace {
 
 constexpr std::string_view smaller = "doubling";
@@ -64,6 +64,6 @@ class FixedElement final : public Entry {
 
 }  // namespace
 
-const Construction& fixed_element_construction() { return only<FixedElement>(); }
+const Construction& construction() { return only<FixedElement>(); }
 
-}  // namespace changeover
+}  // namespace changeover::fixed_element_entry

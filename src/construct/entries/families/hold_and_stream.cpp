@@ -24,7 +24,7 @@
 #include "construct/tools/path.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::hold_and_stream_entry {
 namespace {
 
 /// The rounds one after another, each a held set with its groups, and the ways between them.
@@ -444,6 +444,6 @@ class HoldAndStream final : public Entry {
 
 }  // namespace
 
-const Construction& hold_and_stream_construction() { return only<HoldAndStream>(); }
+const Construction& construction() { return only<HoldAndStream>(); }
 
-}  // namespace changeover
+}  // namespace changeover::hold_and_stream_entry

@@ -11,7 +11,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::mcsorley_circular_entry {
 namespace {
 
 BaseBlocks base(const Parameters& p) {
@@ -55,6 +55,6 @@ class McSorleyCircular final : public Family {
 
 }  // namespace
 
-const Construction& mcsorley_circular_construction() { return only<McSorleyCircular>(); }
+const Construction& construction() { return only<McSorleyCircular>(); }
 
-}  // namespace changeover
+}  // namespace changeover::mcsorley_circular_entry

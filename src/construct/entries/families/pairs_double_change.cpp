@@ -14,7 +14,7 @@
 #include "construct/entry.hpp"
 #include "construct/tools/short_blocks.hpp"
 
-namespace changeover {
+namespace changeover::pairs_double_change_entry {
 namespace {
 
 constexpr std::string_view path_of_5 = "01 23 04 12 34 02 13 24 03 14";
@@ -89,6 +89,6 @@ class PairsDoubleChange final : public Family {
 
 }  // namespace
 
-const Construction& pairs_double_change_construction() { return only<PairsDoubleChange>(); }
+const Construction& construction() { return only<PairsDoubleChange>(); }
 
-}  // namespace changeover
+}  // namespace changeover::pairs_double_change_entry

@@ -12,7 +12,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::pairs_single_change_entry {
 namespace {
 
 // The largest v whose expansion set, v subsets, is written down.
@@ -121,6 +121,6 @@ class PairsSingleChange final : public Family {
 
 }  // namespace
 
-const Construction& pairs_single_change_construction() { return only<PairsSingleChange>(); }
+const Construction& construction() { return only<PairsSingleChange>(); }
 
-}  // namespace changeover
+}  // namespace changeover::pairs_single_change_entry

@@ -9,7 +9,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/tools/extended_minima.hpp"
 
-namespace changeover {
+namespace changeover::quadruples_single_change_entry {
 namespace {
 
 constexpr ListedMinimum five{5, "0123 0234 1234"};
@@ -77,8 +77,6 @@ class QuadruplesSingleChange final : public ExtendedMinima {
 
 }  // namespace
 
-const Construction& quadruples_single_change_construction() {
-  return only<QuadruplesSingleChange>();
-}
+const Construction& construction() { return only<QuadruplesSingleChange>(); }
 
-}  // namespace changeover
+}  // namespace changeover::quadruples_single_change_entry

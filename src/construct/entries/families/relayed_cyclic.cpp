@@ -24,7 +24,7 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 
-namespace changeover {
+namespace changeover::relayed_cyclic_entry {
 namespace {
 
 // Those that are developed over Z_v.
@@ -204,6 +204,6 @@ class RelayedCyclic final : public Entry {
 
 }  // namespace
 
-const Construction& relayed_cyclic_construction() { return only<RelayedCyclic>(); }
+const Construction& construction() { return only<RelayedCyclic>(); }
 
-}  // namespace changeover
+}  // namespace changeover::relayed_cyclic_entry

@@ -18,7 +18,7 @@
 #include "construct/entry.hpp"
 #include "construct/tools/swaps.hpp"
 
-namespace changeover {
+namespace changeover::relayed_windows_entry {
 namespace {
 
 class Relay final : public SwapPlan {
@@ -135,6 +135,6 @@ class RelayedWindows final : public Family {
 
 }  // namespace
 
-const Construction& relayed_windows_construction() { return only<RelayedWindows>(); }
+const Construction& construction() { return only<RelayedWindows>(); }
 
-}  // namespace changeover
+}  // namespace changeover::relayed_windows_entry

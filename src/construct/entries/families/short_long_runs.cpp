@@ -11,7 +11,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::short_long_runs_entry {
 namespace {
 
 // Elements in the order ∞_s, 0_s, …, (k−3)_s, ∞_l, 0_l, …, (k−3)_l.
@@ -90,6 +90,6 @@ class ShortLongRuns final : public Family {
 
 }  // namespace
 
-const Construction& short_long_runs_construction() { return only<ShortLongRuns>(); }
+const Construction& construction() { return only<ShortLongRuns>(); }
 
-}  // namespace changeover
+}  // namespace changeover::short_long_runs_entry

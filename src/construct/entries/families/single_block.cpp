@@ -7,7 +7,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::single_block_entry {
 namespace {
 
 constexpr Description description{
@@ -45,6 +45,6 @@ class SingleBlock final : public Family {
 
 }  // namespace
 
-const Construction& single_block_construction() { return only<SingleBlock>(); }
+const Construction& construction() { return only<SingleBlock>(); }
 
-}  // namespace changeover
+}  // namespace changeover::single_block_entry

@@ -49,7 +49,7 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 
-namespace changeover {
+namespace changeover::small_v_entry {
 namespace {
 
 constexpr std::string_view own_name = "small-v";
@@ -422,6 +422,6 @@ class SmallV final : public Entry {
 
 }  // namespace
 
-const Construction& small_v_construction() { return only<SmallV>(); }
+const Construction& construction() { return only<SmallV>(); }
 
-}  // namespace changeover
+}  // namespace changeover::small_v_entry

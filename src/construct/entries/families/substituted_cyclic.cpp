@@ -16,7 +16,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/tools/without_neighbours.hpp"
 
-namespace changeover {
+namespace changeover::substituted_cyclic_entry {
 namespace {
 
 // Leg j makes the blocks with W_j.
@@ -96,6 +96,6 @@ class SubstitutedCyclic final : public WithoutNeighbours {
 
 }  // namespace
 
-const Construction& substituted_cyclic_construction() { return only<SubstitutedCyclic>(); }
+const Construction& construction() { return only<SubstitutedCyclic>(); }
 
-}  // namespace changeover
+}  // namespace changeover::substituted_cyclic_entry

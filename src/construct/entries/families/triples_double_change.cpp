@@ -38,7 +38,7 @@
 #include "construct/tools/short_blocks.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::triples_double_change_entry {
 namespace {
 
 constexpr std::uint64_t largest_listed = 11;
@@ -285,6 +285,6 @@ class TriplesDoubleChange final : public Family {
 
 }  // namespace
 
-const Construction& triples_double_change_construction() { return only<TriplesDoubleChange>(); }
+const Construction& construction() { return only<TriplesDoubleChange>(); }
 
-}  // namespace changeover
+}  // namespace changeover::triples_double_change_entry

@@ -6,7 +6,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/tools/extended_minima.hpp"
 
-namespace changeover {
+namespace changeover::triples_single_change_entry {
 namespace {
 
 constexpr std::array<ListedMinimum, 5> linear{{
@@ -40,6 +40,6 @@ class TriplesSingleChange final : public ExtendedMinima {
 
 }  // namespace
 
-const Construction& triples_single_change_construction() { return only<TriplesSingleChange>(); }
+const Construction& construction() { return only<TriplesSingleChange>(); }
 
-}  // namespace changeover
+}  // namespace changeover::triples_single_change_entry

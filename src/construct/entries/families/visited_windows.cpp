@@ -25,7 +25,7 @@
 #include "construct/tools/swaps.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::visited_windows_entry {
 namespace {
 
 // Appends the steps from one window to the next: `out` leaves for the first visitor, each visitor for the next.
@@ -262,6 +262,6 @@ class VisitedWindows final : public Family {
 
 }  // namespace
 
-const Construction& visited_windows_construction() { return only<VisitedWindows>(); }
+const Construction& construction() { return only<VisitedWindows>(); }
 
-}  // namespace changeover
+}  // namespace changeover::visited_windows_entry

@@ -14,7 +14,7 @@
 #include "construct/trusted_entry.hpp"
 #include "core/checked.hpp"
 
-namespace changeover {
+namespace changeover::found_entry {
 namespace {
 
 // Of a valid design: whether it covers each pair, or what its strength says, newly, once. No two elements are in every block of a
@@ -127,6 +127,6 @@ class Found final : public Entry {
 
 }  // namespace
 
-const Construction& found_construction() { return only<Found>(); }
+const Construction& construction() { return only<Found>(); }
 
-}  // namespace changeover
+}  // namespace changeover::found_entry

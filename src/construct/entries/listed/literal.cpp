@@ -10,7 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::literal_entry {
 namespace {
 
 // So that building never hangs; the same set is found wherever the search does not end here.
@@ -59,10 +59,14 @@ class Literal final : public Entry {
 
 }  // namespace
 
+const Construction& construction() { return only<Literal>(); }
+
+}  // namespace changeover::literal_entry
+
+namespace changeover {
+
 Recipe literal_recipe(const Design& design, std::string provenance) {
   return {"literal", design.parameters(), {}, {}, design.blocks(), std::move(provenance)};
 }
-
-const Construction& literal_construction() { return only<Literal>(); }
 
 }  // namespace changeover

@@ -11,7 +11,7 @@
 #include "changeover/construct/registry.hpp"
 #include "construct/entry.hpp"
 
-namespace changeover {
+namespace changeover::printed_entry {
 namespace {
 
 struct Printed {
@@ -108,6 +108,6 @@ class PrintedTables final : public Family {
 
 }  // namespace
 
-const Construction& printed_construction() { return only<PrintedTables>(); }
+const Construction& construction() { return only<PrintedTables>(); }
 
-}  // namespace changeover
+}  // namespace changeover::printed_entry

@@ -1,0 +1,18 @@
+// A block with its elements in order.
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "changeover/core/block.hpp"
+
+namespace changeover {
+
+/// The elements, ascending. O(k log k).
+[[nodiscard]] inline Block sorted(std::span<const Element> block) {
+  Block result(block.begin(), block.end());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace changeover
