@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "changeover/construct/registry.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/pair_set.hpp"
-#include "changeover/core/transitions.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "paired.hpp"
 

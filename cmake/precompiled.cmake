@@ -12,8 +12,8 @@ set(CHANGEOVER_COMMON_HEADERS
   "${PROJECT_SOURCE_DIR}/src/core/checked.hpp"
   "${PROJECT_SOURCE_DIR}/include/changeover/core/design.hpp"
   "${PROJECT_SOURCE_DIR}/include/changeover/core/error.hpp"
-  "${PROJECT_SOURCE_DIR}/include/changeover/core/transitions.hpp"
-  "${PROJECT_SOURCE_DIR}/include/changeover/run/scope.hpp")
+  "${PROJECT_SOURCE_DIR}/include/changeover/core/design.hpp"
+  "${PROJECT_SOURCE_DIR}/include/changeover/run/control.hpp")
 
 function(changeover_precompile target owner)
   if(NOT CHANGEOVER_PRECOMPILE)

@@ -30,8 +30,8 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/output.hpp"
-#include "changeover/loadorder/disjoint.hpp"
 #include "changeover/loadorder/update_pairs.hpp"
+#include "changeover/loadorder/workers.hpp"
 
 namespace {
 

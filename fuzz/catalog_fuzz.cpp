@@ -1,6 +1,6 @@
 // Any bytes, read as the lines of a catalog: what is read is written, and read as it was.
 #include "changeover/catalog/entry.hpp"
-#include "changeover/curator/exchange.hpp"
+#include "changeover/curator/curator.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::catalog_fuzz {

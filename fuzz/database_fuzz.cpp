@@ -6,8 +6,7 @@
 
 #include "catalog/store/schema.hpp"
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/curator/audit.hpp"
-#include "changeover/curator/exchange.hpp"
+#include "changeover/curator/curator.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::database_fuzz {

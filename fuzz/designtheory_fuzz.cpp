@@ -2,7 +2,7 @@
 #include <set>
 #include <span>
 
-#include "changeover/io/other_formats.hpp"
+#include "changeover/io/formats.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::designtheory_fuzz {

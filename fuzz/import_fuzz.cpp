@@ -2,8 +2,7 @@
 #include <chrono>
 
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/curator/audit.hpp"
-#include "changeover/curator/exchange.hpp"
+#include "changeover/curator/curator.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::import_fuzz {

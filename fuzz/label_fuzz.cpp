@@ -1,5 +1,5 @@
 // Any bytes as the label of a cell or of a design.
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::label_fuzz {

@@ -1,5 +1,5 @@
 // Any bytes, read as GAP or Sage write designs.
-#include "changeover/io/other_formats.hpp"
+#include "changeover/io/formats.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::literal_fuzz {

@@ -1,5 +1,5 @@
 // Any bytes, read as a table of minima.
-#include "changeover/search/minima_table.hpp"
+#include "changeover/search/exact.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::minima_fuzz {

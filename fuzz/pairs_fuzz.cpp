@@ -6,7 +6,7 @@
 
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/wanted_pairs.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "io/scan/row_reader.hpp"
 #include "support/promises.hpp"
 

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <chrono>
 
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "support/promises.hpp"
 

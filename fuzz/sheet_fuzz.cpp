@@ -4,9 +4,7 @@
 
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/run_plan.hpp"
-#include "changeover/plan/sheet_formats.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/run/scope.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::sheet_fuzz {

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/loadorder/job_results.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 #include "files.hpp"
 
 class Gram final : public changeover::JobResults {

@@ -14,7 +14,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/verify/verified_design.hpp"
+#include "changeover/verify/verdict.hpp"
 
 namespace changeover::python {
 

@@ -2,7 +2,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 
 #include "bind.hpp"
-#include "changeover/catalog/reported.hpp"
+#include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
 #include "long_work.hpp"

@@ -4,7 +4,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/curator/add.hpp"
+#include "changeover/curator/curator.hpp"
 #include "changeover/io/formats.hpp"
 #include "long_work.hpp"
 

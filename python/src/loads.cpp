@@ -11,7 +11,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/load_request.hpp"
 #include "changeover/loadorder/workers.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "gil.hpp"
 #include "loadorder/show/loads_answer.hpp"
 #include "long_work.hpp"

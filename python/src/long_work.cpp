@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "gil.hpp"
 
 namespace changeover::python {

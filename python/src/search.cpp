@@ -1,10 +1,10 @@
 // Searches and classifications: they end when they are asked to, and keep what they found.
 #include "bind.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/outcome.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/enumeration.hpp"
+#include "changeover/search/exact.hpp"
 #include "changeover/search/local_search.hpp"
-#include "changeover/search/minimum_search.hpp"
 #include "long_work.hpp"
 
 namespace changeover::python {

@@ -1,8 +1,6 @@
-#include "changeover/construct/explanation.hpp"
+#include "changeover/construct/planner.hpp"
 
 #include <utility>
-
-#include "changeover/construct/planner.hpp"
 
 namespace changeover {
 

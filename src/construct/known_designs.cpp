@@ -10,7 +10,7 @@
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/checked.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/known_designs.hpp"
 #include "core/checked.hpp"
 

@@ -11,7 +11,7 @@
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/tools/read_within_memory.hpp"
 #include "construct/trusted_entry.hpp"
 

@@ -7,10 +7,10 @@
 #include <mutex>
 #include <set>
 
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {

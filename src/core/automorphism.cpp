@@ -1,4 +1,4 @@
-#include "changeover/core/automorphism.hpp"
+#include "changeover/core/developed.hpp"
 
 #include "core/checked.hpp"
 

@@ -1,4 +1,4 @@
-#include "changeover/core/interval_base_blocks.hpp"
+#include "changeover/core/developed.hpp"
 
 #include <fmt/format.h>
 

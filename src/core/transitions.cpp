@@ -1,4 +1,4 @@
-#include "changeover/core/transitions.hpp"
+#include "changeover/core/design.hpp"
 
 #include <algorithm>
 #include <utility>

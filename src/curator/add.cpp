@@ -1,11 +1,11 @@
-#include "changeover/curator/add.hpp"
+#include "changeover/curator/curator.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"

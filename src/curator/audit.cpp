@@ -1,4 +1,4 @@
-#include "changeover/curator/audit.hpp"
+#include "changeover/curator/curator.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/sha256.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/trusted_entry.hpp"
 #include "run/threads.hpp"
 

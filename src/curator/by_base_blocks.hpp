@@ -10,7 +10,7 @@
 
 namespace changeover {
 
-/// The same list of sets, and the recipe that makes it by developing the first of them under an automorphism of core/automorphism.hpp with at
+/// The same list of sets, and the recipe that makes it by developing the first of them under an automorphism of core/developed.hpp with at
 /// most two fixed elements, that of largest order; nullopt if none turns the list by a part of its length, or it is linear. Elements are
 /// not renamed. O(v + d·b·k log k) for d automorphisms whose order divides b.
 [[nodiscard]] std::optional<Design> by_base_blocks(const Design& design);

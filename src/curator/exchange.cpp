@@ -1,4 +1,4 @@
-#include "changeover/curator/exchange.hpp"
+#include "changeover/curator/curator.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include "catalog/store/spool.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/trusted_entry.hpp"
 #include "io/scan/input_lines.hpp"
 #include "io/scan/place.hpp"

@@ -1,4 +1,4 @@
-#include "changeover/curator/improve.hpp"
+#include "changeover/curator/curator.hpp"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,7 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
-#include "changeover/curator/audit.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/local_search.hpp"
 #include "curator/by_base_blocks.hpp"
 #include "curator/weakest.hpp"

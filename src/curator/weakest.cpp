@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 namespace {

@@ -27,7 +27,7 @@ namespace changeover {
 class WeakestFirst {
  public:
   /// The cells that the filter lets through and whose best design has more blocks than its bound. Reads them and what they lead to.
-  /// Fewer cells, and less of what they lead to, if the scope of this thread (run/scope.hpp) wants to stop.
+  /// Fewer cells, and less of what they lead to, if the scope of this thread (run/control.hpp) wants to stop.
   WeakestFirst(const Catalog& catalog, CatalogFilter filter);
 
   /// All cells that still have something to gain are to be searched again.

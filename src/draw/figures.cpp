@@ -1,4 +1,4 @@
-#include "changeover/draw/figures.hpp"
+#include "changeover/draw/draw.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 #include "draw/text/measure.hpp"
 
 namespace changeover {

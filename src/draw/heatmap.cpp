@@ -1,4 +1,4 @@
-#include "changeover/draw/heatmap.hpp"
+#include "changeover/draw/draw.hpp"
 
 #include <fmt/format.h>
 

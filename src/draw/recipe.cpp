@@ -17,19 +17,19 @@ constexpr double most_room = 560;  // of a line in a node
 constexpr double between = 24, below = 36;
 constexpr double node_height = 68;
 
-struct RecipeNode {
+struct DrawnNode {
   std::vector<std::string> lines;  // name, blocks, construction, theorem
   std::string title;
   std::string construction;
   std::uint64_t b = 0;
-  std::vector<RecipeNode> inputs;
+  std::vector<DrawnNode> inputs;
   double own_width = 0;
   double width = 0;  // of the whole tree below it
 };
 
-RecipeNode node_of(const Recipe& recipe, const Registry& registry) {
+DrawnNode node_of(const Recipe& recipe, const Registry& registry) {
   const Construction& construction = registry.construction_of(recipe);
-  RecipeNode node;
+  DrawnNode node;
   node.construction = recipe.construction;
   node.b = registry.build(recipe)->block_count().value_or(0);
   node.lines = {name(recipe.parameters), count_of(node.b, "block"), recipe.construction,
@@ -45,30 +45,30 @@ RecipeNode node_of(const Recipe& recipe, const Registry& registry) {
                  text_width(node.lines[i], i == 0 ? font : small_font, i == 0) + 2 * padding);
   }
   double inputs = 0;
-  for (const RecipeNode& input : node.inputs) {
+  for (const DrawnNode& input : node.inputs) {
     inputs += (inputs > 0 ? between : 0) + input.width;
   }
   node.width = std::max(node.own_width, inputs);
   return node;
 }
 
-std::size_t depth(const RecipeNode& node) {
+std::size_t depth(const DrawnNode& node) {
   std::size_t deepest = 0;
-  for (const RecipeNode& input : node.inputs) {
+  for (const DrawnNode& input : node.inputs) {
     deepest = std::max(deepest, depth(input));
   }
   return deepest + 1;
 }
 
 // A node with its tree below it, in a strip of node.width from `left`.
-void add(Picture& picture, const RecipeNode& node, double left, double top) {
+void add(Picture& picture, const DrawnNode& node, double left, double top) {
   const double middle = left + node.width / 2;
   double inputs = -between;
-  for (const RecipeNode& input : node.inputs) {
+  for (const DrawnNode& input : node.inputs) {
     inputs += input.width + between;
   }
   double x = middle - inputs / 2;
-  for (const RecipeNode& input : node.inputs) {
+  for (const DrawnNode& input : node.inputs) {
     const double to = x + input.width / 2;
     const double bend = top + node_height + below / 2;
     picture.add({.shape = Path{.parts = {{{to, top + node_height + below},
@@ -119,7 +119,7 @@ void add(Picture& picture, const RecipeNode& node, double left, double top) {
 }  // namespace
 
 Picture draw_recipe(const Recipe& recipe, const Registry& registry, const std::string& note) {
-  const RecipeNode root = node_of(recipe, registry);
+  const DrawnNode root = node_of(recipe, registry);
   Picture content;
   content.width = root.width;
   const auto levels = static_cast<double>(depth(root));

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "changeover/draw/figures.hpp"
+#include "changeover/draw/draw.hpp"
 
 namespace changeover {
 namespace {

@@ -14,7 +14,6 @@
 #include <optional>
 
 #include "changeover/run/control.hpp"
-#include "changeover/run/scope.hpp"
 
 namespace changeover {
 

@@ -20,7 +20,7 @@ void start_threads(std::vector<std::thread>& threads, unsigned count,
                    const std::function<void(unsigned)>& serve, const std::function<void()>& end);
 
 /// Calls work(0), …, work(count−1), all at the same time, work(0) on the caller (also if count is 0), each with the scope of
-/// `control` (run/scope.hpp), and returns when all have ended. If one throws, the control is stopped
+/// `control` (run/control.hpp), and returns when all have ended. If one throws, the control is stopped
 /// (WhyStopped::fault) so that the others end soon, and the first exception is thrown to the caller; Stopped is
 /// none: the control knows why.
 /// @throws MissingResource if the system has no room for so many threads; nothing is then under way.

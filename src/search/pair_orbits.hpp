@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/core/automorphism.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/core/developed.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 

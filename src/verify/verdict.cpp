@@ -10,7 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "verify/element_bits.hpp"
 #include "verify/subset_set.hpp"

@@ -1,4 +1,4 @@
-#include "changeover/verify/verified_design.hpp"
+#include "changeover/verify/verdict.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 

@@ -1,9 +1,8 @@
-#include "changeover/construct/explanation.hpp"
+#include "changeover/construct/planner.hpp"
 
 #include <gtest/gtest.h>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover::explanation_test {

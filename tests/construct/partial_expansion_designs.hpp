@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/construct/partial_expansion.hpp"
+#include "changeover/construct/expansion.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover::test {

@@ -8,7 +8,7 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "construct/entry.hpp"
 #include "naive_verdict.hpp"

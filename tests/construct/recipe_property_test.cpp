@@ -11,7 +11,6 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/run/scope.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "damage.hpp"
 

@@ -1,4 +1,4 @@
-#include "changeover/curator/add.hpp"
+#include "changeover/curator/curator.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <random>
 
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"

@@ -7,9 +7,7 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/curator/add.hpp"
-#include "changeover/curator/audit.hpp"
-#include "changeover/curator/exchange.hpp"
+#include "changeover/curator/curator.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "damage.hpp"
 

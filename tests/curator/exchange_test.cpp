@@ -1,4 +1,4 @@
-#include "changeover/curator/exchange.hpp"
+#include "changeover/curator/curator.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -8,13 +8,11 @@
 #include <numeric>
 #include <random>
 
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/curator/add.hpp"
-#include "changeover/curator/audit.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::exchange_test {

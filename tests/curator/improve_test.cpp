@@ -1,13 +1,11 @@
-#include "changeover/curator/improve.hpp"
+#include "changeover/curator/curator.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/curator/audit.hpp"
-#include "changeover/curator/exchange.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::improve_test {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "changeover/loadorder/load_order.hpp"
-#include "changeover/loadorder/step_work.hpp"
 
 namespace changeover::test {
 

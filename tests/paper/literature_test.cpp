@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <set>
 
-#include "changeover/catalog/label.hpp"
-#include "changeover/catalog/reported.hpp"
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "paper/print/printed.hpp"
 

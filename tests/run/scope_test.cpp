@@ -1,4 +1,4 @@
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "cases.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 

@@ -5,10 +5,9 @@
 #include <string>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/verify/difference.hpp"
 #include "changeover/verify/verdict.hpp"
-#include "changeover/verify/verified_design.hpp"
 
 namespace changeover::verdict_details_test {
 namespace {

@@ -17,7 +17,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/io/output.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "cli/process.hpp"
 #include "cli/spelling.hpp"
 #include "cli/status_line.hpp"

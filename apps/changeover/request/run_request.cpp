@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "answer/progress_line.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "cli/status_line.hpp"
 #include "cli/team.hpp"
 

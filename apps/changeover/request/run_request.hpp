@@ -54,7 +54,7 @@ struct RunRequest {
   std::string default_time;
 };
 
-/// A search under way: its control, which this thread listens to (run/scope.hpp), its progress on stderr, and
+/// A search under way: its control, which this thread listens to (run/control.hpp), its progress on stderr, and
 /// Ctrl-C, SIGTERM or a terminal that goes away, which ask it to stop; a second Ctrl-C ends the process. One at
 /// a time. Knows the team (team.hpp): only its first member shows progress.
 class Running {

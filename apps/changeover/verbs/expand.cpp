@@ -1,5 +1,4 @@
 // changeover expand FILE: the recursion with expansion sets, applied to a design of the user's own.
-#include "changeover/construct/enlarge.hpp"
 #include "changeover/construct/expansion.hpp"
 
 #include <fmt/format.h>

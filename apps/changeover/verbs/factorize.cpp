@@ -6,7 +6,7 @@
 #include "answer/answer.hpp"
 #include "changeover/construct/one_factorization.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/draw/figures.hpp"
+#include "changeover/draw/draw.hpp"
 #include "io/write/json_writer.hpp"
 #include "verbs.hpp"
 

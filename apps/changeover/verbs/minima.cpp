@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "answer/answer.hpp"
-#include "changeover/search/minima_table.hpp"
+#include "changeover/search/exact.hpp"
 #include "io/file/file_lock.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"

@@ -7,8 +7,8 @@
 
 #include "answer/known/offers.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
-#include "changeover/search/minimum_search.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/search/exact.hpp"
 #include "cli/team.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"

@@ -11,7 +11,7 @@
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "cli/status_line.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"

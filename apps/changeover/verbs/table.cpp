@@ -6,7 +6,7 @@
 #include "answer/answer.hpp"
 #include "answer/catalog/today.hpp"
 #include "answer/known/planned_table.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/verify/verdict.hpp"

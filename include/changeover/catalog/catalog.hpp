@@ -1,3 +1,44 @@
+// What the literature reports: numbers of blocks of designs that are said to exist.
+//
+//     const Parameters p{.v = 26, .k = 6, .change = 1, .kind = Kind::linear};
+//     reported_below(p, 64)->blocks;                // 63 [Bean2026]
+//     reported_below(p, 63).has_value();            // false: it is no better than what is held
+//
+// Reported is not verified. A catalog holds blocks, which are verified; here is a number and who
+// says it, for the caller who asks what is known of some parameters. It is no bound, and no other
+// answer depends on it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/catalog/entry.hpp"
+#include "changeover/core/parameters.hpp"
+
+namespace changeover {
+
+/// A design that a publication counts.
+struct Reported {
+  std::string_view cites;  ///< a key of docs/references.bib
+  Parameters parameters;
+  std::uint64_t blocks = 0;
+};
+
+/// All of them.
+[[nodiscard]] std::span<const Reported> reported_designs();
+
+/// The one with the fewest blocks for exactly these parameters, if that is fewer than `held`, the
+/// number of blocks of the best design at hand; nullopt otherwise. Linear in the number of reports.
+[[nodiscard]] std::optional<Reported> reported_below(const Parameters& p,
+                                                     std::optional<std::uint64_t> held);
+
 // The catalog: designs that are known, those that come with the program and those of its user, looked up as one.
 //
 //     Catalog catalog({.shipped = {}, .user = "mine.db"});     // only what is in a file, here
@@ -15,21 +56,6 @@
 // processes may write at once, each waits for the others.
 //
 // Thread-safe. Bound by: SQLite's look-up and the parsing of a line.
-#pragma once
-
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "changeover/catalog/entry.hpp"
-
-namespace changeover {
 
 /// The version of a user's file that this program reads and writes.
 inline constexpr int catalog_schema_version = 1;
@@ -123,7 +149,7 @@ class Catalog {
   [[nodiscard]] bool is_shipped(std::string_view label) const;
 
   /// Puts entries into the user's file: all of them or, if it throws, none. The entries are trusted: see
-  /// curator/add.hpp for those of strangers. Returns what came of each.
+  /// curator/curator.hpp for those of strangers. Returns what came of each.
   /// @throws MissingResource if there is no user's file or it cannot be written.
   std::vector<Added> add(std::span<const CatalogEntry> entries);
   Added add(const CatalogEntry& entry) { return add(std::span(&entry, 1)).front(); }
@@ -139,7 +165,7 @@ class Catalog {
   void retract(std::string_view label, std::string_view why);
 
   /// Lets `alias` lead to the entry of that label. @throws BadInput if the alias reads as a label
-  /// (catalog/label.hpp) or leads to another design; as add().
+  /// (catalog/entry.hpp) or leads to another design; as add().
   void alias(std::string_view alias, std::string_view label);
 
   /// Takes an alias of the user's out, whatever it leads to, and returns that. @throws BadInput if
@@ -148,7 +174,7 @@ class Catalog {
 
   /// What is wrong in the user's file itself: rows that contradict their lines, aliases that lead
   /// nowhere or read as labels, an index that misses rows. That entries are designs is for
-  /// curator/audit.hpp. Empty if there is no file. Reads it all.
+  /// curator/curator.hpp. Empty if there is no file. Reads it all.
   struct Fault {
     std::string label;  ///< or the alias, or "your own catalog"
     std::string what;

@@ -116,7 +116,7 @@ struct CoverPositions {
 /// Whether w new elements can be added by partial expansion to a design with these parameters.
 [[nodiscard]] bool new_elements_fit(const Parameters& p, std::uint64_t w);
 
-/// *Partial expansion*: w new elements by such a cover; see construct/partial_expansion.hpp. They must fit.
+/// *Partial expansion*: w new elements by such a cover; see construct/expansion.hpp. They must fit.
 [[nodiscard]] Recipe partial_expansion_recipe(const Recipe& input, const CoverPositions& cover,
                                               std::uint64_t w);
 

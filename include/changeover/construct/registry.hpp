@@ -24,9 +24,7 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
-#include "changeover/core/interval_base_blocks.hpp"
 #include "changeover/core/recipe.hpp"
-#include "changeover/core/transitions.hpp"
 
 namespace changeover {
 
@@ -100,7 +98,7 @@ class Construction {
       const Parameters& p) const;
 
   /// Unchanged subsets at distinct positions, in order of position, that together cover all elements;
-  /// they may overlap (construct/partial_expansion.hpp).
+  /// they may overlap (construct/expansion.hpp).
   [[nodiscard]] virtual std::optional<std::vector<UnchangedSubset>> unchanged_cover(
       const Recipe& recipe, const Registry& registry) const;
 

@@ -22,16 +22,19 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "changeover/construct/one_factorization.hpp"
+#include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/core/automorphism.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
+#include "changeover/core/developed.hpp"
 #include "changeover/core/recipe.hpp"
-#include "changeover/core/transitions.hpp"
 #include "changeover/draw/picture.hpp"
 
 namespace changeover {
@@ -111,5 +114,85 @@ struct FoundRotation {
 /// fixed element, or has cycles of length b/c and at most three fixed elements; nullopt if there is none.
 /// O(b·k·v) at worst, in practice O(b·k).
 [[nodiscard]] std::optional<FoundRotation> find_rotation(const Design& design);
+
+// Pictures on a circle: 1-factorizations and cyclic designs.
+//
+//     FactorFigure k8 = factor_figure(one_factorization(8), 7);
+//     std::string page = svg(draw_factors(k8));
+//
+//     // The base block of DCCD(11,4) and its successor [ChafeeStevens2025, Fig. 3]:
+//     CircleFigure circle{.v = 11, .blocks = {{{0, 1, 2, 5}, {2, 5}}, {{1, 2, 3, 6}, {3, 6}}}};
+//     std::string figure = tikz(draw_circle(circle));
+//
+// A picture is 480 by 480 and scalable, and has a title and a description but no headline. Beyond seven colours lines are dashed
+// too.
+
+/// A 1-factorization of K_order: one colour a factor.
+struct FactorFigure {
+  std::uint32_t order = 0;
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> factors = {};
+  std::vector<std::string> names = {};       ///< of the vertices; empty: 0, 1, …
+  std::optional<std::uint32_t> centre = {};  ///< the vertex in the middle, if one shall be there
+  std::string title = {};                    ///< empty: "1-factorization of K_n"
+};
+
+/// Without names. In GK_n, n > 2, it is vertex n − 1 that the rotation fixes and that belongs into the middle.
+[[nodiscard]] FactorFigure factor_figure(const OneFactorization& factorization,
+                                         std::optional<std::uint32_t> centre = {});
+
+/// A block in a picture, with those of its elements that it introduces.
+struct DrawnBlock {
+  Block elements;
+  Block introduced;
+};
+
+/// Blocks on a circle of v points. Each block has a colour, in which its newly covered pairs are drawn:
+/// those with an introduced element. Elements that several of the blocks share, or that the only
+/// one did not introduce, are black: the unchanged subset.
+struct CircleFigure {
+  std::uint64_t v = 0;  ///< at most 1000
+  std::vector<DrawnBlock> blocks = {};
+  std::vector<std::string> names = {};       ///< of the points; empty: 0, 1, …
+  std::string title = {};                    ///< empty: "Blocks on v points"
+  std::optional<std::uint32_t> centre = {};  ///< the point in the middle, if one shall be there
+};
+
+/// Blocks `first` to `first` + `count` − 1 of a design (from 0), as far as it has them, with what they
+/// introduce.
+[[nodiscard]] CircleFigure circle_figure(const Design& design, std::uint64_t first,
+                                         std::uint64_t count);
+
+/// @throws BadInput if a vertex, point or the number of names does not fit the order.
+[[nodiscard]] Picture draw_factors(const FactorFigure& figure);
+[[nodiscard]] Picture draw_circle(const CircleFigure& figure);
+
+// A table of designs as a picture: a square for each v and k.
+//
+//     const Plan plan = plan_range(Registry::standard(), {.v_from = 5, .v_to = 12, .k_from = 3, .k_to = 5});
+//     std::vector<PlannedCell> cells;
+//     for (const PlannedCell& cell : plan.cells()) {
+//       if (cell.parameters.kind == Kind::linear) {
+//         cells.push_back(cell);
+//       }
+//     }
+//     std::string page = svg(draw_heatmap(cells, HeatMeasure::gap));
+//
+// Each square is a rectangle of class "cell" with data-v and data-k and a title that says in words what is known. Colour
+// is never alone: what it cannot say is a sign in the square (= minimum, ? open, - none exists).
+
+/// What a colour says: blocks over the lower bound as a ratio, the status, blocks less the lower bound.
+enum class HeatMeasure : std::uint8_t { ratio, status, gap };
+
+/// "ratio", "status" or "gap".
+[[nodiscard]] std::string_view to_string(HeatMeasure measure);
+[[nodiscard]] std::optional<HeatMeasure> heat_measure_from_string(std::string_view name);
+
+/// The most squares of a picture.
+inline constexpr std::size_t most_cells_of_a_heatmap = 20'000;
+
+/// The cells of one kind and one change number, in any order; those that are missing stay empty.
+/// @throws BadInput if there is none, if two have the same v and k, if kinds or change numbers differ, or if they span more than
+/// most_cells_of_a_heatmap.
+[[nodiscard]] Picture draw_heatmap(std::span<const PlannedCell> cells, HeatMeasure measure);
 
 }  // namespace changeover

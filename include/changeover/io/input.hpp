@@ -115,7 +115,7 @@ class DesignInput : public BlockSource {
 //     Verdict verdict = verify(*stream);
 //
 // The first byte that is not blank decides: `{` or `[` is JSON, `<` is XML of designtheory.org; otherwise, a design as GAP
-// or Sage write it is one (io/other_formats.hpp), a first line with a comma or semicolon (before any `#`) is CSV; all else
+// or Sage write it is one (io/formats.hpp), a first line with a comma or semicolon (before any `#`) is CSV; all else
 // is text. Names of files mean nothing.
 
 enum class Format : std::uint8_t { text, json, csv, xml, literal };

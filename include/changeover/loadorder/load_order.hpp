@@ -71,10 +71,10 @@ struct LoadOrderFacts : ScheduleFacts {
   bool every_step_read = false;
   WantedPairs wanted = {};  ///< the pairs that meet
 
-  std::uint64_t lockstep = 0;  ///< workers (loadorder/disjoint.hpp); 0: one, or one after another
+  std::uint64_t lockstep = 0;  ///< workers (loadorder/workers.hpp); 0: one, or one after another
   LoadBound makespan_bound =
       {};  ///< no order of these workers has a smaller makespan, nor a smaller span
-  std::optional<std::uint64_t> fast_room = {};  ///< of an accelerator (loadorder/two_levels.hpp)
+  std::optional<std::uint64_t> fast_room = {};  ///< of an accelerator (loadorder/load_order.hpp)
   LoadBound transfer_bound = {};                ///< no order transfers less to it
   std::uint64_t group_items = 0;                ///< of its groups; 0 if items are not grouped
 
@@ -93,7 +93,7 @@ struct LoadOrderOptions {
   bool constructions = true;  ///< whether the registry is asked
   bool planner = true;        ///< and then the planner
   /// Of an order for listed pairs: given a search that goes on until the control of its thread
-  /// (run/scope.hpp) wants to stop, calls it. Without it the search does a fixed amount of work, a
+  /// (run/control.hpp) wants to stop, calls it. Without it the search does a fixed amount of work, a
   /// few seconds at most.
   std::function<void(const std::function<void()>& search)> search_pairs = {};
   std::uint64_t seed = 1;  ///< of that search
@@ -175,5 +175,89 @@ class LoadOrder {
 /// stopped before is not begun.
 [[nodiscard]] std::function<std::optional<Design>(const Design& start, std::uint64_t least_blocks)>
 improve_by_search(RunControl& control);
+
+// Load orders for two levels: items lie on a disk, C of them fit into memory, and c ≤ C of these on
+// an accelerator, where every pair must be together at some time.
+//
+//     LoadOrder order = plan_two_levels(200, 40, 8);
+//     order.facts().loads;                     // from the disk
+//     order.facts().transfers;                 // from memory to the accelerator
+//     check_schedule(*order.stream(), order.rules()).valid();                    // true
+//
+// *A step.* Items leave the accelerator; items leave memory; items are loaded from the disk; items
+// are transferred to the accelerator; then the pairs are computed that are there together for the
+// first time, which StepWork lists (loadorder/load_order.hpp). What is on the accelerator stays in
+// memory.
+//
+// *Bounds.* What is in memory brings every pair together, too: loads are at least
+// load_lower_bound(P, C), and transfers at least load_lower_bound(P, c).
+//
+// *How.* The items are in G groups of g. An order of groups, with room for ⌊C/g⌋ of them, says what
+// is loaded. When it has loaded a group, the pairs of its items with those of the groups that it
+// now meets for the first time are done at once: c − 1 of its items stay on the accelerator while
+// all others pass (plan_load_order() for two sets, or for new items). What the accelerator still
+// has is not transferred again. Groups of one item make loads few and transfers many, one a pair;
+// groups of C/2 items the other way round. From g ≈ c − 1 on a transfer brings some c − 1 pairs,
+// and as long as g is much less than C a load brings some C − 1. Of the sizes that are tried the
+// one with the least loads / bound + transfers / bound is taken. Where c is not much less than C no
+// size does well; then the order for the accelerator alone, plan_load_order(P, c), may be better,
+// with memory as a cache from which goes what is needed last.
+
+/// The best order that is known, verified by ScheduleCheck: every pair meets on the accelerator; of
+/// up to 7,746 items the pairs that StepWork lists, too. @throws BadInput unless 2 ≤ fast_room ≤
+/// room and items ≥ 1; ImpossibleParameters above 65,535 items.
+[[nodiscard]] LoadOrder plan_two_levels(std::uint64_t items, std::uint64_t room,
+                                        std::uint64_t fast_room);
+
+// What each step of a schedule computes and stores.
+//
+//     const ComputeRules both{.ordered = true, .self = true};
+//     ScheduleRules rules{.items = 24, .room = 6, .compute = both};
+//     rules.store = true;                          // items change while they are held
+//     StepWork work(plan_load_order(24, 6).stream(), rules);
+//     for (Step step; work.next(step);) {
+//       store(step.store);                         // what was changed and goes now
+//       move(step.evict, step.load);
+//       compute(step.compute);                     // (i,j), (j,i) and (i,i), each once in all
+//     }
+//
+// *Pairs.* A pair belongs to the first step after whose loads a worker has both items in memory,
+// and an item with itself to the step that first loads it. For more than 65,535 items whose pairs
+// are not listed, pairs are not kept in mind: then every loaded item is computed against all in
+// memory, and a pair may come again. Steps of two levels say themselves which pairs meet on the
+// accelerator for the first time.
+//
+// *Overlap* (loadorder/workers.hpp): what the next step evicts goes early as far as its loads need
+// the places, the pairs with it are computed first, and the others while the loads run.
+//
+// *Stores.* Computing a pair changes both of its items, computing an item alone changes it. What
+// was changed is stored when it is evicted, before anything is loaded, and at the end, in a last
+// step in which everything goes. So an item is stored once for each *stay* in memory in which it is
+// computed with. Workers one after another cannot change items: two of them would hold one.
+//
+// *The bound on stores* is that on loads: load_lower_bound(). For take any order with its pairs and
+// leave out each stay in which nothing is computed with its item. All pairs are still computed with
+// both items in memory, and every stay that is left has one load and one store. An item that
+// belongs to no pair need not be stored, and counts for nothing.
+
+class StepWork final : public StepSource {
+ public:
+  /// Steps that say what is evicted and loaded, with the work that `rules` ask for. Without
+  /// rules.compute no pairs are said, so nothing changes and nothing is stored.
+  StepWork(std::unique_ptr<StepSource> steps, const ScheduleRules& rules);
+  ~StepWork() override;
+
+  /// The next step; false at the end. O(C) a load.
+  bool next(Step& step) override;
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
+
+/// Stores that no order of these loads can go below, given the bound on loads; `alone` says that
+/// items are computed alone, too.
+[[nodiscard]] LoadBound store_lower_bound(const LoadBound& loads, const WantedPairs& wanted,
+                                          std::uint64_t items, bool alone);
 
 }  // namespace changeover

@@ -162,7 +162,7 @@ class ScheduleCheck {
   std::unique_ptr<State> state_;
 };
 
-/// Reads a whole stream; stops if the control of its thread (run/scope.hpp) wants to. @throws as
+/// Reads a whole stream; stops if the control of its thread (run/control.hpp) wants to. @throws as
 /// ScheduleCheck
 [[nodiscard]] ScheduleVerdict check_schedule(StepSource& steps, const ScheduleRules& rules,
                                              const CheckOptions& options = {});

@@ -39,7 +39,7 @@
 #include <span>
 #include <string>
 
-#include "changeover/loadorder/disjoint.hpp"
+#include "changeover/loadorder/workers.hpp"
 
 namespace changeover {
 

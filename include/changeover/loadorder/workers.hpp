@@ -106,7 +106,7 @@ class WorkerSplit {
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 
-/// An order for two levels (loadorder/two_levels.hpp) in stretches, each worker with memory and an
+/// An order for two levels (loadorder/load_order.hpp) in stretches, each worker with memory and an
 /// accelerator of its own: what both levels of the busiest worker move is as little as stretches
 /// allow. Verified. @throws as plan_two_levels() and split_order().
 [[nodiscard]] WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room,
@@ -115,6 +115,102 @@ class WorkerSplit {
 /// The same for some pairs, whose items are not grouped. Two sets may be cut instead: then each
 /// worker has a part of one with a part of the other.
 [[nodiscard]] WorkerSplit split_load_order(const WantedPairs& wanted, std::uint64_t room,
+                                           std::uint64_t workers,
+                                           const LoadOrderOptions& options = {});
+
+// Load orders for workers that step together and never hold one item twice: what training needs,
+// where items change.
+//
+//     LoadOrder order = plan_disjoint_order(64, 8, 4);
+//     order.facts().span;                      // what the slowest loads of all steps add up to
+//     StepWork work(order.stream(), order.rules(ComputeRules{}));
+//     check_schedule(work, order.rules(ComputeRules{})).valid();   // true: disjoint at every step
+//
+// *A step.* All workers evict; all wait for each other; all load; all compute. So one barrier a
+// step is enough, the one between evicting and loading, and an item may go from one worker to
+// another within a step. After the loads of a step no item is held by two workers, so what one of
+// them computes touches nothing of another's. A worker may have nothing to do in a step; every
+// worker has equally many.
+//
+// *The cost.* With a barrier a step takes as long as its slowest worker: the *span* is the sum over
+// all steps of the most loads that one worker has in it. Orders are told apart by span, then by the
+// loads of all workers.
+//
+// *Bounds.* The workers' lists of sets end to end are one list in which all pairs meet, so all
+// loads together are at least load_lower_bound(P, C); the busiest worker has at least
+// makespan_lower_bound(P, C, W), and the span is no less than that.
+//
+// *Where orders come from.* One worker: plan_load_order(). Else the best of
+//   eras     W groups of n ≤ C−1 items stay, one at each worker, while all groups that are left pass, each at another worker in
+//            turn; then those that stayed meet each other, half of them staying, and are dropped for good. Any P.
+//   grown    one item of each worker is changed a step, the change that brings most new pairs together, or two workers
+//            exchange items; the best of many is cut at random steps and grown again. P ≤ 1,000. The same with groups of items,
+//            room for 2 to 8 of them, which is better if few items are left beside those that are held.
+//   round robin   2W groups, two at each worker: the rounds of a tournament. Span P.
+
+/// The best order that is known, verified by ScheduleCheck. With `options.search_pairs` it is grown
+/// anew until the time is over, otherwise for a fixed amount of work. @throws as plan_load_order();
+/// BadInput if there are less than W·C items, or W is 0 or exceeds 65,536; ImpossibleParameters
+/// above 65,535 items.
+[[nodiscard]] LoadOrder plan_disjoint_order(std::uint64_t items, std::uint64_t room,
+                                            std::uint64_t workers,
+                                            const LoadOrderOptions& options = {});
+
+// When what is computed and loaded, so that loads overlap computation.
+//
+//     PrefetchPlan plan = plan_prefetch(64, 16);
+//     ScheduleRules rules{.items = 64, .room = 16, .compute = ComputeRules{}, .overlap = true};
+//     StepWork schedule(plan.order.stream(), rules);
+//     Step step, next;
+//     for (bool more = schedule.next(step); more; std::swap(step, next)) {
+//       wait_for(step.load);                       // these loads were started in the step before
+//       compute(step.compute);                     // all pairs with what has to go first
+//       next = {};
+//       more = schedule.next(next);
+//       const auto late = next.evict.end() - static_cast<std::ptrdiff_t>(next.late);
+//       drop({next.evict.begin(), late});
+//       start_loads(next.load);
+//       compute(step.overlap);                     // meanwhile
+//       drop({late, next.evict.end()});
+//     }
+//
+// *Two ways.* With a place to spare, an order for room C−1, the next load can start as soon as a
+// step begins, and everything that is computed overlaps it. With the whole room for the order there
+// are fewer loads, but the next one needs the place of the item y that goes: the pairs with y come
+// first, and only the others overlap. If y came a while ago that is one pair of C−1, and this way
+// wins. If y is what was loaded last, because items pass one by one through the same place, nothing
+// overlaps, and the first way wins by far.
+//
+// plan_prefetch() compares both in a model: a load takes as long as C−1 pairs do, which is where
+// overlap matters most; a step takes the time of what it computes first, and then of its `overlap`
+// or of the next loads, whichever is longer. For more than 2,000 items the spare place is taken,
+// since streamed orders pass items one by one.
+//
+// *Each pair once.* A pair is computed in the first step that has both in memory. For more than
+// 65,535 items pairs are not kept in mind; then every loaded item is computed against all in
+// memory, and a pair may come again.
+
+/// An order and the places that it leaves for loads on their way.
+template <typename Order>
+struct Prefetched {
+  Order order;
+  std::uint64_t spare = 0;  ///< 0 or 1: the order is for room − spare
+};
+using PrefetchPlan = Prefetched<LoadOrder>;
+using PrefetchSplit = Prefetched<WorkerSplit>;  ///< for several workers
+
+/// The better of the two ways. @throws as plan_load_order().
+[[nodiscard]] PrefetchPlan plan_prefetch(std::uint64_t items, std::uint64_t room,
+                                         const LoadOrderOptions& options = {});
+[[nodiscard]] PrefetchPlan plan_prefetch(const WantedPairs& wanted, std::uint64_t room,
+                                         const LoadOrderOptions& options = {});
+
+/// The same for workers; of both ways the one whose busiest worker is ready first. @throws as
+/// split_load_order().
+[[nodiscard]] PrefetchSplit split_prefetch(std::uint64_t items, std::uint64_t room,
+                                           std::uint64_t workers,
+                                           const LoadOrderOptions& options = {});
+[[nodiscard]] PrefetchSplit split_prefetch(const WantedPairs& wanted, std::uint64_t room,
                                            std::uint64_t workers,
                                            const LoadOrderOptions& options = {});
 

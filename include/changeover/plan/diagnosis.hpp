@@ -79,7 +79,7 @@ struct Diagnosis {
 
 /// Nothing is suspect if no test failed. @throws BadInput as check(Job) for anything but needed pairs, which do not matter;
 /// for a tested set-up that names a part twice or none of the parts. ImpossibleParameters if costs overflow. Stopped if the
-/// scope of this thread (run/scope.hpp) wants to stop.
+/// scope of this thread (run/control.hpp) wants to stop.
 [[nodiscard]] Diagnosis diagnose(const Job& job, const std::vector<TestedSetup>& tests);
 
 /// "table" for a terminal of so many columns, or "json", one line: format "changeover-diagnosis/1", passed, failed, unread, first_unread

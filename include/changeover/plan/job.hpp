@@ -169,7 +169,7 @@ void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<S
 
 /// The needed pairs that no set-up can hold, for what the slots need and allow; with forbidden pairs, those for which none was
 /// found among 100,000 choices. O(v³) without forbidden pairs. Stopped
-/// if the scope of this thread (run/scope.hpp) wants to stop.
+/// if the scope of this thread (run/control.hpp) wants to stop.
 [[nodiscard]] PairSet cannot_meet(const Job& job);
 
 /// These pairs need not meet any more.
@@ -203,7 +203,7 @@ class CheckedJob {
 /// Takes tests that were already done off a job: their pairs are needed no more, and unless the job says
 /// what is mounted at the start, the last of them is. @throws BadInput if one is larger than at_once, has a
 /// part twice or names none of the parts; the job is then as it was. O(v² + tests · at_once · v/64). Stopped
-/// if the scope of this thread (run/scope.hpp) wants to stop; the job is then as it was.
+/// if the scope of this thread (run/control.hpp) wants to stop; the job is then as it was.
 void mark_done(Job& job, const std::vector<Block>& setups);
 
 /// What the result of a test says.
@@ -276,7 +276,7 @@ std::uint64_t need_triples(Job& job);
 //     src/plan/job/part_columns.hpp; a first row that may be a header or a part is refused. Between
 //     semicolons or tabs a cost may have a decimal comma, if no cost of the list has a point.
 //   - Pairs: two parts a row, or with blanks between them if that is no part. A first row of two words that head columns and are no parts is a header.
-//   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/sheet_formats.hpp) is taken too: its
+//   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/run_plan.hpp) is taken too: its
 //     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, its column result, and
 //     its rows in their order.
 // Each of them may be a sheet of a workbook (.xlsx) instead, known by its content: the first sheet, or open_list() (io/input.hpp) names

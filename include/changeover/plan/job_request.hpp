@@ -97,7 +97,7 @@ struct AskedJob {
 };
 
 /// Reads the lists of a request and checks all of it: the one way from a question to a job, for every door. What waits is bounded by
-/// the scope of this thread (run/scope.hpp). @throws BadOption, in the words of the door, for keys that are wrong; BadInput for
+/// the scope of this thread (run/control.hpp). @throws BadOption, in the words of the door, for keys that are wrong; BadInput for
 /// lists that are; MissingResource for files that cannot be read. O(v³) and the size of the lists.
 [[nodiscard]] AskedJob checked_job(const JobRequest& request, Door door);
 

@@ -1,3 +1,31 @@
+// What came of looking for something.
+//
+//     to_string(Outcome::none);          // "none"
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace changeover {
+
+enum class Outcome : std::uint8_t {
+  found,
+  none,     ///< there is none; on whose word, the search says
+  unknown,  ///< stopped before; RunControl::why_stopped() says why
+};
+
+/// "found", "none", "unknown".
+[[nodiscard]] constexpr std::string_view to_string(Outcome outcome) {
+  return outcome == Outcome::found ? "found" : outcome == Outcome::none ? "none" : "unknown";
+}
+
 // When long work stops, how much memory it may take, and whom it tells how far it is.
 //
 //     RunControl control({.time = std::chrono::seconds(60), .threads = 2, .seed = 7,
@@ -10,21 +38,9 @@
 // One control is shared by all threads of a search. The inner loop asks stop_wanted() every few thousand
 // steps; a call costs a relaxed load and a look at the clock. Searches never print and never install
 // signal handlers: whoever owns Ctrl-C sets the flag that `interrupted` points to. Work that is deep below
-// a search, or has no search above it, listens through run/scope.hpp; threads come from run/threads.hpp.
+// a search, or has no search above it, listens through run/control.hpp; threads come from run/threads.hpp.
 //
 // With threads = 1 a search is deterministic in its seed as long as no clock stops it.
-#pragma once
-
-#include <atomic>
-#include <chrono>
-#include <cstdint>
-#include <functional>
-#include <mutex>
-#include <optional>
-#include <string>
-#include <string_view>
-
-namespace changeover {
 
 /// Why a search ended.
 enum class WhyStopped : std::uint8_t {
@@ -132,5 +148,57 @@ class RunControl {
   std::mutex asking_;
   std::mutex telling_;
 };
+
+// How work that was handed no control listens to the one above it.
+//
+//     RunScope scope(control);                 // for this thread, until the end of the block
+//     const Bound bound = lower_bound(p);      // stops with the control, and tells it where it is
+//
+// Bounds, constructions and verification are called by searches that have a limit and by programs that
+// have none, often several calls deep. Their loops call stop_if_asked(); where no scope is open that is a look
+// at one pointer, and nothing happens. Scopes nest: the innermost counts. Threads that run/threads.hpp starts
+// have the scope of their control.
+//
+// *Stopping* is an exception, Stopped, and no fault: what was under way is given up, what was found
+// before is kept by whoever opened the scope. Catch it there, and ask the control why it stopped.
+
+/// Thrown by stop_if_asked(). Not an Error: nothing is wrong.
+class Stopped : public std::exception {
+ public:
+  explicit Stopped(WhyStopped why) : why_(why) {}
+  [[nodiscard]] WhyStopped why() const { return why_; }
+  [[nodiscard]] const char* what() const noexcept override { return "stopped"; }
+
+ private:
+  WhyStopped why_;
+};
+
+/// Makes a control the one that this thread listens to. The control must outlive the scope.
+class RunScope {
+ public:
+  explicit RunScope(RunControl& control);
+  ~RunScope();
+  RunScope(const RunScope&) = delete;
+  RunScope& operator=(const RunScope&) = delete;
+
+  /// The control of the innermost scope of this thread; nullptr if there is none.
+  [[nodiscard]] static RunControl* current();
+
+ private:
+  RunControl* outer_;
+};
+
+/// @throws Stopped if the control of this thread's scope wants to stop. Costs a look at the clock, some 30 ns;
+/// nothing without a scope.
+void stop_if_asked();
+
+/// RunControl::require_memory() of this thread's scope. @throws MissingResource
+void require_memory(std::uint64_t bytes, std::string_view what);
+
+/// Whether report_progress() would reach anybody now; ask before making a long text.
+[[nodiscard]] bool progress_due();
+
+/// RunControl::tell() of this thread's scope.
+void report_progress(const Progress& progress);
 
 }  // namespace changeover

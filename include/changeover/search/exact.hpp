@@ -18,17 +18,21 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
+#include "changeover/io/input.hpp"
+#include "changeover/io/output.hpp"
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/run/outcome.hpp"
-#include "changeover/verify/verified_design.hpp"
+#include "changeover/verify/verdict.hpp"
 
 namespace changeover {
 
@@ -101,5 +105,121 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
 /// The name of the files of a question, without folder and ending: "linear-m1-v9-k4-b11", with "-t3" before
 /// the number of blocks if the strength is 3.
 [[nodiscard]] std::string file_stem(const Parameters& p, std::uint64_t b);
+
+// The least number of blocks: every smaller one excluded by a proof, and a design.
+//
+//     RunControl control({.time = std::chrono::minutes(5)});
+//     MinimumResult result = find_minimum({.v = 12, .k = 4}, {}, control);
+//     result.settled();                     // true
+//     result.lower;  result.upper();         // 14, 14: bounds on paper give 13, which a checked proof excludes
+//
+// The walk starts from the largest bound that is a proof on paper (bounds/lower_bound.hpp; minima known
+// by exhaustive search are not used: they are what is settled here), and goes up one block at a time. It ends at
+// the first design, at the upper bound that is given, or when the control stops it: then an interval is left.
+
+struct MinimumOptions {
+  ExactOptions exact = {};
+  /// If the limit of a step is reached (ExactOptions) and the walk must end: how many greater numbers of blocks
+  /// are tried, without proof, for a better upper bound.
+  std::uint64_t tries_above = 0;
+  /// Who decides about a number of blocks, if not decide(): several processes that share each question, say.
+  std::function<Decision(std::uint64_t b, const ExactOptions&)> decider = {};
+};
+
+struct MinimumResult {
+  Parameters parameters;
+  std::optional<std::string> impossible = {};  ///< why no design exists with any number of blocks
+  Bound start;                                 ///< the bound on paper from which the walk started
+  std::uint64_t lower = 0;                     ///< no design has fewer blocks
+  std::optional<VerifiedDesign> best = {};     ///< the given design, or a better one
+  std::vector<Decision> steps = {};            ///< in the order of the walk
+  WhyStopped why_stopped =
+      WhyStopped::running;  ///< exhausted if settled or impossible; the limit if not
+  /// A MissingResource that ended the walk before its time, if something is known all the same: `best`, or steps.
+  /// Show what is known, then throw it on.
+  std::exception_ptr fault = {};
+  std::chrono::duration<double> time{};
+
+  /// The number of blocks of `best`.
+  [[nodiscard]] std::optional<std::uint64_t> upper() const;
+  /// `best` has `lower` blocks.
+  [[nodiscard]] bool settled() const { return upper() == lower; }
+};
+
+/// The largest bound that is a proof on paper. @throws as lower_bounds().
+[[nodiscard]] Bound lower_bound_on_paper(const Parameters& p);
+
+/// Walks up to the minimum. `known` is a design with these parameters, from a construction say; it is verified.
+/// What is stopped while `known` is verified or bounds are looked for goes on without: one block is a bound.
+/// @throws as decide() if nothing is known by then, and BadInput if `known` is not a design with these
+/// parameters. Bound by: decide().
+[[nodiscard]] MinimumResult find_minimum(const Parameters& p, const MinimumOptions& options,
+                                         RunControl& control,
+                                         const std::optional<Design>& known = std::nullopt);
+
+// A table of minima: for each set of small parameters the bound on paper, the best construction, and what
+// exact search with checked proofs makes of the gap between them.
+//
+//     std::vector<MinimaRow> rows = read_minima(*open_input("minima.csv"));       // of an earlier run
+//     fill_minima({.changes = {1}, .k_from = 3, .k_to = 3, .v_to = 6}, rows, {}, control,
+//                 [&](const MinimaRow&) {
+//                   OutputFile file("minima.csv");
+//                   write_minima(rows, file);
+//                   file.commit();
+//                 });
+//     std::string text = minima_markdown(rows);
+//
+// Filling goes on where it was stopped: rows that are settled stay, and so do those that were tried with at least
+// as many conflicts a step. A limit of conflicts and not of time makes the table the same everywhere.
+
+/// What is known of one set of parameters. Times are in seconds.
+struct MinimaRow {
+  Parameters parameters;
+  std::uint64_t start = 0;  ///< the largest bound that is a proof on paper
+  std::uint64_t lower = 0;  ///< start, and one more for each number that was excluded
+  std::optional<std::uint64_t> upper = {};  ///< blocks of the best design
+  std::string by = {};                      ///< who made it: a construction's name, or "SAT"
+  double seconds = 0;                       ///< that exact search took in all
+  double solve_seconds = 0;                 ///< of these, to refute the formulas that were excluded
+  double check_seconds = 0;                 ///< and to check their proofs
+  std::uint64_t proof_bytes = 0;            ///< of these proofs
+  std::uint64_t proof_steps = 0;
+  std::uint64_t limit = 0;  ///< conflicts that one number of blocks was given
+
+  [[nodiscard]] bool settled() const { return upper == lower; }
+
+  bool operator==(const MinimaRow&) const = default;
+};
+
+struct MinimaRange {
+  std::vector<std::uint64_t> changes = {1, 2, 3};
+  std::uint64_t k_from = 2;
+  std::uint64_t k_to = 8;
+  std::uint64_t v_to = 16;
+  std::uint32_t strength = 2;
+};
+
+/// Fills in what is missing of the range, the smallest v first, so that easy rows come before hard ones, and
+/// calls on_row after each new row. Rows stay in the order of strength, m, kind, k and v. With a control that has
+/// stopped only rows are filled in that need no search. Ends early, without an exception, where the scope of
+/// the caller stops (run/control.hpp).
+/// @throws as find_minimum() and plan_range(), and a MissingResource that ended a search; the rows until then stay.
+void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
+                 const MinimumOptions& options, RunControl& control,
+                 const std::function<void(const MinimaRow&)>& on_row);
+
+/// CSV with a line of names. Writing, reading and writing again gives the same bytes. @throws as
+/// Sink::write().
+void write_minima(const std::vector<MinimaRow>& rows, Sink& sink);
+
+/// The rows in their order. @throws BadInput with the line if the text is not what write_minima() writes: impossible parameters,
+/// some that stand there twice, and bounds that decrease are refused, too; MissingResource if reading fails.
+[[nodiscard]] std::vector<MinimaRow> read_minima(Input& input);
+
+/// One object whose "minima" are the rows, in their order.
+[[nodiscard]] std::string minima_json(const std::vector<MinimaRow>& rows);
+
+/// Markdown: tables of minima by v and k, of the proofs and of what is open.
+[[nodiscard]] std::string minima_markdown(const std::vector<MinimaRow>& rows);
 
 }  // namespace changeover

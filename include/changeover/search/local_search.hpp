@@ -36,7 +36,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/verify/verified_design.hpp"
+#include "changeover/verify/verdict.hpp"
 
 namespace changeover {
 

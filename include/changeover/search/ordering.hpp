@@ -40,7 +40,6 @@
 #include "changeover/core/block.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/run/outcome.hpp"
 
 namespace changeover {
 

@@ -27,7 +27,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/verify/verified_design.hpp"
+#include "changeover/verify/verdict.hpp"
 
 namespace changeover {
 

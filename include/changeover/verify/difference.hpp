@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "changeover/core/developed.hpp"
-#include "changeover/core/interval_base_blocks.hpp"
 
 namespace changeover {
 
@@ -33,7 +32,7 @@ struct DifferenceVerdict {
   std::uint64_t uncovered = 0;                  ///< differences 1..⌊v/2⌋ that no base block has
   std::vector<std::uint64_t> uncovered_examples;  ///< the first most_examples
   static constexpr std::size_t most_examples = 20;
-  std::uint64_t excess = 0;                       ///< of the developed design, in pairs
+  std::uint64_t excess = 0;  ///< of the developed design, in pairs
   bool tight = false;
 
   [[nodiscard]] bool valid() const { return b > 0 && bad_steps == 0 && uncovered == 0; }

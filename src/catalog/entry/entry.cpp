@@ -1,7 +1,5 @@
 #include "changeover/catalog/entry.hpp"
 
-#include "changeover/catalog/label.hpp"
-
 namespace changeover {
 
 std::string CatalogEntry::label() const { return design_label(parameters, b, checksum); }

@@ -7,7 +7,6 @@
 
 #include "catalog/entry/day.hpp"
 #include "changeover/catalog/entry.hpp"
-#include "changeover/catalog/label.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/io/formats.hpp"
 #include "core/lines.hpp"

@@ -1,4 +1,4 @@
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 
 #include <fmt/format.h>
 

@@ -16,7 +16,7 @@
 #include "catalog/store/database.hpp"
 #include "catalog/store/shelf.hpp"
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {

@@ -1,8 +1,7 @@
-#include "changeover/construct/enlarge.hpp"
+#include "changeover/construct/expansion.hpp"
 
 #include <fmt/format.h>
 
-#include "changeover/construct/partial_expansion.hpp"
 #include "changeover/core/error.hpp"
 
 namespace changeover {

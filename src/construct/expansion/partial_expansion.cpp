@@ -11,7 +11,7 @@
 //           last.
 //   m = 1   elsewhere than at the sweep the others are distinct new elements.
 // For the sweep see partial_expansion_sweep.cpp.
-#include "changeover/construct/partial_expansion.hpp"
+#include "changeover/construct/expansion.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,6 @@
 #include <span>
 #include <utility>
 
-#include "changeover/construct/expansion.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/expansion/inserter.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"

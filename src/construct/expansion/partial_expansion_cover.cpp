@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "changeover/construct/expansion.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/expansion/partial_expansion_parts.hpp"
 #include "core/checked.hpp"
 #include "core/sorted.hpp"

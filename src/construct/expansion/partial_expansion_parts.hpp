@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "changeover/construct/partial_expansion.hpp"
+#include "changeover/construct/expansion.hpp"
 
 namespace changeover {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 #include "construct/expansion/inserter.hpp"
 #include "core/words.hpp"
 

@@ -12,7 +12,7 @@
 //     expand_single_change(design, {0, 2});   // {0,1,4}, {0,1,2}, {0,2,3}, {2,3,4}, {1,2,3}
 //
 // x is in no unchanged subset of the result unless positions are next to each other, so this can
-// hardly be done twice in turn; construct/partial_expansion.hpp adds several elements at once.
+// hardly be done twice in turn; construct/expansion.hpp adds several elements at once.
 #pragma once
 
 #include <cstddef>

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 #include "construct/entry.hpp"
 #include "construct/expansion/inserter.hpp"
 #include "construct/tools/exact_cover.hpp"

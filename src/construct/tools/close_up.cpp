@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 namespace {

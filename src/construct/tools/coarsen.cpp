@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 namespace {

@@ -21,8 +21,8 @@
 #include <string>
 #include <vector>
 
-#include "changeover/core/interval_base_blocks.hpp"
-#include "changeover/core/transitions.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/core/developed.hpp"
 
 namespace changeover {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 

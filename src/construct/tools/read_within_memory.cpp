@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 

@@ -4,7 +4,7 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/core/pair_set.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {

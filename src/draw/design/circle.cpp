@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "changeover/draw/figures.hpp"
+#include "changeover/draw/draw.hpp"
 #include "core/words.hpp"
 #include "draw/design/pictures.hpp"
 #include "draw/text/measure.hpp"

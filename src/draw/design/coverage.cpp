@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "changeover/core/transitions.hpp"
+#include "changeover/core/design.hpp"
 #include "draw/design/pictures.hpp"
 #include "draw/design/stays_of.hpp"
 #include "draw/text/measure.hpp"

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "changeover/core/automorphism.hpp"
+#include "changeover/core/developed.hpp"
 #include "changeover/draw/draw.hpp"
 
 namespace changeover {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "changeover/core/transitions.hpp"
+#include "changeover/core/design.hpp"
 
 namespace changeover {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "changeover/io/other_formats.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/read/point_blocks.hpp"
 #include "io/scan/xml_events.hpp"
 

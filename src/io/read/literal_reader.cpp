@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "changeover/io/other_formats.hpp"
+#include "changeover/io/formats.hpp"
 #include "io/read/point_blocks.hpp"
 #include "io/scan/token_table.hpp"
 

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "changeover/io/formats.hpp"
-#include "changeover/io/other_formats.hpp"
 #include "io/read/declared.hpp"
 #include "io/scan/peeked_input.hpp"
 #include "io/scan/place.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 #include "changeover/io/formats.hpp"
 #include "io/read/declared.hpp"
 #include "io/scan/json_events.hpp"

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "io/scan/place.hpp"
 
 namespace changeover {

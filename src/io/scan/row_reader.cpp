@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/plain_text.hpp"
 

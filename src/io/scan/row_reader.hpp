@@ -80,7 +80,7 @@ class RowReader {
   /// quotes in the first row that has it: a comma, a semicolon, or a tab with text on both sides; otherwise as the options
   /// say. @throws BadInput with a place for what is no plain text, quotes that do not match and lines or lists
   /// beyond all measure; MissingResource if reading fails; Stopped if the scope of this thread
-  /// (run/scope.hpp) wants to stop.
+  /// (run/control.hpp) wants to stop.
   [[nodiscard]] std::optional<Row> next();
 
   /// The same in two steps, into a row that is used again. Goes to the next line, or row of the sheet; false at the end.

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 #include "core/utf8.hpp"
 
 namespace changeover {

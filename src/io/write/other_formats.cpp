@@ -1,5 +1,5 @@
 // Designs as other programs read them.
-#include "changeover/io/other_formats.hpp"
+#include "changeover/io/formats.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,6 @@
 #include <functional>
 #include <string>
 #include <vector>
-
-#include "changeover/io/formats.hpp"
 
 namespace changeover {
 namespace {

@@ -1,4 +1,4 @@
-#include "changeover/loadorder/disjoint.hpp"
+#include "changeover/loadorder/workers.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/loadorder/workers.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/lockstep_eras.hpp"
 #include "loadorder/order/lockstep_grown.hpp"

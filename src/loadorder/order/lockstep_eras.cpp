@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {

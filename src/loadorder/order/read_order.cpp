@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/step_work.hpp"
+#include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {

@@ -7,7 +7,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/schedule.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "loadorder/order/met_pairs.hpp"
 
 namespace changeover {

@@ -1,4 +1,4 @@
-#include "changeover/loadorder/step_work.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/interval_base_blocks.hpp"
 #include "changeover/verify/difference.hpp"
 #include "core/words.hpp"
 

@@ -1,4 +1,4 @@
-#include "changeover/loadorder/two_levels.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "loadorder/order/pair_assigner.hpp"
 #include "loadorder/order/read_order.hpp"

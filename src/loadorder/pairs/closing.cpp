@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "run/portable_math.hpp"
 
 namespace changeover {

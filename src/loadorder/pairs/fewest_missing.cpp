@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
 

@@ -10,7 +10,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_order.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/held_order.hpp"

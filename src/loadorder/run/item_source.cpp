@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/job_results.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {

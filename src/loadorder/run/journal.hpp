@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "changeover/loadorder/job_results.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 
 namespace changeover {
 

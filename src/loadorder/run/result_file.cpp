@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/job_results.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 
 // *Locks.* Who has the file open holds two locks on single bytes far behind its end, where no
 // result is: one that shares of the same job share, on a byte that the checksum of the job chooses,

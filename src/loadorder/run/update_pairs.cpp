@@ -10,7 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
-#include "changeover/loadorder/step_work.hpp"
+#include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
 #include "loadorder/run/compute_pool.hpp"
 #include "loadorder/run/journal.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
-#include "changeover/loadorder/job_results.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 
 namespace changeover {
 

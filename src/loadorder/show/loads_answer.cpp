@@ -1,7 +1,7 @@
 #include "loadorder/show/loads_answer.hpp"
 
-#include "changeover/loadorder/disjoint.hpp"
-#include "changeover/loadorder/two_levels.hpp"
+#include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/workers.hpp"
 
 namespace changeover {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/loadorder/step_work.hpp"
+#include "changeover/loadorder/load_order.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "changeover/io/output.hpp"
-#include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 
 namespace changeover {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 #include "changeover/verify/difference.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"

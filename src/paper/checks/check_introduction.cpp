@@ -6,8 +6,8 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/one_factorization.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/pair_set.hpp"
-#include "changeover/core/transitions.hpp"
 #include "core/checked.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"

@@ -8,7 +8,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/one_factorization.hpp"
-#include "changeover/core/transitions.hpp"
+#include "changeover/core/design.hpp"
 #include "core/checked.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"

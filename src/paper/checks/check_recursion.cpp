@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "changeover/construct/expansion.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"
 

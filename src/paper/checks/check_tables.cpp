@@ -6,8 +6,8 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/expansion.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 #include "paper/checks/checking.hpp"
 #include "paper/checks/checks.hpp"
 

@@ -7,9 +7,9 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/planner.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
-#include "changeover/core/transitions.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {

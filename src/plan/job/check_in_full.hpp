@@ -3,7 +3,6 @@
 
 #include "changeover/plan/job.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/run/scope.hpp"
 
 namespace changeover {
 

@@ -3,7 +3,7 @@
 //     const Fitting fitting(job);
 //     fitting.completed({cpu, disk}, job.start);   // with a power supply too, if a set-up needs one
 //
-// This serves those who make plans. The referee (plan/run_sheet.hpp) counts for itself.
+// This serves those who make plans. The referee (plan/run_plan.hpp) counts for itself.
 #pragma once
 
 #include <cstdint>

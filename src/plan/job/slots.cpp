@@ -10,7 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/fitting.hpp"

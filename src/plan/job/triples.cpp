@@ -5,7 +5,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/setup_list.hpp"
 

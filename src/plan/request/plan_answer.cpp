@@ -3,7 +3,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
-#include "changeover/plan/sheet_formats.hpp"
+#include "changeover/plan/run_plan.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
 

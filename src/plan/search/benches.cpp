@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "plan/job/check_in_full.hpp"
 #include "plan/job/prices.hpp"

@@ -8,7 +8,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "plan/job/setup_list.hpp"
 

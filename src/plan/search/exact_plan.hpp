@@ -5,7 +5,7 @@
 // are looked at: a set-up with room takes parts of its neighbours without any introduction more.
 //
 // What the rest costs at least: if r pairs are left, t steps with i introductions meet at most the r of (1) in
-// plan/cost_bound.hpp; every part outside that has a pair left comes once, and each further introduction costs at least
+// plan/run_plan.hpp; every part outside that has a pair left comes once, and each further introduction costs at least
 // what the cheapest part with a pair left does; and where it meets at most K − 1 parts when it comes, and the j that come when it
 // stays, introductions have to make up for the rest, as in (6) there.
 #pragma once

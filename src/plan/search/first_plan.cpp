@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "plan/search/valid_job.hpp"
 
 namespace changeover {

@@ -8,7 +8,7 @@
 
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/words.hpp"
 #include "plan/job/check_in_full.hpp"

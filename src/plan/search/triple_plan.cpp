@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "plan/search/lists/lists.hpp"
 #include "plan/search/lists/lists_plan.hpp"
 

@@ -17,7 +17,7 @@ namespace changeover {
 
 /// cost_bound() for a job with triples and without first set-ups.
 ///
-/// Proof. F, K, S and the rest are as in plan/cost_bound.hpp; let N be the number of needed triples within F. The needed pairs are those of the
+/// Proof. F, K, S and the rest are as in plan/run_plan.hpp; let N be the number of needed triples within F. The needed pairs are those of the
 /// needed triples, so all that is said of pairs there holds. Besides:
 ///  (1) A step that introduces j parts of F newly covers at most q(j) = C(K,3) − C(K−j,3) triples of F, the first one at
 ///      most C(j + s, 3), s = min(|S|, K − j). q is concave, so I introductions in T steps cover the most if the steps after

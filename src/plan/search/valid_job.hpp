@@ -2,7 +2,6 @@
 // has no defects either.
 #pragma once
 
-#include "changeover/plan/cost_bound.hpp"
 #include "changeover/plan/run_plan.hpp"
 
 namespace changeover {

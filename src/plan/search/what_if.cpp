@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/first_plan.hpp"

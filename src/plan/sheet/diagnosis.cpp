@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "changeover/plan/run_sheet.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/plan/run_plan.hpp"
+#include "changeover/run/control.hpp"
 #include "core/words.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/prices.hpp"

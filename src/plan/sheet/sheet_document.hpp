@@ -3,7 +3,7 @@
 
 #include "changeover/plan/benches.hpp"
 #include "changeover/plan/diagnosis.hpp"
-#include "changeover/plan/sheet_formats.hpp"
+#include "changeover/plan/run_plan.hpp"
 #include "io/table/table_document.hpp"
 
 namespace changeover {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "changeover/plan/benches.hpp"
-#include "changeover/plan/sheet_formats.hpp"
+#include "changeover/plan/run_plan.hpp"
 #include "core/words.hpp"
 #include "io/table/table.hpp"
 

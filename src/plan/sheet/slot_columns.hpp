@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/plan/run_sheet.hpp"
+#include "changeover/plan/run_plan.hpp"
 
 namespace changeover {
 

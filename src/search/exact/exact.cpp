@@ -18,7 +18,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/io/output.hpp"
 #include "changeover/proof/proof.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "run/threads.hpp"
 #include "search/exact/exact_encoding.hpp"
 #include "search/sat/sat_solver.hpp"

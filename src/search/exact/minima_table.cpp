@@ -1,4 +1,4 @@
-#include "changeover/search/minima_table.hpp"
+#include "changeover/search/exact.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "changeover/construct/planner.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 
 namespace changeover {

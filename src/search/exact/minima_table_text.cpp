@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/search/minima_table.hpp"
+#include "changeover/search/exact.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/scan/row_reader.hpp"

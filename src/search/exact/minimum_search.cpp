@@ -1,11 +1,11 @@
-#include "changeover/search/minimum_search.hpp"
+#include "changeover/search/exact.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 

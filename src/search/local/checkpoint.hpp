@@ -28,10 +28,10 @@
 #include <string>
 #include <vector>
 
-#include "changeover/core/automorphism.hpp"
 #include "changeover/core/design.hpp"
+#include "changeover/core/developed.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/verify/verified_design.hpp"
+#include "changeover/verify/verdict.hpp"
 #include "io/file/file_lock.hpp"
 
 namespace changeover {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover {
 
@@ -14,7 +14,7 @@ namespace changeover {
 class Coverage {
  public:
   Coverage() = default;
-  /// Covered as often as `times` says. Listens to the scope of this thread (run/scope.hpp).
+  /// Covered as often as `times` says. Listens to the scope of this thread (run/control.hpp).
   explicit Coverage(std::vector<std::uint32_t> times)
       : times_(std::move(times)), place_(times_.size()) {
     constexpr std::uint32_t between_questions = 1 << 16;

@@ -18,9 +18,9 @@
 #include <optional>
 #include <vector>
 
-#include "changeover/core/automorphism.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
+#include "changeover/core/developed.hpp"
 #include "changeover/core/parameters.hpp"
 #include "changeover/run/control.hpp"
 #include "run/random.hpp"

@@ -5,7 +5,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "search/local/imposed.hpp"
 #include "search/local/local_search_states.hpp"

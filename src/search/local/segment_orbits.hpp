@@ -5,7 +5,7 @@
 //     state.missing();                                          // uncovered orbits of pairs
 //     state.design();                                           // all c·7 blocks
 //
-// π has cycles of one length n and fixed elements (core/automorphism.hpp). The list is circular with b = cn
+// π has cycles of one length n and fixed elements (core/developed.hpp). The list is circular with b = cn
 // blocks and B_{i+c} = π(Bᵢ), so c blocks say all: a pair is covered if some pair of its orbit is in one of
 // them. A segment swap of {x,y} is made together with its n images.
 // Images that reach the same blocks, or follow one another, must have no element in common with the
@@ -20,9 +20,9 @@
 #include <span>
 #include <vector>
 
-#include "changeover/core/automorphism.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
+#include "changeover/core/developed.hpp"
 #include "changeover/core/parameters.hpp"
 #include "run/random.hpp"
 #include "search/local/coverage.hpp"

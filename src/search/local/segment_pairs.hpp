@@ -13,7 +13,7 @@
 // rows are added 16 bytes at a time, so looking costs O((n + 1)·v/16) whatever k is, and about 50
 // ns at (30,6).
 //
-// Memory: bytes(v, k, b), about (2v² + bv)·sizeof(Count) + 4v² + 2bk. Making it listens (run/scope.hpp).
+// Memory: bytes(v, k, b), about (2v² + bv)·sizeof(Count) + 4v² + 2bk. Making it listens (run/control.hpp).
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "run/random.hpp"
 #include "search/local/segment_swap.hpp"
 

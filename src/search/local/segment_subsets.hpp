@@ -5,7 +5,7 @@
 //     anneal(state, {.moves = 1'000'000}, random, control);
 //
 // As segment_pairs.hpp, but with one counter for each of the C(v,t) subsets, and a move that is
-// looked at is made and, if refused, taken back: O(segment · C(k−1,t−1)). Making it listens (run/scope.hpp).
+// looked at is made and, if refused, taken back: O(segment · C(k−1,t−1)). Making it listens (run/control.hpp).
 #pragma once
 
 #include <array>

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "search/order/ordering_overlap.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/ordering.hpp"
 #include "run/random.hpp"
 #include "search/order/ordering_overlap.hpp"

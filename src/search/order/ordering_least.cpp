@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/ordering.hpp"
 #include "run/random.hpp"
 #include "search/order/ordering_bound.hpp"

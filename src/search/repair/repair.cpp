@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 #include "construct/tools/path.hpp"
 #include "run/grace.hpp"
 #include "search/local/local_search_states.hpp"

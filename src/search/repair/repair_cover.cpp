@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "changeover/core/transitions.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/tools/path.hpp"
 #include "search/local/random_list.hpp"
 #include "search/repair/repair_subsets.hpp"

@@ -5,7 +5,7 @@
 //     covered.gain(candidate);              // subsets that it would newly cover
 //     covered.first_missing();              // one that is still uncovered
 //
-// Listens to the scope of this thread (run/scope.hpp): Stopped may be thrown anywhere, MissingResource by the
+// Listens to the scope of this thread (run/control.hpp): Stopped may be thrown anywhere, MissingResource by the
 // constructor.
 #pragma once
 
@@ -18,7 +18,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/parameters.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "search/subset_ranks.hpp"
 

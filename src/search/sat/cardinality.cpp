@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 
 namespace changeover {

@@ -19,7 +19,6 @@
 #include <string>
 
 #include "changeover/run/control.hpp"
-#include "changeover/run/outcome.hpp"
 #include "search/sat/cnf.hpp"
 
 namespace changeover {

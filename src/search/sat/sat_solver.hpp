@@ -16,7 +16,6 @@
 
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/run/outcome.hpp"
 #include "search/sat/cnf.hpp"
 
 namespace changeover {

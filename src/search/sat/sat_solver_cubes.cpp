@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "search/sat/sat_solver.hpp"
 
 namespace changeover {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "search/local/anneal.hpp"
 #include "search/local/segment_orbits.hpp"

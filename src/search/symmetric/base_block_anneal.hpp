@@ -1,5 +1,5 @@
 // Base blocks by annealing on the orbits of pairs (search/local/segment_orbits.hpp). All of it listens to the scope of
-// its thread (run/scope.hpp) and throws MissingResource if base blocks or counters need too much memory.
+// its thread (run/control.hpp) and throws MissingResource if base blocks or counters need too much memory.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/search/base_block_shape.hpp"
+#include "changeover/search/base_block_search.hpp"
 #include "run/random.hpp"
 
 namespace changeover {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "changeover/search/base_block_shape.hpp"
+#include "changeover/search/base_block_search.hpp"
 
 namespace changeover {
 

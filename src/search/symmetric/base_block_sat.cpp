@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "search/pair_orbits.hpp"
 #include "search/sat/cardinality.hpp"

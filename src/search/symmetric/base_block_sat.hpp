@@ -18,8 +18,7 @@
 
 #include "changeover/core/block.hpp"
 #include "changeover/run/control.hpp"
-#include "changeover/run/outcome.hpp"
-#include "changeover/search/base_block_shape.hpp"
+#include "changeover/search/base_block_search.hpp"
 
 namespace changeover {
 
@@ -38,7 +37,7 @@ struct BaseBlocksBySat {
 
 /// Base blocks of this shape for the circular p, tight if wanted. Gives up after so many conflicts, or
 /// when the control wants to stop; while the formula is built the scope of this thread is listened to
-/// (run/scope.hpp). @throws MissingResource if the formula would take more memory than `control` allows;
+/// (run/control.hpp). @throws MissingResource if the formula would take more memory than `control` allows;
 /// ImpossibleParameters if it would be too large for any, see Cnf. Bound by: the solver.
 [[nodiscard]] BaseBlocksBySat base_blocks_by_sat(const Parameters& p, const BaseBlockShape& shape,
                                                  bool tight, std::optional<std::uint64_t> conflicts,

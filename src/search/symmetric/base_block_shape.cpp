@@ -1,4 +1,4 @@
-#include "changeover/search/base_block_shape.hpp"
+#include "changeover/search/base_block_search.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "search/symmetric/base_block_degrees.hpp"

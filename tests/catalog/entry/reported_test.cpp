@@ -1,4 +1,4 @@
-#include "changeover/catalog/reported.hpp"
+#include "changeover/catalog/catalog.hpp"
 
 #include <gtest/gtest.h>
 

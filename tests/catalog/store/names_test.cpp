@@ -16,7 +16,7 @@
 #include "catalog/store/schema.hpp"
 #include "catalog/store/shelf.hpp"
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::names_test {

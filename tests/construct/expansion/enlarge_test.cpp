@@ -1,4 +1,4 @@
-#include "changeover/construct/enlarge.hpp"
+#include "changeover/construct/expansion.hpp"
 
 #include <gtest/gtest.h>
 

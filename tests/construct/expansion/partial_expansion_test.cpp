@@ -1,4 +1,4 @@
-#include "changeover/construct/partial_expansion.hpp"
+#include "changeover/construct/expansion.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

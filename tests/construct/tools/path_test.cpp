@@ -8,8 +8,8 @@
 #include <numeric>
 #include <set>
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
 
 namespace changeover::path_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/construct/partial_expansion.hpp"
+#include "changeover/construct/expansion.hpp"
 #include "partial_expansion_designs.hpp"
 
 namespace changeover::unchanged_cover_test {

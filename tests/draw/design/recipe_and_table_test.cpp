@@ -1,5 +1,4 @@
 #include "changeover/draw/draw.hpp"
-#include "changeover/draw/heatmap.hpp"
 #include "drawn.hpp"
 
 namespace changeover::recipe_and_table_test {

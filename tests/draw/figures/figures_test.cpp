@@ -1,4 +1,4 @@
-#include "changeover/draw/figures.hpp"
+#include "changeover/draw/draw.hpp"
 
 #include "changeover/core/developed.hpp"
 #include "drawn.hpp"

@@ -1,8 +1,7 @@
-#include "changeover/io/other_formats.hpp"
+#include "changeover/io/formats.hpp"
 
 #include <gmock/gmock.h>
 
-#include "changeover/io/formats.hpp"
 #include "random_designs.hpp"
 
 namespace changeover::other_formats_test {

@@ -1,7 +1,7 @@
 #include "changeover/io/tables.hpp"
 
+#include "changeover/core/design.hpp"
 #include "changeover/core/developed.hpp"
-#include "changeover/core/transitions.hpp"
 #include "random_designs.hpp"
 
 namespace changeover::write_table_test {

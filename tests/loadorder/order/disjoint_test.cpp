@@ -1,5 +1,5 @@
 // Workers that never hold one item twice: against plain sets, against all orders of small parameters, and wrong ones refused.
-#include "changeover/loadorder/disjoint.hpp"
+#include "changeover/loadorder/workers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <map>
 
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/workers.hpp"
 #include "loadorder/order/lockstep_eras.hpp"
 #include "loadorder/order/lockstep_grown.hpp"
 #include "loadorder_support.hpp"

@@ -1,4 +1,4 @@
-#include "changeover/loadorder/prefetch.hpp"
+#include "changeover/loadorder/workers.hpp"
 
 #include <gtest/gtest.h>
 

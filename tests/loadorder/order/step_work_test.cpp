@@ -1,5 +1,5 @@
 // What steps compute: each pair once, in the first step that has it, in all the ways that can be asked for.
-#include "changeover/loadorder/step_work.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Two levels of memory: against plain sets, and wrong orders refused.
-#include "changeover/loadorder/two_levels.hpp"
+#include "changeover/loadorder/load_order.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 
 #include <map>
 
-#include "changeover/loadorder/disjoint.hpp"
-#include "changeover/loadorder/step_work.hpp"
+#include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "loadorder_support.hpp"
 
 namespace changeover::test::write_back_test {

@@ -5,7 +5,6 @@
 #include <rapidcheck/gtest.h>
 
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
 #include "loadorder/pairs/held_blocks.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"

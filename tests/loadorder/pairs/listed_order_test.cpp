@@ -8,9 +8,8 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/loadorder/all_pairs.hpp"
-#include "changeover/loadorder/prefetch.hpp"
 #include "changeover/loadorder/workers.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
 #include "pairs_support.hpp"

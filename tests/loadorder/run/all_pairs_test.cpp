@@ -15,7 +15,7 @@
 #include <numeric>
 
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/prefetch.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::all_pairs_test {

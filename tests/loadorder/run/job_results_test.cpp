@@ -1,5 +1,5 @@
 // Results that are lost, changed or claimed falsely, and those who want the same file at the same time.
-#include "changeover/loadorder/job_results.hpp"
+#include "changeover/loadorder/all_pairs.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,6 @@
 #include <sstream>
 
 #include "changeover/core/error.hpp"
-#include "changeover/loadorder/all_pairs.hpp"
 #include "run_program.hpp"
 
 namespace changeover::test::job_results_test {

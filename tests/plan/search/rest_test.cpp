@@ -4,7 +4,6 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/run_plan.hpp"
-#include "changeover/plan/sheet_formats.hpp"
 #include "random_jobs.hpp"
 
 namespace changeover::rest_test {

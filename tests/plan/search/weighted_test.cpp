@@ -8,7 +8,7 @@
 #include <map>
 
 #include "changeover/core/error.hpp"
-#include "changeover/plan/sheet_formats.hpp"
+#include "changeover/plan/run_plan.hpp"
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 

@@ -1,4 +1,4 @@
-#include "changeover/plan/run_sheet.hpp"
+#include "changeover/plan/run_plan.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "changeover/plan/sheet_formats.hpp"
 #include "changeover/plan/benches.hpp"
 #include "changeover/plan/diagnosis.hpp"
+#include "changeover/plan/run_plan.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "changeover/plan/sheet_formats.hpp"
+#include "changeover/plan/run_plan.hpp"
 #include "damage.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"

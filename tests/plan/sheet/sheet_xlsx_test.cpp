@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "changeover/plan/benches.hpp"
-#include "changeover/plan/sheet_formats.hpp"
+#include "changeover/plan/run_plan.hpp"
 #include "io/scan/row_reader.hpp"
 #include "zip_files.hpp"
 

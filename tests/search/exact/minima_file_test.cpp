@@ -7,7 +7,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/io/input.hpp"
-#include "changeover/search/minima_table.hpp"
+#include "changeover/search/exact.hpp"
 #include "run_program.hpp"
 
 namespace changeover::minima_file_test {

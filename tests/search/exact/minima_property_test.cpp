@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "changeover/search/minima_table.hpp"
+#include "changeover/search/exact.hpp"
 #include "damage.hpp"
 
 namespace changeover::minima_property_test {

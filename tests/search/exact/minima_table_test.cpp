@@ -1,4 +1,4 @@
-#include "changeover/search/minima_table.hpp"
+#include "changeover/search/exact.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

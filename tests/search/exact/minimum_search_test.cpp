@@ -1,4 +1,4 @@
-#include "changeover/search/minimum_search.hpp"
+#include "changeover/search/exact.hpp"
 
 #include <gtest/gtest.h>
 

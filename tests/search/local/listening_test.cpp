@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/base_block_search.hpp"
 #include "changeover/search/local_search.hpp"
 #include "changeover/search/ordering.hpp"

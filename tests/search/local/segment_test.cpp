@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "changeover/core/transitions.hpp"
+#include "changeover/core/design.hpp"
 #include "naive_verdict.hpp"
 #include "search/local/anneal.hpp"
 #include "search/local/random_list.hpp"

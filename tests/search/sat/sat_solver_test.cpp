@@ -8,7 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/proof/proof.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "run_program.hpp"
 #include "search/exact/exact_encoding.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "answer/known/planned_table.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "cli/cli.hpp"
 #include "serve/api/planned_tables.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <mutex>
 
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "served.hpp"

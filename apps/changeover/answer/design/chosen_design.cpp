@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
 

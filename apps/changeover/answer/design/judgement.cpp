@@ -4,7 +4,7 @@
 
 #include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/verify/difference.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"

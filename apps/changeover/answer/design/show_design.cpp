@@ -5,9 +5,8 @@
 #include <algorithm>
 
 #include "changeover/core/error.hpp"
-#include "changeover/draw/figures.hpp"
+#include "changeover/draw/draw.hpp"
 #include "changeover/io/formats.hpp"
-#include "changeover/io/other_formats.hpp"
 #include "changeover/io/tables.hpp"
 #include "cli/terminal.hpp"
 #include "core/words.hpp"

@@ -7,7 +7,7 @@
 
 #include "answer/known/offers.hpp"
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/catalog/reported.hpp"
+#include "changeover/catalog/catalog.hpp"
 
 namespace changeover {
 class JsonWriter;

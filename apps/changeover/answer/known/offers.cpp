@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "changeover/construct/explanation.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"

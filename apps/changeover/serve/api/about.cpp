@@ -8,7 +8,7 @@
 #include "answer/catalog/completeness.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/version.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/about.hpp"
 #include "serve/api/routes.hpp"

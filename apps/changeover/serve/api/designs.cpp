@@ -5,7 +5,7 @@
 #include <map>
 
 #include "answer/catalog/entry_words.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "core/printable.hpp"
 #include "serve/api/query.hpp"
 #include "serve/api/routes.hpp"

@@ -8,7 +8,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/io/input.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "cli/cli.hpp"
 #include "serve/jobs/search_jobs.hpp"
 

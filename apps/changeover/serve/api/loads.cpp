@@ -9,7 +9,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/load_request.hpp"
 #include "changeover/loadorder/workers.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"

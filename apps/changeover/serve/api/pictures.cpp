@@ -6,7 +6,6 @@
 #include "answer/known/planned_table.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/draw/draw.hpp"
-#include "changeover/draw/heatmap.hpp"
 #include "changeover/io/input.hpp"
 #include "request/picture_options.hpp"
 #include "serve/api/cells.hpp"

@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "answer/known/planned_table.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 
 namespace changeover::serve {
 

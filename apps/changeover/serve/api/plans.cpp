@@ -3,8 +3,8 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
-#include "changeover/plan/sheet_formats.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/plan/run_plan.hpp"
+#include "changeover/run/control.hpp"
 #include "io/write/json_writer.hpp"
 #include "serve/api/request_body.hpp"
 #include "serve/api/routes.hpp"

@@ -6,7 +6,7 @@
 
 #include "answer/known/offers.hpp"
 #include "answer/known/planned_table.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"

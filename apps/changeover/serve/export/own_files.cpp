@@ -13,7 +13,7 @@
 #include "changeover/core/sha256.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/io/input.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/printable.hpp"
 
 namespace changeover::serve {

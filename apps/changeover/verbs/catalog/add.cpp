@@ -4,7 +4,7 @@
 #include "answer/answer.hpp"
 #include "answer/catalog/today.hpp"
 #include "changeover/construct/registry.hpp"
-#include "changeover/curator/add.hpp"
+#include "changeover/curator/curator.hpp"
 #include "changeover/io/input.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"

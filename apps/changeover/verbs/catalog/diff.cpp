@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "changeover/catalog/label.hpp"
-#include "changeover/curator/exchange.hpp"
+#include "changeover/catalog/entry.hpp"
+#include "changeover/curator/curator.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
 #include "request/inputs.hpp"

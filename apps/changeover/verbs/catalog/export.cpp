@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "changeover/curator/exchange.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/curator/curator.hpp"
+#include "changeover/run/control.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "answer/answer.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "io/write/json_writer.hpp"
 #include "request/catalog_request.hpp"
 #include "verbs.hpp"

@@ -3,8 +3,8 @@
 
 #include "answer/answer.hpp"
 #include "answer/catalog/today.hpp"
-#include "changeover/catalog/label.hpp"
-#include "changeover/curator/improve.hpp"
+#include "changeover/catalog/entry.hpp"
+#include "changeover/curator/curator.hpp"
 #include "cli/status_line.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"

@@ -7,7 +7,7 @@
 #include "answer/catalog/entry_words.hpp"
 #include "answer/design/chosen_design.hpp"
 #include "answer/design/recipe_tree.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/registry.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"

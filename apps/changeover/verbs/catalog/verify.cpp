@@ -7,7 +7,7 @@
 
 #include "answer/answer.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/curator/audit.hpp"
+#include "changeover/curator/curator.hpp"
 #include "changeover/io/output.hpp"
 #include "core/printable.hpp"
 #include "core/words.hpp"

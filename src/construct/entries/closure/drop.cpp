@@ -11,10 +11,10 @@
 
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
-#include "changeover/core/transitions.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/read_within_memory.hpp"
 #include "core/checked.hpp"

@@ -10,7 +10,7 @@
 // a cover. Only one more element can be added, as the others can come beside it; this is known
 // here, so this construction need not ask itself. Those that it asks must not ask the registry: it
 // asks the families below by name, and others only if they tell the size of a cover.
-#include "changeover/construct/partial_expansion.hpp"
+#include "changeover/construct/expansion.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,6 @@
 #include <utility>
 
 #include "changeover/construct/closure.hpp"
-#include "changeover/construct/expansion.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/entry.hpp"

@@ -11,7 +11,7 @@
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/read_within_memory.hpp"
 

@@ -17,9 +17,9 @@
 
 #include "bounds/counting_bound.hpp"
 #include "changeover/construct/registry.hpp"
+#include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/core/transitions.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/entry.hpp"
 #include "construct/tools/path.hpp"
 #include "core/checked.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "bounds/counting_bound.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"

@@ -44,7 +44,7 @@ struct Rise {
 class Sequence {
  public:
   /// Set-ups that break no constraint but may leave pairs uncovered. The job must outlive this.
-  /// @throws Stopped if the scope of this thread (run/scope.hpp) wants to stop.
+  /// @throws Stopped if the scope of this thread (run/control.hpp) wants to stop.
   Sequence(const Job& job, Weights weights, const std::vector<Block>& setups);
 
   [[nodiscard]] std::int64_t cost() const { return cost_; }

@@ -1,4 +1,4 @@
-#include "changeover/plan/cost_bound.hpp"
+#include "changeover/plan/run_plan.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "plan/job/check_in_full.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "plan/search/bounds/rounded_up.hpp"

@@ -3,7 +3,7 @@
 #include <limits>
 #include <numeric>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/search/weighted.hpp"
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "core/checked.hpp"
 #include "plan/job/prices.hpp"
 #include "plan/search/lists/assignment.hpp"

@@ -38,7 +38,7 @@ struct Spot {
 class Lists {
  public:
   /// Set-ups that break no constraint but may leave something unmet. Every bench begins with what the job has at its
-  /// start. The job must outlive this. @throws Stopped if the scope of this thread (run/scope.hpp) wants to stop.
+  /// start. The job must outlive this. @throws Stopped if the scope of this thread (run/control.hpp) wants to stop.
   Lists(const Job& job, Weights weights, const BenchLists& lists);
 
   [[nodiscard]] const Job& job() const { return *job_; }

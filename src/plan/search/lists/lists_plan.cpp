@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/candidates.hpp"
 #include "plan/search/lists/lists_search.hpp"

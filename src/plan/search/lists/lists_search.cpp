@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "run/portable_math.hpp"
 #include "run/random.hpp"
 #include "run/threads.hpp"

@@ -7,7 +7,7 @@
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/local_search.hpp"
 #include "core/words.hpp"
 #include "plan/search/starts/starts.hpp"

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "changeover/search/ordering.hpp"
 #include "plan/search/anneal/anneal.hpp"
 #include "plan/search/listener.hpp"

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "changeover/construct/closure.hpp"
-#include "changeover/construct/partial_expansion.hpp"
+#include "changeover/construct/expansion.hpp"
 #include "changeover/construct/planner.hpp"
 #include "changeover/construct/standard_catalog.hpp"
-#include "changeover/core/transitions.hpp"
+#include "changeover/core/design.hpp"
 #include "construction_checks.hpp"
 #include "naive_verdict.hpp"
 

@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "changeover/construct/closure.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "construct/tools/close_up.hpp"
 #include "construct/tools/coarsen.hpp"
 #include "construction_checks.hpp"

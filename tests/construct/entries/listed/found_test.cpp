@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/catalog/label.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "construction_checks.hpp"
 

@@ -1,11 +1,11 @@
-#include "changeover/plan/cost_bound.hpp"
+#include "changeover/plan/run_plan.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 
 #include "changeover/core/error.hpp"
-#include "changeover/run/scope.hpp"
+#include "changeover/run/control.hpp"
 #include "cheapest.hpp"
 #include "random_jobs.hpp"
 

@@ -6,8 +6,7 @@
 #include <atomic>
 #include <chrono>
 
-#include "changeover/plan/cost_bound.hpp"
-#include "changeover/plan/run_sheet.hpp"
+#include "changeover/plan/run_plan.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/candidates.hpp"
 #include "random_jobs.hpp"

@@ -1,0 +1,47 @@
+// The options that every request shares whose answer is searched for.
+#pragma once
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "changeover/io/request.hpp"
+
+namespace changeover {
+
+/// Adds them. @param how_long  of its time, by what is searched for
+/// @param no_time_in_server  why the server does not take a time; empty: it does
+template <typename Request>
+[[nodiscard]] std::vector<RequestOption<Request>> with_search_options(
+    std::vector<RequestOption<Request>> options, std::string_view how_long,
+    std::string_view no_time_in_server = {}) {
+  options.push_back({{.key = "seconds",
+                      .flags = "--time",
+                      .kind = ValueKind::seconds,
+                      .value = "DURATION",
+                      .help = how_long,
+                      .python = "time",
+                      .not_in_server = no_time_in_server,
+                      .of_every_search = true},
+                     &Request::seconds});
+  options.push_back({{.key = "threads",
+                      .flags = "--threads",
+                      .kind = ValueKind::number,
+                      .value = "N",
+                      .help = "threads to use",
+                      .not_in_server = "the server gives each request its share",
+                      .of_every_search = true},
+                     &Request::threads});
+  options.push_back(
+      {{.key = "seed",
+        .flags = "--seed",
+        .kind = ValueKind::number,
+        .value = "N",
+        .help = "of the random numbers (default 1)",
+        .not_in_server = "the same question has the same answer for everybody",
+        .of_every_search = true},
+       &Request::seed});
+  return options;
+}
+
+}  // namespace changeover
