@@ -24,6 +24,12 @@ TEST_F(CatalogExamples, Catalog) {
   EXPECT_TRUE(verify(*Registry::standard().build(entry.recipe)).valid());
 }
 
+TEST_F(CatalogExamples, Reported) {
+  const Parameters p{.v = 26, .k = 6, .change = 1, .kind = Kind::linear};
+  EXPECT_EQ(reported_below(p, 64)->blocks, 63U);
+  EXPECT_FALSE(reported_below(p, 63).has_value());
+}
+
 TEST_F(CatalogExamples, Entry) {
   // clang-format off
   CatalogEntry entry = entry_from_line(
@@ -56,12 +62,6 @@ TEST_F(CatalogExamples, Label) {
   const auto best = best_design({.v = 61, .k = 4});
   DesignSource blocks(best);
   EXPECT_THAT(said.out, testing::StartsWith(to_hex(design_digest(blocks).checksum)));
-}
-
-TEST_F(CatalogExamples, Reported) {
-  const Parameters p{.v = 26, .k = 6, .change = 1, .kind = Kind::linear};
-  EXPECT_EQ(reported_below(p, 64)->blocks, 63U);
-  EXPECT_FALSE(reported_below(p, 63).has_value());
 }
 
 }  // namespace

@@ -16,15 +16,6 @@ TEST(ConstructExamples, Closure) {
   EXPECT_EQ(Registry::standard().build_design(core).block_count(), 5U);
 }
 
-TEST(ConstructExamples, Enlarge) {
-  const Design design = best_design({.v = 15, .k = 5, .kind = Kind::circular});
-  Enlarged larger = enlarge(design);                        // by as many elements as serve it best
-  Enlarged by_four = enlarge(design, {.new_elements = 4});  // by four
-  EXPECT_EQ(by_four.design.v(), 19U);
-  EXPECT_EQ(larger.design.block_count(), 30U);  // the positions where blocks were inserted
-  EXPECT_EQ(larger.at.size(), 5U);
-}
-
 TEST(ConstructExamples, Expansion) {
   const Design design = best_design({.v = 7, .k = 3, .kind = Kind::circular});
   ExpansionSearch search = find_expansion_sets(design, {.how_many = 1});
@@ -34,15 +25,24 @@ TEST(ConstructExamples, Expansion) {
   EXPECT_TRUE(verify(larger).tight());
 }
 
-TEST(ConstructExamples, Explanation) {
-  const Registry& registry = Registry::standard();
-  const std::vector<Parameters> asked = {{.v = 8, .k = 5, .kind = Kind::circular},
-                                         {.v = 8, .k = 5}};
-  const auto offer = best_offer(registry, asked);  // of both kinds, the one with fewer blocks
-  const RecipeNode tree = explained(registry, offer->recipe);
-  std::cout << tree.explanation << ' ' << tree.citation << '\n';
-  EXPECT_EQ(tree.b, offer->b);
-  EXPECT_FALSE(tree.citation.empty());
+TEST(ConstructExamples, PartialExpansion) {
+  const Design design = best_design({.v = 15, .k = 5, .kind = Kind::circular});
+  ASSERT_EQ(design.block_count(), 15U);
+  std::optional<UnchangedCover> cover = find_cover(design, {.new_elements = 4});
+  ASSERT_TRUE(cover);
+  Design larger = expand_by(design, *cover, 4);  // a circular DCCD(19,5,25), economical
+  EXPECT_EQ(name(larger.parameters()), "circular DCCD(19,5)");
+  EXPECT_EQ(larger.block_count(), 25U);
+  EXPECT_TRUE(verify(larger).economical());
+}
+
+TEST(ConstructExamples, Enlarge) {
+  const Design design = best_design({.v = 15, .k = 5, .kind = Kind::circular});
+  Enlarged larger = enlarge(design);                        // by as many elements as serve it best
+  Enlarged by_four = enlarge(design, {.new_elements = 4});  // by four
+  EXPECT_EQ(by_four.design.v(), 19U);
+  EXPECT_EQ(larger.design.block_count(), 30U);  // the positions where blocks were inserted
+  EXPECT_EQ(larger.at.size(), 5U);
 }
 
 TEST(ConstructExamples, OneFactorization) {
@@ -58,23 +58,23 @@ TEST(ConstructExamples, OneFactorization) {
   EXPECT_FALSE(cycle_types(k8).contains({4, 4}));
 }
 
-TEST(ConstructExamples, PartialExpansion) {
-  const Design design = best_design({.v = 15, .k = 5, .kind = Kind::circular});
-  ASSERT_EQ(design.block_count(), 15U);
-  std::optional<UnchangedCover> cover = find_cover(design, {.new_elements = 4});
-  ASSERT_TRUE(cover);
-  Design larger = expand_by(design, *cover, 4);  // a circular DCCD(19,5,25), economical
-  EXPECT_EQ(name(larger.parameters()), "circular DCCD(19,5)");
-  EXPECT_EQ(larger.block_count(), 25U);
-  EXPECT_TRUE(verify(larger).economical());
-}
-
 TEST(ConstructExamples, Planner) {
   const Registry& registry = Registry::standard();
   Plan plan = plan_range(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
   const PlannedCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
   EXPECT_GE(cell.best->b, cell.bound.blocks);
   EXPECT_EQ(cell.status(), cell.best->b == cell.bound.blocks ? "minimum" : "best-known");
+}
+
+TEST(ConstructExamples, Explanation) {
+  const Registry& registry = Registry::standard();
+  const std::vector<Parameters> asked = {{.v = 8, .k = 5, .kind = Kind::circular},
+                                         {.v = 8, .k = 5}};
+  const auto offer = best_offer(registry, asked);  // of both kinds, the one with fewer blocks
+  const RecipeNode tree = explained(registry, offer->recipe);
+  std::cout << tree.explanation << ' ' << tree.citation << '\n';
+  EXPECT_EQ(tree.b, offer->b);
+  EXPECT_FALSE(tree.citation.empty());
 }
 
 TEST(ConstructExamples, Registry) {

@@ -6,14 +6,6 @@
 namespace changeover::test::core_examples_test {
 namespace {
 
-TEST(CoreExamples, Automorphism) {
-  const Block block{6, 7, 28};
-  const Automorphism pi{.n = 7, .cycles = 4, .fixed = 1};  // (0 … 6)(7 … 13)(14 … 20)(21 … 27)(28)
-  EXPECT_EQ(pi.v(), 29U);
-  EXPECT_EQ(pi.image(6, 1), 0U);
-  EXPECT_THAT(pi.image(block, 3), ElementsAre(2U, 10U, 28U));
-}
-
 TEST(CoreExamples, Block) {
   const Design design = three_blocks();
   DesignSource source(design);
@@ -63,9 +55,41 @@ TEST(CoreExamples, Design) {
   EXPECT_TRUE(std::ranges::equal(again.elements(), design.elements()));
 }
 
+TEST(CoreExamples, Transitions) {
+  const Design design = three_blocks();
+  std::vector<Block> drawn;
+  const auto draw = [&](std::span<const Element> block, std::span<const Element> introduced,
+                        std::span<const Element> leaving) {
+    EXPECT_THAT(block, SizeIs(4));
+    EXPECT_THAT(leaving, SizeIs(2));
+    drawn.emplace_back(introduced.begin(), introduced.end());
+  };
+  DesignSource source(design);
+  for (Transitions steps(source); steps.next();) {
+    draw(steps.block(), steps.introduced(), steps.leaving());
+  }
+  EXPECT_THAT(drawn, ElementsAre(Block{2, 3}, Block{4, 5}, Block{0, 1}));
+}
+
 TEST(CoreExamples, Developed) {
   DevelopedSource source({{.v = 11, .k = 4, .kind = Kind::circular}, {{0, 1, 2, 5}}});
   EXPECT_EQ(source.block_count(), 11U);
+  EXPECT_TRUE(verify(source).tight());
+}
+
+TEST(CoreExamples, Automorphism) {
+  const Block block{6, 7, 28};
+  const Automorphism pi{.n = 7, .cycles = 4, .fixed = 1};  // (0 … 6)(7 … 13)(14 … 20)(21 … 27)(28)
+  EXPECT_EQ(pi.v(), 29U);
+  EXPECT_EQ(pi.image(6, 1), 0U);
+  EXPECT_THAT(pi.image(block, 3), ElementsAre(2U, 10U, 28U));
+}
+
+TEST(CoreExamples, IntervalBaseBlocks) {
+  IntervalBaseBlocks base{{.v = 21, .k = 4, .kind = Kind::circular}, 0, 2, {4, 12, 2, 7}};
+  IntervalDevelopedSource source(base);  // the 42 blocks
+  EXPECT_EQ(source.block_count(), 42U);
+  EXPECT_TRUE(verify_differences(base).tight);
   EXPECT_TRUE(verify(source).tight());
 }
 
@@ -80,14 +104,6 @@ TEST_F(CoreExampleFiles, Error) {
     std::cerr << fault.what() << '\n';  // one line: what, where, how to mend it
   }
   EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::StartsWith("mine.txt:2:"));
-}
-
-TEST(CoreExamples, IntervalBaseBlocks) {
-  IntervalBaseBlocks base{{.v = 21, .k = 4, .kind = Kind::circular}, 0, 2, {4, 12, 2, 7}};
-  IntervalDevelopedSource source(base);  // the 42 blocks
-  EXPECT_EQ(source.block_count(), 42U);
-  EXPECT_TRUE(verify_differences(base).tight);
-  EXPECT_TRUE(verify(source).tight());
 }
 
 TEST(CoreExamples, PairSet) {
@@ -121,22 +137,6 @@ TEST(CoreExamples, Sha256) {
   hash.add("c");
   EXPECT_EQ(to_hex(hash.finish()),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-}
-
-TEST(CoreExamples, Transitions) {
-  const Design design = three_blocks();
-  std::vector<Block> drawn;
-  const auto draw = [&](std::span<const Element> block, std::span<const Element> introduced,
-                        std::span<const Element> leaving) {
-    EXPECT_THAT(block, SizeIs(4));
-    EXPECT_THAT(leaving, SizeIs(2));
-    drawn.emplace_back(introduced.begin(), introduced.end());
-  };
-  DesignSource source(design);
-  for (Transitions steps(source); steps.next();) {
-    draw(steps.block(), steps.introduced(), steps.leaving());
-  }
-  EXPECT_THAT(drawn, ElementsAre(Block{2, 3}, Block{4, 5}, Block{0, 1}));
 }
 
 TEST(CoreExamples, Version) {

@@ -50,6 +50,14 @@ TEST_F(IoExamples, Json) {
   EXPECT_EQ(sink.text(), without_margin(example));
 }
 
+TEST_F(InputExamples, OtherFormats) {
+  put("from_gap.g", "BlockDesign(6, [[1,2,3,4],[3,4,5,6],[1,2,5,6]]);\n");
+  Design design = read_design("from_gap.g");  // known by its content, like all formats
+  StringSink sink;
+  write_gap(design, sink);  // D := BlockDesign(6, [ … ]);
+  EXPECT_THAT(sink.text(), HasSubstr("D := BlockDesign(6, [\n[1,2,3,4],\n"));
+}
+
 TEST_F(InputExamples, Input) {
   put("mine.txt", "0 1 2 3\n4 5 2 3\n4 5 0 1\n");
   std::unique_ptr<Input> input = open_input("mine.txt");  // "-": standard input
@@ -66,14 +74,6 @@ TEST_F(InputExamples, ReadDesign) {
   Verdict verdict = verify(*stream);
   EXPECT_TRUE(verdict.valid());
   EXPECT_EQ(verdict.parameters.kind, Kind::circular);
-}
-
-TEST_F(InputExamples, OtherFormats) {
-  put("from_gap.g", "BlockDesign(6, [[1,2,3,4],[3,4,5,6],[1,2,5,6]]);\n");
-  Design design = read_design("from_gap.g");  // known by its content, like all formats
-  StringSink sink;
-  write_gap(design, sink);  // D := BlockDesign(6, [ … ]);
-  EXPECT_THAT(sink.text(), HasSubstr("D := BlockDesign(6, [\n[1,2,3,4],\n"));
 }
 
 TEST_F(IoExamples, OutputFile) {

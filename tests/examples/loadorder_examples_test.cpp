@@ -31,21 +31,6 @@ TEST_F(LoadOrderExamples, AllPairs) {
   EXPECT_EQ(calls, 3);
 }
 
-TEST_F(LoadOrderExamples, ItemSource) {
-  put("vectors.f32", "");
-  std::filesystem::resize_file("vectors.f32", (70 << 20) + 1);
-  FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});  // items of 32 MiB
-  EXPECT_EQ(file.item_count(), 3U);
-}
-
-TEST_F(LoadOrderExamples, Disjoint) {
-  LoadOrder order = plan_disjoint_order(64, 8, 4);
-  EXPECT_GE(order.facts().span,
-            order.facts().makespan());  // what the slowest loads of all steps add up to
-  StepWork work(order.stream(), order.rules(ComputeRules{}));
-  EXPECT_TRUE(check_schedule(work, order.rules(ComputeRules{})).valid());  // disjoint at every step
-}
-
 class Distances final : public JobResults {
  public:
   std::string describe() const override { return "distances.f64, 300 rows of 300"; }
@@ -83,6 +68,13 @@ TEST_F(LoadOrderExamples, Checksum) {
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
+TEST_F(LoadOrderExamples, ItemSource) {
+  put("vectors.f32", "");
+  std::filesystem::resize_file("vectors.f32", (70 << 20) + 1);
+  FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});  // items of 32 MiB
+  EXPECT_EQ(file.item_count(), 3U);
+}
+
 TEST_F(LoadOrderExamples, LoadOrder) {
   StandardOutput output;
   LoadOrder order = plan_load_order(64, 16);
@@ -103,58 +95,11 @@ TEST_F(LoadOrderExamples, Improve) {
   EXPECT_LE(order.facts().loads, plan_load_order(37, 9).facts().loads);
 }
 
-TEST_F(LoadOrderExamples, LoadRequest) {
-  LoadRequest request{.items = 64, .room = 16, .workers = 4};
-  EXPECT_EQ(to_json(request),
-            "{\"format\":\"changeover-load-request/1\",\"items\":64,\"room\":16,\"workers\":4}\n");
-  const CheckedLoads asked = checked_loads(request, Door::document);
-  const WorkerSplit split = split_load_order(asked.items(), asked.room(), *request.workers);
-  EXPECT_EQ(split.facts().workers.size(), 4U);
-}
-
-TEST_F(LoadOrderExamples, Prefetch) {
-  std::vector<bool> there(64, false);
-  std::uint64_t computed = 0;
-  const auto compute = [&](const std::vector<ItemPair>& pairs) {
-    for (const auto& [x, y] : pairs) {
-      EXPECT_TRUE(there[x] && there[y]);
-      ++computed;
-    }
-  };
-  const auto set = [&](const std::vector<Element>& items, bool value) {
-    for (const Element x : items) {
-      there[x] = value;
-    }
-  };
-  const auto wait_for = [&](const std::vector<Element>& items) { set(items, true); };
-  const auto drop = [&](const std::vector<Element>& items) { set(items, false); };
-  const auto start_loads = [&](const std::vector<Element>& items) { set(items, false); };
-  PrefetchPlan plan = plan_prefetch(64, 16);
-  ScheduleRules rules{.items = 64, .room = 16, .compute = ComputeRules{}, .overlap = true};
-  StepWork schedule(plan.order.stream(), rules);
-  Step step, next;
-  for (bool more = schedule.next(step); more; std::swap(step, next)) {
-    wait_for(step.load);    // these loads were started in the step before
-    compute(step.compute);  // all pairs with what has to go first
-    next = {};
-    more = schedule.next(next);
-    const auto late = next.evict.end() - static_cast<std::ptrdiff_t>(next.late);
-    drop({next.evict.begin(), late});
-    start_loads(next.load);
-    compute(step.overlap);  // meanwhile
-    drop({late, next.evict.end()});
-  }
-  EXPECT_EQ(computed, 64U * 63 / 2);
-}
-
-TEST_F(LoadOrderExamples, Schedule) {
-  ScheduleRules rules{.items = 24, .room = 6, .compute = ComputeRules{}};
-  StepWork work(plan_load_order(24, 6).stream(), rules);
-  ScheduleCheck check(rules);
-  for (Step step; work.next(step);) {
-    check.read(step);
-  }
-  EXPECT_TRUE(check.finish().valid());  // each pair computed once, both items in memory
+TEST_F(LoadOrderExamples, TwoLevels) {
+  LoadOrder order = plan_two_levels(200, 40, 8);
+  EXPECT_GE(order.facts().loads, order.facts().bound.loads);               // from the disk
+  EXPECT_GE(order.facts().transfers, order.facts().transfer_bound.loads);  // from memory
+  EXPECT_TRUE(check_schedule(*order.stream(), order.rules()).valid());
 }
 
 TEST_F(LoadOrderExamples, StepWork) {
@@ -180,11 +125,23 @@ TEST_F(LoadOrderExamples, StepWork) {
   EXPECT_EQ(stored, loaded);
 }
 
-TEST_F(LoadOrderExamples, TwoLevels) {
-  LoadOrder order = plan_two_levels(200, 40, 8);
-  EXPECT_GE(order.facts().loads, order.facts().bound.loads);               // from the disk
-  EXPECT_GE(order.facts().transfers, order.facts().transfer_bound.loads);  // from memory
-  EXPECT_TRUE(check_schedule(*order.stream(), order.rules()).valid());
+TEST_F(LoadOrderExamples, LoadRequest) {
+  LoadRequest request{.items = 64, .room = 16, .workers = 4};
+  EXPECT_EQ(to_json(request),
+            "{\"format\":\"changeover-load-request/1\",\"items\":64,\"room\":16,\"workers\":4}\n");
+  const CheckedLoads asked = checked_loads(request, Door::document);
+  const WorkerSplit split = split_load_order(asked.items(), asked.room(), *request.workers);
+  EXPECT_EQ(split.facts().workers.size(), 4U);
+}
+
+TEST_F(LoadOrderExamples, Schedule) {
+  ScheduleRules rules{.items = 24, .room = 6, .compute = ComputeRules{}};
+  StepWork work(plan_load_order(24, 6).stream(), rules);
+  ScheduleCheck check(rules);
+  for (Step step; work.next(step);) {
+    check.read(step);
+  }
+  EXPECT_TRUE(check.finish().valid());  // each pair computed once, both items in memory
 }
 
 TEST_F(LoadOrderExamples, UpdatePairs) {
@@ -237,6 +194,49 @@ TEST_F(LoadOrderExamples, Workers) {
 
 TEST_F(LoadOrderExamples, InC) {
   EXPECT_EQ(steps_of_c_example(), plan_load_order(64, 16).facts().steps);
+}
+
+TEST_F(LoadOrderExamples, Disjoint) {
+  LoadOrder order = plan_disjoint_order(64, 8, 4);
+  EXPECT_GE(order.facts().span,
+            order.facts().makespan());  // what the slowest loads of all steps add up to
+  StepWork work(order.stream(), order.rules(ComputeRules{}));
+  EXPECT_TRUE(check_schedule(work, order.rules(ComputeRules{})).valid());  // disjoint at every step
+}
+
+TEST_F(LoadOrderExamples, Prefetch) {
+  std::vector<bool> there(64, false);
+  std::uint64_t computed = 0;
+  const auto compute = [&](const std::vector<ItemPair>& pairs) {
+    for (const auto& [x, y] : pairs) {
+      EXPECT_TRUE(there[x] && there[y]);
+      ++computed;
+    }
+  };
+  const auto set = [&](const std::vector<Element>& items, bool value) {
+    for (const Element x : items) {
+      there[x] = value;
+    }
+  };
+  const auto wait_for = [&](const std::vector<Element>& items) { set(items, true); };
+  const auto drop = [&](const std::vector<Element>& items) { set(items, false); };
+  const auto start_loads = [&](const std::vector<Element>& items) { set(items, false); };
+  PrefetchPlan plan = plan_prefetch(64, 16);
+  ScheduleRules rules{.items = 64, .room = 16, .compute = ComputeRules{}, .overlap = true};
+  StepWork schedule(plan.order.stream(), rules);
+  Step step, next;
+  for (bool more = schedule.next(step); more; std::swap(step, next)) {
+    wait_for(step.load);    // these loads were started in the step before
+    compute(step.compute);  // all pairs with what has to go first
+    next = {};
+    more = schedule.next(next);
+    const auto late = next.evict.end() - static_cast<std::ptrdiff_t>(next.late);
+    drop({next.evict.begin(), late});
+    start_loads(next.load);
+    compute(step.overlap);  // meanwhile
+    drop({late, next.evict.end()});
+  }
+  EXPECT_EQ(computed, 64U * 63 / 2);
 }
 
 }  // namespace

@@ -14,13 +14,6 @@ TEST(PlanExamples, Benches) {
   EXPECT_EQ(plan.sheets[0].steps.size(), 8U);  // tests on the first bench
 }
 
-TEST(PlanExamples, CostBound) {
-  CostBound bound = cost_bound(make_job(9, 3, parse_amount("10"), parse_amount("1")));
-  EXPECT_EQ(to_string(bound.cost), "145");
-  EXPECT_EQ(bound.tests, 12U);
-  EXPECT_THAT(bound.reason, HasSubstr("12 tests with 25 changes"));
-}
-
 TEST(PlanExamples, Diagnosis) {
   const Job job = make_job(5, 3, parse_amount("2"), parse_amount("1"));
   StandardOutput output;
@@ -96,6 +89,22 @@ TEST(PlanExamples, RunPlan) {
   EXPECT_EQ(plan.candidates.front().cost, plan.sheet.cost);
 }
 
+TEST(PlanExamples, RunSheet) {
+  const Job job = make_job(4, 2, parse_amount("1"), parse_amount("5"));
+  const std::vector<Block> setups{{0, 1}, {0, 2}, {0, 3}, {1, 3}, {1, 2}, {3, 2}};
+  RunSheet sheet = run_sheet(job, setups);
+  EXPECT_TRUE(sheet.does_the_job());
+  EXPECT_THAT(sheet.steps[3].put_in, ElementsAre(1U));
+  EXPECT_EQ(to_string(sheet.cost), "41");
+}
+
+TEST(PlanExamples, CostBound) {
+  CostBound bound = cost_bound(make_job(9, 3, parse_amount("10"), parse_amount("1")));
+  EXPECT_EQ(to_string(bound.cost), "145");
+  EXPECT_EQ(bound.tests, 12U);
+  EXPECT_THAT(bound.reason, HasSubstr("12 tests with 25 changes"));
+}
+
 TEST(PlanExamples, WhatIf) {
   const Job job = make_job(6, 3, parse_amount("1"), parse_amount("5"));
   RunControl control({.time = std::chrono::seconds(10)});
@@ -112,15 +121,6 @@ TEST(PlanExamples, WhatIf) {
   EXPECT_FALSE(answer.ranges.front().from);
   EXPECT_FALSE(answer.ranges.back().to);
   EXPECT_EQ(std::ranges::count(lines, '\n'), std::ssize(answer.ranges));
-}
-
-TEST(PlanExamples, RunSheet) {
-  const Job job = make_job(4, 2, parse_amount("1"), parse_amount("5"));
-  const std::vector<Block> setups{{0, 1}, {0, 2}, {0, 3}, {1, 3}, {1, 2}, {3, 2}};
-  RunSheet sheet = run_sheet(job, setups);
-  EXPECT_TRUE(sheet.does_the_job());
-  EXPECT_THAT(sheet.steps[3].put_in, ElementsAre(1U));
-  EXPECT_EQ(to_string(sheet.cost), "41");
 }
 
 TEST(PlanExamples, SheetFormats) {

@@ -1,13 +1,8 @@
-// Permutations that designs are developed under: cycles of one length, and fixed points.
+// Base blocks developed into a stream: B₀, …, B_{c−1}, π(B₀), …, π(B_{c−1}), …, π^{n−1}(B_{c−1}).
 //
-//     const Automorphism pi{.n = 7, .cycles = 4, .fixed = 1};   // (0 … 6)(7 … 13)(14 … 20)(21 … 27)(28)
-//     pi.v();                                                   // 29
-//     pi.image(6, 1);                                           // 0
-//     pi.image(block, 3);                                       // π³ of each element
+//     DevelopedSource source({{.v = 11, .k = 4, .kind = Kind::circular}, {{0, 1, 2, 5}}});   // over Z_v
 //
-// Element on + r is the residue r of cycle o; the last f elements are fixed. π adds 1 to every residue: with one
-// cycle and no fixed point it is x ↦ x + 1 over Z_v. Any permutation with such cycles is π with other names
-// for the elements; π^u, for a unit u of Z_n, with those of renamed().
+// Memory is that of the base blocks; the list has cn blocks, over Z_v cv.
 #pragma once
 
 #include <algorithm>
@@ -22,6 +17,17 @@
 #include "changeover/core/block.hpp"
 
 namespace changeover {
+
+// Permutations that designs are developed under: cycles of one length, and fixed points.
+//
+//     const Automorphism pi{.n = 7, .cycles = 4, .fixed = 1};   // (0 … 6)(7 … 13)(14 … 20)(21 … 27)(28)
+//     pi.v();                                                   // 29
+//     pi.image(6, 1);                                           // 0
+//     pi.image(block, 3);                                       // π³ of each element
+//
+// Element on + r is the residue r of cycle o; the last f elements are fixed. π adds 1 to every residue: with one
+// cycle and no fixed point it is x ↦ x + 1 over Z_v. Any permutation with such cycles is π with other names
+// for the elements; π^u, for a unit u of Z_n, with those of renamed().
 
 /// π: v = sn + f, and order n.
 struct Automorphism {
@@ -91,12 +97,6 @@ struct Automorphism {
 
   auto operator<=>(const Automorphism&) const = default;
 };
-
-// Base blocks developed into a stream: B₀, …, B_{c−1}, π(B₀), …, π(B_{c−1}), …, π^{n−1}(B_{c−1}).
-//
-//     DevelopedSource source({{.v = 11, .k = 4, .kind = Kind::circular}, {{0, 1, 2, 5}}});   // over Z_v
-//
-// Memory is that of the base blocks; the list has cn blocks, over Z_v cv.
 
 /// A circular design given by base blocks over Z_v.
 struct BaseBlocks {

@@ -1,14 +1,4 @@
-// A design from outside becomes an entry of the catalog.
-//
-//     const Design design = read_design("mine.txt");
-//     const Newcomer newcomer = newcomer_of(design, {.note = "found by hand"});
-//     if (newcomer.entry && !same_in_catalog(catalog, *newcomer.entry)) {
-//       catalog.add(*newcomer.entry);
-//     }
-//
-// Nothing is believed: the blocks are verified, the lower bound is computed. The recipe that came with the blocks is kept if it
-// makes the same blocks and names no design that only this user has; if not, the blocks are.
-// Where its provenance says which program made them and how, the credit does too. Names of elements are not kept.
+// Designs into the catalog and out of it: added, exchanged with others, audited, improved.
 #pragma once
 
 #include <chrono>
@@ -27,6 +17,18 @@
 #include "changeover/run/control.hpp"
 
 namespace changeover {
+
+// A design from outside becomes an entry of the catalog.
+//
+//     const Design design = read_design("mine.txt");
+//     const Newcomer newcomer = newcomer_of(design, {.note = "found by hand"});
+//     if (newcomer.entry && !same_in_catalog(catalog, *newcomer.entry)) {
+//       catalog.add(*newcomer.entry);
+//     }
+//
+// Nothing is believed: the blocks are verified, the lower bound is computed. The recipe that came with the blocks is kept if it
+// makes the same blocks and names no design that only this user has; if not, the blocks are.
+// Where its provenance says which program made them and how, the credit does too. Names of elements are not kept.
 
 /// What is said of a design by whoever brings it.
 struct Introduction {

@@ -1,3 +1,64 @@
+// Runs an all-pairs job out of core: loads items in the order that was planned, computes every pair
+// once.
+//
+//     FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});
+//     PrefetchPlan plan = plan_prefetch(file.item_count(), room_for(file, 512 << 20));
+//     AllPairsReport report = all_pairs(file, plan.order, [&](const PairWork& pair) {
+//       gram(pair.first.bytes, pair.second.bytes);        // first = second: the pairs within one item
+//     }, {.threads = 2, .read_ahead = plan.spare, .journal = "job.journal"});
+//
+// *Contract.* compute() is called exactly once for each pair of different items (each pair that the
+// order is for, loadorder/wanted_pairs.hpp) and once for each item with itself that is loaded, by `threads` threads at once, with the bytes of both in memory. Loads run on
+// threads of their own while pairs are computed (loadorder/workers.hpp, which also says why an
+// order for one item less with read_ahead = 1 is often faster). Never more than room + read_ahead
+// items are in memory or on their way: there are that many buffers, made at the start, and nothing
+// else grows with the data.
+//
+// *Journal.* With a journal a step is recorded, and synced to the disk, after all its pairs are
+// computed, on_step_done(step) has returned and `results` (loadorder/all_pairs.hpp) are on the
+// disk, with the checksum of its results. When a job is started again with the same journal, the
+// results of recorded steps are read again: a step whose checksum they have is not computed again;
+// a step that has lost them, or was under way, is computed anew from its beginning. So results must
+// be idempotent by step: PairWork says the step. Without `results` the journal can only say that
+// on_step_done() has returned, and what became of them afterwards is the caller's affair.
+//
+// A journal belongs to one job: the name, the data, as far as ItemSource::fingerprint() knows them
+// again, the order, the share and the place of the results. That of another job is refused before
+// anything is touched. Each line vouches for those before it (src/loadorder/run/journal.hpp); what was
+// edited, moved or added counts for nothing, nor does what follows. Checksums are no signatures:
+// who writes wrong results together with a journal that was made to fit them is believed.
+//
+// *Several processes.* With share = {i, n} this process takes the i-th of n stretches of the order
+// (loadorder/workers.hpp), and a pair belongs to the first stretch that has it: all processes
+// together compute what one alone would, each pair once, without talking to each other.
+// examples/all_pairs.cpp does that with the processes of mpirun.
+//
+// *Faults.* What the source throws ends the job after the pairs under way, naming the item; what
+// compute() throws, too. A cancelled job returns a report that says so. Data that change while they
+// are read are a fault at the end, since the results are then of neither. A killed or failed job
+// has changed the results of its own steps only.
+//
+// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits; any number if pairs are listed. An item is best a chunk of
+// many vectors.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/sha256.hpp"
+#include "changeover/loadorder/load_order.hpp"
+
+namespace changeover {
+
 // Where the results of an all-pairs job are, so that a journal can vouch for them.
 //
 //     class Distances final : public JobResults {
@@ -20,24 +81,6 @@
 // processes that compute other shares of the same job may have it open too, no others. Locks end
 // with the process that has them; they bind only those who ask for them, which is everybody who
 // uses this class.
-#pragma once
-
-#include <atomic>
-#include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
-#include <utility>
-
-#include "changeover/core/block.hpp"
-#include "changeover/core/sha256.hpp"
-#include "changeover/loadorder/load_order.hpp"
-
-namespace changeover {
 
 /// The part of an order that a process takes.
 struct OrderShare {
@@ -120,49 +163,6 @@ class ResultFile {
   bool created_ = false;
   std::uint64_t bytes_ = 0;
 };
-
-// Runs an all-pairs job out of core: loads items in the order that was planned, computes every pair
-// once.
-//
-//     FileItems file("vectors.f32", 32 << 20, {.bypass_cache = true});
-//     PrefetchPlan plan = plan_prefetch(file.item_count(), room_for(file, 512 << 20));
-//     AllPairsReport report = all_pairs(file, plan.order, [&](const PairWork& pair) {
-//       gram(pair.first.bytes, pair.second.bytes);        // first = second: the pairs within one item
-//     }, {.threads = 2, .read_ahead = plan.spare, .journal = "job.journal"});
-//
-// *Contract.* compute() is called exactly once for each pair of different items (each pair that the
-// order is for, loadorder/wanted_pairs.hpp) and once for each item with itself that is loaded, by `threads` threads at once, with the bytes of both in memory. Loads run on
-// threads of their own while pairs are computed (loadorder/workers.hpp, which also says why an
-// order for one item less with read_ahead = 1 is often faster). Never more than room + read_ahead
-// items are in memory or on their way: there are that many buffers, made at the start, and nothing
-// else grows with the data.
-//
-// *Journal.* With a journal a step is recorded, and synced to the disk, after all its pairs are
-// computed, on_step_done(step) has returned and `results` (loadorder/all_pairs.hpp) are on the
-// disk, with the checksum of its results. When a job is started again with the same journal, the
-// results of recorded steps are read again: a step whose checksum they have is not computed again;
-// a step that has lost them, or was under way, is computed anew from its beginning. So results must
-// be idempotent by step: PairWork says the step. Without `results` the journal can only say that
-// on_step_done() has returned, and what became of them afterwards is the caller's affair.
-//
-// A journal belongs to one job: the name, the data, as far as ItemSource::fingerprint() knows them
-// again, the order, the share and the place of the results. That of another job is refused before
-// anything is touched. Each line vouches for those before it (src/loadorder/run/journal.hpp); what was
-// edited, moved or added counts for nothing, nor does what follows. Checksums are no signatures:
-// who writes wrong results together with a journal that was made to fit them is believed.
-//
-// *Several processes.* With share = {i, n} this process takes the i-th of n stretches of the order
-// (loadorder/workers.hpp), and a pair belongs to the first stretch that has it: all processes
-// together compute what one alone would, each pair once, without talking to each other.
-// examples/all_pairs.cpp does that with the processes of mpirun.
-//
-// *Faults.* What the source throws ends the job after the pairs under way, naming the item; what
-// compute() throws, too. A cancelled job returns a report that says so. Data that change while they
-// are read are a fault at the end, since the results are then of neither. A killed or failed job
-// has changed the results of its own steps only.
-//
-// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits; any number if pairs are listed. An item is best a chunk of
-// many vectors.
 
 // Where the items of an all-pairs job come from: a file of fixed-size items, or a function of
 // yours.

@@ -1,12 +1,31 @@
-// A list of set-ups as a run sheet: what to take out and put in at each step, what it tests and costs.
+// The cheapest run sheet for a job that we can find, what it was compared with, and how far it can be from
+// the cheapest there is.
 //
-//     RunSheet sheet = run_sheet(job, setups);
-//     sheet.does_the_job();                        // all needed pairs, no forbidden one, room for all
-//     sheet.steps[3].put_in;  to_string(sheet.cost);
+//     RunControl control({.time = std::chrono::seconds(10)});
+//     RunPlan plan = make_run_plan(make_job(9, 3, parse_amount("1"), parse_amount("5")), {}, control);
+//     plan.sheet.cost;  plan.bound.cost;             // e.g. 117 and 117
+//     for (const Candidate& c : plan.candidates) {   // cheapest first: the first one is the sheet
+//       std::cout << c.name << ": " << to_string(c.cost) << '\n';
+//     }
 //
-// This is the referee of all plans: it reads the job and the set-ups, counts in the plainest way, and
-// shares nothing with what made them. Contract: whatever the lists hold, faults are listed in `faults`
-// and never thrown, but for an element that is no part.
+// Candidates. Single-, double- and m-change designs over the parts with needed pairs, those that are known
+// or that local search (search/local_search.hpp) makes of them, relabelled so that dear parts stand where
+// introductions are rare; a list that takes the best next step again and again; a covering with few set-ups,
+// in a cheap order; and the result of a local search over lists with any number of changes a step, in rounds that start
+// from the best of the others or forget it; without a time, they end when a round finds nothing better or the gap to the
+// bound is under one percent. If a plan is under way, its rest, with what it lacks and without what it need not; so no new plan
+// is dearer than going on. Under a budget: the plan that tests the most needed pairs, at least as many as the longest
+// affordable part of the cheapest complete plan does.
+//
+// If the job weighs its pairs, the plan under a budget tests the most weight, and a list for all pairs is put into an order, of
+// set-ups and of parts that nothing else tells apart, in which heavy pairs meet early and which costs no more.
+//
+// A small job, of at most 12 parts and 64 pairs, is then searched through: its cheapest list is found or proved, unless more than
+// PlanOptions::states have to be looked at.
+//
+// Contract. Every candidate is counted by run_sheet() and breaks no constraint; all but those of a
+// budget do the job; one that is an m-change covering design is verified as such. Without a time limit the
+// result depends on the job, the options and the seed only, not on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -21,6 +40,16 @@
 #include "changeover/run/control.hpp"
 
 namespace changeover {
+
+// A list of set-ups as a run sheet: what to take out and put in at each step, what it tests and costs.
+//
+//     RunSheet sheet = run_sheet(job, setups);
+//     sheet.does_the_job();                        // all needed pairs, no forbidden one, room for all
+//     sheet.steps[3].put_in;  to_string(sheet.cost);
+//
+// This is the referee of all plans: it reads the job and the set-ups, counts in the plainest way, and
+// shares nothing with what made them. Contract: whatever the lists hold, faults are listed in `faults`
+// and never thrown, but for an element that is no part.
 
 struct RunStep {
   Block take_out;  ///< increasing, like the others
@@ -128,35 +157,6 @@ struct CostBound {
 /// the bound is that of (2), (3) and (5), which is known soon.
 /// @throws BadInput as check(); ImpossibleParameters if a cost overflows. O(P·K).
 [[nodiscard]] CostBound cost_bound(const Job& job);
-
-// The cheapest run sheet for a job that we can find, what it was compared with, and how far it can be from
-// the cheapest there is.
-//
-//     RunControl control({.time = std::chrono::seconds(10)});
-//     RunPlan plan = make_run_plan(make_job(9, 3, parse_amount("1"), parse_amount("5")), {}, control);
-//     plan.sheet.cost;  plan.bound.cost;             // e.g. 117 and 117
-//     for (const Candidate& c : plan.candidates) {   // cheapest first: the first one is the sheet
-//       std::cout << c.name << ": " << to_string(c.cost) << '\n';
-//     }
-//
-// Candidates. Single-, double- and m-change designs over the parts with needed pairs, those that are known
-// or that local search (search/local_search.hpp) makes of them, relabelled so that dear parts stand where
-// introductions are rare; a list that takes the best next step again and again; a covering with few set-ups,
-// in a cheap order; and the result of a local search over lists with any number of changes a step, in rounds that start
-// from the best of the others or forget it; without a time, they end when a round finds nothing better or the gap to the
-// bound is under one percent. If a plan is under way, its rest, with what it lacks and without what it need not; so no new plan
-// is dearer than going on. Under a budget: the plan that tests the most needed pairs, at least as many as the longest
-// affordable part of the cheapest complete plan does.
-//
-// If the job weighs its pairs, the plan under a budget tests the most weight, and a list for all pairs is put into an order, of
-// set-ups and of parts that nothing else tells apart, in which heavy pairs meet early and which costs no more.
-//
-// A small job, of at most 12 parts and 64 pairs, is then searched through: its cheapest list is found or proved, unless more than
-// PlanOptions::states have to be looked at.
-//
-// Contract. Every candidate is counted by run_sheet() and breaks no constraint; all but those of a
-// budget do the job; one that is an m-change covering design is verified as such. Without a time limit the
-// result depends on the job, the options and the seed only, not on the number of threads.
 
 /// A list of set-ups and how it came about.
 struct Candidate {

@@ -1,31 +1,3 @@
-// What came of looking for something.
-//
-//     to_string(Outcome::none);          // "none"
-#pragma once
-
-#include <atomic>
-#include <chrono>
-#include <cstdint>
-#include <exception>
-#include <functional>
-#include <mutex>
-#include <optional>
-#include <string>
-#include <string_view>
-
-namespace changeover {
-
-enum class Outcome : std::uint8_t {
-  found,
-  none,     ///< there is none; on whose word, the search says
-  unknown,  ///< stopped before; RunControl::why_stopped() says why
-};
-
-/// "found", "none", "unknown".
-[[nodiscard]] constexpr std::string_view to_string(Outcome outcome) {
-  return outcome == Outcome::found ? "found" : outcome == Outcome::none ? "none" : "unknown";
-}
-
 // When long work stops, how much memory it may take, and whom it tells how far it is.
 //
 //     RunControl control({.time = std::chrono::seconds(60), .threads = 2, .seed = 7,
@@ -41,6 +13,34 @@ enum class Outcome : std::uint8_t {
 // a search, or has no search above it, listens through run/control.hpp; threads come from run/threads.hpp.
 //
 // With threads = 1 a search is deterministic in its seed as long as no clock stops it.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace changeover {
+
+// What came of looking for something.
+//
+//     to_string(Outcome::none);          // "none"
+
+enum class Outcome : std::uint8_t {
+  found,
+  none,     ///< there is none; on whose word, the search says
+  unknown,  ///< stopped before; RunControl::why_stopped() says why
+};
+
+/// "found", "none", "unknown".
+[[nodiscard]] constexpr std::string_view to_string(Outcome outcome) {
+  return outcome == Outcome::found ? "found" : outcome == Outcome::none ? "none" : "unknown";
+}
 
 /// Why a search ended.
 enum class WhyStopped : std::uint8_t {

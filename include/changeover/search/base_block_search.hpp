@@ -1,3 +1,48 @@
+// Search for base blocks: circular designs with an imposed automorphism, as c blocks instead of cn.
+//
+//     RunControl control({.time = std::chrono::seconds(60)});
+//     const BaseBlockResult result = search_base_blocks({.v = 26, .k = 4, .kind = Kind::circular},
+//                                                       {.shapes = {.tight = true}}, control);
+//     if (result.found()) {
+//       result.shape;                       // 5 base blocks, 2 cycles of length 13
+//       result.verdict().tight();            // verified on all 65 blocks
+//       result.recipe->blocks;              // a recipe "developed" stores the 5 base blocks
+//       result.comparison;                  // Comparison::equal: the registry knows it by now
+//     }
+//
+// The shapes that the parameters allow (search/base_block_search.hpp) are tried one after another, fewest
+// blocks first, until one has base blocks. Any unchanged subsets may occur, not intervals only. Two
+// methods:
+//   sat     a formula for all base blocks at once, CaDiCaL; for a tight design every orbit of pairs is newly
+//           covered exactly once and each element has a degree that the degree identity allows. It can say
+//           that there are none of this shape. That is the solver's statement, not a certificate.
+//   anneal  segment swaps made in all images at once (search/local/segment_orbits.hpp); for larger parameters
+//           with some slack. It never says none.
+//   automatic  sat up to `sat_size` pairs in base blocks for tight designs; otherwise a short annealing,
+//           then sat if the formula is small enough, then the rest of the annealing.
+//
+// Every result is developed by the registry and verified on all its blocks before it is returned. For a
+// linear p the circular design is cut open. With one seed and limits in moves and conflicts, but not in
+// time, the result is always the same. One thread.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/core/block.hpp"
+#include "changeover/core/design.hpp"
+#include "changeover/core/developed.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/core/recipe.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/verify/verdict.hpp"
+
+namespace changeover {
+
 // The shapes that a circular design with an automorphism can have, and why some cannot be.
 //
 // π has s cycles of one length n and f fixed points (core/developed.hpp), and B_{i+c} = π(B_i): the design
@@ -24,24 +69,6 @@
 //   - Introductions of the cycles and of the fixed element add up to mc.
 // With c·n = b this leaves few shapes, often none: then the only automorphism of this kind is the
 // identity.
-#pragma once
-
-#include <compare>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "changeover/core/block.hpp"
-#include "changeover/core/design.hpp"
-#include "changeover/core/developed.hpp"
-#include "changeover/core/parameters.hpp"
-#include "changeover/core/recipe.hpp"
-#include "changeover/run/control.hpp"
-#include "changeover/verify/verdict.hpp"
-
-namespace changeover {
 
 /// How base blocks are developed: under which π, with cycles of length n ≥ 2, and how many of them.
 struct BaseBlockShape : Automorphism {
@@ -77,33 +104,6 @@ struct ShapeOptions {
 /// shapes, none of more than 2⁶² blocks.
 [[nodiscard]] std::vector<BaseBlockShape> base_block_shapes(const Parameters& p,
                                                             const ShapeOptions& options = {});
-
-// Search for base blocks: circular designs with an imposed automorphism, as c blocks instead of cn.
-//
-//     RunControl control({.time = std::chrono::seconds(60)});
-//     const BaseBlockResult result = search_base_blocks({.v = 26, .k = 4, .kind = Kind::circular},
-//                                                       {.shapes = {.tight = true}}, control);
-//     if (result.found()) {
-//       result.shape;                       // 5 base blocks, 2 cycles of length 13
-//       result.verdict().tight();            // verified on all 65 blocks
-//       result.recipe->blocks;              // a recipe "developed" stores the 5 base blocks
-//       result.comparison;                  // Comparison::equal: the registry knows it by now
-//     }
-//
-// The shapes that the parameters allow (search/base_block_search.hpp) are tried one after another, fewest
-// blocks first, until one has base blocks. Any unchanged subsets may occur, not intervals only. Two
-// methods:
-//   sat     a formula for all base blocks at once, CaDiCaL; for a tight design every orbit of pairs is newly
-//           covered exactly once and each element has a degree that the degree identity allows. It can say
-//           that there are none of this shape. That is the solver's statement, not a certificate.
-//   anneal  segment swaps made in all images at once (search/local/segment_orbits.hpp); for larger parameters
-//           with some slack. It never says none.
-//   automatic  sat up to `sat_size` pairs in base blocks for tight designs; otherwise a short annealing,
-//           then sat if the formula is small enough, then the rest of the annealing.
-//
-// Every result is developed by the registry and verified on all its blocks before it is returned. For a
-// linear p the circular design is cut open. With one seed and limits in moves and conflicts, but not in
-// time, the result is always the same. One thread.
 
 enum class BaseBlockMethod : std::uint8_t { automatic, sat, anneal };
 
