@@ -2,19 +2,32 @@
 #
 # What nobody waits for while it runs is compiled for a fast build: -Og instead of -O2 takes about 0.6 of the compiler's time. That is
 # all of the target, those of its sources whose path matches, or all others; what computes (designs, searches, plans, streams of
-# blocks and steps) stays at -O2. A source with options of its own is compiled alone, so the larger part has those of the target.
+# blocks and steps) stays at -O2. The sources that match become objects of their own, <target>_apart, so that they, too, are
+# compiled together. Comes after all else that says how the target is compiled.
 function(changeover_cold target)
   cmake_parse_arguments(PARSE_ARGV 1 cold "" "ONLY;UNLESS" "")
-  get_target_property(sources ${target} SOURCES)
-  set(apart -O2)
-  if(cold_ONLY)
-    set(apart -Og)
-  else()
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
-  endif()
+  set(apart "${target}_apart")
   if(cold_ONLY OR cold_UNLESS)
-    list(FILTER sources INCLUDE REGEX "${cold_ONLY}${cold_UNLESS}")
-    set_property(SOURCE ${sources} TARGET_DIRECTORY ${target} APPEND PROPERTY COMPILE_OPTIONS "$<$<CONFIG:Release>:${apart}>")
+    get_target_property(sources ${target} SOURCES)
+    set(matching ${sources})
+    list(FILTER matching INCLUDE REGEX "${cold_ONLY}${cold_UNLESS}")
+    list(REMOVE_ITEM sources ${matching})
+    set_property(TARGET ${target} PROPERTY SOURCES ${sources})
+    add_library(${apart} OBJECT ${matching})
+    foreach(property IN ITEMS INCLUDE_DIRECTORIES COMPILE_DEFINITIONS COMPILE_FEATURES COMPILE_OPTIONS)
+      set_property(TARGET ${apart} PROPERTY ${property} "$<TARGET_PROPERTY:${target},${property}>")
+    endforeach()
+    changeover_precompile(${apart} changeover_core)
+    changeover_together(${apart} 6)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:${apart}>)
+  endif()
+  if(cold_ONLY)
+    target_compile_options(${apart} PRIVATE $<$<CONFIG:Release>:-Og>)
+    return()
+  endif()
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-Og>)
+  if(cold_UNLESS)
+    target_compile_options(${apart} PRIVATE $<$<CONFIG:Release>:-O2>)
   endif()
 endfunction()
 

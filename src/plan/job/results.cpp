@@ -11,7 +11,7 @@
 namespace changeover {
 namespace {
 
-using Words = std::vector<std::string>;
+using ResultWords = std::vector<std::string>;
 
 bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -53,8 +53,8 @@ std::string folded(std::string_view text) {
 }
 
 // Split at all but letters; initials at the beginning are one word: "n.i.O." is "nio".
-Words words_of(std::string_view text) {
-  Words words;
+ResultWords result_words_of(std::string_view text) {
+  ResultWords words;
   bool within = false;
   for (const char c : text) {
     const bool part = is_letter(c) || (static_cast<unsigned char>(c) & 0x80U) != 0;
@@ -220,7 +220,7 @@ bool negates(const std::string& word) {
 }
 
 // "not ok", "not run", "nicht bestanden"; "no error" may be good news or the beginning of bad ones.
-TestResult of_negated(const Words& words) {
+TestResult of_negated(const ResultWords& words) {
   constexpr auto was_run = std::to_array<std::string_view>(
       {"run",      "tested",       "done",       "executed", "performed", "started",   "applicable",
        "getestet", "durchgefuhrt", "ausgefuhrt", "gelaufen", "teste",     "execute",   "realise",
@@ -237,7 +237,7 @@ TestResult of_negated(const Words& words) {
 }
 
 // Whether what follows a word of success takes it back.
-bool takes_back(const Words& words, std::string_view text) {
+bool takes_back(const ResultWords& words, std::string_view text) {
   constexpr auto hedges = std::to_array<std::string_view>(
       {"but", "until", "till", "then", "except", "aber", "bis", "dann", "ausser", "mais", "sauf",
        "puis", "pero", "hasta", "salvo", "poi", "maar", "hardly", "almost"});
@@ -248,7 +248,7 @@ bool takes_back(const Words& words, std::string_view text) {
 }
 
 // "error-free", "fail safe": no failures.
-bool is_of_no_failure(const Words& words) {
+bool is_of_no_failure(const ResultWords& words) {
   constexpr auto second =
       std::to_array<std::string_view>({"free", "frei", "safe", "over", "proof", "less"});
   return words.size() > 1 && is_one_of(words[1], second);
@@ -268,7 +268,7 @@ TestResult result_of(std::string_view result) {
   if (first == std::string::npos || is_digit(text[first])) {
     return TestResult::unread;  // a measurement, a number of a fault, "0 errors"
   }
-  Words words = words_of(text);
+  ResultWords words = result_words_of(text);
   if (words.size() > 1 && (words.front() == "did" || words.front() == "does")) {
     words.erase(words.begin());
   }

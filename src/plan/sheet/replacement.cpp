@@ -11,10 +11,10 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-using Table = std::vector<std::vector<std::uint64_t>>;
+using CostMatrix = std::vector<std::vector<std::uint64_t>>;
 
 // Rows that can go around so that it costs less: each takes the place of the next, the last that of the first.
-std::optional<std::vector<std::size_t>> circle(const Table& costs,
+std::optional<std::vector<std::size_t>> circle(const CostMatrix& costs,
                                                const std::vector<std::size_t>& place) {
   const std::size_t n = costs.size();
   std::vector<Wide> saved(n, 0);
@@ -50,7 +50,7 @@ std::optional<std::vector<std::size_t>> circle(const Table& costs,
 
 }  // namespace
 
-std::vector<std::size_t> best_by_trying(const Table& costs) {
+std::vector<std::size_t> best_by_trying(const CostMatrix& costs) {
   const std::size_t n = costs.size();
   const std::size_t all = (std::size_t{1} << n) - 1;
   // By set of places: the least that the first rows cost there, as many as there are places in it.
@@ -81,7 +81,7 @@ std::vector<std::size_t> best_by_trying(const Table& costs) {
   return place;
 }
 
-std::vector<std::size_t> best_by_circles(const Table& costs) {
+std::vector<std::size_t> best_by_circles(const CostMatrix& costs) {
   std::vector<std::size_t> place(costs.size());
   std::iota(place.begin(), place.end(), std::size_t{0});
   while (const auto around = circle(costs, place)) {
@@ -99,7 +99,7 @@ Replacement cheapest_replacement(const Job& job, const Block& out, const Block& 
   const std::size_t places = std::max(out.size(), in.size());
   // A row for each part that is put in, and for each place that stays empty; a place for each part that was taken out, and
   // for each that was empty.
-  Table costs(places, std::vector<std::uint64_t>(places, 0));
+  CostMatrix costs(places, std::vector<std::uint64_t>(places, 0));
   for (std::size_t i = 0; i < in.size(); ++i) {
     for (std::size_t p = 0; p < places; ++p) {
       const Amount cost = p < out.size() ? job.replace_costs.at(out[p] * job.names.size() + in[i])
