@@ -192,6 +192,10 @@ class Design(Made):
         text: str = self._core.to_string(format)
         return text
 
+    def to_json(self) -> str:
+        """The document changeover-design/1: the same bytes as `changeover design ... --json`."""
+        return self.to_string("json")
+
     def is_same_as(self, other: Design, reversal: bool = False) -> bool:
         """Whether they are the same up to names of elements and, if circular, rotation."""
         return bool(self._core.is_same_as(other._core, reversal))

@@ -73,6 +73,14 @@ class Server:
         except urllib.error.HTTPError as refusal:
             return json.loads(refusal.read())
 
+    def get(self, target):
+        request = urllib.request.Request(self.address + target, headers={"Authorization": f"Bearer {self.token}"})
+        try:
+            with urllib.request.urlopen(request) as answer:
+                return answer.read().decode()
+        except urllib.error.HTTPError as refusal:
+            return refusal.read().decode()
+
     def __enter__(self):
         return self
 
@@ -198,10 +206,54 @@ def check_loads(server, count):
         fault(f"only {answered} of {count} load orders were answered at every door")
 
 
+def check_designs(server, count):
+    """The same document at each door; read again, it is the same design; damaged, it is refused or judged anew."""
+    rng = random.Random(3)
+    keys = set()
+    cells = [(rng.randint(3, 40), rng.randint(2, 7), rng.randint(1, 3), rng.choice(["linear", "circular"]), rng.choice([2, 2, 2, 3]))
+             for _ in range(count)]
+    for v, k, change, kind, strength in [*cells, (9, 5, 1, "circular", 3), (16, 5, 1, "linear", 2), (83, 4, 2, "circular", 2)]:
+        by_line = run("design", str(v), str(k), "--change", str(change), f"--{kind}", "--strength", str(strength), "--format", "json")
+        cell = {"v": v, "k": k, "change": change, "kind": kind, "strength": strength}
+        if by_line.returncode != 0:
+            continue
+        answer = json.loads(by_line.stdout)
+        keys |= answer.keys()
+        problem = fits("changeover-design-1", answer)
+        if problem:
+            fault(f"a design is against its schema ({problem}): {cell}")
+        query = f"v={v}&k={k}&change={change}&kind={kind}&strength={strength}"
+        if server.get(f"api/download?{query}&format=json") != by_line.stdout:
+            fault(f"the server answers another design: {cell}")
+        shown = json.loads(server.get(f"api/design?{query}"))
+        if fits("changeover-design-1", shown) or shown.pop("label", "") == "" or shown != answer:
+            fault(f"the page's design is another document: {cell}")
+        by_python = changeover.design(v, k, change=change, kind=kind, strength=strength)
+        if by_python.to_json() != by_line.stdout:
+            fault(f"Python answers another design: {cell}")
+        if changeover.loads(by_python.to_json()) != by_python:
+            fault(f"Python reads another design than it wrote: {cell}")
+        again = run("verify", "-", "--json", stdin=by_line.stdout)
+        if again.returncode != 0 or json.loads(again.stdout)["verdict"] != answer["verdict"]:
+            fault(f"read again, it is judged otherwise: {cell} {again.stderr}")
+        answer["blocks"].pop()
+        damaged = run("verify", "-", "--json", stdin=json.dumps(answer))
+        if damaged.returncode == 0 and answer["verdict"]["minimum"] == "proved":
+            fault(f"one block fewer than the minimum is taken for a design: {cell}")
+    known = json.loads((root / "docs/schema/changeover-design-1.json").read_text())
+    missing = {*known["properties"]} - keys - {"label", "labels"}
+    if missing:
+        fault(f"no design was asked for that has {missing}")
+    problem = fits("changeover-design-1", json.loads(changeover.loads("a b c\na b d\nd b c\n").to_json()))
+    if problem:
+        fault(f"a design with names is against its schema: {problem}")
+
+
 os.environ["CHANGEOVER_CATALOG"] = ""
 with tempfile.TemporaryDirectory() as folder, Server() as one:
     os.chdir(folder)
     check_generated()
     check_plans(one, 150)
     check_loads(one, 150)
+    check_designs(one, 60)
 sys.exit(1 if faults else 0)
