@@ -3,7 +3,7 @@
 
 #include "bind.hpp"
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/core/error.hpp"
 #include "long_work.hpp"
 
@@ -48,7 +48,7 @@ py::tuple bounds(std::uint64_t v, std::uint64_t k, std::uint64_t change, const s
   return py::make_tuple(name(p), facts, all);
 }
 
-py::tuple cell_of(const PlannedCell& cell) {
+py::tuple cell_of(const KnownCell& cell) {
   py::dict facts = facts_of(cell.parameters);
   facts["b"] = cell.best ? py::cast(cell.best->b) : py::none();
   facts["construction"] = cell.best ? py::cast(cell.best->recipe.construction) : py::none();
@@ -60,13 +60,13 @@ py::tuple cell_of(const PlannedCell& cell) {
 
 py::list table(std::uint64_t k_from, std::uint64_t k_to, std::uint64_t v_from, std::uint64_t v_to,
                std::uint64_t change, const std::optional<std::string>& kind) {
-  if (k_from < 2 || k_to < k_from || v_from < 2 || v_to < v_from || v_to > largest_v_of_a_plan ||
+  if (k_from < 2 || k_to < k_from || v_from < 2 || v_to < v_from || v_to > largest_v_of_a_range ||
       change < 1) {
     throw BadInput("a table has 2 <= k, 2 <= v <= 1000 and a change of 1 or more");
   }
   const std::vector<Kind> kinds = kinds_of(kind);
-  const Plan plan = stoppable([&] {
-    return plan_range(
+  const BestKnownTable plan = stoppable([&] {
+    return best_known_table(
         Registry::standard(),
         {.v_from = v_from, .v_to = v_to, .k_from = k_from, .k_to = k_to, .change = change});
   });

@@ -7,8 +7,8 @@
 
 #include "bind.hpp"
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/expansion.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"

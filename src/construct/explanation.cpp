@@ -1,4 +1,4 @@
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 
 #include <utility>
 

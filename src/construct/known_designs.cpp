@@ -305,9 +305,9 @@ class KnownDesigns::Cell {
   Ptr best_;
 };
 
-KnownDesigns::KnownDesigns(const Registry& registry, Planned planned)
+KnownDesigns::KnownDesigns(const Registry& registry, Stored stored)
     : registry_(registry),
-      planned_(planned),
+      stored_(stored),
       users_(registry.catalog() != nullptr && registry.catalog()->largest_users_v()) {}
 
 KnownDesigns::Ptr KnownDesigns::known(Offer offer, bool news) {
@@ -316,7 +316,7 @@ KnownDesigns::Ptr KnownDesigns::known(Offer offer, bool news) {
 }
 
 std::optional<Offer> KnownDesigns::best(const Parameters& p) {
-  if (p.strength != 2 || p.k < 2 || p.v > largest_v_of_a_plan || impossibility(p) || p.v == p.k) {
+  if (p.strength != 2 || p.k < 2 || p.v > largest_v_of_a_range || impossibility(p) || p.v == p.k) {
     return registry_.best(p);
   }
   const Ptr best = at(p, levels(p), false);
@@ -339,7 +339,7 @@ const Bound& KnownDesigns::bound(const Parameters& p) {
 }
 
 bool KnownDesigns::possible(const Parameters& p) {
-  if (p.k < 2 || p.v <= p.k || p.change > p.k || p.v > largest_v_of_a_plan) {
+  if (p.k < 2 || p.v <= p.k || p.change > p.k || p.v > largest_v_of_a_range) {
     return false;
   }
   const auto found = possible_.find(p);
@@ -348,7 +348,7 @@ bool KnownDesigns::possible(const Parameters& p) {
 }
 
 bool KnownDesigns::comes_settled(const Parameters& p) const {
-  return planned_ == Planned::as_shipped && registry_.catalog() != nullptr && comes_planned(p);
+  return stored_ == Stored::as_shipped && registry_.catalog() != nullptr && is_stored_cell(p);
 }
 
 KnownDesigns::Ptr KnownDesigns::at(const Parameters& p, unsigned level, bool alone) {

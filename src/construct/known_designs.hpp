@@ -16,7 +16,7 @@
 // asked, before or at once, has no influence.
 //
 // Two kinds of cells have no levels. One whose best is its lower bound is done. One that the
-// catalog comes with was planned with all others, again and again, when the catalog was made: there
+// catalog comes with was looked at with all others, again and again, when the catalog was made: there
 // only designs of the user's can be news, and only they and what comes of them are followed.
 //
 // Results are kept, so a range is computed in one pass. Not thread-safe; each question has its own.
@@ -30,8 +30,8 @@
 #include <tuple>
 #include <vector>
 
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/parameters.hpp"
 
@@ -39,7 +39,7 @@ namespace changeover {
 
 class KnownDesigns {
  public:
-  explicit KnownDesigns(const Registry& registry, Planned planned = Planned::as_shipped);
+  explicit KnownDesigns(const Registry& registry, Stored stored = Stored::as_shipped);
 
   /// The best recipe that is known for p; nullopt if there is none. Listens to the scope of this
   /// thread.
@@ -82,7 +82,7 @@ class KnownDesigns {
   [[nodiscard]] Ptr smaller(const Ptr& from, std::size_t elements);
 
   const Registry& registry_;
-  Planned planned_;
+  Stored stored_;
   bool users_;  // The user has designs of their own.
   std::map<Key, Ptr> cells_;
   std::map<Parameters, Bound> bounds_;

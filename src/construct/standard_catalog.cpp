@@ -52,7 +52,7 @@ std::string standard_catalog_file() {
   return folder / "changeover" / "catalog.db";
 }
 
-bool comes_planned(const Parameters& p) {
+bool is_stored_cell(const Parameters& p) {
   return p.strength == 2 && p.change >= 1 && p.change <= 3 &&
          ((p.k >= 3 && p.k <= 12 && p.v <= 100) || (p.k >= 13 && p.k <= 40 && p.v <= 160));
 }

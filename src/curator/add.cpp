@@ -6,8 +6,8 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/catalog/entry.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"

@@ -21,7 +21,7 @@ constexpr double largest_ratio = 2;  // what is worse has the colour of this
 
 class Heatmap {
  public:
-  Heatmap(std::span<const PlannedCell> cells, HeatMeasure measure)
+  Heatmap(std::span<const KnownCell> cells, HeatMeasure measure)
       : cells_(cells), measure_(measure) {
     if (cells.empty()) {
       throw BadInput("a heat map of no cells");
@@ -30,7 +30,7 @@ class Heatmap {
     v_from_ = v_to_ = one.v;
     k_from_ = k_to_ = one.k;
     std::set<std::pair<std::uint64_t, std::uint64_t>> seen;
-    for (const PlannedCell& cell : cells) {
+    for (const KnownCell& cell : cells) {
       const Parameters& p = cell.parameters;
       if (p.kind != one.kind || p.change != one.change) {
         throw BadInput(fmt::format(
@@ -64,7 +64,7 @@ class Heatmap {
     content.height = top_ + cell_ * static_cast<double>(k_to_ - k_from_ + 1);
     Group squares;
     Group signs;
-    for (const PlannedCell& cell : cells_) {
+    for (const KnownCell& cell : cells_) {
       add(squares, signs, cell);
     }
     content.add({.shape = std::move(squares), .kind = "cells"});
@@ -84,7 +84,7 @@ class Heatmap {
   }
 
  private:
-  void note_largest(const PlannedCell& cell) {
+  void note_largest(const KnownCell& cell) {
     if (cell.impossible) {
       return;
     }
@@ -96,7 +96,7 @@ class Heatmap {
     }
   }
 
-  static double ratio(const PlannedCell& cell) {
+  static double ratio(const KnownCell& cell) {
     return static_cast<double>(cell.best->b) /
            static_cast<double>(std::max<std::uint64_t>(1, cell.bound.blocks));
   }
@@ -110,7 +110,7 @@ class Heatmap {
   double sign_font() const { return std::min(11.0, 0.5 * cell_); }
   bool has_signs() const { return cell_ >= 12; }
 
-  Paint paint_of(const PlannedCell& cell) const {
+  Paint paint_of(const KnownCell& cell) const {
     switch (measure_) {
       case HeatMeasure::ratio: {
         const double worst = std::min(ratio_, largest_ratio);
@@ -128,7 +128,7 @@ class Heatmap {
     return Paint::series(cell.status() == "minimum" ? 2 : 0);
   }
 
-  void add(Group& squares, Group& signs, const PlannedCell& cell) const {
+  void add(Group& squares, Group& signs, const KnownCell& cell) const {
     const Parameters& p = cell.parameters;
     const double gap = cell_ >= 10 ? 0.5 : 0.25;
     Mark mark{.kind = "cell",
@@ -163,7 +163,7 @@ class Heatmap {
     }
   }
 
-  static std::string title(const PlannedCell& cell) {
+  static std::string title(const KnownCell& cell) {
     const std::string who = name(cell.parameters);
     if (cell.impossible) {
       return fmt::format("{}: none exists, {}", who, *cell.impossible);
@@ -234,7 +234,7 @@ class Heatmap {
     return legend;
   }
 
-  std::span<const PlannedCell> cells_;
+  std::span<const KnownCell> cells_;
   HeatMeasure measure_;
   std::uint64_t v_from_ = 0, v_to_ = 0, k_from_ = 0, k_to_ = 0;
   std::uint64_t gap_ = 0;
@@ -259,7 +259,7 @@ std::optional<HeatMeasure> heat_measure_from_string(std::string_view name) {
   return std::nullopt;
 }
 
-Picture draw_heatmap(std::span<const PlannedCell> cells, HeatMeasure measure) {
+Picture draw_heatmap(std::span<const KnownCell> cells, HeatMeasure measure) {
   return Heatmap(cells, measure).draw();
 }
 

@@ -35,7 +35,7 @@ std::vector<Parameters> random_cells(std::size_t count, std::uint64_t largest_v)
 }
 
 // A range around a cell.
-PlanRange range_around(const Parameters& p, std::mt19937& random) {
+CellRange range_around(const Parameters& p, std::mt19937& random) {
   return {.v_from = p.v - random() % 2,
           .v_to = p.v + random() % 2,
           .k_from = std::max<std::uint64_t>(2, p.k - random() % 2),
@@ -57,7 +57,7 @@ void expect_one_answer(const std::vector<Parameters>& cells) {
       }
     };
     expect_same(all.best(p));
-    expect_same(plan_range(registry(), range_around(p, random)).at(p).best);
+    expect_same(best_known_table(registry(), range_around(p, random)).at(p).best);
     const auto offered = registry().best(p);
     EXPECT_TRUE(!offered || alone->b <= offered->b);
     EXPECT_TRUE(!alone || alone->b >= lower_bound(p).blocks);
@@ -93,13 +93,13 @@ TEST(KnownDesigns, AreLookedUpWhereTheCatalogComesWithThem) {
   for (const Parameters& p :
        {Parameters{99, 12, 3, Kind::linear}, Parameters{40, 6, 2, Kind::circular},
         Parameters{160, 40, 1, Kind::linear}}) {
-    ASSERT_TRUE(comes_planned(p));
+    ASSERT_TRUE(is_stored_cell(p));
     const auto offered = registry().best(p);
     const auto best = best_known(registry(), p);
     ASSERT_TRUE(offered && best);
     EXPECT_EQ(best->recipe, offered->recipe) << name(p);
     // And planned anew it is no better: otherwise docs/tools/plan_catalog.sh has news.
-    const auto anew = KnownDesigns(registry(), Planned::anew).best(p);
+    const auto anew = KnownDesigns(registry(), Stored::anew).best(p);
     ASSERT_TRUE(anew);
     EXPECT_EQ(anew->b, best->b) << name(p);
   }
@@ -115,7 +115,7 @@ TEST(KnownDesigns, FollowWhatTheUserFoundInCellsThatTheCatalogComesWith) {
       const Parameters p{.v = v, .k = k, .change = 2, .kind = Kind::circular};
       const auto entry = standard_catalog().best(p);
       const auto offered = without.best(p);
-      ASSERT_TRUE(entry && offered && comes_planned(p));
+      ASSERT_TRUE(entry && offered && is_stored_cell(p));
       if (entry->b >= offered->b || entry->recipe.construction == "found") {
         continue;
       }
@@ -131,7 +131,7 @@ TEST(KnownDesigns, FollowWhatTheUserFoundInCellsThatTheCatalogComesWith) {
       ++fixed.k;
       Parameters linear = p;
       linear.kind = Kind::linear;
-      const Plan plan = plan_range(
+      const BestKnownTable plan = best_known_table(
           with_none, {.v_from = v, .v_to = v + 1, .k_from = k, .k_to = k + 1, .change = 2});
       for (const Parameters& q : {p, fixed, linear}) {
         const auto best = best_known(with_none, q);

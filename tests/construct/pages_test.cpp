@@ -10,7 +10,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/catalog/catalog.hpp"
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "run_program.hpp"
@@ -192,7 +192,7 @@ TEST(Pages, BenchSaysHowGoodTheTablesAre) {
     if (!std::regex_match(line, match, row)) {
       continue;
     }
-    PlanRange range{.k_from = std::stoull(match[1]),
+    CellRange range{.k_from = std::stoull(match[1]),
                     .k_to = std::stoull(match[2]),
                     .change = std::stoull(match[3])};
     range.v_from = range.k_from == 3 ? 5 : 20;
@@ -201,8 +201,8 @@ TEST(Pages, BenchSaysHowGoodTheTablesAre) {
     std::uint64_t minimum = 0;
     double sum = 0;
     double worst = 0;
-    const Plan plan = plan_range(Registry::standard(), range);
-    for (const PlannedCell& cell : plan.cells()) {
+    const BestKnownTable plan = best_known_table(Registry::standard(), range);
+    for (const KnownCell& cell : plan.cells()) {
       if (to_string(cell.parameters.kind) == match[4].str() && cell.best) {
         const double ratio =
             static_cast<double>(cell.best->b) / static_cast<double>(cell.bound.blocks);

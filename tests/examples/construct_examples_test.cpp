@@ -60,8 +60,9 @@ TEST(ConstructExamples, OneFactorization) {
 
 TEST(ConstructExamples, Planner) {
   const Registry& registry = Registry::standard();
-  Plan plan = plan_range(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
-  const PlannedCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
+  BestKnownTable plan =
+      best_known_table(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
+  const KnownCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
   EXPECT_GE(cell.best->b, cell.bound.blocks);
   EXPECT_EQ(cell.status(), cell.best->b == cell.bound.blocks ? "minimum" : "best-known");
 }

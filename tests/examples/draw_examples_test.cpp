@@ -25,10 +25,10 @@ TEST(DrawExamples, Figures) {
 }
 
 TEST(DrawExamples, Heatmap) {
-  const Plan plan =
-      plan_range(Registry::standard(), {.v_from = 5, .v_to = 12, .k_from = 3, .k_to = 5});
-  std::vector<PlannedCell> cells;
-  for (const PlannedCell& cell : plan.cells()) {
+  const BestKnownTable plan =
+      best_known_table(Registry::standard(), {.v_from = 5, .v_to = 12, .k_from = 3, .k_to = 5});
+  std::vector<KnownCell> cells;
+  for (const KnownCell& cell : plan.cells()) {
     if (cell.parameters.kind == Kind::linear) {
       cells.push_back(cell);
     }

@@ -10,8 +10,8 @@
 #include "answer/answer.hpp"
 #include "answer/converter.hpp"
 #include "answer/design/judgement.hpp"
+#include "answer/known/known_table.hpp"
 #include "answer/known/offers.hpp"
-#include "answer/known/planned_table.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/construct/expansion.hpp"
 #include "changeover/construct/one_factorization.hpp"
@@ -260,9 +260,9 @@ Answer draw_table(const DrawRequest& request) {
         "a heat map of {} cells has too many, {} is the most; give fewer with --k and --v",
         rows * columns, most_cells_of_a_heatmap)};
   }
-  const PlannedTable table = plan_table(range);
-  std::vector<PlannedCell> cells;
-  for (const PlannedCell* cell : table.cells(request.asked.kind.value_or(Kind::linear))) {
+  const KnownTable table = known_table(range);
+  std::vector<KnownCell> cells;
+  for (const KnownCell* cell : table.cells(request.asked.kind.value_or(Kind::linear))) {
     cells.push_back(*cell);
   }
   return answer_of(draw_heatmap(cells, heat_measure_from_string(request.measure).value()), request);

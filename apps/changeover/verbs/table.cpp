@@ -5,7 +5,7 @@
 
 #include "answer/answer.hpp"
 #include "answer/catalog/today.hpp"
-#include "answer/known/planned_table.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/version.hpp"
@@ -27,20 +27,20 @@ struct TableRequest {
   OutputRequest output;
 };
 
-std::string number(const PlannedCell& cell) {
+std::string number(const KnownCell& cell) {
   if (cell.impossible) {
     return "-";
   }
   return cell.best ? fmt::format("{}{}", cell.best->b, cell.status() == "minimum" ? "=" : "") : "?";
 }
 
-std::string construction(const PlannedCell& cell) {
+std::string construction(const KnownCell& cell) {
   return cell.best ? cell.best->recipe.construction : "";
 }
 
 Table cell_table(const Cells& cells) {
   std::vector<std::vector<std::string>> rows;
-  for (const PlannedCell* cell : cells) {
+  for (const KnownCell* cell : cells) {
     const Parameters& p = cell->parameters;
     rows.push_back({std::to_string(p.v), std::to_string(p.k), std::to_string(p.change),
                     std::string(to_string(p.kind)), cell->best ? std::to_string(cell->best->b) : "",
@@ -66,7 +66,7 @@ std::string as_catalog(const Cells& cells, const TableRequest& request) {
                       .command = fmt::format("changeover table --k {} --v {} --change {}",
                                              request.k, request.v, request.change.value_or(2))};
   std::string text = header_line(credit) + "\n";
-  for (const PlannedCell* cell : cells) {
+  for (const KnownCell* cell : cells) {
     if (!cell->best) {
       continue;
     }
@@ -119,7 +119,7 @@ std::string summary(const Cells& cells) {
   std::size_t possible = 0;
   std::size_t minimum = 0;
   double ratios = 0;
-  for (const PlannedCell* cell : cells) {
+  for (const KnownCell* cell : cells) {
     if (cell->best) {
       ++possible;
       minimum += cell->status() == "minimum" ? 1U : 0U;
@@ -135,7 +135,7 @@ std::string summary(const Cells& cells) {
 Answer run(const TableRequest& request) {
   constexpr std::size_t most_wide = std::numeric_limits<std::size_t>::max();  // a grid is one
   const TableRange range = table_range(request.k, request.v, request.change);
-  const PlannedTable table = plan_table(range, request.anew ? Planned::anew : Planned::as_shipped);
+  const KnownTable table = known_table(range, request.anew ? Stored::anew : Stored::as_shipped);
   const std::string format = request.output.format();
   Cells all;
   std::string text;

@@ -28,8 +28,8 @@
 #include <utility>
 #include <vector>
 
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/one_factorization.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/block.hpp"
 #include "changeover/core/design.hpp"
@@ -168,9 +168,9 @@ struct CircleFigure {
 
 // A table of designs as a picture: a square for each v and k.
 //
-//     const Plan plan = plan_range(Registry::standard(), {.v_from = 5, .v_to = 12, .k_from = 3, .k_to = 5});
-//     std::vector<PlannedCell> cells;
-//     for (const PlannedCell& cell : plan.cells()) {
+//     const Plan plan = best_known_table(Registry::standard(), {.v_from = 5, .v_to = 12, .k_from = 3, .k_to = 5});
+//     std::vector<KnownCell> cells;
+//     for (const KnownCell& cell : plan.cells()) {
 //       if (cell.parameters.kind == Kind::linear) {
 //         cells.push_back(cell);
 //       }
@@ -193,6 +193,6 @@ inline constexpr std::size_t most_cells_of_a_heatmap = 20'000;
 /// The cells of one kind and one change number, in any order; those that are missing stay empty.
 /// @throws BadInput if there is none, if two have the same v and k, if kinds or change numbers differ, or if they span more than
 /// most_cells_of_a_heatmap.
-[[nodiscard]] Picture draw_heatmap(std::span<const PlannedCell> cells, HeatMeasure measure);
+[[nodiscard]] Picture draw_heatmap(std::span<const KnownCell> cells, HeatMeasure measure);
 
 }  // namespace changeover

@@ -24,7 +24,7 @@
 //
 // *Where orders come from.* The best of
 //   registry   every construction for m = 1, 2, 3, circular ones read as linear (P ≤ 2,000 or P < 16C)
-//   planner    closure rules over the parameters around (P ≤ 120)
+//   rules      closure rules over the parameters around (P ≤ 120)
 //   streamed   for any P and C, made as it goes: r rounds hold C−1 items while the others pass, then the
 //              tight circular design on 2c(C−1)+1 items [ChafeeStevens2023] with w ≤ C−1 further items
 //              that pass beside 2c of its unchanged subsets
@@ -91,7 +91,7 @@ struct LoadOrderOptions {
   /// 65,535.
   std::uint64_t read_up_to = 65'535;
   bool constructions = true;  ///< whether the registry is asked
-  bool planner = true;        ///< and then the planner
+  bool closure_rules = true;  ///< and then the closure rules
   /// Of an order for listed pairs: given a search that goes on until the control of its thread
   /// (run/control.hpp) wants to stop, calls it. Without it the search does a fixed amount of work, a
   /// few seconds at most.

@@ -203,7 +203,7 @@ struct MinimaRange {
 /// calls on_row after each new row. Rows stay in the order of strength, m, kind, k and v. With a control that has
 /// stopped only rows are filled in that need no search. Ends early, without an exception, where the scope of
 /// the caller stops (run/control.hpp).
-/// @throws as find_minimum() and plan_range(), and a MissingResource that ended a search; the rows until then stay.
+/// @throws as find_minimum() and best_known_table(), and a MissingResource that ended a search; the rows until then stay.
 void fill_minima(const MinimaRange& range, std::vector<MinimaRow>& rows,
                  const MinimumOptions& options, RunControl& control,
                  const std::function<void(const MinimaRow&)>& on_row);

@@ -7,7 +7,7 @@
 //     found.why_stopped;                    // a limit, here that of the moves
 //
 // Contract. The result is verified, and has no more blocks than the best recipe that is known (by
-// construct/planner.hpp), whatever happens: if there is no memory for the search, or v is too
+// construct/best_known.hpp), whatever happens: if there is no memory for the search, or v is too
 // large for it, that design is handed out and `unsearched` says why. Only if `control` says stop a second
 // before even that is built there is none. What is sought is a design with
 // `target` blocks, or with as many as the lower bound says. With one thread and a limit of moves

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
@@ -22,7 +22,7 @@ namespace {
 // Beyond both, streamed orders are within a few in 10⁴ of the bound and offers would cost seconds.
 constexpr std::uint64_t most_for_registry = 2'000;
 constexpr std::uint64_t most_for_registry_by_room = 16;
-constexpr std::uint64_t most_for_planner = 120;
+constexpr std::uint64_t most_for_closure_rules = 120;
 constexpr std::uint64_t largest_planned_change = 3;
 constexpr std::uint64_t largest_change = 64;
 
@@ -66,8 +66,8 @@ void consider(Candidate& best, std::optional<Offer> offer) {
 
 // What the constructions give for change numbers up to 64 and both kinds.
 void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t room,
-                            bool planner) {
-  const bool plans = items <= most_for_planner && planner;
+                            bool closure_rules) {
+  const bool plans = items <= most_for_closure_rules && closure_rules;
   for (std::uint64_t m = 1; m <= std::min(largest_change, room - 1); ++m) {
     for (const Kind kind : {Kind::linear, Kind::circular}) {
       const Parameters p{.v = items, .k = room, .change = m, .kind = kind};
@@ -202,7 +202,7 @@ LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
   // What cannot be read is taken from the structure that certifies itself.
   if (items > room && facts.every_step_read && options.constructions &&
       (items <= most_for_registry || items / room < most_for_registry_by_room)) {
-    consider_constructions(best, items, room, options.planner);
+    consider_constructions(best, items, room, options.closure_rules);
   }
   std::shared_ptr<const Design> improved;
   if (options.improve && items > room && items <= options.improve_up_to &&

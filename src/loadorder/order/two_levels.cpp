@@ -32,7 +32,7 @@ class InnerOrders {
       return found->second;
     }
     LoadOrderOptions quick;
-    quick.planner = false;
+    quick.closure_rules = false;
     LoadOrder order =
         others == 0  ? plan_load_order(fresh, room_, quick)
         : each_other ? plan_load_order(WantedPairs::beyond(others, others + fresh), room_, quick)
@@ -244,7 +244,7 @@ class Steps final : public StepSource {
 LoadOrder::Maker with_groups(const Shape& shape) {
   const std::uint64_t group_room = shape.room / shape.group_items;
   LoadOrderOptions quick;
-  quick.planner = false;
+  quick.closure_rules = false;
   const auto groups =
       std::make_shared<const LoadOrder>(plan_load_order(shape.groups(), group_room, quick));
   const auto inner = std::make_shared<InnerOrders>(shape.fast_room);

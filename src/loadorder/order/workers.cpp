@@ -457,7 +457,7 @@ WorkerSplit split_load_order(std::uint64_t items, std::uint64_t room, std::uint6
     std::optional<LoadOrder> grouped;
     LoadOrderOptions quick = options;
     quick.improve = nullptr;
-    quick.planner = false;
+    quick.closure_rules = false;
     for (std::uint64_t groups = 2; groups <= std::min(most_groups, items); ++groups) {
       const std::uint64_t size = ceil_div(items, groups);
       for (std::uint64_t r = 2; r <= std::min(room / size, groups - 1); ++r) {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/verify/verdict.hpp"
 

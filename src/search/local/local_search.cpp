@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
 #include "construct/tools/path.hpp"

@@ -42,12 +42,12 @@ TEST(RecipePictureTest, InputsStandSideBySide) {
             nodes_of(leaf->recipe));
 }
 
-std::vector<PlannedCell> some_cells(std::uint64_t v_from, std::uint64_t v_to, std::uint64_t k_from,
-                                    std::uint64_t k_to) {
-  std::vector<PlannedCell> cells;
+std::vector<KnownCell> some_cells(std::uint64_t v_from, std::uint64_t v_to, std::uint64_t k_from,
+                                  std::uint64_t k_to) {
+  std::vector<KnownCell> cells;
   for (std::uint64_t v = v_from; v <= v_to; ++v) {
     for (std::uint64_t k = k_from; k <= k_to; ++k) {
-      PlannedCell& cell = cells.emplace_back();
+      KnownCell& cell = cells.emplace_back();
       cell.parameters = {.v = v, .k = k};
       cell.bound.blocks = v + k;
       if ((v + k) % 7 == 0) {
@@ -89,11 +89,11 @@ TEST(HeatmapTest, EveryCellIsASquareThatSaysWhatIsKnown) {
 }
 
 TEST(HeatmapTest, SignsSayWhatColoursSay) {
-  const std::vector<PlannedCell> cells = some_cells(5, 20, 3, 9);
+  const std::vector<KnownCell> cells = some_cells(5, 20, 3, 9);
   std::size_t minimum = 0;
   std::size_t impossible = 0;
   std::size_t open = 0;
-  for (const PlannedCell& cell : cells) {
+  for (const KnownCell& cell : cells) {
     minimum += cell.status() == "minimum" ? 1U : 0U;
     impossible += cell.impossible ? 1U : 0U;
     open += !cell.impossible && !cell.best ? 1U : 0U;
@@ -111,7 +111,7 @@ TEST(HeatmapTest, SignsSayWhatColoursSay) {
 }
 
 TEST(HeatmapTest, WhatIsNoTableIsRefused) {
-  std::vector<PlannedCell> cells;
+  std::vector<KnownCell> cells;
   EXPECT_NE(message_of([&] { (void)draw_heatmap(cells, HeatMeasure::gap); }), "");
   cells = some_cells(5, 6, 3, 4);
   cells.push_back(cells.front());

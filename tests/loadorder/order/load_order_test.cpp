@@ -15,11 +15,11 @@ namespace changeover::test::load_order_test {
 namespace {
 
 TEST(LoadOrder, BringsEveryPairTogetherForAllSmallItemsAndRoom) {
-  LoadOrderOptions no_planner;
-  no_planner.read_up_to = 0;  // nobody but the simulation looks
+  LoadOrderOptions without_rules;
+  without_rules.read_up_to = 0;  // nobody but the simulation looks
   for (std::uint64_t room = 2; room <= 12; ++room) {
     for (std::uint64_t items = 1; items <= 40; ++items) {
-      LoadOrder order = plan_load_order(items, room, no_planner);
+      LoadOrder order = plan_load_order(items, room, without_rules);
       const Simulation simulation = simulate(order, items, room);
       EXPECT_EQ(simulation.fault, "") << items << " " << room;
       EXPECT_EQ(simulation.missing(), 0U) << items << " " << room;

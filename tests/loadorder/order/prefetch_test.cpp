@@ -24,7 +24,7 @@ TEST(Prefetch, ComputesEachPairOnceWithWhatIsThereForAllSmallItemsAndRoom) {
   for (std::uint64_t room = 2; room <= 12; ++room) {
     for (std::uint64_t items = 1; items <= 40; items += 3) {
       LoadOrderOptions options;
-      options.planner = false;
+      options.closure_rules = false;
       const LoadOrder order = plan_load_order(items, room, options);
       for (const std::uint64_t spare : {0U, 1U, 2U}) {
         const ScheduleVerdict verdict =

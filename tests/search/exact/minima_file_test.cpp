@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/search/exact.hpp"
 #include "run_program.hpp"

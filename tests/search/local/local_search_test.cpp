@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"

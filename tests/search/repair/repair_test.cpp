@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "naive_verdict.hpp"

@@ -6,7 +6,7 @@
 
 #include "answer/answer.hpp"
 #include "answer/design/judgement.hpp"
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
 

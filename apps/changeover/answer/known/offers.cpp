@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"

@@ -10,7 +10,7 @@
 
 namespace changeover::cli {
 
-/// The best that is known of some parameters, by construct/planner.hpp with the standard registry.
+/// The best that is known of some parameters, by construct/best_known.hpp with the standard registry.
 [[nodiscard]] std::optional<Offer> best_known(const Parameters& p);
 
 /// The best offer over some kinds, circular before linear among equals; `construction` is the only one that is

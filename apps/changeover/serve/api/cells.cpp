@@ -6,7 +6,7 @@
 #include "answer/catalog/entry_words.hpp"
 #include "answer/design/recipe_tree.hpp"
 #include "answer/known/known_bounds.hpp"
-#include "answer/known/planned_table.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/io/formats.hpp"
 #include "io/write/json_writer.hpp"
@@ -22,10 +22,10 @@ namespace {
 constexpr std::uint64_t usual_change = 2;
 
 Response table(Explorer& explorer, const Request& request) {
-  const auto planned = explorer.tables.of(table_range_of(request), explorer.generation());
+  const auto table = explorer.tables.of(table_range_of(request), explorer.generation());
   cli::Cells cells;
   for (const Kind kind : cli::kinds_of(kind_of(request))) {
-    const cli::Cells more = planned->cells(kind);
+    const cli::Cells more = table->cells(kind);
     cells.insert(cells.end(), more.begin(), more.end());
   }
   return json_response(cli::table_json(cells, true) + "\n");

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "answer/known/planned_table.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/catalog/catalog.hpp"
 #include "serve/http/message.hpp"
 

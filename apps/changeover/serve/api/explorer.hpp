@@ -16,7 +16,7 @@
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/run/control.hpp"
-#include "serve/api/planned_tables.hpp"
+#include "serve/api/known_tables.hpp"
 #include "serve/http/events.hpp"
 #include "serve/http/message.hpp"
 

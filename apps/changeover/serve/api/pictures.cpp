@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "answer/known/planned_table.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/draw/draw.hpp"
 #include "changeover/io/input.hpp"
@@ -98,9 +98,9 @@ Response heatmap(Explorer& explorer, const Request& request) {
   }
   const HeatMeasure measure =
       heat_measure_from_string(word_of(request, "measure", {"ratio", "status", "gap"})).value();
-  const auto planned = explorer.tables.of(table_range_of(request), explorer.generation());
-  std::vector<PlannedCell> cells;
-  for (const PlannedCell* const cell : planned->cells(*kind)) {
+  const auto table = explorer.tables.of(table_range_of(request), explorer.generation());
+  std::vector<KnownCell> cells;
+  for (const KnownCell* const cell : table->cells(*kind)) {
     cells.push_back(*cell);
   }
   return picture_response(draw_heatmap(cells, measure), theme_of(request));

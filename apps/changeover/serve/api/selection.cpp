@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "answer/known/known_table.hpp"
 #include "answer/known/offers.hpp"
-#include "answer/known/planned_table.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/error.hpp"
@@ -170,7 +170,7 @@ bool is_quick(const Request& request) {
   }
   try {
     return std::ranges::all_of(
-        cells_of(request), [](const Parameters& p) { return comes_planned(p) || p.v <= quick_v; });
+        cells_of(request), [](const Parameters& p) { return is_stored_cell(p) || p.v <= quick_v; });
   } catch (const ImpossibleParameters&) {
     return true;  // It is soon said.
   }

@@ -14,7 +14,7 @@
 #include "answer/catalog/entry_words.hpp"
 #include "answer/design/chosen_design.hpp"
 #include "answer/design/recipe_tree.hpp"
-#include "answer/known/planned_table.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
@@ -63,8 +63,7 @@ class Site {
 
   void write_change(std::uint64_t change) {
     report_progress({.phase = fmt::format("planning change number {}", change), .unit = "files"});
-    const cli::PlannedTable table =
-        cli::plan_table({.k = range_.k, .v = range_.v, .change = change});
+    const cli::KnownTable table = cli::known_table({.k = range_.k, .v = range_.v, .change = change});
     for (const Kind kind : {Kind::circular, Kind::linear}) {
       const cli::Cells cells = table.cells(kind);
       const std::string name = fmt::format("{}.{}", change, to_string(kind));
@@ -79,8 +78,8 @@ class Site {
 
  private:
   void write_heatmaps(const std::string& name, const cli::Cells& cells) {
-    std::vector<PlannedCell> owned;
-    for (const PlannedCell* const cell : cells) {
+    std::vector<KnownCell> owned;
+    for (const KnownCell* const cell : cells) {
       owned.push_back(*cell);
     }
     for (const HeatMeasure measure : {HeatMeasure::ratio, HeatMeasure::status, HeatMeasure::gap}) {
@@ -95,7 +94,7 @@ class Site {
 
   // A file for each k: an object by v. What is no list of blocks at all, with k > v, is in the table only.
   void write_cells(const std::string& name, cli::Cells cells) {
-    std::erase_if(cells, [](const PlannedCell* cell) {
+    std::erase_if(cells, [](const KnownCell* cell) {
       const Parameters& p = cell->parameters;
       return p.k > p.v || p.change > p.k;
     });
@@ -116,7 +115,7 @@ class Site {
     }
   }
 
-  std::string document_of(const PlannedCell& cell) {
+  std::string document_of(const KnownCell& cell) {
     const Parameters& p = cell.parameters;
     std::string document = cell_json(catalog_, p);
     document.pop_back();

@@ -179,7 +179,7 @@ class Drop final : public Construction {
   std::string_view guarantee() const override { return "fewer blocks"; }
   Citation citation() const override { return {}; }
 
-  // Which blocks can go is known only when they are there; see construct/planner.hpp.
+  // Which blocks can go is known only when they are there; see construct/best_known.hpp.
   std::optional<Offer> offer(const Parameters&, const Registry&) const override {
     return std::nullopt;
   }

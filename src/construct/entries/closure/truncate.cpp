@@ -159,7 +159,7 @@ class Truncate final : public Construction {
   std::string_view guarantee() const override { return "as many blocks as the larger design"; }
   Citation citation() const override { return {}; }
 
-  // A planner finds out which element can go; see construct/planner.hpp.
+  // A planner finds out which element can go; see construct/best_known.hpp.
   std::optional<Offer> offer(const Parameters&, const Registry&) const override {
     return std::nullopt;
   }

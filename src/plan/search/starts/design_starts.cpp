@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "changeover/bounds/lower_bound.hpp"
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/search/local_search.hpp"

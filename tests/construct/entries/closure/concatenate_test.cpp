@@ -4,8 +4,8 @@
 #include <set>
 
 #include "bounds/counting_bound.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
-#include "changeover/construct/planner.hpp"
 #include "construct/tools/pieces.hpp"
 #include "construct/tools/short_blocks.hpp"
 #include "construction_checks.hpp"

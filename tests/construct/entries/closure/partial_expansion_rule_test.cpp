@@ -1,9 +1,9 @@
 // Partial expansion of any design at hand: the cover by unchanged subsets that a recipe names by positions.
 #include <gtest/gtest.h>
 
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/expansion.hpp"
-#include "changeover/construct/planner.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/core/design.hpp"
 #include "construction_checks.hpp"
@@ -143,10 +143,10 @@ TEST(PartialExpansionRule, ServesBestKnown) {
 
 TEST(PartialExpansionRule, APlanOfOneCellKnowsWhatAPlanOfAllKnows) {
   for (std::uint64_t m = 1; m <= 3; ++m) {
-    const Plan plan =
-        plan_range(standard(), {.v_from = 3, .v_to = 40, .k_from = 3, .k_to = 8, .change = m});
+    const BestKnownTable plan = best_known_table(
+        standard(), {.v_from = 3, .v_to = 40, .k_from = 3, .k_to = 8, .change = m});
     std::size_t asked = 0;
-    for (const PlannedCell& cell : plan.cells()) {
+    for (const KnownCell& cell : plan.cells()) {
       const Parameters& p = cell.parameters;
       if (cell.best && p.v <= 32 && p.k <= 7 && (p.v * 7 + p.k * 3 + m) % 5 == 0) {
         const auto best = best_known(standard(), p);

@@ -1,6 +1,6 @@
 // The best known design for every v and k of a range, as `table` shows it.
 //
-//     const PlannedTable table = plan_table({.k = {3, 8}, .v = {3, 40}, .change = 2});
+//     const KnownTable table = known_table({.k = {3, 8}, .v = {3, 40}, .change = 2});
 //     table_json(table.cells(Kind::linear));
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "request/range.hpp"
 
 namespace changeover::cli {
@@ -20,15 +20,16 @@ struct TableRange {
   std::uint64_t change = 2;
 };
 
-/// As --k, --v and --change say it, where it can be planned. @throws UsageError.
+/// As --k, --v and --change say it, where it is not too large. @throws UsageError.
 [[nodiscard]] TableRange table_range(const std::string& k, const std::string& v,
                                      std::optional<std::uint64_t> change);
 
-using Cells = std::vector<const PlannedCell*>;
+using Cells = std::vector<const KnownCell*>;
 
-class PlannedTable {
+class KnownTable {
  public:
-  PlannedTable(const TableRange& asked, Plan plan) : asked_(asked), plan_(std::move(plan)) {}
+  KnownTable(const TableRange& asked, BestKnownTable table)
+      : asked_(asked), table_(std::move(table)) {}
 
   [[nodiscard]] const TableRange& range() const { return asked_; }
 
@@ -37,15 +38,14 @@ class PlannedTable {
 
  private:
   TableRange asked_;
-  Plan plan_;
+  BestKnownTable table_;
 };
 
-/// @throws UsageError if the range cannot be planned. Takes no time.
+/// @throws UsageError if the range is too large. Takes no time.
 void check_table(const TableRange& asked);
 
-/// @throws as check_table() and plan_range().
-[[nodiscard]] PlannedTable plan_table(const TableRange& asked,
-                                      Planned planned = Planned::as_shipped);
+/// @throws as check_table() and best_known_table().
+[[nodiscard]] KnownTable known_table(const TableRange& asked, Stored stored = Stored::as_shipped);
 
 /// The document of `table --json`; `with_labels`: each cell has "label" too, of its design in the catalog, or null.
 [[nodiscard]] std::string table_json(const Cells& cells, bool with_labels = false);

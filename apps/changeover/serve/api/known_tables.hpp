@@ -1,4 +1,4 @@
-// Tables that were planned: a page asks for a table and for pictures of it at once, and planning is what takes the time.
+// Tables that were asked for: a page asks for a table and for pictures of it at once, and to look for the best of each cell takes time.
 //
 //     const auto table = explorer.tables.of(range, explorer.generation());
 //     table->cells(Kind::linear);
@@ -11,24 +11,24 @@
 #include <string>
 
 namespace changeover::cli {
-class PlannedTable;
+class KnownTable;
 struct TableRange;
 }  // namespace changeover::cli
 
 namespace changeover::serve {
 
-/// The last few tables. Thread-safe: who asks for a table that somebody else is planning waits for it.
+/// The last few tables. Thread-safe: who asks for a table that another request is making waits for it.
 class PlannedTables {
  public:
-  /// The table of a range, while the catalog is of this generation. @throws as plan_table(); Stopped if the control of
+  /// The table of a range, while the catalog is of this generation. @throws as known_table(); Stopped if the control of
   /// this thread's scope wants to stop.
-  [[nodiscard]] std::shared_ptr<const cli::PlannedTable> of(const cli::TableRange& range,
-                                                            const std::string& generation);
+  [[nodiscard]] std::shared_ptr<const cli::KnownTable> of(const cli::TableRange& range,
+                                                          const std::string& generation);
 
  private:
   struct Entry {
     std::string key;
-    std::shared_ptr<const cli::PlannedTable> table;  // nothing while it is being planned
+    std::shared_ptr<const cli::KnownTable> table;  // nothing while it is being made
   };
   using Place = std::list<Entry>::iterator;
 

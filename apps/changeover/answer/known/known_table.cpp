@@ -1,4 +1,4 @@
-#include "answer/known/planned_table.hpp"
+#include "answer/known/known_table.hpp"
 
 #include <fmt/format.h>
 
@@ -13,21 +13,21 @@ namespace {
 
 std::string text_of(const Range& range) { return fmt::format("{}..{}", range.from, range.to); }
 
-// The range that was asked for in these words. @throws UsageError if it cannot be planned.
-PlanRange plan_range_of(const TableRange& asked, const std::string& k, const std::string& v) {
+// The range that was asked for in these words. @throws UsageError if it is too large.
+CellRange cell_range_of(const TableRange& asked, const std::string& k, const std::string& v) {
   if (asked.k.from < 2) {
     throw UsageError{fmt::format("--k {}: blocks have at least 2 elements", k)};
   }
-  if (asked.v.from < 2 || asked.v.to > largest_v_of_a_plan) {
+  if (asked.v.from < 2 || asked.v.to > largest_v_of_a_range) {
     throw UsageError{
-        fmt::format("--v {}: a table goes from v = 2 to v = {}", v, largest_v_of_a_plan)};
+        fmt::format("--v {}: a table goes from v = 2 to v = {}", v, largest_v_of_a_range)};
   }
   if (asked.change < 1) {
     throw UsageError{"--change 0: consecutive blocks differ in at least 1 element"};
   }
-  if (asked.k.to - asked.k.from >= most_cells_of_a_plan / 2 / (asked.v.to - asked.v.from + 1)) {
-    throw UsageError{
-        fmt::format("--k {} --v {}: the range has more than {} cells", k, v, most_cells_of_a_plan)};
+  if (asked.k.to - asked.k.from >= most_cells_of_a_range / 2 / (asked.v.to - asked.v.from + 1)) {
+    throw UsageError{fmt::format("--k {} --v {}: the range has more than {} cells", k, v,
+                                 most_cells_of_a_range)};
   }
   return {.v_from = asked.v.from,
           .v_to = asked.v.to,
@@ -38,11 +38,11 @@ PlanRange plan_range_of(const TableRange& asked, const std::string& k, const std
 
 }  // namespace
 
-Cells PlannedTable::cells(Kind kind) const {
+Cells KnownTable::cells(Kind kind) const {
   Cells cells;
   for (std::uint64_t k = asked_.k.from; k <= asked_.k.to; ++k) {
     for (std::uint64_t v = asked_.v.from; v <= asked_.v.to; ++v) {
-      cells.push_back(&plan_.at({.v = v, .k = k, .change = asked_.change, .kind = kind}));
+      cells.push_back(&table_.at({.v = v, .k = k, .change = asked_.change, .kind = kind}));
     }
   }
   return cells;
@@ -52,23 +52,24 @@ TableRange table_range(const std::string& k, const std::string& v,
                        std::optional<std::uint64_t> change) {
   TableRange range{.k = range_of("--k", k, 2), .v = {}, .change = change.value_or(2)};
   range.v = range_of("--v", v, range.k.from);
-  static_cast<void>(plan_range_of(range, k, v));
+  static_cast<void>(cell_range_of(range, k, v));
   return range;
 }
 
 void check_table(const TableRange& asked) {
-  static_cast<void>(plan_range_of(asked, text_of(asked.k), text_of(asked.v)));
+  static_cast<void>(cell_range_of(asked, text_of(asked.k), text_of(asked.v)));
 }
 
-PlannedTable plan_table(const TableRange& asked, Planned planned) {
-  return {asked, plan_range(Registry::standard(),
-                            plan_range_of(asked, text_of(asked.k), text_of(asked.v)), planned)};
+KnownTable known_table(const TableRange& asked, Stored stored) {
+  return {asked,
+          best_known_table(Registry::standard(),
+                           cell_range_of(asked, text_of(asked.k), text_of(asked.v)), stored)};
 }
 
 std::string table_json(const Cells& cells, bool with_labels) {
   JsonWriter json;
   json.begin_array();
-  for (const PlannedCell* cell : cells) {
+  for (const KnownCell* cell : cells) {
     const Parameters& p = cell->parameters;
     json.begin_object().key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
     json.key("kind").value(to_string(p.kind)).key("b");

@@ -1,11 +1,11 @@
-#include "serve/api/planned_tables.hpp"
+#include "serve/api/known_tables.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 
-#include "answer/known/planned_table.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/run/control.hpp"
 
 namespace changeover::serve {
@@ -14,8 +14,8 @@ PlannedTables::Place PlannedTables::find(const std::string& key) {
   return std::ranges::find(entries_, key, &Entry::key);
 }
 
-std::shared_ptr<const cli::PlannedTable> PlannedTables::of(const cli::TableRange& range,
-                                                           const std::string& generation) {
+std::shared_ptr<const cli::KnownTable> PlannedTables::of(const cli::TableRange& range,
+                                                         const std::string& generation) {
   constexpr std::size_t most_tables = 4;
   constexpr auto between_looks = std::chrono::milliseconds(50);
   const std::string key = fmt::format("{} {} {} {} {} {}", range.k.from, range.k.to, range.v.from,
@@ -36,11 +36,11 @@ std::shared_ptr<const cli::PlannedTable> PlannedTables::of(const cli::TableRange
     }
     entries_.push_front({key, nullptr});
   }
-  std::shared_ptr<const cli::PlannedTable> table;
+  std::shared_ptr<const cli::KnownTable> table;
   try {
-    table = std::make_shared<const cli::PlannedTable>(cli::plan_table(range));
+    table = std::make_shared<const cli::KnownTable>(cli::known_table(range));
   } catch (...) {
-    // Whoever waits for it plans it anew: the limits were those of this request.
+    // A request that waits makes it anew: the limits were those of this request.
     const std::lock_guard lock(mutex_);
     entries_.erase(find(key));
     changed_.notify_all();

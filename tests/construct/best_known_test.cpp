@@ -1,4 +1,4 @@
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 #include "naive_verdict.hpp"
 #include "oracle_minima.hpp"
 
-namespace changeover::planner_test {
+namespace changeover::best_known_test {
 namespace {
 
 bool valid(const Design& design) { return verify(design).valid(); }
@@ -24,9 +24,9 @@ const Registry& registry() { return Registry::standard(); }
 TEST(Planner, FillsEveryCellWithAValidDesignThatIsNoWorseThanHoldAndStream) {
   const Construction& fallback = *registry().find("hold-and-stream");
   for (std::uint64_t m = 1; m <= 2; ++m) {
-    const Plan plan =
-        plan_range(registry(), {.v_from = 3, .v_to = 45, .k_from = 3, .k_to = 8, .change = m});
-    for (const PlannedCell& cell : plan.cells()) {
+    const BestKnownTable plan = best_known_table(
+        registry(), {.v_from = 3, .v_to = 45, .k_from = 3, .k_to = 8, .change = m});
+    for (const KnownCell& cell : plan.cells()) {
       const Parameters& p = cell.parameters;
       if (cell.impossible) {
         EXPECT_TRUE(p.v < p.k || impossibility(p)) << name(p);
@@ -55,10 +55,10 @@ TEST(Planner, FillsEveryCellWithAValidDesignThatIsNoWorseThanHoldAndStream) {
 TEST(Planner, NeverBeatsAKnownMinimumAndSaysMinimumOnlyWhereItIs) {
   std::size_t met = 0;
   for (const auto& [p, b] : test::oracle_minima()) {
-    const Plan plan = plan_range(
+    const BestKnownTable plan = best_known_table(
         registry(),
         {.v_from = p.v, .v_to = p.v + 4, .k_from = p.k, .k_to = p.k, .change = p.change});
-    const PlannedCell& cell = plan.at(p);
+    const KnownCell& cell = plan.at(p);
     ASSERT_TRUE(cell.best) << name(p);
     EXPECT_GE(cell.best->b, b) << name(p);
     met += cell.best->b == b ? 1U : 0U;
@@ -92,29 +92,30 @@ class Liar final : public Construction {
 
 TEST(Planner, RefusesADesignThatItsConstructionDoesNotKeep) {
   const Liar liar;
-  EXPECT_THROW((void)plan_range(Registry({&liar}),
-                                {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2}),
-               InternalError);
+  EXPECT_THROW(
+      (void)best_known_table(Registry({&liar}),
+                             {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2}),
+      InternalError);
 }
 
 TEST(Planner, RefusesRangesThatMakeNoSense) {
-  EXPECT_THROW(
-      (void)plan_range(registry(), {.v_from = 9, .v_to = 5, .k_from = 3, .k_to = 4, .change = 2}),
-      ImpossibleParameters);
-  EXPECT_THROW((void)plan_range(registry(),
-                                {.v_from = 5, .v_to = 5000, .k_from = 3, .k_to = 4, .change = 2}),
+  EXPECT_THROW((void)best_known_table(
+                   registry(), {.v_from = 9, .v_to = 5, .k_from = 3, .k_to = 4, .change = 2}),
                ImpossibleParameters);
-  EXPECT_THROW(
-      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 1, .k_to = 4, .change = 2}),
-      ImpossibleParameters);
+  EXPECT_THROW((void)best_known_table(
+                   registry(), {.v_from = 5, .v_to = 5000, .k_from = 3, .k_to = 4, .change = 2}),
+               ImpossibleParameters);
+  EXPECT_THROW((void)best_known_table(
+                   registry(), {.v_from = 5, .v_to = 9, .k_from = 1, .k_to = 4, .change = 2}),
+               ImpossibleParameters);
   // The number of cells would be 0 modulo 2⁶⁴.
   EXPECT_THROW(
-      (void)plan_range(
+      (void)best_known_table(
           registry(),
           {.v_from = 5, .v_to = 8, .k_from = 3, .k_to = (std::uint64_t{1} << 61) + 2, .change = 2}),
       ImpossibleParameters);
-  const Plan plan =
-      plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2});
+  const BestKnownTable plan =
+      best_known_table(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2});
   EXPECT_THROW((void)plan.at({.v = 10, .k = 3}), BadInput);
 }
 
@@ -122,9 +123,9 @@ TEST(Planner, RefusesRangesThatMakeNoSense) {
 TEST(Planner, AnswersAtOnceWhereBlocksAreSmallerThanTheChange) {
   for (const std::uint64_t m :
        {std::uint64_t{1} << 32, std::numeric_limits<std::uint64_t>::max() - 1}) {
-    const Plan plan =
-        plan_range(registry(), {.v_from = 3, .v_to = 40, .k_from = 3, .k_to = 8, .change = m});
-    for (const PlannedCell& cell : plan.cells()) {
+    const BestKnownTable plan = best_known_table(
+        registry(), {.v_from = 3, .v_to = 40, .k_from = 3, .k_to = 8, .change = m});
+    for (const KnownCell& cell : plan.cells()) {
       EXPECT_TRUE(cell.impossible) << name(cell.parameters);
     }
   }
@@ -159,9 +160,9 @@ TEST(Planner, StopsWhenTheControlAboveItWantsTo) {
   std::atomic<bool> interrupted{true};
   RunControl control({.interrupted = &interrupted});
   const RunScope scope(control);
-  EXPECT_THROW(
-      (void)plan_range(registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2}),
-      Stopped);
+  EXPECT_THROW((void)best_known_table(
+                   registry(), {.v_from = 5, .v_to = 9, .k_from = 3, .k_to = 4, .change = 2}),
+               Stopped);
 }
 
 TEST(Truncate, RefusesAnElementThatIsInEveryBlock) {
@@ -249,4 +250,4 @@ TEST(Cut, RecipeNeedsACircularDesign) {
 }
 
 }  // namespace
-}  // namespace changeover::planner_test
+}  // namespace changeover::best_known_test

@@ -1,7 +1,7 @@
 // The best known recipe for every (v, k, kind) of a range at once.
 //
-//     Plan plan = plan_range(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
-//     const PlannedCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
+//     BestKnownTable plan = best_known_table(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
+//     const KnownCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
 //     cell.best->b;  cell.bound.blocks;  cell.status();
 //
 // One function answers for a cell: a cell of a plan says what best_known() says, whatever range it
@@ -22,7 +22,7 @@
 //   interpolate  (v,k,2) → (v,k,1)
 // Most of them look at blocks, so designs are built, and each that is built is verified; one that
 // does not keep its promise is an InternalError. Cells that the catalog comes with
-// (comes_planned()) were planned when it was made, and are looked up; what the user's own designs
+// (is_stored_cell()) were looked for when it was made, and are looked up; what the user's own designs
 // make better is followed.
 //
 // Bound by: outside of the catalog's cells, building and verifying; neighbours share most of it.
@@ -73,10 +73,10 @@ struct RecipeNode {
 [[nodiscard]] RecipeNode explained(const Registry& registry, const Recipe& recipe);
 
 /// The largest v of a range, and the most cells that it can have, both kinds counted.
-inline constexpr std::uint64_t largest_v_of_a_plan = 1000;
-inline constexpr std::uint64_t most_cells_of_a_plan = 1'000'000;
+inline constexpr std::uint64_t largest_v_of_a_range = 1000;
+inline constexpr std::uint64_t most_cells_of_a_range = 1'000'000;
 
-struct PlanRange {
+struct CellRange {
   std::uint64_t v_from = 0;
   std::uint64_t v_to = 0;
   std::uint64_t k_from = 0;
@@ -85,7 +85,7 @@ struct PlanRange {
 };
 
 /// What is known of one set of parameters.
-struct PlannedCell {
+struct KnownCell {
   Parameters parameters;
   std::optional<std::string> impossible;  ///< why there is no design
   Bound bound;                            ///< the largest lower bound; of no meaning if impossible
@@ -96,42 +96,42 @@ struct PlannedCell {
 };
 
 /// What is taken for granted of the cells that the catalog comes with.
-enum class Planned : std::uint8_t {
-  as_shipped,  ///< they were planned when it was made
+enum class Stored : std::uint8_t {
+  as_shipped,  ///< they were looked for when it was made
   anew  ///< nothing: rules are applied to them like to all others, which makes the next catalog
 };
 
-class Plan {
+class BestKnownTable {
  public:
-  /// As plan_range(), which checks the range.
-  Plan(const Registry& registry, const PlanRange& range, Planned planned);
+  /// As best_known_table(), which checks the range.
+  BestKnownTable(const Registry& registry, const CellRange& range, Stored stored);
 
-  [[nodiscard]] const PlanRange& range() const { return range_; }
+  [[nodiscard]] const CellRange& range() const { return range_; }
 
   /// All cells, by kind (circular first), k, v.
-  [[nodiscard]] const std::vector<PlannedCell>& cells() const { return cells_; }
+  [[nodiscard]] const std::vector<KnownCell>& cells() const { return cells_; }
 
   /// The cell of these parameters.
   /// @throws BadInput if it is outside the range.
-  [[nodiscard]] const PlannedCell& at(const Parameters& p) const;
+  [[nodiscard]] const KnownCell& at(const Parameters& p) const;
 
  private:
   [[nodiscard]] std::optional<std::size_t> index(const Parameters& p) const;
 
-  PlanRange range_;
-  std::vector<PlannedCell> cells_;
+  CellRange range_;
+  std::vector<KnownCell> cells_;
 };
 
 /// Plans a range.
 /// @throws ImpossibleParameters if the range is empty, has k < 2 or v > 1000, or more than 10⁶ cells;
 /// InternalError if a construction does not keep its promise.
-[[nodiscard]] Plan plan_range(const Registry& registry, const PlanRange& range,
-                              Planned planned = Planned::as_shipped);
+[[nodiscard]] BestKnownTable best_known_table(const Registry& registry, const CellRange& range,
+                                              Stored stored = Stored::as_shipped);
 
 /// The best recipe that is known for p: the answer that each door gives. Beyond strength 2, k ≥ 2
 /// and v ≤ 1000 that is the registry's best offer; else also what the closure rules make of the
 /// parameters around. nullopt if nothing serves p. @throws as check(); InternalError as
-/// plan_range().
+/// best_known_table().
 [[nodiscard]] std::optional<Offer> best_known(const Registry& registry, const Parameters& p);
 
 /// The design of an offer of the standard registry, built. Listens to the scope of this thread

@@ -1,23 +1,23 @@
-// Tables are planned once for all who ask at the same time, and anew when the catalog changes.
+// Tables are made once for all who ask at the same time, and anew when the catalog changes.
 #include <gtest/gtest.h>
 
 #include <thread>
 #include <vector>
 
-#include "answer/known/planned_table.hpp"
+#include "answer/known/known_table.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/run/control.hpp"
 #include "cli/cli.hpp"
-#include "serve/api/planned_tables.hpp"
+#include "serve/api/known_tables.hpp"
 
-namespace changeover::test::planned_tables_test {
+namespace changeover::test::known_tables_test {
 namespace {
 
 const cli::TableRange range{.k = {3, 4}, .v = {5, 12}, .change = 2};
 
-TEST(PlannedTables, OnePlanForAllWhoAsk) {
-  serve::PlannedTables tables;
-  std::vector<std::shared_ptr<const cli::PlannedTable>> got(8);
+TEST(KnownTables, OneForAllWhoAsk) {
+  serve::KnownTables tables;
+  std::vector<std::shared_ptr<const cli::KnownTable>> got(8);
   std::vector<std::thread> threads;
   for (auto& table : got) {
     threads.emplace_back([&] { table = tables.of(range, "1"); });
@@ -33,8 +33,8 @@ TEST(PlannedTables, OnePlanForAllWhoAsk) {
   EXPECT_EQ(tables.of(range, "1"), got.front());
 }
 
-TEST(PlannedTables, TheOldestGoes) {
-  serve::PlannedTables tables;
+TEST(KnownTables, TheOldestGoes) {
+  serve::KnownTables tables;
   const auto first = tables.of(range, "0");
   for (int i = 1; i <= 4; ++i) {
     static_cast<void>(tables.of(range, std::to_string(i)));
@@ -43,8 +43,8 @@ TEST(PlannedTables, TheOldestGoes) {
   EXPECT_NE(tables.of(range, "0"), first);
 }
 
-TEST(PlannedTables, OneThatStopsLeavesNothingBehind) {
-  serve::PlannedTables tables;
+TEST(KnownTables, OneThatStopsLeavesNothingBehind) {
+  serve::KnownTables tables;
   const cli::TableRange large{.k = {3, 12}, .v = {5, 300}, .change = 2};
   RunControl control({});
   control.stop(WhyStopped::interrupted);
@@ -59,4 +59,4 @@ TEST(PlannedTables, OneThatStopsLeavesNothingBehind) {
 }
 
 }  // namespace
-}  // namespace changeover::test::planned_tables_test
+}  // namespace changeover::test::known_tables_test

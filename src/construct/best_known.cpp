@@ -1,4 +1,4 @@
-#include "changeover/construct/planner.hpp"
+#include "changeover/construct/best_known.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "core/checked.hpp"
 
 namespace changeover {
-std::string PlannedCell::status() const {
+std::string KnownCell::status() const {
   if (impossible) {
     return "impossible";
   }
@@ -22,13 +22,14 @@ std::string PlannedCell::status() const {
   return best->b == bound.blocks ? "minimum" : "best-known";
 }
 
-Plan::Plan(const Registry& registry, const PlanRange& range, Planned planned) : range_(range) {
-  KnownDesigns known(registry, planned);
+BestKnownTable::BestKnownTable(const Registry& registry, const CellRange& range, Stored stored)
+    : range_(range) {
+  KnownDesigns known(registry, stored);
   for (const Kind kind : {Kind::circular, Kind::linear}) {
     for (std::uint64_t k = range.k_from; k <= range.k_to; ++k) {
       for (std::uint64_t v = range.v_from; v <= range.v_to; ++v) {
         stop_if_asked();
-        PlannedCell cell;
+        KnownCell cell;
         cell.parameters = {.v = v, .k = k, .change = range.change, .kind = kind};
         if (v < k) {
           cell.impossible = "a block has at most v elements";
@@ -42,7 +43,7 @@ Plan::Plan(const Registry& registry, const PlanRange& range, Planned planned) : 
     }
   }
   std::uint64_t answered = 0;
-  for (PlannedCell& cell : cells_) {
+  for (KnownCell& cell : cells_) {
     if (!cell.impossible) {
       cell.bound = known.bound(cell.parameters);
       cell.best = known.best(cell.parameters);
@@ -56,7 +57,7 @@ Plan::Plan(const Registry& registry, const PlanRange& range, Planned planned) : 
   }
 }
 
-std::optional<std::size_t> Plan::index(const Parameters& p) const {
+std::optional<std::size_t> BestKnownTable::index(const Parameters& p) const {
   if (p.v < range_.v_from || p.v > range_.v_to || p.k < range_.k_from || p.k > range_.k_to ||
       p.change != range_.change || p.strength != 2) {
     return std::nullopt;
@@ -67,31 +68,31 @@ std::optional<std::size_t> Plan::index(const Parameters& p) const {
   return static_cast<std::size_t>((kind * ks + (p.k - range_.k_from)) * vs + (p.v - range_.v_from));
 }
 
-const PlannedCell& Plan::at(const Parameters& p) const {
+const KnownCell& BestKnownTable::at(const Parameters& p) const {
   const auto at = index(p);
   if (!at) {
-    throw BadInput(fmt::format("{} is outside the planned range", name(p)));
+    throw BadInput(fmt::format("{} is outside the range", name(p)));
   }
   return cells_[*at];
 }
 
-Plan plan_range(const Registry& registry, const PlanRange& range, Planned planned) {
+BestKnownTable best_known_table(const Registry& registry, const CellRange& range, Stored stored) {
   if (range.v_from > range.v_to || range.k_from > range.k_to || range.k_from < 2) {
     throw ImpossibleParameters(fmt::format("the range v = {}..{}, k = {}..{} is empty or has k < 2",
                                            range.v_from, range.v_to, range.k_from, range.k_to));
   }
-  if (range.v_to > largest_v_of_a_plan) {
-    throw ImpossibleParameters(fmt::format("v = {} exceeds {}, the most that is planned at once",
-                                           range.v_to, largest_v_of_a_plan));
+  if (range.v_to > largest_v_of_a_range) {
+    throw ImpossibleParameters(fmt::format("v = {} exceeds {}, the most that is looked at at once",
+                                           range.v_to, largest_v_of_a_range));
   }
   if (range.change < 1) {
     throw ImpossibleParameters("change = 0: consecutive blocks must differ in at least 1 element");
   }
-  if (range.k_to - range.k_from >= most_cells_of_a_plan / 2 / (range.v_to - range.v_from + 1)) {
+  if (range.k_to - range.k_from >= most_cells_of_a_range / 2 / (range.v_to - range.v_from + 1)) {
     throw ImpossibleParameters(
-        fmt::format("the range has more than {} cells", most_cells_of_a_plan));
+        fmt::format("the range has more than {} cells", most_cells_of_a_range));
   }
-  return {registry, range, planned};
+  return {registry, range, stored};
 }
 
 std::optional<Offer> best_known(const Registry& registry, const Parameters& p) {
