@@ -29,7 +29,9 @@ async function filesBelow(folder) {
 async function checksums() {
   const paths = [
     ...(await filesBelow(join(here, 'src'))),
+    join(here, 'answers.d.ts'),
     join(here, 'build.mjs'),
+    join(here, 'types.mjs'),
     join(here, 'package.json'),
     join(here, 'package-lock.json'),
     join(here, 'tsconfig.json'),

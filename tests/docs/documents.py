@@ -12,6 +12,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 import urllib.error
 import urllib.request
 
@@ -39,12 +40,17 @@ def run(*arguments, stdin=None):
     return subprocess.run([program, *arguments], input=stdin, capture_output=True, text=True)
 
 
-def schema(name):
-    return jsonschema.Draft202012Validator(json.loads((root / "docs/schema" / f"{name}.json").read_text()))
+def schema(name, inside=None):
+    """`inside` follows keys and $defs of that schema, as in "$defs/cell"."""
+    document = json.loads((root / "docs/schema" / f"{name}.json").read_text())
+    here = jsonschema.RefResolver(f"{(root / 'docs/schema').as_uri()}/{name}.json", document)
+    return jsonschema.Draft202012Validator({"$ref": f"#/{inside}"} if inside else document, resolver=here)
 
 
-def fits(name, document):
-    return jsonschema.exceptions.best_match(schema(name).iter_errors(document)) if document is not None else "no document"
+def fits(name, document, inside=None):
+    if document is None:
+        return "no document"
+    return jsonschema.exceptions.best_match(schema(name, inside).iter_errors(document))
 
 
 def check_generated():
@@ -59,22 +65,23 @@ def check_generated():
 
 
 class Server:
-    def __init__(self):
-        self.process = subprocess.Popen([program, "serve"], stdout=subprocess.PIPE, text=True)
+    def __init__(self, catalog):
+        self.process = subprocess.Popen([program, "serve", "--catalog", catalog], stdout=subprocess.PIPE, text=True)
         self.address, _, token = self.process.stdout.readline().strip().partition("?token=")
         self.token = token
 
-    def post(self, target, body):
-        request = urllib.request.Request(self.address + target, body.encode(), method="POST", headers={
-            "Content-Type": "application/json", "Authorization": f"Bearer {self.token}"})
-        try:
-            with urllib.request.urlopen(request) as answer:
-                return json.loads(answer.read())
-        except urllib.error.HTTPError as refusal:
-            return json.loads(refusal.read())
+    def post(self, target, body, kind="application/json"):
+        return self.ask(urllib.request.Request(self.address + target, body.encode(), method="POST", headers={
+            "Content-Type": kind, "X-Changeover-Token": self.token}))
 
     def get(self, target):
-        request = urllib.request.Request(self.address + target, headers={"Authorization": f"Bearer {self.token}"})
+        return self.ask(self.address + target)
+
+    def ask(self, request):
+        return json.loads(self.text(request))
+
+    @staticmethod
+    def text(request):
         try:
             with urllib.request.urlopen(request) as answer:
                 return answer.read().decode()
@@ -161,7 +168,8 @@ def check_loads(server, count):
     keys = set()
     for _ in range(count):
         ask = {"items": rng.choice([1, 9, 20, 64]), "room": rng.choice([2, 3, 8, 70])}
-        may_be = {"pairs": [[0, 1], [1, 2], [0, 8]], "against": 5, "done_items": 4, "fast_room": 2, "item_bytes": 8, "workers": 3, "disjoint": True,
+        pairs = [[[0, 1], [1, 2], [0, 8]], [["a", "b"], ["b", "a thing"]], {"text": "a,b\nb,\"c d\"\n"}]
+        may_be = {"pairs": rng.choice(pairs), "against": 5, "done_items": 4, "fast_room": 2, "item_bytes": 8, "workers": 3, "disjoint": True,
                   "write_back": True, "prefetch": True, "new_pairs": True, "ordered": True, "self": True, "shuffle": True, "seed": 4}
         for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 3])):
             ask[key] = may_be[key]
@@ -189,9 +197,12 @@ def check_loads(server, count):
                 break
         if for_all and by_line.returncode == 0:
             head = json.loads(by_line.stdout.splitlines()[0])
-            if by_server["order"] != head:
-                fault(f"the server answers another document: {body}\n{head}\n{by_server['order']}")
+            steps = list(map(json.loads, by_line.stdout.splitlines()[1:]))
+            if by_server["order"] != head or by_server["steps"] != steps[:5000]:
+                fault(f"the server answers another document: {body}\n{by_line.stdout}\n{by_server}")
             arguments = {key: value for key, value in ask.items() if key not in ("items", "room")}
+            if ask.get("pairs") in pairs[1:]:
+                continue  # Python numbers its items
             by_python = changeover.load_order(ask["items"], ask["room"], **arguments)
             if not head["loads"] == by_server["loads"] == by_python.loads:
                 fault(f"loads differ: {body} {head['loads']} {by_server['loads']} {by_python.loads}")
@@ -223,9 +234,9 @@ def check_designs(server, count):
         if problem:
             fault(f"a design is against its schema ({problem}): {cell}")
         query = f"v={v}&k={k}&change={change}&kind={kind}&strength={strength}"
-        if server.get(f"api/download?{query}&format=json") != by_line.stdout:
+        if server.text(f"{server.address}api/download?{query}&format=json") != by_line.stdout:
             fault(f"the server answers another design: {cell}")
-        shown = json.loads(server.get(f"api/design?{query}"))
+        shown = server.get(f"api/design?{query}")
         if fits("changeover-design-1", shown) or shown.pop("label", "") == "" or shown != answer:
             fault(f"the page's design is another document: {cell}")
         by_python = changeover.design(v, k, change=change, kind=kind, strength=strength)
@@ -249,10 +260,116 @@ def check_designs(server, count):
         fault(f"a design with names is against its schema: {problem}")
 
 
+def keys_of(said, inside, schemas, found):
+    """Takes out of `found` the optional keys that this answer has: what is left of an object of the schemas was never said."""
+    name, at = inside
+    while "$ref" in at:
+        file, _, path = at["$ref"].partition("#")
+        if file.startswith("changeover-"):
+            return  # a document that is looked at elsewhere
+        name, at = file or name, schemas[file or name]
+        for key in filter(None, path.split("/")):
+            at = at[key]
+    for one in at.get("anyOf", []) if said is not None else []:
+        keys_of(said, (name, one), schemas, found)
+    if isinstance(said, list) and "items" in at:
+        for each in said:
+            keys_of(each, (name, at["items"]), schemas, found)
+    if isinstance(said, dict) and "properties" in at:
+        optional = at["properties"].keys() - set(at.get("required", []))
+        missing = found.setdefault(id(at), set(optional))
+        missing.difference_update(said)
+        for key in said.keys() & at["properties"].keys():
+            keys_of(said[key], (name, at["properties"][key]), schemas, found)
+
+
+def check_explorer(server):
+    """What the explorer's pages are answered, and the files of `serve --export`, at each address that the schema has."""
+    schemas = {file.name: json.loads(file.read_text()) for file in (root / "docs/schema").glob("*.json")}
+    said = schemas["explorer-1.json"]["properties"]
+    tried, found = set(), {}
+
+    def look(method, address, answer, where=""):
+        tried.add((method, address))
+        problem = fits("explorer-1", answer, f"properties/{method}/properties/{address.replace('/', '~1')}")
+        if problem:
+            fault(f"{where or method} api/{address}: against its schema ({problem.message}) at {list(problem.absolute_path)}")
+        keys_of(answer, ("explorer-1.json", said[method]["properties"][address]), schemas, found)
+        return answer
+
+    def get(address, query=""):
+        return look("get", address, server.get(f"api/{address.partition('?')[0]}{query}"), "get" + query)
+
+    def post(address, body="", query="", kind="application/json"):
+        if not isinstance(body, str):
+            problem = fits("explorer-1", body, f"properties/body/properties/{address}")
+            if problem:
+                fault(f"what is sent to api/{address} is against its schema ({problem.message})")
+            tried.add(("body", address))
+            body = json.dumps(body)
+        return look("post", address, server.post(f"api/{address}{query}", body, kind), f"post {query}")
+
+    for address in ("about", "completeness", "constructions", "theorems"):
+        get(address)
+    get("table", "?k=3..6&v=4..20")
+    cells = ("v=9&k=4&change=2&kind=linear", "v=4&k=3&change=2&kind=circular", "v=40&k=6&change=1&kind=linear",
+             "v=7&k=4&change=3&kind=circular&strength=3", "v=9&k=4&change=2&kind=linear&strength=3", "v=7&k=3&change=2&kind=linear", "v=100&k=30&change=7&kind=circular")
+    for cell in cells:
+        for address in ("cell", "bounds"):
+            get(address, "?" + cell)
+    for cell in cells[0], cells[2], cells[3], cells[5]:
+        for address in ("explain", "design"):
+            get(address, "?" + cell)
+    good, bad = "1 2 3\n2 3 4\n3 4 1\n", "1 2 3 4\n2 3 7 5\n"
+    for text in (good, bad):
+        for query in ("", "?strength=3"):
+            by_server = post("verify", text, query, "text/plain")
+            strength = ["--strength", "3"] if query else []
+            by_line = json.loads(run("verify", "-", *strength, "--json", stdin=text).stdout)
+            problem = fits("verify-1", by_line)
+            if problem or any(by_server[key] != by_line[key] for key in by_line):
+                fault(f"verify --json: {problem} {by_line} {by_server}")
+    for more in ({}, {"done": [["A", "B"]]}, {"benches": 2}, {"what_if": True}):
+        post("plan", {"parts": ["A", "B", "C", "D"], "at_once": 2, "steps": 100, **more})
+    post("plan", {"parts": ["A", "B", "C"], "at_once": 2, "diagnose": True, "done": [{"parts": ["A", "B"], "result": "FAIL"}]})
+    for more in ({}, {"workers": 2}, {"pairs": [[0, 1], [1, 8]]}, {"bytes_per_item": 8}):
+        post("loadorder", {"items": 9, "room": 3, **more})
+    job = post("search", {"v": 9, "k": 4, "kind": "linear", "seconds": 20})["id"]
+    for _ in range(600):
+        if get("search")[0]["state"] != "running":
+            break
+        time.sleep(0.1)
+    get("search?id", f"?id={job}")
+    post("search/stop", "", f"?id={job}")
+    post("search/keep", "", f"?id={job}")
+    post("catalog/add", json.dumps(server.get(f"api/design?job={job}")))
+    label = post("catalog/add", "0 1 2\n1 2 3\n2 3 0\n3 0 1\n", "?change=1&kind=circular", "text/plain")["label"]
+    run("catalog", "retract", label, "--why", "a test", "--catalog", "own.db")
+    get("cell", "?v=4&k=3&change=1&kind=circular")
+    refusals = server.get("api/cell?v=1"), server.post("api/verify", "1 2 3\n2 2 3\n", "text/plain")
+    for refusal in refusals:
+        problem = fits("explorer-1", refusal, "$defs/refusal")
+        if problem:
+            fault(f"a refusal is against its schema ({problem.message})")
+    run("serve", "--export", "site", "--k", "3..4", "--v", "4..8", "--change", "2")
+    data = pathlib.Path("site/data")
+    look("get", "about", json.loads((data / "config.json").read_text()), "config.json")
+    for address, files in (("table", "table/*"), ("design", "design/*"), ("theorems", "theorems.json")):
+        for file in data.glob(files):
+            look("get", address, json.loads(file.read_text()), str(file))
+    missing = {(method, address) for method in said for address in said[method]["properties"]} - tried
+    if missing:
+        fault(f"nothing was asked of {missing}")
+    never = sorted({key for keys in found.values() for key in keys})
+    if never:
+        fault(f"no answer had the keys {never}")
+
+
 os.environ["CHANGEOVER_CATALOG"] = ""
-with tempfile.TemporaryDirectory() as folder, Server() as one:
+with tempfile.TemporaryDirectory() as folder, Server(f"{folder}/own.db") as one:
     os.chdir(folder)
     check_generated()
+    check_explorer(one)
     check_plans(one, 150)
     check_loads(one, 150)
     check_designs(one, 60)

@@ -4,6 +4,26 @@
 namespace changeover::test::construct_examples_test {
 namespace {
 
+TEST(ConstructExamples, BestKnown) {
+  const Registry& registry = Registry::standard();
+  BestKnownTable plan =
+      best_known_table(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
+  const KnownCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
+  EXPECT_GE(cell.best->b, cell.bound.blocks);
+  EXPECT_EQ(cell.status(), cell.best->b == cell.bound.blocks ? "minimum" : "best-known");
+}
+
+TEST(ConstructExamples, Explanation) {
+  const Registry& registry = Registry::standard();
+  const std::vector<Parameters> asked = {{.v = 8, .k = 5, .kind = Kind::circular},
+                                         {.v = 8, .k = 5}};
+  const auto offer = best_offer(registry, asked);  // of both kinds, the one with fewer blocks
+  const RecipeNode tree = explained(registry, offer->recipe);
+  std::cout << tree.explanation << ' ' << tree.citation << '\n';
+  EXPECT_EQ(tree.b, offer->b);
+  EXPECT_FALSE(tree.citation.empty());
+}
+
 TEST(ConstructExamples, Closure) {
   Parameters p{.v = 5, .k = 3, .change = 1, .kind = Kind::circular};
   Recipe core{"mcsorley-circular", p, {}, {}, {}};
@@ -56,26 +76,6 @@ TEST(ConstructExamples, OneFactorization) {
   auto other = cycle_types(one_factorization(8, FactorizationKind::doubled));
   EXPECT_TRUE(other.contains({4, 4}));
   EXPECT_FALSE(cycle_types(k8).contains({4, 4}));
-}
-
-TEST(ConstructExamples, Planner) {
-  const Registry& registry = Registry::standard();
-  BestKnownTable plan =
-      best_known_table(registry, {.v_from = 5, .v_to = 24, .k_from = 3, .k_to = 6});
-  const KnownCell& cell = plan.at({.v = 20, .k = 5, .kind = Kind::circular});
-  EXPECT_GE(cell.best->b, cell.bound.blocks);
-  EXPECT_EQ(cell.status(), cell.best->b == cell.bound.blocks ? "minimum" : "best-known");
-}
-
-TEST(ConstructExamples, Explanation) {
-  const Registry& registry = Registry::standard();
-  const std::vector<Parameters> asked = {{.v = 8, .k = 5, .kind = Kind::circular},
-                                         {.v = 8, .k = 5}};
-  const auto offer = best_offer(registry, asked);  // of both kinds, the one with fewer blocks
-  const RecipeNode tree = explained(registry, offer->recipe);
-  std::cout << tree.explanation << ' ' << tree.citation << '\n';
-  EXPECT_EQ(tree.b, offer->b);
-  EXPECT_FALSE(tree.citation.empty());
 }
 
 TEST(ConstructExamples, Registry) {

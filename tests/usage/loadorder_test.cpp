@@ -272,7 +272,7 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 9000000 --room 8000000 --new-pairs", 4, "a step of --new-pairs with --room"},
            {"--items 4 --against 4 --room 3 --time 1s", 2, "--time"},
            {"--pairs edges --room 3 -o edges", 2, "the same file as the list of pairs"},
-           {"--pairs edges --room 3 --items 3", 3, "edges:4:3: item 3, but --items 3"},
+           {"--pairs edges --room 3 --items 3", 3, "edges:4:3: item 3 is not one of 3 items"},
            {"--pairs old --room 3", 3, "old:1:1: one item stands alone"},
            {"--pairs absent --room 3", 4, "absent: cannot read"},
            {"--items 0 --room 4", 2, "at least 1 item"},

@@ -168,7 +168,7 @@ struct CircleFigure {
 
 // A table of designs as a picture: a square for each v and k.
 //
-//     const Plan plan = best_known_table(Registry::standard(), {.v_from = 5, .v_to = 12, .k_from = 3, .k_to = 5});
+//     const BestKnownTable plan = best_known_table(Registry::standard(), {.v_from = 5, .v_to = 12, .k_from = 3, .k_to = 5});
 //     std::vector<KnownCell> cells;
 //     for (const KnownCell& cell : plan.cells()) {
 //       if (cell.parameters.kind == Kind::linear) {

@@ -252,8 +252,9 @@ class PairReader {
     }
     for (const auto& [item, field] : {std::pair(*x, &row_[0]), std::pair(*y, &row_[1])}) {
       if (options_.items && item >= *options_.items) {
-        rows_.fail(*field, fmt::format("item {}, but --items {} numbers them from 0 to {}", item,
-                                       *options_.items, *options_.items - 1));
+        rows_.fail(*field,
+                   fmt::format("item {} is not one of {} items, which have the numbers 0 to {}",
+                               item, *options_.items, *options_.items - 1));
       }
     }
     add_numbers(*x, *y);

@@ -3,144 +3,17 @@
 // All addresses are relative to the page, so that the pages work below any folder. What changes anything carries the
 // token that came with the printed address.
 
-export type Kind = 'circular' | 'linear';
+import type { Design, Explorer, LoadRequest, Refusal } from '../../answers';
 
-export interface Cell {
-  v: number;
-  k: number;
-  change: number;
-  kind: Kind;
-  strength?: number;
-}
+export type * from '../../answers';
+
+type Posted = Explorer['post'];
+type Bodies = { [P in keyof Posted]: P extends keyof Explorer['body'] ? Explorer['body'][P] : string | Blob | undefined } & { loadorder: LoadRequest };
+
+export type Cell = Pick<Design, 'v' | 'k' | 'change' | 'kind' | 'strength'>;
 
 /** Which design: a cell's best, one of the catalog, of the command line, or of a search. */
 export type Selector = Cell | { label: string } | { file: number } | { job: string };
-
-export interface TableCell extends Cell {
-  b: number | null;
-  lower_bound: number | null;
-  status: 'minimum' | 'best-known' | 'impossible' | 'unknown';
-  construction: string | null;
-  label: string | null;
-}
-
-export interface Recipe {
-  construction: string;
-  v: number;
-  k: number;
-  change: number;
-  kind: Kind;
-  arguments?: Record<string, unknown>;
-  inputs?: Recipe[];
-}
-
-export interface TreeNode {
-  construction: string;
-  v: number;
-  k: number;
-  change: number;
-  kind: Kind;
-  explanation: string;
-  citation?: string;
-  b?: number;
-  verdict?: Verdict;
-  inputs: TreeNode[];
-}
-
-export interface Verdict {
-  valid: boolean;
-  tight: boolean;
-  economical: boolean;
-  b: number;
-  lower_bound: number;
-  minimum: string;
-}
-
-export interface Design extends Cell {
-  format: string;
-  blocks: (number | string)[][];
-  labels?: string[];
-  recipe?: Recipe;
-  verdict?: Verdict;
-  label?: string;
-}
-
-export interface Credit {
-  who: string;
-  date: string;
-  program?: string;
-  command?: string;
-}
-
-export interface CatalogEntry {
-  label: string;
-  b: number;
-  status: string;
-  construction: string;
-  credit?: Credit;
-  cites?: string[];
-  hash: string;
-  retracted?: string;
-}
-
-export interface CellDetail extends Cell {
-  lower_bound: number | null;
-  reason: string;
-  bounds: { name: string; blocks: number; reason: string }[];
-  best: { b: number; label: string | null; status: string; construction: string; recipe: Recipe } | null;
-  designs: CatalogEntry[];
-  offers: { construction: string; b: number; recipe: Recipe }[];
-  history: { date: string; b: number; label: string; credit: Credit | string; how: string }[];
-  impossible: string | null;
-  /** Fewer blocks that a publication reports; absent from data that an older version wrote. */
-  reported?: { blocks: number; cites: string } | null;
-}
-
-export interface Construction {
-  name: string;
-  summary: string;
-  citation: string;
-  serves: string;
-  /** How many blocks, or how few. */
-  gives?: string;
-  example: Cell | null;
-}
-
-export interface Theorem {
-  number: string;
-  title: string;
-  statement: string;
-  example: Cell | null;
-}
-
-export interface SearchJob {
-  id: number | string;
-  v: number;
-  k: number;
-  change: number;
-  kind: Kind;
-  state: 'running' | 'done' | 'stopped' | 'failed';
-  best: number | null;
-  lower_bound: number | null;
-  start_best: number | null;
-  seconds: number;
-  /** So many seconds it may take. */
-  limit?: number;
-  restarts: number | null;
-  message: string;
-  points?: { seconds: number; best: number | null; rate: number }[];
-}
-
-export interface About {
-  version: string;
-  catalog: { designs: number; cells: number; version?: string };
-  limits?: { body_bytes: number; seconds: number; memory: number; searches: number };
-  write: boolean;
-  files: { index: number; name: string }[];
-  static: boolean;
-  /** Of a static copy: what of the table it has. */
-  ranges?: { change: number; kind: Kind; k: [number, number]; v: [number, number] }[];
-}
 
 /** What a server said instead of an answer: one line that can be shown as it is. */
 export class ApiError extends Error {
@@ -193,14 +66,14 @@ export async function askWith(url: string, init: RequestInit): Promise<Response>
     throw new ApiError('The server does not answer. Is `changeover serve` still running?', 0);
   }
   if (!response.ok) {
-    const body = (await response.json().catch(() => null)) as { error?: { message: string; line?: number; column?: number } } | null;
+    const body = (await response.json().catch(() => null)) as Refusal | null;
     throw new ApiError(body?.error?.message ?? `The server answered ${response.status} ${response.statusText}.`, response.status, body?.error?.line, body?.error?.column);
   }
   return response;
 }
 
-export async function get<T>(path: string, parameters: object, signal: AbortSignal): Promise<T> {
-  return (await askWith(address(path, parameters), { signal })).json() as Promise<T>;
+export async function get<P extends keyof Explorer['get']>(path: P, parameters: object, signal: AbortSignal): Promise<Explorer['get'][P]> {
+  return (await askWith(address(path.replace(/[?].*/, ''), parameters), { signal })).json() as Promise<Explorer['get'][P]>;
 }
 
 export async function getText(path: string, parameters: object, signal: AbortSignal): Promise<string> {
@@ -225,7 +98,7 @@ export async function getFileText(url: string, signal: AbortSignal, missing: str
 }
 
 /** Asks with a body: an object goes as JSON, a string or a file as it is. With the token if this window has it. */
-export async function post<T>(path: string, parameters: object, body: unknown, signal: AbortSignal): Promise<T> {
+export async function post<P extends keyof Posted>(path: P, parameters: object, body: Bodies[P], signal: AbortSignal): Promise<Posted[P]> {
   const token = sessionStorage.getItem(tokenKey);
   const text = typeof body === 'string' || body instanceof Blob;
   const headers: Record<string, string> = { 'Content-Type': text ? 'text/plain; charset=utf-8' : 'application/json' };
@@ -233,7 +106,7 @@ export async function post<T>(path: string, parameters: object, body: unknown, s
     headers['X-Changeover-Token'] = token;
   }
   const response = await askWith(address(path, parameters), { method: 'POST', headers, body: text ? body : JSON.stringify(body), signal });
-  return response.json() as Promise<T>;
+  return response.json() as Promise<Posted[P]>;
 }
 
 export async function postText(path: string, parameters: object, body: string, signal: AbortSignal): Promise<string> {

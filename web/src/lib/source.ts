@@ -1,7 +1,7 @@
 // One way to ask for what a page shows: of the server, or of the files of a static export (docs/explorer.md has the rule).
 import { dataFolder, isCopy } from '../shell/about';
 import type { Theme } from '../shell/theme';
-import { address, ApiError, get, getFile, getFileText, getText, postText, type Cell, type CellDetail, type Construction, type Design, type Kind, type Selector, type TableCell, type Theorem, type TreeNode, type Recipe } from './api';
+import { address, ApiError, get, getFile, getFileText, getText, postText, type Cell, type CellDetail, type Completeness, type Construction, type Design, type Explanation, type Kind, type Selector, type TableCell, type Theorem } from './api';
 import { inRange, parseRange } from './range';
 import { localDesign } from './local';
 
@@ -21,23 +21,6 @@ export interface DrawQuery {
   order?: string;
   from?: number;
   to?: number;
-}
-
-export interface Explanation {
-  recipe: Recipe;
-  tree: TreeNode;
-}
-
-export interface Completeness {
-  strength: number;
-  change: number;
-  kind: Kind;
-  k: number;
-  v_from: number;
-  v_to: number;
-  cells: number;
-  minimum: number;
-  mean_ratio: number;
 }
 
 /** A design to ask for, the one of this window (`local`) included. */
@@ -60,7 +43,7 @@ function parameters(cell: Cell): object {
 
 export async function table(query: TableQuery, signal: AbortSignal): Promise<TableCell[]> {
   if (!isCopy()) {
-    return get<TableCell[]>('table', query, signal);
+    return get('table', query, signal);
   }
   const k = parseRange(query.k);
   const v = parseRange(query.v);
@@ -88,7 +71,7 @@ async function keptCell(cell: Cell, signal: AbortSignal): Promise<KeptCell> {
 }
 
 export async function cellDetail(cell: Cell, signal: AbortSignal): Promise<CellDetail> {
-  return isCopy() ? keptCell(cell, signal) : get<CellDetail>('cell', parameters(cell), signal);
+  return isCopy() ? keptCell(cell, signal) : get('cell', parameters(cell), signal);
 }
 
 export async function designOf(asked: Asked, signal: AbortSignal): Promise<Design> {
@@ -100,7 +83,7 @@ export async function designOf(asked: Asked, signal: AbortSignal): Promise<Desig
     return kept;
   }
   if (!isCopy()) {
-    return get<Design>('design', isCell(asked) ? parameters(asked) : asked, signal);
+    return get('design', isCell(asked) ? parameters(asked) : asked, signal);
   }
   if ('label' in asked) {
     return file<Design>(`design/${asked.label}.json`, signal);
@@ -121,7 +104,7 @@ export async function explain(asked: Asked, signal: AbortSignal): Promise<Explan
     return null;
   }
   if (!isCopy()) {
-    return get<Explanation>('explain', isCell(asked) ? parameters(asked) : asked, signal);
+    return get('explain', isCell(asked) ? parameters(asked) : asked, signal);
   }
   return (await keptCell(isCell(asked) ? asked : cellOfLabel(asked.label)!, signal)).explain ?? null;
 }

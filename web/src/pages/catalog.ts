@@ -5,7 +5,7 @@ import { readRange } from '../lib/range';
 import { completeness, heatmap, table, type Measure, type TableQuery } from '../lib/source';
 import { changes, changeWord, kinds, number, ratio } from '../lib/words';
 import { badge, gap, glossary } from '../parts/status';
-import { about, isCopy } from '../shell/about';
+import { isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { theme, withTheme } from '../shell/theme';
 import { cellTable } from './catalog/cells';
@@ -24,10 +24,8 @@ export const catalog: Page = {
   title: 'Catalog',
   async render(view: View) {
     const frozen = isCopy();
-    const copied = (frozen && (await about()).ranges) || [];
-    const offered = changes.filter(([m]) => copied.length === 0 || copied.some((range) => range.change === Number(m)));
     const state = {
-      change: Number(view.params.get('change') ?? (offered.some(([m]) => m === '2') ? 2 : (offered[0]?.[0] ?? 2))),
+      change: Number(view.params.get('change') ?? 2),
       kind: (view.params.get('kind') ?? 'circular') as Kind,
       k: view.params.get('k') ?? '3..12',
       v: view.params.get('v') ?? '5..50',
@@ -57,7 +55,7 @@ export const catalog: Page = {
     const complete = h('details', { class: 'completeness' }, h('summary', {}, 'How complete the whole catalog is, by block size'), h('div', { class: 'inside' }));
 
     function none(v: number, k: number): TableCell {
-      return { v, k, change: state.change, kind: state.kind, b: null, lower_bound: null, status: 'unknown', construction: null, label: null };
+      return { v, k, change: state.change, kind: state.kind, b: null, lower_bound: null, status: 'open', construction: null, label: null };
     }
 
     function read(cell: TableCell): void {
@@ -206,7 +204,7 @@ export const catalog: Page = {
       h(
         'div',
         { class: 'row controls' },
-        field('Change number', select(String(state.change), offered, (value) => set('change', value))),
+        field('Change number', select(String(state.change), changes, (value) => set('change', value))),
         field('Kind', select(state.kind, kinds, (value) => set('kind', value))),
         field('k, block size', range('k')),
         field('v, elements', range('v')),

@@ -58,8 +58,7 @@ function argument(detail: CellDetail): string {
   if (!best || best.status !== 'minimum') {
     return '';
   }
-  const bound = detail.bounds.find((each) => each.blocks === best.b);
-  return bound ? `its ${count(best.b, 'block')} are the lower bound “${bound.name}”: ${bound.reason}` : detail.reason;
+  return `its ${count(best.b, 'block')} are the lower bound “${detail.bounds[0]!.name}”: ${detail.reason}`;
 }
 
 /** What a publication reports and nobody here can verify. */

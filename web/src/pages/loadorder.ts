@@ -1,16 +1,16 @@
-import { post } from '../lib/api';
+import { post, type Ordered } from '../lib/api';
 import { announce, field, fill, h } from '../lib/dom';
 import { save } from '../lib/save';
 import { longestWord, pack, unpack } from '../lib/share';
 import { count } from '../lib/words';
 import { copyButton } from '../parts/copy';
 import { link, problem, type Page, type View } from '../shell/router';
-import { bytesOf, pairsOf } from './loadorder/naive';
-import { comparison, curves, headline, jsonLines, stepList, type Answer, type Asked } from './loadorder/order';
+import { bytesOf } from './loadorder/naive';
+import { comparison, curves, headline, jsonLines, stepList, type Asked } from './loadorder/order';
 
-function commandOf({ items, room, bytesPerItem, workers, pairs }: Asked): string {
+function commandOf({ items, room, workers, pairs }: Asked): string {
   const what = pairs ? '--pairs pairs.txt' : `--items ${items}`;
-  return `changeover loadorder ${what} --room ${room}${workers > 1 ? ` --workers ${workers}` : ''}${bytesPerItem !== null ? ` --item-bytes ${bytesPerItem}` : ''} --json -o order.jsonl`;
+  return `changeover loadorder ${what} --room ${room}${workers > 1 ? ` --workers ${workers}` : ''} --json -o order.jsonl`;
 }
 
 async function render(view: View): Promise<void> {
@@ -31,25 +31,26 @@ async function render(view: View): Promise<void> {
     'details',
     { open: pairs.value !== '' },
     h('summary', {}, 'Only some pairs'),
-    field('Pairs, two items a line', pairs, 'items are numbered from 0'),
+    field('Pairs, two items a line', pairs, 'items have names, or numbers from 0; with names the field Items may stay empty'),
   );
   const go = h('button', { type: 'submit' }, 'Find an order');
   const result = h('div', { class: 'result' });
 
   function read(): Asked {
     const [p, c, w] = [Number(items.value), Number(room.value), Number(workers.value || 1)];
-    if (items.value === '' || !Number.isInteger(p) || p < 1) {
+    const named = items.value === '' && pairs.value.trim() !== '';
+    if (!named && (!Number.isInteger(p) || p < 1)) {
       throw new Error('Items: write how many there are, such as 64.');
     }
     if (room.value === '' || !Number.isInteger(c) || c < 2) {
       throw new Error('Room: write how many items are in memory at once, at least 2; with less no pair ever meets.');
     }
     return {
-      items: p,
+      items: named ? null : p,
       room: c,
       workers: w,
       bytesPerItem: size.value.trim() === '' ? null : bytesOf(size.value),
-      pairs: pairsOf(pairs.value, p),
+      pairs: pairs.value.trim() === '' ? null : pairs.value,
     };
   }
 
@@ -61,7 +62,7 @@ async function render(view: View): Promise<void> {
     go.disabled = true;
     try {
       const asked = read();
-      const packed = asked.pairs ? await pack(pairs.value) : null;
+      const packed = asked.pairs ? await pack(asked.pairs) : null;
       view.go(
         {
           items: asked.items,
@@ -81,15 +82,15 @@ async function render(view: View): Promise<void> {
           h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop'),
         ),
       );
-      const answer = await post<Answer>(
+      const answer = await post(
         'loadorder',
         {},
         {
-          items: asked.items,
+          ...(asked.items !== null ? { items: asked.items } : {}),
           room: asked.room,
           ...(asked.workers > 1 ? { workers: asked.workers } : {}),
           ...(asked.bytesPerItem !== null ? { bytes_per_item: asked.bytesPerItem } : {}),
-          ...(asked.pairs ? { pairs: asked.pairs } : {}),
+          ...(asked.pairs ? { pairs: { text: asked.pairs } } : {}),
         },
         mine.signal,
       );
@@ -107,7 +108,7 @@ async function render(view: View): Promise<void> {
     }
   }
 
-  function show(answer: Answer, asked: Asked): void {
+  function show(answer: Ordered, asked: Asked): void {
     const command = commandOf(asked);
     fill(
       result,
@@ -129,7 +130,7 @@ async function render(view: View): Promise<void> {
                 type: 'button',
                 class: 'plain',
                 disabled: answer.truncated,
-                onclick: () => save('order.jsonl', jsonLines(answer, asked), 'application/jsonl'),
+                onclick: () => save('order.jsonl', jsonLines(answer), 'application/jsonl'),
               },
               'Download JSON lines',
             ),
@@ -190,7 +191,7 @@ async function render(view: View): Promise<void> {
     form,
     result,
   );
-  if (params.has('items') && params.has('room')) {
+  if (params.has('room') && (params.has('items') || pairs.value)) {
     await run();
   }
 }

@@ -131,7 +131,7 @@ async function render(view: View): Promise<void> {
 
   async function refresh(): Promise<void> {
     try {
-      const jobs = await get<SearchJob[]>('search', {}, signal);
+      const jobs = await get('search', {}, signal);
       list.set(jobs);
       jobs.forEach((job) => states.set(String(job.id), job.state));
       const now = jobs.find((job) => String(job.id) === chosen);
@@ -159,14 +159,14 @@ async function render(view: View): Promise<void> {
     }
     start.disabled = true;
     try {
-      const { id } = await post<{ id: string | number }>(
+      const { id } = await post(
         'search',
         {},
         {
           v: Number(v.value),
           k: Number(k.value),
           change: Number(change.value),
-          kind: kind.value,
+          kind: kind.value as Kind,
           seconds: Number(time.value),
           threads: Number(threads.value || 1),
           seed: Number(seed.value || 1),

@@ -191,7 +191,7 @@ async function render(view: View): Promise<void> {
         onclick: async () => {
           add.disabled = true;
           try {
-            const { label, already } = await post<{ label: string; already: boolean }>(
+            const { label, already } = await post(
               'catalog/add',
               { v: v.value, change: change.value, kind: kind.value },
               body,

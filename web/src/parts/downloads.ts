@@ -21,8 +21,8 @@ function name(design: Design, ending: string): string {
 }
 
 /** What an element is called: blocks have their places among the labels, if there are labels. */
-function nameOf(design: Design): (element: number | string) => string {
-  return (element) => (typeof element === 'number' && design.labels?.[element]) || String(element);
+function nameOf(design: Design): (element: number) => string {
+  return (element) => design.labels?.[element] ?? String(element);
 }
 
 export function asText(design: Design): string {
@@ -33,7 +33,7 @@ export function asText(design: Design): string {
 
 export function asCsv(design: Design): string {
   const called = nameOf(design);
-  const cell = (element: string | number): string => (/[",\n]/.test(called(element)) ? `"${called(element).replace(/"/g, '""')}"` : called(element));
+  const cell = (element: number): string => (/[",\n]/.test(called(element)) ? `"${called(element).replace(/"/g, '""')}"` : called(element));
   const head = ['block', ...Array.from({ length: design.k }, (_, i) => `element_${i + 1}`), 'v', 'change', 'kind'];
   const lines = design.blocks.map((block, i) => [i + 1, ...block.map(cell), design.v, design.change, design.kind].join(','));
   return `${[head.join(','), ...lines].join('\n')}\n`;

@@ -32,7 +32,6 @@ export function citation(text: string): Child[] {
 }
 
 function node(tree: TreeNode, depth: number): HTMLElement {
-  const known = tree.b !== undefined && tree.verdict?.valid !== false;
   const text = h(
     'div',
     { class: 'recipe-node' },
@@ -40,7 +39,7 @@ function node(tree: TreeNode, depth: number): HTMLElement {
       'p',
       {},
       h('a', { href: link('cell', { v: tree.v, k: tree.k, change: tree.change, kind: tree.kind }) }, shortName(tree)),
-      known && [`, ${count(tree.b!, 'block')} `],
+      tree.verdict?.valid !== false && `, ${count(tree.b, 'block')} `,
       tree.verdict?.tight && h('span', { class: 'badge good' }, 'tight'),
       tree.verdict?.minimum === 'proved' && [' ', badge('minimum')],
     ),

@@ -7,14 +7,14 @@ const meanings: Record<string, string> = {
   minimum: 'No design with these parameters has fewer blocks: the number of blocks is a proved lower bound.',
   'best-known': 'The best design known; one with fewer blocks may exist.',
   impossible: 'There is no design with these parameters.',
-  unknown: 'No design is known, and none is excluded.',
+  open: 'No design is known, and none is excluded.',
 };
 
 export const statuses: readonly (readonly [string, string])[] = [
   ['', 'any'],
   ['minimum', 'minimum'],
   ['best-known', 'best known'],
-  ['unknown', 'unknown'],
+  ['open', 'open'],
   ['impossible', 'impossible'],
 ];
 

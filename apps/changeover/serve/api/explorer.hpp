@@ -68,7 +68,7 @@ struct Explorer {
   std::atomic<bool> stopping = false;
   std::shared_ptr<SearchJobs> jobs = {};
   AnswerCache cache{std::size_t{64} << 20};
-  PlannedTables tables = {};
+  KnownTables tables = {};
 
   explicit Explorer(Catalog& known);
   ~Explorer();

@@ -10,11 +10,11 @@
 
 namespace changeover::serve {
 
-PlannedTables::Place PlannedTables::find(const std::string& key) {
+KnownTables::Place KnownTables::find(const std::string& key) {
   return std::ranges::find(entries_, key, &Entry::key);
 }
 
-std::shared_ptr<const cli::KnownTable> PlannedTables::of(const cli::TableRange& range,
+std::shared_ptr<const cli::KnownTable> KnownTables::of(const cli::TableRange& range,
                                                          const std::string& generation) {
   constexpr std::size_t most_tables = 4;
   constexpr auto between_looks = std::chrono::milliseconds(50);

@@ -18,7 +18,7 @@ struct TableRange;
 namespace changeover::serve {
 
 /// The last few tables. Thread-safe: who asks for a table that another request is making waits for it.
-class PlannedTables {
+class KnownTables {
  public:
   /// The table of a range, while the catalog is of this generation. @throws as known_table(); Stopped if the control of
   /// this thread's scope wants to stop.

@@ -14,6 +14,7 @@
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
 #include "loadorder/show/loads_answer.hpp"
+#include "loadorder/show/step_writer.hpp"
 #include "serve/api/request_body.hpp"
 #include "serve/api/routes.hpp"
 
@@ -153,22 +154,29 @@ Response load_order(const Request& request) {
   json.key("explanation").value(split ? split->facts().explanation : facts.explanation);
   json.key("bytes").value(checked_multiply(loads, question.bytes_per_item));
   json.key("bytes_bound").value(checked_multiply(bound.loads, question.bytes_per_item));
-  json.key("step_count").value(steps).key("steps").begin_array();
+  json.key("step_count").value(steps);
   Account account(asked, steps);
-  std::uint64_t written = 0;
+  std::uint64_t read = 0;
+  StringSink lines;
+  std::vector<Column> columns{Column::step, Column::load, Column::evict};
+  if (split) {
+    columns.insert(columns.begin(), Column::worker);
+  }
+  const PairGraph* const graph = asked.wanted().graph();
+  StepWriter writer(lines, "jsonl", graph != nullptr ? &graph->names() : nullptr, columns);
   const auto stream = split ? split->stream() : order->stream();
   for (Step step; stream->next(step);) {
     account.read(step);
-    if (written++ < most_steps) {
-      json.begin_object().key("step").value(step.number);
-      if (split) {
-        json.key("worker").value(step.worker);
-      }
-      json.key("load").value(step.load).key("evict").value(step.evict).end_object();
+    if (read++ < most_steps) {
+      writer.write(step);
     }
   }
+  writer.end();
   account.finish(loads);
-  json.end_array().key("truncated").value(written > most_steps);
+  std::string shown = lines.take();
+  std::ranges::replace(shown, '\n', ',');
+  shown.resize(shown.size() - std::min<std::size_t>(1, shown.size()));
+  json.key("steps").raw("[" + shown + "]").key("truncated").value(read > most_steps);
   json.key("sample_every").value(account.every());
   json.key("memory").value(account.held()).key("pairs_done").value(account.done());
   json.key("pairs").value(account.pairs());

@@ -1,7 +1,6 @@
 // How much is known: of the range that is shown, and of the whole catalog by block size.
-import type { TableCell } from '../../lib/api';
+import type { Completeness, TableCell } from '../../lib/api';
 import { h, scroll } from '../../lib/dom';
-import type { Completeness } from '../../lib/source';
 import { number } from '../../lib/words';
 
 export function totals(cells: readonly TableCell[]): HTMLElement {

@@ -1,18 +1,11 @@
 // The designs of a cell that have a label, with credit and how to cite them; and how the best one became better.
-import type { CatalogEntry, CellDetail, Credit } from '../../lib/api';
+import type { CatalogEntry, CellDetail } from '../../lib/api';
 import { fill, h, scroll, type Child } from '../../lib/dom';
 import { cite } from '../../lib/source';
 import { number } from '../../lib/words';
 import { copyButton } from '../../parts/copy';
 import { badge } from '../../parts/status';
 import { link, problem } from '../../shell/router';
-
-function credit(it: Credit | string | undefined): Child[] {
-  if (!it || typeof it === 'string') {
-    return [it ?? ''];
-  }
-  return [[it.who, it.date, it.program].filter(Boolean).join(', '), it.command ? h('div', {}, h('code', {}, it.command)) : null];
-}
 
 export function designsTable(detail: CellDetail, signal: AbortSignal): Child[] {
   if (detail.designs.length === 0) {
@@ -39,18 +32,19 @@ export function designsTable(detail: CellDetail, signal: AbortSignal): Child[] {
         h(
           'tbody',
           {},
-          detail.designs.map((entry) =>
-            h(
+          detail.designs.map((entry) => {
+            const { who, date, program, command } = entry.credit;
+            return h(
               'tr',
               {},
               h('td', { class: 'number' }, number(entry.b)),
               h('td', {}, h('a', { class: 'code', href: link('design', { label: entry.label }) }, entry.label)),
-              h('td', {}, badge(entry.retracted ? 'retracted' : entry.status), entry.retracted && h('div', { class: 'hint' }, entry.retracted)),
-              h('td', { class: 'reason' }, credit(entry.credit)),
-              h('td', {}, (entry.cites ?? []).join(', ') || '–'),
+              h('td', {}, badge(entry.status), entry.retracted && h('div', { class: 'hint' }, entry.retracted)),
+              h('td', { class: 'reason' }, [who, date, program].filter(Boolean).join(', '), command && h('div', {}, h('code', {}, command))),
+              h('td', {}, entry.cites.join(', ') || '–'),
               h('td', {}, h('button', { type: 'button', class: 'plain small', 'aria-label': `BibTeX of ${entry.label}`, onclick: () => void show(entry) }, 'BibTeX')),
-            ),
-          ),
+            );
+          }),
         ),
       ),
     ),
@@ -67,7 +61,7 @@ export function historyList(detail: CellDetail): Child[] {
           'ol',
           { class: 'history' },
           detail.history.map((each) =>
-            h('li', {}, h('time', { datetime: each.date }, each.date || 'no date'), ': ', h('a', { href: link('design', { label: each.label }) }, `${number(each.b)} blocks`), each.credit ? [' by ', ...credit(each.credit)] : '', each.how && h('div', { class: 'hint' }, each.how)),
+            h('li', {}, h('time', { datetime: each.date }, each.date || 'no date'), ': ', h('a', { href: link('design', { label: each.label }) }, `${number(each.b)} blocks`), each.credit && ` by ${each.credit}`, each.how && h('div', { class: 'hint' }, each.how)),
           ),
         ),
       ];

@@ -19,7 +19,7 @@ export function facts(design: Design): HTMLElement {
     ['blocks b', h('strong', {}, number(b)), terms.blocks],
   ];
   if (verdict) {
-    const status = verdict.minimum === 'proved' ? h('span', { class: 'badge minimum' }, 'proved') : h('span', { class: 'badge' }, verdict.minimum === 'no' ? 'no' : 'not known');
+    const status = verdict.minimum === 'proved' ? h('span', { class: 'badge minimum' }, 'proved') : h('span', { class: 'badge' }, 'not known');
     rows.push(
       ['lower bound', [number(verdict.lower_bound), ' ', h('a', { href: cell }, 'why')], terms.bound],
       ['valid', yes(verdict.valid, true), terms.valid],

@@ -19,40 +19,37 @@ export interface Step {
 }
 
 export class Steps {
+  readonly v: number;
+  readonly k: number;
   readonly b: number;
-  v = 0;
   readonly names: string[];
   /** pairs[n] is the number of pairs that are together in one of the first n blocks. */
-  pairs: Int32Array | null = null;
+  readonly pairs: Int32Array | null;
   /** first[x·v + y] is the first block with x and y, 0 if there is none; for few elements only. */
-  first: Int32Array | null = null;
+  readonly first: Int32Array | null;
 
-  private readonly index = new Map<string, number>();
-  /** The elements of all blocks, numbered; block n begins at starts[n − 1]. */
+  /** The elements of one block after the other. */
   private readonly flat: Int32Array;
-  private readonly starts: Int32Array;
-  private width = 0;
   /** The slots after every 64th block. */
   private readonly kept: Int32Array[] = [];
-  private slots = new Int32Array(0);
-  private met: Uint8Array | null = null;
-  private mark = new Int32Array(0);
+  private readonly slots: Int32Array;
+  private met: Uint8Array | null;
+  private readonly mark: Int32Array;
   private stamp = 0;
-  /** Blocks that are numbered, blocks that are walked through. */
-  private read = 0;
+  /** Blocks that are walked through. */
   private walked = 0;
 
-  private constructor(private readonly design: Pick<Design, 'v' | 'blocks' | 'labels'>) {
-    const { blocks, labels } = design;
+  private constructor({ v, blocks, labels }: Pick<Design, 'v' | 'blocks' | 'labels'>) {
+    this.v = v;
     this.b = blocks.length;
-    this.names = labels ? [...labels] : Array.from({ length: design.v }, (_, i) => String(i));
-    this.names.forEach((name, i) => this.index.set(name, i));
-    this.starts = new Int32Array(this.b + 1);
-    blocks.forEach((block, i) => {
-      this.starts[i + 1] = this.starts[i]! + block.length;
-      this.width = Math.max(this.width, block.length);
-    });
-    this.flat = new Int32Array(this.starts[this.b]!);
+    this.k = blocks[0]?.length ?? 0;
+    this.names = labels ?? Array.from({ length: v }, (_, i) => String(i));
+    this.flat = Int32Array.from(blocks.flat());
+    this.first = v <= mostMapped ? new Int32Array(v * v) : null;
+    this.pairs = v <= mostCounted ? new Int32Array(this.b + 1) : null;
+    this.met = this.first || !this.pairs ? null : new Uint8Array(Math.ceil((v * v) / 8));
+    this.mark = new Int32Array(v);
+    this.slots = new Int32Array(this.k).fill(-1);
   }
 
   /** All at once. */
@@ -68,7 +65,7 @@ export class Steps {
   static async soon(design: Pick<Design, 'v' | 'blocks' | 'labels'>, signal: AbortSignal, progress: (share: number) => void): Promise<Steps> {
     const steps = new Steps(design);
     while (!steps.work(performance.now() + 25)) {
-      progress((steps.read + steps.walked) / (2 * steps.b));
+      progress(steps.walked / steps.b);
       await new Promise((resolve) => setTimeout(resolve, 0));
       signal.throwIfAborted();
     }
@@ -78,20 +75,6 @@ export class Steps {
   /** Goes on until `deadline`; true when all is done. */
   private work(deadline: number): boolean {
     const late = (i: number): boolean => i % 64 === 0 && performance.now() > deadline;
-    for (; this.read < this.b; ++this.read) {
-      if (late(this.read)) {
-        return false;
-      }
-      this.readBlock(this.read);
-    }
-    if (this.walked === 0) {
-      this.v = this.names.length;
-      this.first = this.v <= mostMapped ? new Int32Array(this.v * this.v) : null;
-      this.pairs = this.v <= mostCounted ? new Int32Array(this.b + 1) : null;
-      this.met = this.first || !this.pairs ? null : new Uint8Array(Math.ceil((this.v * this.v) / 8));
-      this.mark = new Int32Array(this.v);
-      this.slots = new Int32Array(this.width).fill(-1);
-    }
     for (; this.walked < this.b; ++this.walked) {
       if (late(this.walked + 1)) {
         return false;
@@ -102,28 +85,9 @@ export class Steps {
     return true;
   }
 
-  private readBlock(i: number): void {
-    let at = this.starts[i]!;
-    for (const element of this.design.blocks[i]!) {
-      // A number is the place of an element; a word is its name.
-      if (typeof element === 'number' && element >= 0 && element < this.design.v) {
-        this.flat[at++] = element;
-        continue;
-      }
-      const name = String(element);
-      let found = this.index.get(name);
-      if (found === undefined) {
-        found = this.names.length;
-        this.index.set(name, found);
-        this.names.push(name);
-      }
-      this.flat[at++] = found;
-    }
-  }
-
   /** The elements of block n, from 1. */
   block(n: number): Int32Array {
-    return this.flat.subarray(this.starts[n - 1], this.starts[n]);
+    return this.flat.subarray((n - 1) * this.k, n * this.k);
   }
 
   get allPairs(): number {
@@ -198,7 +162,7 @@ export class Steps {
 
   step(n: number): Step {
     const before = Math.floor((n - 1) / every);
-    const slots = before > 0 ? this.kept[before - 1]!.slice() : new Int32Array(this.width).fill(-1);
+    const slots = before > 0 ? this.kept[before - 1]!.slice() : new Int32Array(this.k).fill(-1);
     let change: { entered: number[]; left: number[] } = { entered: [], left: [] };
     for (let i = before * every + 1; i <= n; ++i) {
       change = this.advance(i, slots);

@@ -55,27 +55,3 @@ export function bytesOf(text: string): number {
   }
   return Math.round(Number(found[1]) * unit);
 }
-
-/** Two items a line, or pairs with commas between. @throws Error with a line that can be shown. */
-export function pairsOf(text: string, items: number): [number, number][] | null {
-  const pairs: [number, number][] = [];
-  for (const [i, line] of text.split('\n').entries()) {
-    const words = line
-      .replace(/[#%].*/, '')
-      .trim()
-      .split(/[\s,;]+/)
-      .filter(Boolean);
-    if (words.length === 0) {
-      continue;
-    }
-    const [one, other] = words.map(Number);
-    if (words.length !== 2 || !words.every((word) => /^\d+$/.test(word))) {
-      throw new Error(`Pairs, line ${i + 1}: write two items, such as 0 5`);
-    }
-    if (one! >= items || other! >= items) {
-      throw new Error(`Pairs, line ${i + 1}: items are 0 to ${items - 1}`);
-    }
-    pairs.push([one!, other!]);
-  }
-  return pairs.length > 0 ? pairs : null;
-}

@@ -1,35 +1,19 @@
 // An order of loads, drawn: numbers with the bound, what simple orders cost, curves, and the steps themselves.
+import type { Ordered } from '../../lib/api';
 import { h, scroll, type Child } from '../../lib/dom';
 import { bytes, count, number } from '../../lib/words';
 import { plot } from '../../parts/plot';
 import { virtualList } from '../../parts/virtual';
 import { naive } from './naive';
 
-export interface Answer {
-  loads: number;
-  lower_bound: number;
-  reason?: string;
-  method?: string;
-  explanation?: string;
-  bytes: number;
-  bytes_bound: number;
-  step_count?: number;
-  steps: { step: number; worker?: number; load: number[]; evict: number[] }[];
-  truncated: boolean;
-  sample_every?: number;
-  memory: number[];
-  pairs_done: number[];
-  makespan?: number;
-  makespan_bound?: number;
-  worker_loads?: number[];
-}
-
 export interface Asked {
-  items: number;
+  /** null: as many as the pairs name. */
+  items: number | null;
   room: number;
   bytesPerItem: number | null;
   workers: number;
-  pairs: [number, number][] | null;
+  /** Two items a line. */
+  pairs: string | null;
 }
 
 function over(loads: number, bound: number): string {
@@ -38,39 +22,37 @@ function over(loads: number, bound: number): string {
     : `no order has fewer than ${number(bound)}, so this one has at most ${((100 * (loads - bound)) / bound).toFixed(1)} % more than the least possible`;
 }
 
-export function headline(answer: Answer, asked: Asked): HTMLElement {
-  const steps = answer.step_count ?? answer.steps.length;
-  const shared = answer.makespan !== undefined && answer.makespan_bound !== undefined;
+export function headline({ order, pairs, bytes: read, bytes_bound: least }: Ordered, asked: Asked): HTMLElement {
+  const { loads, lower_bound: bound, makespan, makespan_bound: spanBound, workers } = order;
+  const shared = makespan !== undefined && spanBound !== undefined && workers !== undefined;
   return h(
     'div',
     { class: 'verdict valid', role: 'status' },
-    h('h2', {}, `${count(answer.loads, 'load')} in ${count(steps, 'step')}`),
+    h('h2', {}, `${count(loads, 'load')} in ${count(order.steps, 'step')}`),
     h(
       'p',
       {},
       shared
-        ? `For ${count(asked.workers, 'worker')}; the busiest has ${count(answer.makespan!, 'load')}: ${over(answer.makespan!, answer.makespan_bound!)}.`
-        : `${asked.pairs ? count(asked.pairs.length, 'pair') : `All ${number((asked.items * (asked.items - 1)) / 2)} pairs`} of ${count(asked.items, 'item')}, with room for ${number(asked.room)}: ${over(answer.loads, answer.lower_bound)}.`,
-      asked.bytesPerItem !== null &&
-        ` ${bytes(answer.bytes)} are read${shared || answer.bytes <= answer.bytes_bound ? '' : `; less than ${bytes(answer.bytes_bound)} is not possible`}.`,
+        ? `For ${count(workers, 'worker')}; the busiest has ${count(makespan, 'load')}: ${over(makespan, spanBound)}.`
+        : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ${count(order.items, 'item')}, with room for ${number(order.room)}: ${over(loads, bound)}.`,
+      asked.bytesPerItem !== null && ` ${bytes(read)} are read${shared || read <= least ? '' : `; less than ${bytes(least)} is not possible`}.`,
     ),
-    h('p', { class: 'hint' }, 'Every step was read and every pair counted by a program of its own.'),
-    answer.reason &&
-      h(
-        'details',
-        {},
-        h('summary', {}, 'Why not fewer'),
-        h('p', {}, shared ? `All workers together have at least ${count(answer.lower_bound, 'load')}: ` : '', answer.reason),
-      ),
-    answer.explanation && h('details', {}, h('summary', {}, 'Where the order comes from'), h('p', {}, answer.explanation)),
+    h('p', { class: 'hint' }, 'Every step was read and every pair counted by an independent checker.'),
+    h(
+      'details',
+      {},
+      h('summary', {}, 'Why not fewer'),
+      h('p', {}, shared && `All workers together have at least ${count(bound, 'load')}: `, order.lower_bound_reason),
+    ),
+    h('details', {}, h('summary', {}, 'Where the order comes from'), h('p', {}, order.explanation)),
   );
 }
 
-export function comparison(answer: Answer, asked: Asked): HTMLElement | null {
+export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {
   if (asked.pairs || asked.workers > 1) {
     return null;
   }
-  const simple = naive(asked.items, asked.room);
+  const simple = naive(answer.order.items, asked.room);
   if (simple.length === 0) {
     return null;
   }
@@ -123,11 +105,9 @@ export function comparison(answer: Answer, asked: Asked): HTMLElement | null {
   );
 }
 
-export function curves(answer: Answer, asked: Asked, signal: AbortSignal): HTMLElement {
-  const steps = answer.step_count ?? answer.steps.length;
-  const every = answer.sample_every ?? Math.max(1, Math.round(steps / answer.memory.length));
+export function curves(answer: Ordered, asked: Asked, signal: AbortSignal): HTMLElement {
   const chart = plot({
-    label: `Items in memory and pairs that have met, step by step: at the end ${answer.pairs_done.at(-1) ?? 0} pairs; never more than ${asked.room} items`,
+    label: `Items in memory and pairs that have met, step by step: at the end ${answer.pairs} pairs; never more than ${asked.room} items`,
     x: asked.workers > 1 ? 'step, one worker after another' : 'step',
     y: 'items in memory',
     right: 'pairs that have met',
@@ -137,7 +117,7 @@ export function curves(answer: Answer, asked: Asked, signal: AbortSignal): HTMLE
     rightText: (y) => (y >= 1e6 ? `${y / 1e6} M` : y >= 1e4 ? `${y / 1e3} k` : String(y)),
   });
   chart.set(
-    answer.memory.map((_, i) => Math.min(i * every + 1, steps)),
+    answer.memory.map((_, i) => Math.min(i * answer.sample_every + 1, answer.step_count)),
     [
       { label: 'items in memory', colour: 1, values: answer.memory, steps: true },
       { label: 'pairs that have met', colour: 2, values: answer.pairs_done, right: true, dash: [8, 4] },
@@ -146,7 +126,12 @@ export function curves(answer: Answer, asked: Asked, signal: AbortSignal): HTMLE
   return h('section', {}, h('h2', {}, 'Step by step'), chart.element);
 }
 
-export function stepList(answer: Answer): HTMLElement {
+/** Names of several words have commas between. */
+function listed(items: (number | string)[]): string {
+  return items.join(items.some((item) => /\s/.test(String(item))) ? ', ' : ' ');
+}
+
+export function stepList(answer: Ordered): HTMLElement {
   const shared = answer.steps.some(({ worker }) => worker !== undefined);
   const list = virtualList({
     label: `The ${number(answer.steps.length)} steps`,
@@ -155,8 +140,8 @@ export function stepList(answer: Answer): HTMLElement {
       const { step, worker, load, evict } = answer.steps[i]!;
       const parts: Child[] = [
         h('span', { class: 'block-number' }, shared ? `${worker} · ${number(step)}` : number(step)),
-        h('span', { class: 'load' }, 'load ', h('strong', {}, load.join(' '))),
-        evict.length > 0 && h('span', { class: 'block-out' }, 'evict ', evict.join(' ')),
+        h('span', { class: 'load' }, 'load ', h('strong', {}, listed(load))),
+        evict.length > 0 && h('span', { class: 'block-out' }, 'evict ', listed(evict)),
       ];
       return h('div', { class: 'block' }, parts);
     },
@@ -171,22 +156,11 @@ export function stepList(answer: Answer): HTMLElement {
       h(
         'p',
         { class: 'hint' },
-        `These are the first ${number(answer.steps.length)} of ${number(answer.step_count ?? 0)} steps; the command below writes all of them.`,
+        `These are the first ${number(answer.steps.length)} of ${number(answer.step_count)} steps; the command below writes all of them.`,
       ),
   );
 }
 
-export function jsonLines(answer: Answer, asked: Asked): string {
-  const { loads, lower_bound, method, explanation, reason } = answer;
-  const first = {
-    items: asked.items,
-    room: asked.room,
-    loads,
-    steps: answer.step_count ?? answer.steps.length,
-    lower_bound,
-    lower_bound_reason: reason,
-    method,
-    explanation,
-  };
-  return [first, ...answer.steps].map((line) => JSON.stringify(line)).join('\n') + '\n';
+export function jsonLines({ order, steps }: Ordered): string {
+  return [order, ...steps].map((line) => JSON.stringify(line)).join('\n') + '\n';
 }

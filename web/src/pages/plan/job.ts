@@ -42,7 +42,7 @@ export interface Outcome {
   tests: Test[];
   /** Of the tests that the last planning was about: those done before are not in it. */
   cost: number;
-  bound: number | null;
+  bound: number;
   reason: string;
   /** The plan itself is the first. */
   alternatives: Alternative[];

@@ -22,7 +22,7 @@ type Packed = [
     | [
         tests: [parts: string[], cost: number, done: 0 | 1][],
         cost: number,
-        bound: number | null,
+        bound: number,
         reason: string,
         alternatives: [string, number, number, number][],
         testCost: number,
@@ -104,8 +104,7 @@ export function unpacked(value: unknown): State | null {
   const good =
     isList(tests) &&
     tests.every((test) => isList(test) && isList(test[0]) && test[0].every(isText) && isNumber(test[1])) &&
-    [cost, plannedTest, plannedChange, doneBefore].every(isNumber) &&
-    isNumberOrNull(bound) &&
+    [cost, bound, plannedTest, plannedChange, doneBefore].every(isNumber) &&
     isText(reason) &&
     isList(alternatives) &&
     alternatives.length > 0 &&
@@ -116,7 +115,7 @@ export function unpacked(value: unknown): State | null {
   const result: Outcome = {
     tests: (tests as [string[], number, number][]).map(([names, each, done]): Test => ({ parts: names, cost: each, done: Boolean(done) })),
     cost: cost as number,
-    bound,
+    bound: bound as number,
     reason,
     alternatives: (alternatives as [string, number, number, number][]).map(([name, count, changes, each]): Alternative => ({
       name,

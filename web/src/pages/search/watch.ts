@@ -24,7 +24,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
   let stopping = false;
   const stop = h(
     'button',
-    { type: 'button', class: 'plain', onclick: () => ((stopping = true), act('search/stop', stop, () => (stopping ? 'Stopping …' : ''))) },
+    { type: 'button', class: 'plain', onclick: () => ((stopping = true), act(stop, post('search/stop', { id }, undefined, signal), () => (stopping ? 'Stopping …' : ''))) },
     'Stop',
   );
   const open = h('a', { class: 'button plain', href: link('design', { job: id }) }, 'Open in the viewer');
@@ -34,14 +34,11 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
       type: 'button',
       class: 'plain',
       onclick: () =>
-        act('search/keep', keep, (answer) => {
-          const { label, already } = answer as { label: string; already: boolean };
-          return [
-            already ? 'Your catalog has it already: ' : 'Kept in your catalog: ',
-            h('a', { href: link('design', { label }) }, label),
-            '.',
-          ];
-        }),
+        act(keep, post('search/keep', { id }, undefined, signal), ({ label, already }) => [
+          already ? 'Your catalog has it already: ' : 'Kept in your catalog: ',
+          h('a', { href: link('design', { label }) }, label),
+          '.',
+        ]),
     },
     'Keep in my catalog',
   );
@@ -65,10 +62,10 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     chart.element,
   );
 
-  async function act(path: string, button: HTMLButtonElement, done: (answer: unknown) => string | (string | Node)[]): Promise<void> {
+  async function act<T>(button: HTMLButtonElement, asked: Promise<T>, done: (answer: T) => string | (string | Node)[]): Promise<void> {
     button.disabled = true;
     try {
-      fill(said, done(await post<unknown>(path, { id }, undefined, signal)));
+      fill(said, done(await asked));
     } catch (fault) {
       button.disabled = false;
       if (!signal.aborted) {
@@ -86,7 +83,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     }
     asking = true;
     try {
-      const job = await get<SearchJob>('search', { id }, signal);
+      const job = await get('search?id', { id }, signal);
       show(job);
       const points = (job.points ?? []).filter((point, i, all) => i === 0 || point.seconds > all[i - 1]!.seconds);
       chart.element.hidden = points.length < 2;
@@ -118,11 +115,11 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     const running = job.state === 'running';
     const name = nameOf(job);
     title.textContent = name[0]!.toUpperCase() + name.slice(1);
-    words.textContent = `${running ? 'Running' : job.state === 'done' ? 'Done' : job.state === 'stopped' ? 'Stopped' : 'Failed'} after ${seconds(job.seconds)}${job.limit !== undefined && running ? ` of ${seconds(job.limit)}` : ''}: ${found(job)}; ${job.lower_bound === null ? 'no lower bound is known' : `the lower bound is ${number(job.lower_bound)}`}.`;
+    words.textContent = `${running ? 'Running' : job.state === 'done' ? 'Done' : job.state === 'stopped' ? 'Stopped' : 'Failed'} after ${seconds(job.seconds)}${running ? ` of ${seconds(job.limit)}` : ''}: ${found(job)}; ${job.lower_bound === null ? 'no lower bound is known' : `the lower bound is ${number(job.lower_bound)}`}.`;
     message.textContent = job.message;
     message.classList.toggle('problem', job.state === 'failed');
-    progress.hidden = !running || job.limit === undefined;
-    progress.value = job.limit ? Math.min(1, job.seconds / job.limit) : 0;
+    progress.hidden = !running;
+    progress.value = Math.min(1, job.seconds / job.limit);
     if (!running && stopping) {
       stopping = false;
       fill(said);

@@ -19,7 +19,7 @@ export function wrongSteps({ blocks: { b, change, kind, introduced } }: Report):
 
 /** What is wrong with a list too long to be shown, in words. */
 export function defects({ answer, blocks }: Report): HTMLElement {
-  const words = (set: (number | string)[]) => `{${set.join(', ')}}`;
+  const { uncovered, uncovered_examples } = answer.details;
   const more = (known: number, all: number) => all > known && h('li', {}, `and ${number(all - known)} more`);
   return h(
     'section',
@@ -37,11 +37,11 @@ export function defects({ answer, blocks }: Report): HTMLElement {
           ),
         ]
       : []),
-    ...(answer.uncovered_pairs.length > 0
+    ...(uncovered_examples.length > 0
       ? [
           h('h3', {}, 'In no block'),
-          h('p', {}, answer.uncovered_pairs.map(words).join(' ')),
-          h('ul', {}, more(answer.uncovered_pairs.length, answer.details.uncovered)),
+          h('p', {}, uncovered_examples.map((set) => `{${set.join(', ')}}`).join(' ')),
+          h('ul', {}, more(uncovered_examples.length, uncovered)),
         ]
       : []),
   );
@@ -51,7 +51,6 @@ export function blockList(report: Report, view: View): HTMLElement {
   const { answer, blocks } = report;
   const { k, b, change, kind } = blocks;
   const nameOf = (x: number) => blocks.labels?.[x] ?? String(x);
-  const numberOf = new Map<string, number>(blocks.labels?.map((name, x) => [name, x]));
   const wrong = wrongSteps(report);
   const isWrong = new Set(wrong);
   let inPlace = view.params.get('order') !== 'file';
@@ -118,7 +117,6 @@ export function blockList(report: Report, view: View): HTMLElement {
     );
 
   // ---- uncovered pairs ----
-  const index = (x: number | string) => (typeof x === 'number' ? x : (numberOf.get(x) ?? Number(x)));
   const said = h('p', { class: 'note', role: 'status', hidden: true });
   function blocksWith(x: number): number[] {
     const found: number[] = [];
@@ -167,8 +165,7 @@ export function blockList(report: Report, view: View): HTMLElement {
   const pairs = h(
     'div',
     { class: 'pairs', role: 'group', 'aria-label': `The ${setsOf(blocks.strength)} that are in no block` },
-    answer.uncovered_pairs.map((each) => {
-      const set = each.map(index);
+    answer.uncovered_pairs.map((set) => {
       const button = h(
         'button',
         { type: 'button', class: 'plain pair', 'aria-pressed': 'false', onclick: () => show(set, button) },

@@ -1,5 +1,5 @@
 // Asking the server and looking through the blocks, beside the page: a file of 50 MB must not stop it.
-import { ApiError, type Kind } from '../../lib/api';
+import { ApiError, type Kind, type Verified } from '../../lib/api';
 
 export interface Question {
   url: string;
@@ -7,31 +7,7 @@ export interface Question {
 }
 
 /** What the server says, without the blocks. */
-export interface Answer {
-  valid: boolean;
-  verdict: { valid: boolean; tight: boolean; economical: boolean; b: number; lower_bound: number; minimum: string };
-  bound: { name: string; reason: string } | null;
-  details: {
-    v: number;
-    k: number;
-    change: number;
-    kind: Kind;
-    strength: number;
-    b: number;
-    subsets: number;
-    uncovered: number;
-    covered: number;
-    excess: number;
-    bad_steps: number;
-    counting_bound: number | null;
-    never_newly_covered: number;
-    fixed: (number | string)[];
-    elements?: { element: number | string; introductions: number; blocks: number; covered: number; excess: number }[];
-  };
-  bad_steps: { block: number; why: string }[];
-  uncovered_pairs: (number | string)[][];
-  recipe?: unknown;
-}
+export type Answer = Omit<Verified, 'design'>;
 
 /** The blocks as numbers in a row: element j of block i is blocks[i·k + j]. */
 export interface Blocks {
@@ -56,7 +32,7 @@ export interface Report {
   blocks: Blocks;
 }
 
-export type Reply = { report: Report } | { fault: { message: string; status: number; line?: number; column?: number } };
+export type Reply = { report: Report } | { fault: Pick<ApiError, 'message' | 'status' | 'line' | 'column'> };
 
 /** @throws ApiError with line and column if the text is not a list of blocks. */
 export function check(question: Question, signal: AbortSignal): Promise<Report> {

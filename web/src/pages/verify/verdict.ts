@@ -110,11 +110,8 @@ export function facts({ answer, blocks }: Report): HTMLElement {
   );
 }
 
-export function elementTable({ answer }: Report): HTMLElement | null {
-  const elements = answer.details.elements;
-  if (!elements || elements.length === 0) {
-    return null;
-  }
+export function elementTable({ answer }: Report): HTMLElement {
+  const { elements } = answer.details;
   const head = h(
     'div',
     { class: 'element-row head', 'aria-hidden': 'true' },

@@ -1,5 +1,5 @@
 // Runs beside the page (see check.ts): asks, reads the answer, and turns its blocks into rows of numbers.
-import { ApiError, askWith, type Design } from '../../lib/api';
+import { ApiError, askWith, type Design, type Verified } from '../../lib/api';
 import type { Answer, Blocks, Question, Reply } from './check';
 
 const port = self as unknown as {
@@ -10,14 +10,7 @@ const port = self as unknown as {
 function rows(design: Design): Blocks {
   const { v, k, change, kind } = design;
   const b = design.blocks.length;
-  const names = new Map((design.labels ?? []).map((name, i) => [name, i]));
-  const blocks = new Int32Array(b * k);
-  let at = 0;
-  for (const block of design.blocks) {
-    for (const element of block) {
-      blocks[at++] = typeof element === 'number' ? element : (names.get(element) ?? Number(element));
-    }
-  }
+  const blocks = Int32Array.from(design.blocks.flat());
   const placed = new Int32Array(b * k);
   const introduced = new Int32Array(b);
   // seen[x] is the last block (from 1) that x was found in, place[x] where it stood.
@@ -80,14 +73,13 @@ function noRows({ v, k, b, change, kind, strength }: Answer['details']): Blocks 
 port.onmessage = ({ data }) => {
   const headers = { 'Content-Type': 'text/plain; charset=utf-8' };
   askWith(data.url, { method: 'POST', headers, body: data.body })
-    .then((response) => response.json() as Promise<Answer & { design: Design | null }>)
+    .then((response) => response.json() as Promise<Verified>)
     .then(({ design, ...answer }) => {
       const blocks = design ? rows(design) : noRows(answer.details);
       port.postMessage({ report: { answer, blocks } }, [blocks.blocks.buffer, blocks.placed.buffer, blocks.introduced.buffer]);
     })
     .catch((fault: unknown) => {
-      const { message } = fault as Error;
-      const { status, line, column } = fault instanceof ApiError ? fault : { status: 0, line: undefined, column: undefined };
-      port.postMessage({ fault: { message, status, ...(line ? { line } : {}), ...(column ? { column } : {}) } }, []);
+      const { message, status = 0, line, column } = fault as Partial<ApiError> & Error;
+      port.postMessage({ fault: { message, status, line, column } }, []);
     });
 };

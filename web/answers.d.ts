@@ -1,0 +1,646 @@
+// Made by types.mjs of docs/schema: ./dev web build writes it anew.
+
+export type Kind = 'linear' | 'circular';
+export type Block = number[];
+export type Job = {
+  format?: 'changeover-job/1';
+  /** CSV or .xlsx: a part a line, with its change cost or not */
+  parts?:
+    | (
+        | number
+        | (string | {name: string | number | null; cost?: string | number | null; slot?: string | number | null})[]
+        | {file: string}
+        | {text: string}
+      )
+    | null;
+  /** the first row of the parts list heads its columns */
+  header?: boolean | null;
+  /** the first row of the parts list is a part */
+  no_header?: boolean | null;
+  /** N parts called 1, …, N instead of a list */
+  items?: number | null;
+  /** how many parts fit at once */
+  at_once?: number | null;
+  /** what one test costs, e.g. 12.50 */
+  test_cost?: (number | string) | null;
+  /** what mounting a part costs where the list does not say */
+  change_cost?: (number | string) | null;
+  /** a square table: what putting in the part of the column costs where that of the row was taken out */
+  change_costs?: ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string}) | null;
+  /** 2: every two parts must meet (the default); 3: every three */
+  strength?: number | null;
+  /** pairs that must meet (default: all) */
+  pairs?: ([string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
+  /** pairs that must not be in one set-up */
+  never?: ([string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
+  /** how many parts of each slot a set-up has: slot,least,most a line */
+  slots?:
+    | ({name: string | number | null; least?: string | number | null; most?: string | number | null}[] | {file: string} | {text: string})
+    | null;
+  /** the same in one line, as in CPU=1,disk=2..4,fan=..2 */
+  slot?: string | null;
+  /** parts that stay mounted in every set-up */
+  mounted?: (string | number | null)[] | null;
+  /** parts that are mounted before the first test */
+  start?: (string | number | null)[] | null;
+  /** the set-ups that must be run first, in this order: the parts of one a line */
+  first?: ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string}) | null;
+  /** what pairs are worth, A,B,weight a line; others are worth 1 */
+  weights?: ([string | number | null, string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
+  /** test as many pairs as this pays for */
+  budget?: (number | string) | null;
+  /** tests already done, a set-up a line or a run sheet (CSV, .xlsx): plan the rest */
+  done?:
+    (((string | number | null)[] | {parts: (string | number | null)[]; result?: string | null})[] | {file: string} | {text: string}) | null;
+  /** only the first N of them were done */
+  done_first?: number | null;
+  /** pairs that met only in tests that did not pass count as tested, and are not needed again */
+  trust_failed?: boolean | null;
+  /** on N benches side by side, each with parts of its own */
+  benches?: number | null;
+  /** of several benches: the least largest cost (default), or the least cost together */
+  objective?: ('makespan' | 'cost') | null;
+  /** which plan is cheapest at which ratio of change to test cost */
+  what_if?: boolean | null;
+  /** without the whole set-ups, in two columns on paper */
+  compact?: boolean | null;
+  /** exchange parts at random that nothing tells apart */
+  shuffle?: number | null;
+  /** which part or pair the results of --done blame, and what to test next */
+  diagnose?: boolean | null;
+  /** the heading of the run sheet */
+  title?: string | null;
+  /** moves of each local search (default: as suits) */
+  steps?: number | null;
+  /** search so long */
+  seconds?: number | null;
+  /** threads to use */
+  threads?: number | null;
+  /** of the random numbers (default 1) */
+  seed?: number | null;
+};
+export type LoadRequest = {
+  format?: 'changeover-load-request/1';
+  /** items, e.g. partitions of a file */
+  items?: number | null;
+  /** how many are in memory at once */
+  room?: number | null;
+  /** only the pairs listed there, two items per line (text, CSV, .xlsx); "-": standard input */
+  pairs?: ([string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
+  /** each of the P items with each of B others */
+  against?: number | null;
+  /** the pairs of the first N items are done */
+  done_items?: number | null;
+  /** so many of those in memory are on an accelerator, where pairs meet */
+  fast_room?: number | null;
+  /** bytes an item, to say what both levels move */
+  item_bytes?: number | null;
+  /** split it for W workers with room C each */
+  workers?: number | null;
+  /** workers step together and never hold one item twice, so that items may change */
+  disjoint?: boolean | null;
+  /** items change while they are held: say what is stored when */
+  write_back?: boolean | null;
+  /** say what is computed when, so that loads overlap computation */
+  prefetch?: boolean | null;
+  /** say of each step which pairs are computed */
+  new_pairs?: boolean | null;
+  /** pairs both ways: (i,j) and (j,i) */
+  ordered?: boolean | null;
+  /** each item with itself, too: (i,i) */
+  self?: boolean | null;
+  /** pairs of a step in random order, by --seed */
+  shuffle?: boolean | null;
+  /** search so long for a better order */
+  seconds?: number | null;
+  /** threads to use */
+  threads?: number | null;
+  /** of the random numbers (default 1) */
+  seed?: number | null;
+};
+export type Loads = Head | Step;
+export type Status = 'minimum' | 'best-known' | 'impossible' | 'open';
+
+export interface Documents {
+  benches: Benches;
+  design: Design;
+  diagnosis: Diagnosis;
+  job: Job;
+  'load-request': LoadRequest;
+  loads: Loads;
+  plan: Plan;
+  'what-if': WhatIf;
+  explorer: Explorer;
+  verify: Verify;
+  refusal: Refusal;
+}
+export interface Benches {
+  format: 'changeover-benches/1';
+  title: string;
+  benches: number;
+  objective: 'makespan' | 'cost';
+  cost: number;
+  makespan: number;
+  tests: number;
+  changes: number;
+  pairs_needed: number;
+  pairs_tested: number;
+  triples_needed: number;
+  triples_tested: number;
+  lower_bound: {cost: number; makespan: number; cost_reason: string; makespan_reason: string};
+  sheets: {
+    bench: number;
+    tests: number;
+    changes: number;
+    cost: number;
+    steps: {
+      step: number;
+      take_out: string[];
+      put_in: string[];
+      set_up: string[];
+      new_pairs?: number;
+      cost: number;
+      cost_so_far: number;
+      new_triples?: number;
+      replaced?: string[][];
+    }[];
+  }[];
+  candidates: {name: string; how: string; tests: number; changes: number; cost: number; makespan: number}[];
+  notes: string[];
+}
+export interface Design {
+  format: 'changeover-design/1';
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  /** 2 if it is left out. */
+  strength?: number;
+  /** In order, each k numbers from 0 to v-1. */
+  blocks: Block[];
+  /** Names of the elements 0 to v-1; without them they are numbers. */
+  labels?: string[];
+  recipe?: Recipe;
+  verdict?: Verdict;
+  /** Its label in the catalog, or null. Only the server says it. */
+  label?: string | null;
+}
+/** How it is made: `changeover design --recipe` builds the same blocks. */
+export interface Recipe {
+  construction: string;
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  /** 2 if it is left out. */
+  strength?: number;
+  arguments: {[k: string]: number};
+  /** The designs that it is made of. */
+  inputs: Recipe[];
+  /** Lists of numbers that belong to the recipe: blocks, positions or elements. */
+  blocks?: number[][];
+  provenance?: string;
+}
+/** What the verifier found. What reads a design does not believe it. */
+export interface Verdict {
+  valid: boolean;
+  /** Every pair is newly covered exactly once. */
+  tight: boolean;
+  /** It has as many blocks as the counting bound. */
+  economical: boolean;
+  b: number;
+  /** No design with these parameters has fewer blocks. */
+  lower_bound: number;
+  minimum: 'proved' | 'unknown';
+}
+export interface Diagnosis {
+  format: 'changeover-diagnosis/1';
+  passed: number;
+  failed: number;
+  unread: number;
+  first_unread: {place: string; result: string}[];
+  notes: string[];
+  suspects: string[][];
+  two: [string[], string[]][];
+  contradictions: {failed: string[]; passed: string[]}[];
+  tests: {
+    after: ('fail' | 'pass')[];
+    set_up: string[];
+    take_out: string[];
+    put_in: string[];
+    cost: number;
+    if_it_fails: string[][];
+    if_it_passes: string[][];
+  }[];
+  most_cost: number;
+}
+/** The first line: the schedule as a whole. */
+export interface Head {
+  format: 'changeover-loads/1';
+  items: number;
+  room: number;
+  wanted?: string;
+  wanted_pairs?: number;
+  fast_room?: number;
+  loads: number;
+  transfers?: number;
+  steps: number;
+  lower_bound: number;
+  lower_bound_reason: string;
+  transfer_bound?: number;
+  transfer_bound_reason?: string;
+  item_bytes?: number;
+  bytes_loaded?: number;
+  bytes_transferred?: number;
+  group_items?: number;
+  method?: string;
+  explanation: string;
+  workers?: number;
+  makespan?: number;
+  span?: number;
+  makespan_bound?: number;
+  makespan_bound_reason?: string;
+  groups?: number;
+  order_room?: number;
+  pairs?: number;
+  overlapped?: number;
+  stores?: number;
+  store_bound?: number;
+  disjoint?: true;
+  gap?: number;
+  verified: string;
+  worker_loads?: number[];
+}
+/** Each other line: a step, of one worker if there are several. What is evicted goes before what is loaded comes. */
+export interface Step {
+  worker?: number;
+  step: number;
+  /** Items: Its number, or its name where pairs are listed by names. */
+  load: (number | string)[];
+  /** Items: Its number, or its name where pairs are listed by names. */
+  evict: (number | string)[];
+  /** Items: Its number, or its name where pairs are listed by names. */
+  store?: (number | string)[];
+  /** Items: Its number, or its name where pairs are listed by names. */
+  fast_evict?: (number | string)[];
+  /** Items: Its number, or its name where pairs are listed by names. */
+  fast_load?: (number | string)[];
+  /** Items: Its number, or its name where pairs are listed by names. */
+  evict_first?: (number | string)[];
+  /** Items: Its number, or its name where pairs are listed by names. */
+  evict_late?: (number | string)[];
+  before?: [number | string, number | string][];
+  compute?: [number | string, number | string][];
+  new_pairs?: [number | string, number | string][];
+}
+export interface Plan {
+  format: 'changeover-plan/1';
+  title: string;
+  parts: {name: string; change_cost: number; slot?: null | string}[];
+  at_once: number;
+  slots: {name: string; least: number; most: number}[];
+  test_cost: number;
+  mounted: string[];
+  start: string[];
+  first: string[][];
+  tests_done: number;
+  met_only_in_failed: number;
+  trust_failed: boolean;
+  tests: number;
+  changes: number;
+  cost: number;
+  pairs_needed: number;
+  pairs_tested: number;
+  proved_cheapest: boolean;
+  lower_bound: {cost: number; tests: number; changes: number; reason: string};
+  budget: null | number;
+  triples_needed: number;
+  triples_tested: number;
+  weight: null | {needed: number; tested: number; most: null | number};
+  steps: {
+    step: number;
+    take_out: string[];
+    put_in: string[];
+    set_up: string[];
+    new_pairs: string[][];
+    cost: number;
+    cost_so_far: number;
+    weight_so_far?: number;
+    new_triples?: string[][];
+    replaced?: string[][];
+  }[];
+  candidates: {
+    name: string;
+    how: string;
+    tests: number;
+    changes: number;
+    cost: number;
+    pairs_tested: number;
+    triples_tested: number;
+    weight: number;
+  }[];
+  notes: string[];
+  replace_costs?: (null | number)[][];
+}
+export interface WhatIf {
+  format: 'changeover-what-if/1';
+  by: string;
+  asked: null | number;
+  ranges: {
+    from: null | number;
+    to: null | number;
+    plan: {
+      name: string;
+      how: string;
+      tests: number;
+      changes: number;
+      cost: number;
+      pairs_tested: number;
+      triples_tested: number;
+      weight: number;
+    };
+  }[];
+  met_only_in_failed: number;
+  trust_failed: boolean;
+  notes: string[];
+}
+export interface Explorer {
+  get: {
+    about: About;
+    table: TableCell[];
+    cell: CellDetail;
+    bounds: {
+      v: number;
+      k: number;
+      change: number;
+      kind: Kind;
+      strength: number;
+      lower_bound: number | null;
+      reason: string;
+      status: Status;
+      reported: Reported | null;
+      best_known: number | null;
+      construction: string | null;
+      bounds: {lower_bound: number; name: string; reason: string}[];
+    };
+    explain: Explanation;
+    design: Design;
+    completeness: Completeness[];
+    constructions: Construction[];
+    theorems: Theorem[];
+    search: SearchJob[];
+    'search?id': SearchJob;
+  };
+  post: {
+    verify: Verified;
+    plan: Planned;
+    loadorder: Ordered;
+    search: {id: number};
+    'search/stop': {};
+    'search/keep': Kept;
+    'catalog/add': Kept;
+  };
+  body: {
+    plan: Job;
+    search: SearchOrder;
+    /** changeover-load-request-1.json, and a key of these pages. */
+    loadorder: {bytes_per_item?: number};
+  };
+}
+/** Files for any web server have no limits. */
+export interface About {
+  version: string;
+  catalog: {designs: number; cells: number; version: string};
+  write: boolean;
+  files: {index: number; name: string}[];
+  static: boolean;
+  limits?: {body_bytes: number; seconds: number; memory: number; searches: number};
+}
+export interface TableCell {
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  b: number | null;
+  lower_bound: number | null;
+  status: Status;
+  construction: string | null;
+  label: string | null;
+}
+export interface CellDetail {
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  strength: number;
+  lower_bound: number | null;
+  reason: string;
+  status: Status;
+  reported: Reported | null;
+  bounds: Bound[];
+  best: {b: number; label: string | null; status: Status; construction: string; recipe: Recipe} | null;
+  designs: CatalogEntry[];
+  offers: {construction: string; b: number; recipe: Recipe}[];
+  history: {date: string; b: number; label: string; credit: string; how: string}[];
+  impossible: string | null;
+}
+/** Fewer blocks that a publication has, without the design. */
+export interface Reported {
+  blocks: number;
+  cites: string;
+}
+export interface Bound {
+  name: string;
+  blocks: number;
+  reason: string;
+}
+export interface CatalogEntry {
+  label: string;
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  b: number;
+  lower_bound: number;
+  reason: string;
+  status: 'minimum' | 'best-known' | 'retracted';
+  construction: string;
+  credit: Credit;
+  cites: string[];
+  hash: string;
+  strength?: number;
+  note?: string;
+  retracted?: string;
+}
+export interface Credit {
+  who: string;
+  date: string;
+  program: string;
+  command: string;
+}
+export interface Explanation {
+  recipe: Recipe;
+  tree: TreeNode;
+}
+export interface TreeNode {
+  construction: string;
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  explanation: string;
+  citation: string;
+  b: number;
+  verdict: Verdict | null;
+  inputs: TreeNode[];
+}
+export interface Completeness {
+  strength: number;
+  change: number;
+  kind: Kind;
+  k: number;
+  v_from: number;
+  v_to: number;
+  cells: number;
+  minimum: number;
+  mean_ratio: number;
+}
+export interface Construction {
+  name: string;
+  summary: string;
+  citation: string;
+  serves: string;
+  gives: string;
+  example: Example | null;
+}
+export interface Example {
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+}
+export interface Theorem {
+  number: string;
+  title: string;
+  statement: string;
+  example: Example | null;
+}
+export interface SearchJob {
+  id: number;
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  state: 'running' | 'done' | 'stopped' | 'failed';
+  best: number | null;
+  lower_bound: number | null;
+  start_best: number | null;
+  seconds: number;
+  limit: number;
+  threads: number;
+  seed: number;
+  restarts: number | null;
+  message: string;
+  points?: {seconds: number; best: number | null; rate: number}[];
+}
+/** What verify --json says, more examples, and the design as it was understood. */
+export interface Verified {
+  valid: boolean;
+  verdict: Verdict;
+  bound: Proof;
+  details: Details;
+  bad_steps: {block: number; why: string}[];
+  uncovered_pairs: number[][];
+  design: Design | null;
+}
+/** Which bound, and why it holds. */
+export interface Proof {
+  name: string;
+  reason: string;
+}
+export interface Details {
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  strength: number;
+  valid: boolean;
+  tight: boolean;
+  economical: boolean;
+  b: number;
+  counting_bound: number | null;
+  bad_steps: number;
+  bad_step_examples: {from: number; to: number; changes: number}[];
+  subsets: number;
+  uncovered: number;
+  uncovered_examples: (number | string)[][];
+  covered: number;
+  never_newly_covered: number;
+  excess: number;
+  fixed: (number | string)[];
+  degree_identity: boolean | null;
+  unchanged_subsets: number | null;
+  never_unchanged: (number | string)[];
+  elements: {element: number | string; introductions: number; blocks: number; covered: number; excess: number}[];
+}
+/** One of the four documents; a plan also in the keys from before it was a document. */
+export interface Planned {
+  plan?: Plan;
+  benches?: Benches;
+  what_if?: WhatIf;
+  diagnosis?: Diagnosis;
+  tests?: {number: number; parts: string[]; out: string[]; in: string[]; cost: number; changes: number; done: boolean}[];
+  cost?: number;
+  changes?: number;
+  bound?: number;
+  reason?: string;
+  cheapest?: boolean;
+  met_only_in_failed?: number;
+  alternatives?: {name: string; how: string; change: number | null; tests: number; changes: number; cost: number; bound: number}[];
+  verified?: boolean;
+  csv?: string;
+}
+/** What a load order comes to, its first steps, and samples of what happens. */
+export interface Ordered {
+  order: Head;
+  loads: number;
+  lower_bound: number;
+  reason: string;
+  method: string;
+  explanation: string;
+  bytes: number;
+  bytes_bound: number;
+  step_count: number;
+  steps: Step[];
+  truncated: boolean;
+  sample_every: number;
+  memory: number[];
+  pairs_done: number[];
+  pairs: number;
+  verified: true;
+  makespan?: number;
+  makespan_bound?: number;
+  worker_loads?: number[];
+}
+export interface Kept {
+  label: string;
+  already: boolean;
+}
+/** What is asked of a search. */
+export interface SearchOrder {
+  v: number;
+  k: number;
+  change?: number;
+  kind?: Kind;
+  seconds?: number;
+  threads?: number;
+  seed?: number;
+}
+export interface Verify {
+  verdict: Verdict;
+  bound: Proof;
+  details: Details;
+}
+export interface Refusal {
+  error: {message: string; line?: number; column?: number};
+}
