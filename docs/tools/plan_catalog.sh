@@ -16,7 +16,7 @@ for change in "$@"; do
   for kind in linear circular; do
     files=catalog/planned/m$change-$kind
     : >"$work/new"
-    for range in '3..12 5..100' '13..40 15..160'; do
+    for range in '3..12 5..160' '13..40 15..160'; do
       "$program" table --k "${range% *}" --v "${range#* }" --change "$change" "--$kind" --anew --format catalog -o "$work/table"
       for from in 03 13 20 27 34; do
         file=$files-k$from.jsonl

@@ -26,8 +26,7 @@ unsigned levels(const Parameters& p) {
 // How many elements are taken away from one larger design.
 constexpr std::size_t most_smaller = 8;
 
-// Rules are not put on top of deeper recipes: these have a limited depth.
-constexpr std::size_t deepest_chain = max_recipe_depth / 2;
+constexpr std::uint64_t largest_k_for_groups = 12;
 
 // Designs are kept while they have no more than so many numbers together: 64 MiB.
 constexpr std::uint64_t most_numbers_held = std::uint64_t{1} << 24;
@@ -109,6 +108,9 @@ class KnownDesigns::Cell {
     }
     if (level_ == 2 && !alone_) {
       coarsen();
+    }
+    if (level_ == 2 && !alone_) {
+      concatenate_groups();
     }
     fix(level_ - 1);
     unfix();
@@ -197,7 +199,17 @@ class KnownDesigns::Cell {
     }
   }
 
-  // On one level only: of all rules this one takes longest.
+  void concatenate_groups() {
+    if (all_.stored_ == Stored::anew && is_stored_cell(p_) && p_.k <= largest_k_for_groups) {
+      for (const Ptr& made : all_.with_groups_at(p_)) {
+        if (helps(made->offer.b)) {
+          best_ = made;
+        }
+      }
+    }
+  }
+
+  // On one level only: of the other rules this one takes longest.
   void coarsen() {
     const std::uint64_t m = p_.change;
     if (m < 2 || p_.k <= m) {

@@ -11,7 +11,7 @@
 // needless blocks go. The answer is level 3, and 2 beyond v = 300.
 //
 // Each level refers to lower levels, to lower change numbers (and m = 1 to m = 2 without other
-// change numbers), to the circular design or to smaller blocks; so this ends. A source is left out
+// change numbers), to the circular design, to smaller blocks or to fewer elements; so this ends. A source is left out
 // where lower bounds show that it cannot help: that saves time and changes nothing. What else is
 // asked, before or at once, has no influence.
 //
@@ -34,6 +34,7 @@
 #include "changeover/construct/closure.hpp"
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/parameters.hpp"
+#include "construct/tools/groups.hpp"
 
 namespace changeover {
 
@@ -61,11 +62,15 @@ class KnownDesigns {
     std::vector<std::shared_ptr<Known>> smaller = {};  // with 1, 2, … elements less
     bool no_smaller = false;                           // than the last of them
     std::optional<BestCut> cut = {};
+    std::optional<std::vector<Hinge>> hinges = {};
   };
   using Ptr = std::shared_ptr<Known>;
   // Alone: without the rules that lead from other change numbers.
   using Key = std::tuple<Parameters, unsigned, bool>;
   class Cell;
+
+  // Rules are not put on top of deeper recipes: these have a limited depth.
+  static constexpr std::size_t deepest_chain = max_recipe_depth / 2;
 
   [[nodiscard]] static Ptr known(Offer offer, bool news);
   [[nodiscard]] Ptr at(const Parameters& p, unsigned level, bool alone);
@@ -80,6 +85,17 @@ class KnownDesigns {
   [[nodiscard]] const std::optional<Recipe>& unfixed_of(const Ptr& known);
   [[nodiscard]] const std::optional<CoverPositions>& cover_of(const Ptr& known);
   [[nodiscard]] Ptr smaller(const Ptr& from, std::size_t elements);
+  [[nodiscard]] const std::vector<Hinge>& hinges_of(const Ptr& known);
+
+  // Concatenation with groups, in known_groups.cpp.
+  struct GroupCandidate;
+  [[nodiscard]] const std::vector<Ptr>& with_groups_at(const Parameters& p);
+  [[nodiscard]] const std::vector<Ptr>& bases_at(const Parameters& p);
+  void add_candidates(const Parameters& p, const Parameters& base, std::uint64_t fewer_than,
+                      std::vector<GroupCandidate>& found);
+  void add_candidates(const Parameters& p, const Ptr& base, const Groups& groups,
+                      std::uint64_t fewer_than, std::vector<GroupCandidate>& found);
+  [[nodiscard]] Ptr built(const Parameters& p, const GroupCandidate& candidate);
 
   const Registry& registry_;
   Stored stored_;
@@ -87,6 +103,7 @@ class KnownDesigns {
   std::map<Key, Ptr> cells_;
   std::map<Parameters, Bound> bounds_;
   std::map<Parameters, bool> possible_;
+  std::map<Parameters, std::vector<Ptr>> with_groups_, bases_;
   std::deque<std::pair<Ptr, Design>> designs_;  // built last
   std::uint64_t numbers_held_ = 0;
 };

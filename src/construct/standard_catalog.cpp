@@ -53,8 +53,7 @@ std::string standard_catalog_file() {
 }
 
 bool is_stored_cell(const Parameters& p) {
-  return p.strength == 2 && p.change >= 1 && p.change <= 3 &&
-         ((p.k >= 3 && p.k <= 12 && p.v <= 100) || (p.k >= 13 && p.k <= 40 && p.v <= 160));
+  return p.strength == 2 && p.change >= 1 && p.change <= 3 && p.k >= 3 && p.k <= 40 && p.v <= 160;
 }
 
 std::string standard_catalog_problem() { return asked ? standard_catalog().problem() : ""; }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -96,7 +97,7 @@ inline void expect_refused(const Recipe& recipe, const std::string& how) {
 
 /// What may be changed in a recipe so that it is another one that is right.
 struct Freedom {
-  std::string argument{};  ///< one of free choice
+  std::set<std::string> arguments{};  ///< of free choice
   bool any_v = false;
   bool any_kind = false;
 };
@@ -132,7 +133,7 @@ inline void expect_spoilt_recipes_refused(const Recipe& recipe, const Freedom& f
   for (const auto& [argument, value] : recipe.arguments) {
     spoil("no " + argument, [&key = argument](Recipe& r) { r.arguments.erase(key); });
     spoil(argument + " < 0", [&key = argument](Recipe& r) { r.arguments[key] = -1; });
-    if (argument != freedom.argument) {
+    if (!freedom.arguments.contains(argument)) {
       spoil(argument + " + 1", [&key = argument](Recipe& r) { ++r.arguments[key]; });
       spoil(argument + " - 1", [&key = argument](Recipe& r) { --r.arguments[key]; });
     }

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "changeover/construct/closure.hpp"
+#include "construct/tools/groups.hpp"
 #include "construction_checks.hpp"
 
 namespace changeover::every_construction_test {
@@ -172,6 +173,40 @@ const std::map<std::string, Rule, std::less<>>& rules() {
          const Parameters& p = r.parameters;
          const std::uint64_t g = 2 + below(random, 2);
          return of_made(coarsen_recipe(r, d, g), with(p, p.v, p.k + g - 1, g));
+       }},
+      {"concatenate-groups",
+       [](const Recipe& r, const Design& d, std::mt19937&) -> std::optional<Result> {
+         if (d.parameters().change < 2 || d.parameters().change >= d.k()) {
+           return std::nullopt;
+         }
+         const Groups groups{2 + d.v() % 3, 1 + d.block_count() % 4};
+         const std::uint64_t classes = class_count(groups, d.parameters().change);
+         for (const Hinge& hinge : hinges(d)) {
+           if (classes == 0 || classes > hinge.positions.size()) {
+             continue;
+           }
+           const std::uint64_t h = d.v() - hinge.positions.size() * (d.k() - d.parameters().change);
+           Parameters piece = with(d.parameters(), groups.size + h, d.k(), d.parameters().change);
+           piece.kind = Kind::circular;
+           const auto ring = piece.v > piece.k ? standard().best(piece) : std::nullopt;
+           if (ring && !opened(standard().build_design(ring->recipe), h, 0)) {
+             continue;
+           }
+           const Grouping how{groups, hinge, 0};
+           const Parameters p = with(d.parameters(), d.v() + groups.groups * groups.size, d.k(),
+                                     d.parameters().change);
+           const auto more = piece_blocks(p, how, h, ring ? std::optional(ring->b) : std::nullopt,
+                                          std::nullopt, false);
+           if (more) {
+             return Result{
+                 concatenate_groups_recipe(
+                     p, how, r, ring ? std::optional(ring->recipe) : std::nullopt, std::nullopt),
+                 p,
+                 d.block_count() + *more +
+                     hinge.positions.size() * groups.groups * groups.size / d.parameters().change};
+           }
+         }
+         return std::nullopt;
        }},
       {"cut",
        [](const Recipe& r, const Design& d, std::mt19937& random) -> std::optional<Result> {

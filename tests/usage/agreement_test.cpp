@@ -91,8 +91,8 @@ TEST(Agreement, OfCellsThatComePlanned) {
 TEST(Agreement, OfCellsJustOutside) {
   const TemporaryFolder folder;
   for (const Parameters& p :
-       {Parameters{101, 12, 1, Kind::linear}, Parameters{102, 7, 2, Kind::circular},
-        Parameters{101, 9, 3, Kind::linear}, Parameters{60, 41, 2, Kind::linear},
+       {Parameters{161, 12, 1, Kind::linear}, Parameters{162, 7, 2, Kind::circular},
+        Parameters{161, 9, 3, Kind::linear}, Parameters{60, 41, 2, Kind::linear},
         Parameters{30, 5, 4, Kind::circular}, Parameters{24, 7, 5, Kind::circular},
         Parameters{198, 9, 2, Kind::linear}, Parameters{208, 8, 8, Kind::circular},
         Parameters{231, 6, 3, Kind::linear}}) {

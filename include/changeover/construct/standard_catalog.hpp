@@ -22,7 +22,7 @@ void choose_catalog(std::string path);
 [[nodiscard]] std::string standard_catalog_file();
 
 /// Whether the catalog that comes with the program has the best design of p that was known to all constructions, closure rules and
-/// searches when it was made: strength 2, m = 1, 2, 3, and 3 ≤ k ≤ 12, v ≤ 100 or 13 ≤ k ≤ 40, v ≤ 160.
+/// searches when it was made: strength 2, m = 1, 2, 3, and 3 ≤ k ≤ 40 and v ≤ 160.
 [[nodiscard]] bool is_stored_cell(const Parameters& p);
 
 /// What is wrong with the user's file, as Catalog::problem(); empty if the catalog was not asked for anything.

@@ -93,8 +93,8 @@ TEST(Cut, ExplainsItself) {
 }
 
 TEST(Cut, RefusesSpoiltRecipes) {
-  expect_spoilt_recipes_refused(offer_of("cut", linear(11, 4))->recipe, {.argument = "at"});
-  expect_spoilt_recipes_refused(offer_of("cut", linear(15, 3))->recipe, {.argument = "at"});
+  expect_spoilt_recipes_refused(offer_of("cut", linear(11, 4))->recipe, {.arguments = {"at"}});
+  expect_spoilt_recipes_refused(offer_of("cut", linear(15, 3))->recipe, {.arguments = {"at"}});
 }
 
 }  // namespace

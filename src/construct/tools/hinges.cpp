@@ -1,0 +1,227 @@
+// Disjoint unchanged subsets, as many as a greedy search finds: an element that few of them can
+// still hold comes first.
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "changeover/run/control.hpp"
+#include "construct/tools/groups.hpp"
+#include "core/sorted.hpp"
+#include "run/random.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint32_t tries_a_place = 6;
+constexpr std::size_t places_at_steps = 24;
+constexpr std::size_t most_places_at_an_end = 40;
+
+class Packing {
+ public:
+  explicit Packing(const Design& design)
+      : v_(static_cast<std::size_t>(design.v())),
+        part_size_(static_cast<std::size_t>(design.k() - design.parameters().change)),
+        with_(v_) {
+    std::map<Block, std::size_t> numbers;
+    for (UnchangedSubset& each : unchanged_subsets(design)) {
+      if (each.elements.size() != part_size_) {
+        continue;
+      }
+      const auto [known, is_new] = numbers.try_emplace(std::move(each.elements), sets_.size());
+      if (is_new) {
+        sets_.push_back({known->first, each.position, 0});
+        for (const Element x : known->first) {
+          with_[x].push_back(static_cast<std::uint32_t>(known->second));
+        }
+      }
+      ++sets_[known->second].times;
+    }
+    // A design that was made with groups has its parts many times: they fit together.
+    for (std::uint32_t i = 0; i < sets_.size(); ++i) {
+      if (sets_[i].times > 1) {
+        often_.push_back(i);
+      }
+    }
+    std::ranges::stable_sort(often_,
+                             [this](auto a, auto b) { return sets_[a].times > sets_[b].times; });
+  }
+
+  [[nodiscard]] std::size_t most() const { return v_ / part_size_ - 1; }
+
+  /// Positions, increasing, of parts that do not meet `hinge`.
+  std::vector<Element> best(const Block& hinge, Random& random) {
+    std::vector<Element> best;
+    for (std::uint32_t i = 0; i < tries_a_place && best.size() < most(); ++i) {
+      std::vector<Element> found = pack(hinge, i % 2 == 0, random);
+      if (found.size() > best.size()) {
+        best = std::move(found);
+      }
+    }
+    std::ranges::sort(best);
+    return best;
+  }
+
+ private:
+  struct Set {
+    Block elements;
+    std::size_t position, times;
+  };
+
+  std::vector<Element> pack(const Block& hinge, bool often_first, Random& random) {
+    stop_if_asked();
+    can_.assign(sets_.size(), true);
+    left_.assign(v_, 0);
+    for (std::size_t x = 0; x < v_; ++x) {
+      left_[x] = static_cast<std::uint32_t>(with_[x].size());
+    }
+    std::vector<Element> chosen;
+    forbid(hinge);
+    for (const std::uint32_t i : often_first ? often_ : std::vector<std::uint32_t>{}) {
+      if (can_[i]) {
+        choose(i, chosen);
+      }
+    }
+    for (;;) {
+      const auto rarest = rarest_element(random);
+      if (rarest == v_) {
+        return chosen;
+      }
+      choose(set_with(rarest, random), chosen);
+    }
+  }
+
+  std::size_t rarest_element(Random& random) const {
+    std::size_t rarest = v_;
+    std::uint32_t alike = 0;
+    for (std::size_t x = 0; x < v_; ++x) {
+      if (left_[x] == 0 || (rarest != v_ && left_[x] > left_[rarest])) {
+        continue;
+      }
+      alike = rarest != v_ && left_[x] == left_[rarest] ? alike + 1 : 1;
+      if (random.below(alike) == 0) {
+        rarest = x;
+      }
+    }
+    return rarest;
+  }
+
+  // Most often the one whose elements are rarest.
+  std::uint32_t set_with(std::size_t x, Random& random) const {
+    const bool any = random.below(5) == 0;
+    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+    std::uint32_t alike = 0;
+    std::uint32_t found = 0;
+    for (const std::uint32_t i : with_[x]) {
+      if (!can_[i]) {
+        continue;
+      }
+      std::uint64_t sum = 0;
+      for (const Element y : any ? Block{} : sets_[i].elements) {
+        sum += left_[y];
+      }
+      if (sum > least) {
+        continue;
+      }
+      alike = sum == least ? alike + 1 : 1;
+      least = sum;
+      if (random.below(alike) == 0) {
+        found = i;
+      }
+    }
+    return found;
+  }
+
+  void choose(std::uint32_t i, std::vector<Element>& chosen) {
+    chosen.push_back(static_cast<Element>(sets_[i].position));
+    forbid(sets_[i].elements);
+  }
+
+  void forbid(const Block& elements) {
+    for (const Element x : elements) {
+      for (const std::uint32_t i : with_[x]) {
+        if (can_[i]) {
+          can_[i] = false;
+          for (const Element y : sets_[i].elements) {
+            --left_[y];
+          }
+        }
+      }
+    }
+  }
+
+  std::size_t v_, part_size_;
+  std::vector<Set> sets_;
+  std::vector<std::vector<std::uint32_t>> with_;  // by element
+  std::vector<std::uint32_t> often_;
+  std::vector<bool> can_;            // by set: disjoint from all that is chosen
+  std::vector<std::uint32_t> left_;  // by element: how many such sets hold it
+};
+
+// Visits the n-subsets of a block until `visit` returns false.
+template <typename Visit>
+void for_subsets(const Block& block, std::size_t n, Visit visit) {
+  std::vector<bool> in(block.size());
+  std::fill_n(in.begin(), n, true);
+  do {
+    Block subset;
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      if (in[i]) {
+        subset.push_back(block[i]);
+      }
+    }
+    if (!visit(subset)) {
+      return;
+    }
+  } while (std::prev_permutation(in.begin(), in.end()));
+}
+
+}  // namespace
+
+std::vector<Hinge> hinges(const Design& design) {
+  const std::size_t b = design.block_count();
+  const auto n = static_cast<std::size_t>(design.k() - design.parameters().change);
+  if (n == 0 || design.v() < 2 * n || b < 2) {
+    return {};
+  }
+  Packing packing(design);
+  Random random(1);
+  std::vector<Hinge> found;
+  if (design.parameters().kind == Kind::linear) {
+    Hinge end;
+    for (const bool reversed : {false, true}) {
+      std::size_t places = 0;
+      for_subsets(sorted(design.block(reversed ? 0 : b - 1)), n, [&](const Block& subset) {
+        std::vector<Element> positions = packing.best(subset, random);
+        if (end.elements.empty() || positions.size() > end.positions.size()) {
+          end = {b, reversed, subset, std::move(positions)};
+        }
+        return ++places < most_places_at_an_end && end.positions.size() < packing.most();
+      });
+    }
+    if (end.reversed) {
+      for (Element& position : end.positions) {
+        position = static_cast<Element>(b) - position;
+      }
+      std::ranges::reverse(end.positions);
+    }
+    found.push_back(std::move(end));
+  }
+  const std::vector<UnchangedSubset> steps = unchanged_subsets(design);
+  Hinge step;
+  for (std::size_t i = 0; i < places_at_steps && step.positions.size() < packing.most(); ++i) {
+    const UnchangedSubset& at = steps[random.below(static_cast<std::uint32_t>(steps.size()))];
+    if (at.elements.size() == n) {
+      std::vector<Element> positions = packing.best(at.elements, random);
+      if (step.elements.empty() || positions.size() > step.positions.size()) {
+        step = {at.position, false, at.elements, std::move(positions)};
+      }
+    }
+  }
+  if (!step.elements.empty()) {
+    found.push_back(std::move(step));
+  }
+  return found;
+}
+
+}  // namespace changeover
