@@ -68,6 +68,7 @@
 #include "changeover/search/enumeration.hpp"
 #include "changeover/search/exact.hpp"
 #include "changeover/search/local_search.hpp"
+#include "changeover/search/locked_search.hpp"
 #include "changeover/search/ordering.hpp"
 #include "changeover/search/repair.hpp"
 #include "changeover/verify/difference.hpp"

@@ -49,15 +49,6 @@ std::optional<IntervalBaseBlocks> Construction::interval_base_blocks(const Recip
   return std::nullopt;
 }
 
-std::optional<std::uint64_t> Construction::unchanged_cover_size(const Parameters&) const {
-  return std::nullopt;
-}
-
-std::optional<std::vector<UnchangedSubset>> Construction::unchanged_cover(const Recipe&,
-                                                                          const Registry&) const {
-  return std::nullopt;
-}
-
 std::string Construction::explain(const Recipe&) const { return std::string(summary()); }
 
 std::vector<std::string> Construction::labels(const Recipe&, const Registry&) const { return {}; }

@@ -17,6 +17,9 @@
 
 namespace changeover {
 
+/// For what is known already, or was found: it may still be built, shortened and verified.
+inline constexpr std::chrono::seconds usual_grace{1};
+
 /// The scope of this thread until the end of the block. The control must outlive it.
 class RunGrace {
  public:

@@ -111,7 +111,7 @@ TEST(KnownDesigns, FollowWhatTheUserFoundInCellsThatTheCatalogComesWith) {
   const Registry without(registry_entries());
   std::size_t followed = 0;
   for (std::uint64_t k = 6; k <= 10; ++k) {
-    for (std::uint64_t v = 3 * k; v <= 40; v += 5) {
+    for (std::uint64_t v = 3 * k; v <= 60; v += 5) {
       const Parameters p{.v = v, .k = k, .change = 2, .kind = Kind::circular};
       const auto entry = standard_catalog().best(p);
       const auto offered = without.best(p);

@@ -107,6 +107,16 @@ std::vector<Block> lines_of_the_plane() {
           {0, 4, 8}, {1, 5, 6}, {2, 3, 7}, {0, 5, 7}, {1, 3, 8}, {2, 4, 6}};
 }
 
+TEST_F(SearchExamples, LockedSearch) {
+  RunControl control({.time = std::chrono::seconds(20)});
+  LockedResult found = search_locked({.v = 12, .k = 4, .change = 1},
+                                     {.first = {0, 1, 2}, .expansion_set = true}, {.blocks = 21},
+                                     control);
+  ASSERT_TRUE(found.design);
+  EXPECT_EQ(found.design->block_count(), 21U);
+  EXPECT_EQ(found.parts.size(), 3U);
+}
+
 TEST_F(SearchExamples, Ordering) {
   const std::vector<Block> triples = lines_of_the_plane();
   const std::vector<Block> batches{{0, 1, 4999}, {2, 3}, {1, 2, 3}, {0, 1}};

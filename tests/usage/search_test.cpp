@@ -54,6 +54,17 @@ TEST(Search, WhatItFindsCanBeStoredAndVerified) {
          folder);
 }
 
+TEST(Search, WithLockedCellsSaysWhatCannotBe) {
+  const TemporaryFolder folder;
+  const std::string search = "$changeover search --linear -m 1 --quiet ";
+  expect({{search + "12 4 --first 0,1 --blocks 3", 30,
+           "No linear SCCD(12,4) with 3 blocks: the first block covers"},
+          {search + "12 4 --first 0,1 --blocks 99999999 --time 60s", 10, "12,4), 2"},
+          {search + "65535 400 --first 0", 3, "from k+1 = 401 to 4096, not 65535"},
+          {search + "4000 3 --first 0 --memory 1G", 4, "more than the 1.0 GB allowed"}},
+         folder);
+}
+
 TEST(Search, IsDeterministicWithOneThread) {
   const TemporaryFolder folder;
   const Outcome first = run(

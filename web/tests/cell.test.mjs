@@ -14,9 +14,9 @@ test('what is known, and why', async () => {
   const page = await explorer.open('#/cell?v=80&k=5&change=2&kind=circular');
   assert.match(await page.locator('.known').textContent(), /\d+ blocks.*best known.*over the lower bound \d+/s);
   assert.match(await page.locator('table.bounds').textContent(), /counting.*stays/s);
-  assert.match(await page.locator('.recipe').first().textContent(), /partial-expansion.*cyclic.*Theorem 1/s);
-  await page.getByRole('link', { name: 'Theorem 1', exact: true }).click();
-  await page.locator('#theorem-1.chosen').waitFor();
+  assert.match(await page.locator('.recipe').first().textContent(), /concatenate-groups.*Theorem 15.*found/s);
+  await page.getByRole('link', { name: 'Theorem 15', exact: true }).first().click();
+  await page.locator('#theorem-15.chosen').waitFor();
   await page.goBack();
   await settled(page);
   await page.getByRole('button', { name: /^BibTeX of/ }).first().click();

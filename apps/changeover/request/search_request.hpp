@@ -14,6 +14,7 @@
 #include "changeover/core/design.hpp"
 #include "changeover/io/input.hpp"
 #include "changeover/search/base_block_search.hpp"
+#include "changeover/search/locked_search.hpp"
 #include "request/run_request.hpp"
 
 namespace changeover::cli {
@@ -60,6 +61,14 @@ struct RepairSearch : SearchRequest {
   ReadOptions reading;
 };
 
+/// A design that has what constructions need.
+struct LockedSearch : SearchRequest {
+  Parameters parameters;
+  Wanted wanted;              ///< but for the blocks of the file
+  std::string contains_file;  ///< or empty
+  ReadOptions reading;        ///< of that
+};
+
 /// A design that a search found, with what there is to say about it.
 struct SearchFind {
   Design design;
@@ -75,6 +84,13 @@ struct SearchFind {
 
 /// Shows a find in the format that was asked for, judged.
 [[nodiscard]] Answer show_find(const SearchFind& find, const SearchRequest& request, int code);
+
+/// There is none with the blocks that were asked for, or none at all, and this is why.
+[[nodiscard]] Answer proved_none(const SearchRequest& request, const Parameters& p,
+                                 const std::string& reason);
+
+/// The lower bound; nullopt if the search was stopped before that.
+[[nodiscard]] std::optional<Bound> bound_in_time(const Parameters& p, RunControl& control);
 
 /// The command line in one form, for provenance: "changeover 0.2.0: search 20 5 --linear --seed 1". `way` are its
 /// own options.
@@ -95,5 +111,6 @@ struct SearchFind {
 [[nodiscard]] Answer search(const OrderSearch& request);
 [[nodiscard]] Answer search(const ExtendSearch& request);
 [[nodiscard]] Answer search(const RepairSearch& request);
+[[nodiscard]] Answer search(const LockedSearch& request);
 
 }  // namespace changeover::cli

@@ -11,10 +11,12 @@
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "cli/team.hpp"
+#include "core/printable.hpp"
 #include "core/words.hpp"
 #include "request/inputs.hpp"
 #include "request/parameters.hpp"
 #include "request/search_request.hpp"
+#include "run/grace.hpp"
 #include "verbs.hpp"
 
 namespace changeover::cli {
@@ -38,6 +40,24 @@ Judgement judge(const SearchFind& find) {
     judgement.bound.name = "tables of checked proofs, not this search";
   }
   return judgement;
+}
+
+Answer proved_none(const SearchRequest& request, const Parameters& p, const std::string& reason) {
+  return no_design(
+      request.output, exit_code::proved_none,
+      fmt::format("No {} {}: {}.", name(p),
+                  request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
+                                 : std::string("exists"),
+                  reason));
+}
+
+std::optional<Bound> bound_in_time(const Parameters& p, RunControl& control) {
+  const RunGrace grace(control, usual_grace);
+  try {
+    return lower_bound(p);
+  } catch (const Stopped&) {
+    return std::nullopt;
+  }
 }
 
 Answer show_find(const SearchFind& find, const SearchRequest& request, int code) {
@@ -96,6 +116,10 @@ struct SearchOptions : SearchRequest {
   std::string order_file;
   std::string extend_file;
   std::string repair_file;
+  std::string contains_file;
+  std::string first;
+  std::string last;
+  bool expansion_set = false;
   std::string checkpoint;
   std::optional<std::uint64_t> cycle_length;
   std::optional<std::uint64_t> fixed_points;
@@ -112,7 +136,7 @@ void require_another_output(const LocalSearch& request) {
 }
 
 using AnySearch = std::variant<LocalSearch, ExactSearch, BaseBlockSearch, OrderSearch, ExtendSearch,
-                               RepairSearch>;
+                               RepairSearch, LockedSearch>;
 
 // Who does not mark elements, or writes a list of blocks that need be no design, has fewer formats.
 void require_formats(const SearchOptions& given) {
@@ -122,6 +146,24 @@ void require_formats(const SearchOptions& given) {
   if (!given.order_file.empty() && !given.asked.change) {
     given.output.require("--order without --change", {"table", "text", "json"});
   }
+}
+
+// "0,1,5" as elements. @throws UsageError if it is no list of them.
+Block elements_of(std::string_view option, std::string_view list) {
+  Block elements;
+  const char* at = list.data();
+  const char* const end = at + list.size();
+  while (at != end) {
+    Element x = 0;
+    const auto [rest, failure] = std::from_chars(at, end, x);
+    if (failure != std::errc() || (rest != end && (*rest != ',' || rest + 1 == end))) {
+      throw UsageError{
+          fmt::format("{}: '{}' is no list of elements such as 0,1,2", option, printable(list))};
+    }
+    elements.push_back(x);
+    at = rest == end ? end : rest + 1;
+  }
+  return elements;
 }
 
 // The way that was chosen, with what it knows.
@@ -159,6 +201,15 @@ AnySearch chosen(const SearchOptions& given) {
     options.shapes.most_blocks = given.blocks;
     return BaseBlockSearch{shared, p, options};
   }
+  if (given.expansion_set ||
+      !(given.first.empty() && given.last.empty() && given.contains_file.empty())) {
+    const Wanted wanted{elements_of("--first", given.first), elements_of("--last", given.last),
+                        given.expansion_set};
+    if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
+      throw UsageError{fmt::format("no {} can be so: {}", name(p), defect)};
+    }
+    return LockedSearch{shared, p, wanted, given.contains_file, given.asked.reading()};
+  }
   LocalSearch local{shared, p, given.checkpoint};
   require_file("--checkpoint", local.checkpoint, "it is read and replaced");
   require_another_output(local);
@@ -175,7 +226,8 @@ Answer run(const SearchOptions& given) {
   }
   check_inputs(given.output, {{"--order", given.order_file},
                               {"--extend", given.extend_file},
-                              {"--repair", given.repair_file}});
+                              {"--repair", given.repair_file},
+                              {"--contains", given.contains_file}});
   return std::visit([](const auto& one) { return search(one); }, request);
 }
 
@@ -204,6 +256,12 @@ void add_search(Program& program) {
   verb.option("--extend", request.extend_file, "FILE", "keep the blocks of FILE, add what lacks");
   verb.option("--repair", request.repair_file, "FILE",
               "make a design of the blocks of FILE, changing little");
+  verb.option("--first", request.first, "A,B,...", "these elements are in the first block");
+  verb.option("--last", request.last, "A,B,...", "these elements are in the last block");
+  verb.flag("--expansion-set", request.expansion_set,
+            "unchanged subsets hold all other elements, each once");
+  verb.option("--contains", request.contains_file, "FILE",
+              "the blocks of FILE are in it, one after another");
   verb.option("--checkpoint", request.checkpoint, "FILE",
               "keep the state of a local search in FILE, and go on from it if it is there");
   verb.flag("--leaving", request.leaving, "mark leaving elements too, in tables and LaTeX");
@@ -215,6 +273,10 @@ void add_search(Program& program) {
   verb.only_with({"--proof"}, {"--exact"});
   verb.only_with({"--tight", "--cycle", "--fixed-points"}, {"--base-blocks"});
   verb.never_with({"--checkpoint"}, ways);
+  for (const char* const locked : {"--first", "--last", "--expansion-set", "--contains"}) {
+    verb.never_with({locked}, ways);
+    verb.never_with({locked}, {"--checkpoint", "--strength"});
+  }
   verb.never_with({"--blocks"}, {"--order", "--repair"});
   verb.never_with({"--strength"}, {"--order"});
   verb.never_with({"--seed"}, {"--exact"});
@@ -222,6 +284,7 @@ void add_search(Program& program) {
                  "changeover search 9 5 --linear --exact           the minimum, with proof",
                  "changeover search 8 5 --blocks 9 --exact --proof proofs",
                  "changeover search 28 6 --base-blocks --tight     from base blocks",
+                 "changeover search 20 5 -m 1 --first 0,1,2,3 --expansion-set --blocks 46",
                  "changeover search --order blocks.txt -m 2        an order with 2 changes a step",
                  "mpirun -n 4 changeover search 30 6 --time 10m    several processes share it"});
   verb.outcomes(

@@ -10,7 +10,6 @@
 #include "core/printable.hpp"
 #include "core/words.hpp"
 #include "request/search_request.hpp"
-#include "run/grace.hpp"
 
 namespace changeover::cli {
 namespace {
@@ -60,37 +59,17 @@ void say_unsearched(const LocalSearch& request, SearchFind& find, const std::str
   }
 }
 
-// nullopt if it was stopped before that.
-std::optional<Bound> bound_in_time(const Parameters& p, RunControl& control) {
-  constexpr std::chrono::seconds patience{1};
-  const RunGrace grace(control, patience);
-  try {
-    return lower_bound(p);
-  } catch (const Stopped&) {
-    return std::nullopt;
-  }
-}
-
-Answer decline(const LocalSearch& request, const std::string& reason) {
-  return no_design(
-      request.output, exit_code::proved_none,
-      fmt::format("No {} {}: {}.", name(request.parameters),
-                  request.blocks ? fmt::format("with {}", count_of(*request.blocks, "block"))
-                                 : std::string("exists"),
-                  reason));
-}
-
 }  // namespace
 
 Answer search(const LocalSearch& request) {
   const Parameters& p = request.parameters;
   const auto running = std::make_shared<Running>(request.run, request.output);
   if (const auto reason = impossibility(p)) {
-    return final_answer(running, decline(request, *reason));
+    return final_answer(running, proved_none(request, p, *reason));
   }
   const std::optional<Bound> bound = bound_in_time(p, running->control());
   if (bound && request.blocks && *request.blocks < bound->blocks) {
-    return final_answer(running, decline(request, bound->reason));
+    return final_answer(running, proved_none(request, p, bound->reason));
   }
   ImproveOptions options;
   options.target = request.blocks;

@@ -92,16 +92,6 @@ class Construction {
   [[nodiscard]] virtual std::optional<IntervalBaseBlocks> interval_base_blocks(
       const Recipe& recipe) const;
 
-  /// How many unchanged subsets unchanged_cover() gives for the design that is offered for p, if it
-  /// gives any. O(1).
-  [[nodiscard]] virtual std::optional<std::uint64_t> unchanged_cover_size(
-      const Parameters& p) const;
-
-  /// Unchanged subsets at distinct positions, in order of position, that together cover all elements;
-  /// they may overlap (construct/expansion.hpp).
-  [[nodiscard]] virtual std::optional<std::vector<UnchangedSubset>> unchanged_cover(
-      const Recipe& recipe, const Registry& registry) const;
-
   /// How this recipe makes its blocks, in one or two sentences with its numbers filled in, without
   /// its inputs: "Develop the base block {0,1,2,5} over Z_11."
   [[nodiscard]] virtual std::string explain(const Recipe& recipe) const;

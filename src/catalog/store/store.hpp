@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -31,7 +32,7 @@ class Catalog::Store {
 
   // The user's file, if it is there and can be read.
   Shelf* users() {
-    if (!user && !user_path.empty() && problem.empty()) {
+    if (!user && !user_path.empty() && problem.empty() && time_to_look()) {
       try {
         if (is_file(user_path)) {
           open_user();
@@ -181,6 +182,19 @@ class Catalog::Store {
  private:
   void open_user();
 
+  // Whether a file that was not there may be there by now. To look takes eight questions to the
+  // system, and a table asks thousands of times.
+  bool time_to_look() {
+    constexpr auto pause = std::chrono::milliseconds(10);
+    const auto now = std::chrono::steady_clock::now();
+    if (looked_ && now - *looked_ < pause) {
+      return false;
+    }
+    looked_ = now;
+    return true;
+  }
+
+  std::optional<std::chrono::steady_clock::time_point> looked_;
   std::optional<std::pair<std::uint64_t, std::uint64_t>> checked_;  // device and number of the file
 };
 

@@ -126,7 +126,7 @@ std::optional<std::string> left_out_defect(const Parameters& p, const UnchangedC
 }
 
 // What is wrong with the cover, whatever the blocks.
-std::optional<std::string> shape_defect(const Parameters& p, const UnchangedCover& cover,
+std::optional<std::string> cover_defect(const Parameters& p, const UnchangedCover& cover,
                                         std::uint64_t w) {
   const auto& subsets = cover.subsets;
   if (subsets.size() < least_positions(p, w)) {
@@ -404,7 +404,7 @@ std::uint64_t blocks_added(const Parameters& p, std::uint64_t subsets, std::uint
 std::optional<std::string> cover_defect(const Design& design, const UnchangedCover& cover,
                                         std::uint64_t w) {
   const Parameters& p = design.parameters();
-  if (std::optional<std::string> defect = shape_defect(p, cover, w)) {
+  if (std::optional<std::string> defect = cover_defect(p, cover, w)) {
     return defect;
   }
   const std::size_t b = design.block_count();
@@ -434,7 +434,7 @@ std::optional<std::string> cover_defect(const Design& design, const UnchangedCov
 
 std::unique_ptr<BlockSource> expand_by(std::unique_ptr<BlockSource> source, UnchangedCover cover,
                                        std::uint64_t w, FactorizationKind kind) {
-  throw_if(shape_defect(source->parameters(), cover, w));
+  throw_if(cover_defect(source->parameters(), cover, w));
   return std::make_unique<PartiallyExpandedSource>(std::move(source), std::move(cover), w, kind);
 }
 

@@ -14,7 +14,7 @@
 namespace changeover {
 namespace {
 
-Parameters expanded_parameters(Parameters p) {
+Parameters parameters_after(Parameters p) {
   if (p.change != 1 || p.strength != 2) {
     throw ImpossibleParameters(fmt::format(
         "the v + 1 expansion needs a single-change design of strength 2, not a {}", name(p)));
@@ -25,7 +25,7 @@ Parameters expanded_parameters(Parameters p) {
 }
 
 // Why these are no subsets of k − 1 elements at increasing positions that cover V.
-std::optional<std::string> shape_defect(const Parameters& p, const ExpansionSet& set) {
+std::optional<std::string> set_defect(const Parameters& p, const ExpansionSet& set) {
   std::vector<bool> covered(static_cast<std::size_t>(p.v), false);
   for (std::size_t i = 0; i < set.size(); ++i) {
     const auto& [position, elements] = set[i];
@@ -56,10 +56,10 @@ std::optional<std::string> shape_defect(const Parameters& p, const ExpansionSet&
 }
 
 // U ∪ {x} for each subset U, x being the new element.
-class ExpandedSource final : public InsertingSource {
+class SingleChangeExpandedSource final : public InsertingSource {
  public:
-  ExpandedSource(std::unique_ptr<BlockSource> source, ExpansionSet set)
-      : InsertingSource(std::move(source), expanded_parameters(source->parameters()),
+  SingleChangeExpandedSource(std::unique_ptr<BlockSource> source, ExpansionSet set)
+      : InsertingSource(std::move(source), parameters_after(source->parameters()),
                         {set.size(), set.size()}),
         set_(std::move(set)) {}
 
@@ -94,7 +94,7 @@ std::optional<std::string> single_change_expansion_defect(const Design& design,
   if (p.change != 1 || p.strength != 2) {
     return fmt::format("a {} is not a single-change design of strength 2", name(p));
   }
-  if (std::optional<std::string> defect = shape_defect(p, set)) {
+  if (std::optional<std::string> defect = set_defect(p, set)) {
     return defect;
   }
   const std::size_t b = design.block_count();
@@ -119,11 +119,11 @@ std::optional<std::string> single_change_expansion_defect(const Design& design,
 }
 
 Design expand_single_change(const Design& design, const ExpansionSet& set) {
-  (void)expanded_parameters(design.parameters());
+  (void)parameters_after(design.parameters());
   if (const auto defect = single_change_expansion_defect(design, set)) {
     throw BadInput(fmt::format("one element cannot be added: {}", *defect));
   }
-  ExpandedSource source(std::make_unique<DesignSource>(design), set);
+  SingleChangeExpandedSource source(std::make_unique<DesignSource>(design), set);
   Design result = read_all(source);
   result.set_labels(expanded_labels(design.labels(), 1));
   return result;
@@ -157,11 +157,11 @@ Design expand_single_change(const Design& design, std::vector<std::size_t> posit
 
 std::unique_ptr<BlockSource> expand_single_change(std::unique_ptr<BlockSource> source,
                                                   ExpansionSet set) {
-  (void)expanded_parameters(source->parameters());
-  if (const auto defect = shape_defect(source->parameters(), set)) {
+  (void)parameters_after(source->parameters());
+  if (const auto defect = set_defect(source->parameters(), set)) {
     throw BadInput(fmt::format("one element cannot be added: {}", *defect));
   }
-  return std::make_unique<ExpandedSource>(std::move(source), std::move(set));
+  return std::make_unique<SingleChangeExpandedSource>(std::move(source), std::move(set));
 }
 
 }  // namespace changeover

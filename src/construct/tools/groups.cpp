@@ -16,7 +16,7 @@
 namespace changeover {
 namespace {
 
-[[noreturn]] void refuse(const std::string& why) {
+[[noreturn]] void refuse_groups(const std::string& why) {
   throw BadInput("the designs cannot be concatenated with groups: " + why);
 }
 
@@ -222,12 +222,13 @@ class Joint {
     const std::size_t steps = order_.size() - (circular() ? 0 : 1);
     const bool at_end = !circular() && hinge.at == order_.size();
     if (hinge.at < 1 || (hinge.at > steps && !at_end)) {
-      refuse(fmt::format("the pieces come at a position from 1 to {}", order_.size()));
+      refuse_groups(fmt::format("the pieces come at a position from 1 to {}", order_.size()));
     }
     if (hinge.elements.size() != n_ ||
         !(at_end ? holds_all(block(order_.size() - 1), hinge.elements)
                  : unchanged(hinge.at) == sorted(hinge.elements))) {
-      refuse(fmt::format("the hinge must be {} elements that stay at position {}", n_, hinge.at));
+      refuse_groups(
+          fmt::format("the hinge must be {} elements that stay at position {}", n_, hinge.at));
     }
     std::uint64_t last = 0;
     Block taken = sorted(hinge.elements);
@@ -238,16 +239,16 @@ class Joint {
     taken.clear();
     for (const Element position : hinge.positions) {
       if (position <= last || position > steps) {
-        refuse(fmt::format("positions of parts must increase, from 1 to {}", steps));
+        refuse_groups(fmt::format("positions of parts must increase, from 1 to {}", steps));
       }
       last = position;
       parts_.push_back(unchanged(position));
       if (parts_.back().size() != n_) {
-        refuse(fmt::format("not {} elements change at position {}", p_.change, position));
+        refuse_groups(fmt::format("not {} elements change at position {}", p_.change, position));
       }
       for (const Element x : parts_.back()) {
         if (is[x]) {
-          refuse(fmt::format("element {} is in two parts, or in the hinge and a part", x));
+          refuse_groups(fmt::format("element {} is in two parts, or in the hinge and a part", x));
         }
         is[x] = true;
         taken.push_back(x);
@@ -256,8 +257,9 @@ class Joint {
     hole_ = others(base_.v(), taken);
     classes_ = class_count(how_.groups, p_.change);
     if (classes_ == 0 || parts_.size() < classes_) {
-      refuse(fmt::format("{} groups of {} elements take {} parts", how_.groups.groups,
-                         how_.groups.size, classes_ == 0 ? "unknown" : std::to_string(classes_)));
+      refuse_groups(fmt::format("{} groups of {} elements take {} parts", how_.groups.groups,
+                                how_.groups.size,
+                                classes_ == 0 ? "unknown" : std::to_string(classes_)));
     }
   }
 
@@ -310,12 +312,12 @@ class Joint {
 
   OpenedPiece piece_of(const Design& design, std::uint64_t dropped) const {
     if (design.v() != hole_.size() + how_.groups.size) {
-      refuse(fmt::format("a piece has {} elements, {} in the hole and {} in the group",
-                         hole_.size() + how_.groups.size, hole_.size(), how_.groups.size));
+      refuse_groups(fmt::format("a piece has {} elements, {} in the hole and {} in the group",
+                                hole_.size() + how_.groups.size, hole_.size(), how_.groups.size));
     }
     auto piece = opened(design, hole_.size(), dropped);
     if (!piece) {
-      refuse(fmt::format("no hole of {} elements fits into a piece", hole_.size()));
+      refuse_groups(fmt::format("no hole of {} elements fits into a piece", hole_.size()));
     }
     return *std::move(piece);
   }
@@ -325,7 +327,7 @@ class Joint {
     const bool ends_there =
         p_.kind == Kind::linear && (circular() || how_.hinge.at == order_.size());
     if (how_.dropped > rings || (!ends_there && (how_.dropped % 2 != 0 || open != nullptr))) {
-      refuse(
+      refuse_groups(
           "at most all pieces lack blocks, an even number of them and no open one if others follow");
     }
     ends_ = sorted(how_.hinge.elements);
@@ -340,7 +342,7 @@ class Joint {
         add(*open, piece, names_of_hole(*open, piece), i, false);
       } else if (i < how_.dropped) {
         if (closed == nullptr || less == 0) {
-          refuse("no blocks are inside the hole");
+          refuse_groups("no blocks are inside the hole");
         }
         if (!shorter) {
           shorter = piece_of(*closed, less);

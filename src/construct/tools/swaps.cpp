@@ -34,15 +34,17 @@ bool SwapSource::make(std::span<Element> block) {
     done_ = 0;
     legs_ = 0;
   } else {
-    while (done_ == swaps_.size()) {
-      swaps_.clear();
-      done_ = 0;
-      if (!plan_->leg(legs_, swaps_)) {
-        return false;
+    for (std::uint64_t changed = 0; changed < parameters_.change; ++changed) {
+      while (done_ == swaps_.size()) {
+        swaps_.clear();
+        done_ = 0;
+        if (!plan_->leg(legs_, swaps_)) {
+          return false;
+        }
+        ++legs_;
       }
-      ++legs_;
+      replace(swaps_[done_++]);
     }
-    replace(swaps_[done_++]);
   }
   std::copy(current_.begin(), current_.end(), block.begin());
   return true;

@@ -1,4 +1,5 @@
-// Single-change designs written down as what they are: a first block, and in each step x leaves and y enters.
+// Designs written down as what they are: a first block, and in each step x leaves and y enters; m times for an m-change
+// design.
 //
 //     class Slide final : public SwapPlan {             // {0,1,2}, {1,2,3}, {2,3,4}, …
 //       Block start() const override { return {0, 1, 2}; }
@@ -27,14 +28,14 @@ struct Swap {
   std::uint64_t enters = 0;
 };
 
-/// The steps of a single-change design, leg by leg. Stateless.
+/// The swaps of a design, leg by leg, m a step. Stateless.
 class SwapPlan {
  public:
   virtual ~SwapPlan() = default;
 
   [[nodiscard]] virtual Block start() const = 0;
 
-  /// Appends the steps of leg `index` = 0, 1, …; there may be none. False when there is no such leg.
+  /// Appends the swaps of leg `index` = 0, 1, …; there may be none. False when there is no such leg.
   virtual bool leg(std::uint64_t index, std::vector<Swap>& swaps) const = 0;
 
  protected:

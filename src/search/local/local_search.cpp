@@ -36,8 +36,6 @@ constexpr std::uint64_t largest_v = 4096;
 constexpr std::array<double, 3> reheated_to = {0.28, 0.22, 0.33};  // in turn
 constexpr std::size_t blocks_between_cuts = 8;
 constexpr int most_fruitless = 64;  // attempts in a row that could not even begin
-// What is known may still be built, and what was found may still be shortened, when the time is up.
-constexpr std::chrono::seconds patience{1};
 
 /// What an attempt came to.
 struct Attempted {
@@ -334,7 +332,7 @@ class Improver {
 
   // nullopt if no element can go, or there is no time left.
   std::optional<Design> without_extra(const Design& design, std::uint64_t extra) const {
-    const RunGrace grace(control_, patience);
+    const RunGrace grace(control_, usual_grace);
     try {
       return truncated(design, extra);
     } catch (const Stopped&) {
@@ -344,7 +342,7 @@ class Improver {
 
   // As linear as asked, without what is not needed; as it is if there is no time or memory for that.
   Design shorter(Design design) const {
-    const RunGrace grace(control_, patience);
+    const RunGrace grace(control_, usual_grace);
     try {
       return parameters_.kind == Kind::linear ? shortest_cut(design)
                                               : without_needless_blocks(design);
@@ -531,7 +529,7 @@ ImproveResult improve(const Parameters& p, const ImproveOptions& options, RunCon
   }
   std::optional<Improver> improver;
   try {
-    const RunGrace grace(control, patience);
+    const RunGrace grace(control, usual_grace);
     improver.emplace(p, options, control);
     improver->begin();
   } catch (const Stopped&) {

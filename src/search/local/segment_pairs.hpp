@@ -58,8 +58,9 @@ class SegmentPairs {
   }
 
   /// A list of one or more blocks that fits(), v ≤ 65,535. The first `frozen` < b blocks never
-  /// change.
-  explicit SegmentPairs(const Design& design, std::size_t frozen = 0)
+  /// change, nor do locked cells.
+  explicit SegmentPairs(const Design& design, std::size_t frozen = 0,
+                        std::span<const LockedCell> locked = {})
       : parameters_(design.parameters()),
         v_(static_cast<std::uint32_t>(design.v())),
         k_(static_cast<std::uint32_t>(design.k())),
@@ -91,6 +92,12 @@ class SegmentPairs {
             ++lane(counts_, x)[y];
           }
         }
+      }
+    }
+    if (!locked.empty()) {
+      locked_.resize(std::size_t{b_} * v_);
+      for (const LockedCell& cell : locked) {
+        locked_[std::size_t{cell.block} * v_ + cell.element] = true;
       }
     }
     for (Element y = 1; y < v_; ++y) {
@@ -142,7 +149,7 @@ class SegmentPairs {
       return row[x] != row[y];
     });
     if (move.first < frozen_ || (frozen_ > 0 && move.first + move.length > b_) ||
-        std::max(blocks_of_[x], blocks_of_[y]) + move.length > most) {
+        std::max(blocks_of_[x], blocks_of_[y]) + move.length > most || touches_locked(move)) {
       move.length = 0;
     }
     return move;
@@ -231,6 +238,21 @@ class SegmentPairs {
       stop_if_asked();
       values.resize(std::min(size, values.size() + piece), value);
     }
+  }
+
+  [[nodiscard]] bool touches_locked(const SegmentSwap& move) const {
+    if (locked_.empty()) {
+      return false;
+    }
+    std::uint32_t j = move.first;
+    for (std::uint32_t n = 0; n < move.length; ++n) {
+      const std::size_t row = std::size_t{j} * v_;
+      if (locked_[row + move.x] || locked_[row + move.y]) {
+        return true;
+      }
+      j = j + 1 == b_ ? 0 : j + 1;
+    }
+    return false;
   }
 
   // One move in 16 may have any length.
@@ -394,6 +416,7 @@ class SegmentPairs {
   std::vector<Sixteen> gained_;           // of the move that was looked at
   std::vector<std::uint16_t> elements_;   // k of each block
   std::vector<std::uint32_t> blocks_of_;  // by element
+  std::vector<bool> locked_;              // b rows of v cells; empty: none is
   std::vector<Pair> uncovered_;           // without order
   std::vector<std::uint32_t> place_;      // of a pair in uncovered_
 };

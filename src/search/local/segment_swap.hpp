@@ -32,6 +32,12 @@ struct SegmentSwap {
   bool operator==(const SegmentSwap&) const = default;
 };
 
+/// This element stays in this block, counted from 0.
+struct LockedCell {
+  std::uint32_t block = 0;
+  Element element = 0;
+};
+
 /// Runs of about k/m blocks are what a move exchanges with success; of longer ones than this, few
 /// are ever accepted, and looking at them costs most. Searches let them pass only now and then.
 [[nodiscard]] constexpr std::uint32_t usual_segment(std::uint64_t k, std::uint64_t change) {

@@ -22,7 +22,6 @@ namespace {
 constexpr std::uint64_t first_moves = 4096;
 constexpr int anneals_of_a_length = 3;
 constexpr int samples_of_replacements = 200;
-constexpr std::chrono::seconds patience{1};
 
 std::size_t changes(const Block& from, const Block& to) { return difference(from, to).size(); }
 
@@ -137,7 +136,7 @@ class Repair {
       : list_(list), options_(options), control_(control), random_(control.seed()) {}
 
   RepairResult run() {
-    const RunGrace grace(control_, patience);
+    const RunGrace grace(control_, usual_grace);
     try {
       work();
     } catch (const Stopped&) {

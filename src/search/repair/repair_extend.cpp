@@ -16,7 +16,6 @@ namespace changeover {
 namespace {
 
 constexpr std::uint64_t first_budget = std::uint64_t{1} << 18;
-constexpr std::chrono::seconds patience{1};
 
 // The beginning with random blocks after it, `blocks` altogether; nullopt if it cannot be closed
 // so.
@@ -76,7 +75,7 @@ class Extension {
         random_(control.seed()) {}
 
   ExtendResult run() {
-    const RunGrace grace(control_, patience);
+    const RunGrace grace(control_, usual_grace);
     try {
       work();
     } catch (const Stopped&) {

@@ -101,7 +101,7 @@ TEST(FalsifiedPaper, cited) {
   expect_found(
       section, [](Paper& p) { p.cited.single_k.push_back(5); }, "Section 2.1", "minimum SCCDs");
   expect_found(
-      section, [](Paper& p) { p.cited.k4_to = 19; }, "Section 2.1", "are constructed for v");
+      section, [](Paper& p) { p.cited.k4_to = 20; }, "Section 2.1", "are constructed for v");
   Paper right = printed_paper();
   right.cited.k4_b += "+1";
   EXPECT_EQ(differing(section, right).size(), differing(section).size() - 1);

@@ -136,7 +136,7 @@ TEST(RunPlan, DearPartsStandWhereIntroductionsAreRare) {
 
 // Where parts differ in price, lists with any number of changes a step are far cheaper than what they start from.
 TEST(RunPlan, TheSearchLeavesItsStartsFarBehind) {
-  for (const std::uint64_t test : {2U, 10U}) {
+  for (const std::uint64_t test : {1U, 2U}) {
     Job job = make_job(30, 5, units(test), Amount{});
     for (Element x = 0; x < 30; ++x) {
       job.change_costs[x] = Amount{(1 + x * 7 % 19) * 500'000ULL};

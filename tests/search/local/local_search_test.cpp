@@ -134,7 +134,7 @@ TEST(Improve, TellsHowFarItIs) {
 }
 
 TEST(Improve, TakesADesignToStartFrom) {
-  const Parameters p{.v = 43, .k = 6, .change = 2};
+  const Parameters p{.v = 28, .k = 7, .change = 4};
   const std::size_t less = best_known_design(p)->block_count() - 1;
   const ImproveResult first = search(p, {.target = less, .moves = 20'000'000});
   ASSERT_LE(first.design->block_count(), less);
@@ -144,7 +144,7 @@ TEST(Improve, TakesADesignToStartFrom) {
   Design broken(p);
   broken.append(first.design->block(0));
   EXPECT_THROW(search(p, {.start = broken}), BadInput);
-  EXPECT_THROW(search({.v = 43, .k = 6, .change = 1}, {.start = first.design}), BadInput);
+  EXPECT_THROW(search({.v = 28, .k = 7, .change = 3}, {.start = first.design}), BadInput);
 }
 
 TEST(Improve, RefusesWhatCannotBe) {

@@ -9,7 +9,7 @@
 // A new element leaves one block after it came, so the result has neither an expansion set nor such
 // a cover. Only one more element can be added, as the others can come beside it; this is known
 // here, so this construction need not ask itself. Those that it asks must not ask the registry: it
-// asks the families below by name, and others only if they tell the size of a cover.
+// asks the families below by name.
 #include "changeover/construct/expansion.hpp"
 
 #include <fmt/format.h>
@@ -34,8 +34,6 @@ namespace {
 constexpr std::uint64_t largest_v = std::uint64_t{1} << 24;
 // How many values of c are looked at below the largest one, and to either side of the other.
 constexpr std::uint64_t values_of_c = 6;
-// How many elements less an input may have whose cover only its construction knows.
-constexpr std::uint64_t most_new_elements_elsewhere = 64;
 // The most elements in the blocks of an input whose cover is searched for.
 constexpr std::uint64_t most_searched = std::uint64_t{1} << 24;
 
@@ -180,11 +178,6 @@ class PartialExpander final : public Rule {
         }
       }
     }
-    for (std::uint64_t w = 1; w <= most_new_elements_elsewhere && w < p.v - p.k; ++w) {
-      for (const Construction* maker : registry.constructions()) {
-        take_better(best, elsewhere(p, w, *maker, registry));
-      }
-    }
     return best;
   }
 
@@ -327,19 +320,6 @@ class PartialExpander final : public Rule {
     return first ? with(p, *std::move(first), {*count, true}) : std::nullopt;
   }
 
-  std::optional<Offer> elsewhere(const Parameters& p, std::uint64_t w, const Construction& maker,
-                                 const Registry& registry) const {
-    Parameters smaller = p;
-    smaller.v -= w;
-    const std::optional<std::uint64_t> count = maker.unchanged_cover_size(smaller);
-    if (!count || (w < p.change && smaller.v < p.k + 2 * p.change - w) ||
-        *count < least_positions(smaller, w)) {
-      return std::nullopt;
-    }
-    std::optional<Offer> input = maker.offer(smaller, registry);
-    return input ? with(p, *std::move(input), {*count, false}) : std::nullopt;
-  }
-
   // In closed form if it is known, else by search.
   static UnchangedCover cover_of(const Recipe& input, std::uint64_t w, BlockSource& source,
                                  const Registry& registry) {
@@ -357,10 +337,6 @@ class PartialExpander final : public Rule {
     }
     if (auto cover = cover_for_one_more(input, w, b, registry)) {
       return *std::move(cover);
-    }
-    if (auto told = registry.construction_of(input).unchanged_cover(input, registry);
-        told && told->size() >= least_positions(p, w)) {
-      return UnchangedCover{*std::move(told), {}, 0, false};
     }
     if (!b || p.v > max_elements_in_memory || *b > most_searched / p.k) {
       throw BadInput(fmt::format("no cover by unchanged subsets is known of {} as made by {}",

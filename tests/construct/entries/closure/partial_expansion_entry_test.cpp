@@ -199,43 +199,6 @@ TEST(PartialExpansionEntry, WorksOnOtherInputsBySearch) {
   expect_refused(none, "element 2 is never kept");
 }
 
-// A construction with a cover that only it knows.
-class Knowing final : public Construction {
- public:
-  std::string_view name() const override { return "knowing"; }
-  std::string_view summary() const override { return "a test"; }
-  std::string_view preconditions() const override { return "(15,5)"; }
-  std::string_view guarantee() const override { return "none"; }
-  Citation citation() const override { return {}; }
-  std::optional<Offer> offer(const Parameters& p, const Registry&) const override {
-    if (p != Parameters{15, 5, 2, Kind::circular, 2}) {
-      return std::nullopt;
-    }
-    return Offer{Recipe{"knowing", p, {}, {}, {}}, 15, true, true, true};
-  }
-  std::unique_ptr<BlockSource> build(const Recipe& recipe, const Registry&) const override {
-    return standard().build(Recipe{"cyclic", recipe.parameters, {{"c", 1}}, {}, {}});
-  }
-  std::optional<std::uint64_t> unchanged_cover_size(const Parameters& p) const override {
-    return p.v == 15 && p.k == 5 ? std::optional<std::uint64_t>(5) : std::nullopt;
-  }
-  std::optional<std::vector<UnchangedSubset>> unchanged_cover(const Recipe& recipe,
-                                                              const Registry&) const override {
-    return construction("cyclic").expansion_set(
-        Recipe{"cyclic", recipe.parameters, {{"c", 1}}, {}, {}}, standard());
-  }
-};
-
-TEST(PartialExpansionEntry, AsksConstructionsThatTellTheSizeOfACover) {
-  const Knowing knowing;
-  const Registry registry({&knowing, &construction(own)});
-  const auto offer = construction(own).offer({19, 5, 2, Kind::circular, 2}, registry);
-  ASSERT_TRUE(offer);
-  EXPECT_EQ(offer->b, 25U);
-  EXPECT_EQ(offer->recipe.inputs.front().construction, "knowing");
-  EXPECT_TRUE(verify(*registry.build(offer->recipe)).economical());
-}
-
 TEST(PartialExpansionEntry, RefusesSpoiltRecipes) {
   expect_spoilt_recipes_refused(circular(19, 5)->recipe);
   expect_spoilt_recipes_refused(circular(16, 5)->recipe);

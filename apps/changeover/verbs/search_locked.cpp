@@ -1,0 +1,85 @@
+// changeover search --first, --last, --expansion-set, --contains: designs that constructions can build upon.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "changeover/io/input.hpp"
+#include "changeover/search/locked_search.hpp"
+#include "core/words.hpp"
+#include "request/search_request.hpp"
+
+namespace changeover::cli {
+namespace {
+
+std::string way_of(const LockedSearch& request) {
+  std::string way;
+  const auto add = [&way](const std::string& words) { way += (way.empty() ? "" : " ") + words; };
+  if (!request.wanted.first.empty()) {
+    add(fmt::format("--first {}", fmt::join(request.wanted.first, ",")));
+  }
+  if (!request.wanted.last.empty()) {
+    add(fmt::format("--last {}", fmt::join(request.wanted.last, ",")));
+  }
+  if (request.wanted.expansion_set) {
+    add("--expansion-set");
+  }
+  if (!request.contains_file.empty()) {
+    add("--contains FILE");
+  }
+  return way;
+}
+
+std::vector<std::string> said_of(const LockedResult& result, const Wanted& wanted) {
+  std::vector<std::string> lines{
+      fmt::format("{} moves in {:.1f} s, {}; stopped: {}", result.moves, result.elapsed.count(),
+                  count_of(result.attempts, "attempt"), to_string(result.why_stopped))};
+  if (wanted.expansion_set) {
+    std::vector<std::size_t> positions;
+    for (const UnchangedSubset& part : result.parts) {
+      positions.push_back(part.position);
+    }
+    const bool all = wanted.first.empty() && wanted.last.empty();
+    lines.push_back(fmt::format("the unchanged subsets at {} {} partition {} elements",
+                                positions.size() == 1 ? "position" : "positions",
+                                fmt::join(positions, ", "), all ? "all" : "the other"));
+  }
+  return lines;
+}
+
+}  // namespace
+
+Answer search(const LockedSearch& request) {
+  const Parameters& p = request.parameters;
+  Wanted wanted = request.wanted;
+  if (!request.contains_file.empty()) {
+    ReadOptions reading = request.reading;
+    reading.v = p.v;
+    reading.k = p.k;
+    reading.change = p.change;
+    wanted.contained = read_design(request.contains_file, reading).blocks();
+  }
+  const auto running = std::make_shared<Running>(request.run, request.output);
+  if (const auto reason = impossibility(p)) {
+    return final_answer(running, proved_none(request, p, *reason));
+  }
+  const std::optional<Bound> bound = bound_in_time(p, running->control());
+  if (bound && request.blocks && *request.blocks < bound->blocks) {
+    return final_answer(running, proved_none(request, p, bound->reason));
+  }
+  LockedResult result =
+      search_locked(p, wanted, {.blocks = request.blocks, .moves = {}}, running->control());
+  running->finish();
+  if (!result.design) {
+    return final_answer(running, no_design(request.output, exit_code::limit_reached,
+                                           fmt::format("No such {} yet: stopped ({}) after {}.",
+                                                       name(p), to_string(result.why_stopped),
+                                                       count_of(result.attempts, "attempt"))));
+  }
+  const bool reached = !request.blocks || result.design->block_count() <= *request.blocks;
+  std::vector<std::string> lines = said_of(result, wanted);
+  SearchFind find{(*std::move(result.design)).take(), std::move(lines)};
+  find.design.recipe = literal_recipe(find.design, provenance(request, p, way_of(request)));
+  return final_answer(
+      running, show_find(find, request, reached ? exit_code::found : exit_code::limit_reached));
+}
+
+}  // namespace changeover::cli

@@ -1,0 +1,174 @@
+// Local search with locked cells.
+#include "changeover/search/locked_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "changeover/bounds/lower_bound.hpp"
+#include "changeover/core/error.hpp"
+#include "naive_verdict.hpp"
+#include "search/local/random_list.hpp"
+#include "search/local/segment_pairs.hpp"
+
+namespace changeover::test::locked_search_test {
+namespace {
+
+LockedResult searched(const Parameters& p, const Wanted& wanted, std::uint64_t blocks,
+                      std::uint64_t moves = 200'000'000) {
+  RunControl control({.threads = 1, .seed = 3});
+  return search_locked(p, wanted, {.blocks = blocks, .moves = moves}, control);
+}
+
+// The parts by the definition, from the blocks alone.
+void expect_as_wanted(const LockedResult& found, const Wanted& wanted) {
+  ASSERT_TRUE(found.design);
+  const Design& design = found.design->design();
+  EXPECT_TRUE(naive_verdict(design).valid);
+  const std::vector<Block> blocks = design.blocks();
+  const auto in = [](const Block& block, Element x) {
+    return std::find(block.begin(), block.end(), x) != block.end();
+  };
+  std::set<Element> others;
+  for (Element x = 0; x < design.v(); ++x) {
+    others.insert(x);
+  }
+  for (const Element x : wanted.first) {
+    EXPECT_TRUE(in(blocks.front(), x));
+    others.erase(x);
+  }
+  for (const Element x : wanted.last) {
+    EXPECT_TRUE(in(blocks.back(), x));
+    others.erase(x);
+  }
+  if (wanted.expansion_set) {
+    for (const UnchangedSubset& part : found.parts) {
+      EXPECT_EQ(part.elements.size(), design.k() - design.parameters().change);
+      for (const Element x : part.elements) {
+        EXPECT_TRUE(in(blocks.at(part.position - 1), x));
+        EXPECT_TRUE(in(blocks[part.position % blocks.size()], x));
+        EXPECT_EQ(others.erase(x), 1U);
+      }
+    }
+    EXPECT_TRUE(others.empty());
+  }
+}
+
+TEST(LockedSearch, FindsDesignsToConcatenate) {
+  const Wanted four{.first = {0, 1, 2, 3}, .expansion_set = true};
+  const Wanted three{.first = {0, 1, 2}, .expansion_set = true};
+  expect_as_wanted(searched({12, 4, 1, Kind::linear, 2}, three, 21), three);
+  expect_as_wanted(searched({16, 5, 1, Kind::linear, 2}, four, 30), four);
+}
+
+TEST(LockedSearch, FindsEveryKind) {
+  const Wanted set{.expansion_set = true};
+  expect_as_wanted(searched({12, 4, 2, Kind::circular, 2}, set, 16), set);
+  expect_as_wanted(searched({12, 4, 2, Kind::linear, 2}, set, 16), set);
+  const Wanted ends{.first = {3, 5}, .last = {0, 1}, .expansion_set = true};
+  expect_as_wanted(searched({14, 4, 2, Kind::linear, 2}, ends, 21), ends);
+  const Wanted last{.last = {4, 2, 0}};
+  expect_as_wanted(searched({10, 4, 1, Kind::linear, 2}, last, 16), last);
+}
+
+TEST(LockedSearch, KeepsTheBlocksGiven) {
+  const Wanted wanted{.contained = {{0, 1, 2, 3}, {0, 1, 4, 5}, {4, 5, 6, 7}}};
+  for (const Kind kind : {Kind::linear, Kind::circular}) {
+    const LockedResult found = searched({11, 4, 2, kind, 2}, wanted, 15);
+    ASSERT_TRUE(found.design);
+    const Design& design = found.design->design();
+    EXPECT_TRUE(naive_verdict(design).valid);
+    EXPECT_TRUE(parts_as_wanted(design, wanted, {}));
+    std::vector<Block> blocks = design.blocks();
+    for (Block& block : blocks) {
+      std::sort(block.begin(), block.end());
+    }
+    EXPECT_NE(
+        std::search(blocks.begin(), blocks.end(), wanted.contained.begin(), wanted.contained.end()),
+        blocks.end());
+  }
+}
+
+TEST(LockedSearch, TheSameSeedGivesTheSameDesign) {
+  const Wanted wanted{.first = {0, 1, 2}, .expansion_set = true};
+  const LockedResult once = searched({12, 4, 1, Kind::linear, 2}, wanted, 22);
+  const LockedResult again = searched({12, 4, 1, Kind::linear, 2}, wanted, 22);
+  ASSERT_TRUE(once.design && again.design);
+  EXPECT_EQ(once.design->design().blocks(), again.design->design().blocks());
+  EXPECT_EQ(once.moves, again.moves);
+}
+
+TEST(LockedSearch, EndsWithItsMoves) {
+  const LockedResult none =
+      searched({20, 5, 1, Kind::linear, 2}, {.expansion_set = true}, 45, 300'000);
+  EXPECT_FALSE(none.design);
+  EXPECT_LE(none.moves, 300'000U);
+  EXPECT_EQ(none.why_stopped, WhyStopped::step_limit);
+}
+
+TEST(LockedSearch, RefusesWhatNoDesignHas) {
+  const Parameters linear{12, 4, 1, Kind::linear, 2};
+  const Parameters circular{12, 4, 1, Kind::circular, 2};
+  EXPECT_EQ(wanted_defect(linear, {.first = {0, 1, 2}, .expansion_set = true}), "");
+  EXPECT_NE(wanted_defect(circular, {.first = {0}}), "");
+  EXPECT_NE(wanted_defect(linear, {.first = {0, 1, 2, 3, 4}}), "");
+  EXPECT_NE(wanted_defect(linear, {.last = {1, 1}}), "");
+  EXPECT_NE(wanted_defect(linear, {.last = {12}}), "");
+  EXPECT_NE(wanted_defect({13, 4, 1, Kind::linear, 2}, {.expansion_set = true}), "");
+  EXPECT_NE(wanted_defect(linear, {.contained = {{0, 1, 2}}}), "");
+  EXPECT_NE(wanted_defect(linear, {.contained = {{0, 1, 2, 3}, {0, 1, 4, 5}}}), "");
+  EXPECT_NE(wanted_defect({9, 4, 1, Kind::linear, 3}, {.first = {0}}), "");
+  RunControl control({.threads = 1});
+  EXPECT_THROW((void)search_locked(circular, {.first = {0}}, {}, control), BadInput);
+  EXPECT_THROW((void)search_locked({5, 4, 2, Kind::linear, 2}, {}, {}, control),
+               ImpossibleParameters);
+}
+
+TEST(LockedSearch, ADesignThatLostSomethingIsNotAsWanted) {
+  const Wanted wanted{.first = {0, 1, 2}, .expansion_set = true};
+  const LockedResult found = searched({12, 4, 1, Kind::linear, 2}, wanted, 22);
+  ASSERT_TRUE(found.design);
+  std::vector<std::size_t> positions;
+  for (const UnchangedSubset& part : found.parts) {
+    positions.push_back(part.position);
+  }
+  const Design& design = found.design->design();
+  EXPECT_TRUE(parts_as_wanted(design, wanted, positions));
+  Wanted other = wanted;
+  other.first = {0, 1, 11};
+  EXPECT_FALSE(parts_as_wanted(design, other, positions));
+  for (std::size_t& position : positions) {
+    const std::size_t there = std::exchange(position, 0);
+    EXPECT_FALSE(parts_as_wanted(design, wanted, positions));
+    position = positions[0] == 0 ? positions[1] : positions[0];
+    EXPECT_FALSE(parts_as_wanted(design, wanted, positions));
+    position = there;
+  }
+  positions.pop_back();
+  EXPECT_FALSE(parts_as_wanted(design, wanted, positions));
+}
+
+TEST(SegmentPairs, LockedCellsStay) {
+  const Parameters p{20, 5, 1, Kind::circular, 2};
+  Random random(5);
+  const Design start = *random_list(p, 40, random);
+  std::vector<LockedCell> locked;
+  for (std::uint32_t i = 0; i < 40; i += 7) {
+    for (const Element x : start.block(i).first(3)) {
+      locked.push_back({i, x});
+    }
+  }
+  SegmentPairs<std::uint8_t> state(start, 0, locked);
+  std::size_t made = 0;
+  for (int i = 0; i < 20'000; ++i) {
+    const SegmentSwap move = state.propose(random);
+    made += move.length > 0 && state.attempt(move, [](std::int32_t) { return true; }) ? 1U : 0U;
+  }
+  EXPECT_GT(made, 5'000U);
+  for (const LockedCell& cell : locked) {
+    EXPECT_TRUE(state.contains(cell.block, cell.element));
+  }
+}
+
+}  // namespace
+}  // namespace changeover::test::locked_search_test
