@@ -57,7 +57,7 @@ TEST(Search, WhatItFindsCanBeStoredAndVerified) {
 TEST(Search, WithLockedCellsSaysWhatCannotBe) {
   const TemporaryFolder folder;
   const std::string search = "$changeover search --linear -m 1 --quiet ";
-  expect({{search + "12 4 --first 0,1 --blocks 3", 30,
+  expect({{search + "12 4 --first 0,1 --blocks 3", 20,
            "No linear SCCD(12,4) with 3 blocks: the first block covers"},
           {search + "12 4 --first 0,1 --blocks 99999999 --time 60s", 10, "12,4), 2"},
           {search + "65535 400 --first 0", 3, "from k+1 = 401 to 4096, not 65535"},
