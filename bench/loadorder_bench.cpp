@@ -159,7 +159,7 @@ void reading(benchmark::State& state) {
   const auto bytes = static_cast<std::uint64_t>(state.range(2)) << 10;
   FileItems file(DataFile::of(items, bytes).path(), bytes, {.bypass_cache = true});
   LoadOrderOptions options;
-  options.constructions = options.planner = state.range(3) == 0;
+  options.constructions = options.closure_rules = state.range(3) == 0;
   const LoadOrder order = plan_load_order(items, room, options);
   const std::vector<Element> ours = sequence_of(order);
   Random random(items);
