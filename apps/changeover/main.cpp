@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   add_plan(program);
   add_expand(program);
   add_draw(program);
+  add_dossier(program);
   add_factorize(program);
   add_constructions(program);
   add_paper(program);

@@ -17,6 +17,7 @@ void add_table(Program& program);
 void add_plan(Program& program);
 void add_expand(Program& program);
 void add_draw(Program& program);
+void add_dossier(Program& program);
 void add_factorize(Program& program);
 void add_constructions(Program& program);
 void add_paper(Program& program);

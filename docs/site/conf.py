@@ -1,9 +1,6 @@
 """How Sphinx makes the guide and the Python reference; docs/site/build.py calls it and lays out the pages."""
 
-import ast
-import importlib.util
 import os
-import pathlib
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -20,6 +17,9 @@ nitpicky = True
 # Types of the standard library have no pages here.
 nitpick_ignore_regex = [(r"py:.*", r"(collections\.abc\.|typing\.|decimal\.)?(int|str|bool|float|None|object|list|dict|tuple|range|slice|memoryview|Any"
                          r"|Literal|Union|Callable|Iterable|Iterator|Mapping|Sequence|SupportsIndex|Decimal|\w*Error|Exception)")]
+# Names for types of arguments, which the page of the reference explains.
+nitpick_ignore = [("py:class", name)
+                  for name in ("Cost", "Part", "Pair", "Parts", "Pairs", "Room", "Done", "Objective")]
 smartquotes = False
 highlight_language = "none"
 
@@ -59,61 +59,8 @@ autodoc_class_signature = "separated"
 add_module_names = False
 
 
-# The package's types are in its stubs: signatures come from there, words from the docstrings.
-def signatures():
-    """What the stubs say of each function and method: name -> (arguments, what it returns)."""
-    found = {}
-    package = pathlib.Path(importlib.util.find_spec("changeover").origin).parent
-    for stub, module in (("__init__.pyi", "changeover"), ("catalog.pyi", "changeover.catalog")):
-        tree = ast.parse((package / stub).read_text(encoding="utf-8"))
-        aliases = {node.targets[0].id: node.value for node in tree.body
-                   if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
-                   and node.targets[0].id.startswith("_")}
-        todo = [(module, node) for node in tree.body]
-        while todo:
-            place, node = todo.pop(0)
-            if isinstance(node, ast.ClassDef):
-                todo += [(f"{place}.{node.name}", inner) for inner in node.body]
-            elif isinstance(node, ast.FunctionDef):
-                arguments = node.args
-                for kind in (arguments.posonlyargs, arguments.args):
-                    if kind and kind[0].arg == "self":
-                        del kind[0]
-                name = f"{place}.{node.name}"
-                returns = ast.unparse(node.returns) if node.returns else None
-                found.setdefault(name, []).append((f"({spelled(arguments, aliases)})", returns))
-    return found
-
-
-def spelled(arguments, aliases):
-    """The arguments with the stub's own short names of types written out."""
-
-    class Written(ast.NodeTransformer):
-        def visit_Name(self, node):  # noqa: N802 (ast's name)
-            return self.visit(aliases[node.id]) if node.id in aliases else node
-
-    return ast.unparse(Written().visit(arguments))
-
-
-stubs = signatures()
-
-
-def signature(app, what, name, obj, options, arguments, returns):
-    if what == "class":
-        return (stubs[name + ".__init__"][0][0], None) if name + ".__init__" in stubs else ("", None)
-    return stubs[name][0] if name in stubs else None
-
-
 def docstring(app, what, name, obj, options, lines):
-    """The first lines of pybind11, which repeat the signature, go."""
-    if what in ("function", "method") and lines and "(" in lines[0] and lines[0].split("(")[0] == name.split(".")[-1]:
-        del lines[0]
-        while lines and not lines[0].strip():
-            del lines[0]
-    if what == "property" and name in stubs:
-        said = " ".join(lines).strip()
-        lines[:] = [f"*{stubs[name][0][1]}*" + (f": {said}" if said else "")]
-    # Docstrings write names as `this`, which is Markdown's code and not a reference.
+    """Docstrings write names as `this`, which is Markdown's code and not a reference."""
     for i, line in enumerate(lines):
         lines[i] = line if "``" in line else line.replace("`", "``")
 
@@ -154,7 +101,6 @@ def mathematics(app, doctree):
 
 
 def setup(app):
-    app.connect("autodoc-process-signature", signature)
     app.connect("autodoc-process-docstring", docstring)
     app.connect("doctree-read", consoles)
     app.connect("doctree-read", mathematics)

@@ -4,6 +4,7 @@ Requests are made at random from the schema's own keys; an answer is asked for o
 Python, and is the same document at each of them.
 """
 
+import hashlib
 import json
 import os
 import pathlib
@@ -260,6 +261,32 @@ def check_designs(server, count):
         fault(f"a design with names is against its schema: {problem}")
 
 
+def check_dossiers():
+    """A dossier is what its schema says, and what it tells to run does what it says."""
+    cells = [("8", "5", "--circular"), ("9", "5", "--linear"), ("253", "13"), ("26.4.2.circular.65",), ("26", "6", "--change", "1", "--linear")]
+    seen = set()
+    for cell in cells:
+        answer = json.loads(run("dossier", *cell, "--json").stdout)
+        problem = fits("changeover-dossier-1", answer)
+        if problem:
+            fault(f"a dossier is against its schema ({problem}): {cell}")
+        seen |= {key for key in ("label", "reported", "blocks") if answer[key] is not None}
+        seen.add(f"{len(answer['check'])} commands")
+        with tempfile.TemporaryDirectory() as folder:
+            write, check = (words.split() for words in answer["check"][:2])
+            subprocess.run([program, *write[1:]], cwd=folder, check=True)
+            said = subprocess.run([str(build / "checkdesign"), *check[1:]], cwd=folder, capture_output=True, text=True).stdout.split()
+            lines = [line for line in (pathlib.Path(folder) / "design.txt").read_text().splitlines(True) if not line.startswith("#")]
+        if said[0] != "valid" or said[said.index("blocks") + 1] != str(answer["b"]):
+            fault(f"checkdesign says otherwise: {cell}: {said}")
+        if hashlib.sha256("".join(lines).encode()).hexdigest() != answer["hash"]:
+            fault(f"the blocks have another checksum: {cell}")
+        if answer["blocks"] and "".join(" ".join(map(str, block)) + "\n" for block in answer["blocks"]) != "".join(lines):
+            fault(f"a dossier lists other blocks: {cell}")
+    if missing := {"label", "reported", "blocks", "2 commands", "4 commands"} - seen:
+        fault(f"no dossier was asked for that has {missing}")
+
+
 def keys_of(said, inside, schemas, found):
     """Takes out of `found` the optional keys that this answer has: what is left of an object of the schemas was never said."""
     name, at = inside
@@ -373,4 +400,5 @@ with tempfile.TemporaryDirectory() as folder, Server(f"{folder}/own.db") as one:
     check_plans(one, 150)
     check_loads(one, 150)
     check_designs(one, 60)
+    check_dossiers()
 sys.exit(1 if faults else 0)

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 namespace changeover::cli {
 
 void add_kind_to(Verb& verb, std::optional<Kind>& kind, const std::string& circular,
@@ -25,12 +27,30 @@ std::vector<Kind> kinds_of(std::optional<Kind> named) {
   return named ? std::vector{*named} : std::vector{Kind::circular, Kind::linear};
 }
 
+std::optional<std::uint64_t> whole_number(const std::string& text) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, failure] = std::from_chars(text.data(), end, value);
+  return failure == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+}
+
 void ParameterRequest::add_to(Verb& verb, bool required, const std::string& linear) {
   verb.positional("V", v, "number of elements", required);
   verb.positional("K", k, "elements in a block", required);
   verb.option("-m,--change", change, "M",
               "elements in which consecutive blocks differ (default 2)");
   add_kind_to(verb, kind, "the last and the first block are consecutive too", linear);
+}
+
+void ParameterRequest::add_beside_label_to(Verb& verb, std::string& what, std::string& k_typed) {
+  verb.positional(
+      "LABEL", what,
+      "of a design, 20.5.2.linear.39.…, or its beginning; of a cell, 20.5.2.linear; or V");
+  verb.positional("K", k_typed, "elements in a block, after V", false);
+  verb.option("-m,--change", change, "M",
+              "after V K: elements in which consecutive blocks differ (default 2)");
+  add_strength_to(verb);
+  add_kind_to(verb, kind, "after V K: circular designs only", "after V K: linear designs only");
 }
 
 void ParameterRequest::add_strength_to(Verb& verb) {
@@ -56,6 +76,22 @@ std::vector<Parameters> ParameterRequest::of_each_kind() const {
     asked.push_back(of_kind(each));
   }
   return asked;
+}
+
+std::vector<Parameters> ParameterRequest::of_each_kind(const std::string& v_typed,
+                                                       const std::string& k_typed) const {
+  ParameterRequest asked = *this;
+  asked.v = whole_number(v_typed);
+  asked.k = whole_number(k_typed);
+  if (!asked.v) {
+    throw UsageError{fmt::format(
+        "'{}' is neither a label, as 20.5.2.linear, nor a number V that K follows", v_typed)};
+  }
+  if (!asked.k) {
+    throw UsageError{
+        fmt::format("'{}' after {} is not a number K; give V and K", k_typed, v_typed)};
+  }
+  return asked.of_each_kind();
 }
 
 ReadOptions ParameterRequest::reading() const {

@@ -22,6 +22,9 @@ void add_kind_to(Verb& verb, std::optional<Kind>& kind, const std::string& circu
 /// The kinds that may answer: the named one, or circular and linear.
 [[nodiscard]] std::vector<Kind> kinds_of(std::optional<Kind> named);
 
+/// The number that a text is; nothing for any other text, and for what is too large.
+[[nodiscard]] std::optional<std::uint64_t> whole_number(const std::string& text);
+
 /// [V K] [--change M] [--strength T] [--circular | --linear]: what a verb does not offer stays empty.
 struct ParameterRequest {
   std::optional<std::uint64_t> v;
@@ -33,6 +36,9 @@ struct ParameterRequest {
   /// V K [--change M] [--circular | --linear], V and K required. `linear` as in add_kind_to().
   void add_to(Verb& verb, bool required = true, const std::string& linear = "they need not be");
 
+  /// LABEL | V K, as they are typed, with what is said after V K.
+  void add_beside_label_to(Verb& verb, std::string& what, std::string& k_typed);
+
   /// [--strength T].
   void add_strength_to(Verb& verb);
 
@@ -42,6 +48,9 @@ struct ParameterRequest {
   [[nodiscard]] Parameters of_one_kind(Kind usual) const { return of_kind(kind.value_or(usual)); }
   /// What is asked, once for each kind that may answer.
   [[nodiscard]] std::vector<Parameters> of_each_kind() const;
+  /// The same with V and K as they were typed, where a label could stand for both.
+  [[nodiscard]] std::vector<Parameters> of_each_kind(const std::string& v_typed,
+                                                     const std::string& k_typed) const;
 
   /// As they are declared to whoever reads a design. @throws UsageError.
   [[nodiscard]] ReadOptions reading() const;

@@ -1,7 +1,9 @@
 // changeover bounds V K: each lower bound with its reason, the best design known, the gap.
 #include <fmt/format.h>
 
+#include "answer/catalog/entry_words.hpp"
 #include "answer/known/known_bounds.hpp"
+#include "io/write/latex_prose.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 
@@ -34,6 +36,32 @@ std::string text(const KnownBounds& answer) {
                                  answer.best->b));
 }
 
+std::string latex(const KnownBounds& answer) {
+  std::vector<std::string> keys;
+  std::string text =
+      fmt::format("\\paragraph{{{}}}\n\\begin{{itemize}}\n", latex_prose(name(answer.parameters)));
+  const auto item = [&](const std::string& words) {
+    add_keys(words, keys);
+    text += fmt::format("\\item {}\n", latex_prose(words, keys));
+  };
+  if (answer.impossible) {
+    item("impossible: " + *answer.impossible);
+  }
+  for (const Bound& bound : answer.bounds) {
+    item(fmt::format("b >= {} ({}): {}", bound.blocks, bound.name, bound.reason));
+  }
+  if (answer.best) {
+    const Construction& by = *Registry::standard().find(answer.best->recipe.construction);
+    item(fmt::format("b <= {} ({}): {} {}", answer.best->b, by.name(),
+                     by.explain(answer.best->recipe), by.citation().to_string()));
+  }
+  if (answer.reported) {
+    item(fmt::format("{} [{}]: reported, blocks not held here", answer.reported->blocks,
+                     answer.reported->cites));
+  }
+  return text + "\\end{itemize}\n";
+}
+
 // The kind that a single answer is about: the one with the fewest blocks known, circular among equals.
 const KnownBounds& chosen(const std::vector<KnownBounds>& answers) {
   const KnownBounds* best = &answers.front();
@@ -50,9 +78,10 @@ Answer run(const BoundsRequest& request) {
   for (const Parameters& p : request.asked.of_each_kind()) {
     answers.push_back(known_bounds(p));
   }
+  const bool is_latex = request.output.format() == "latex";
   std::string all;
   for (const KnownBounds& each : answers) {
-    all += text(each);
+    all += is_latex ? latex(each) : text(each);
   }
   return text_answer(request.output.json() ? bounds_json(chosen(answers)) + "\n" : all,
                      request.output);
@@ -65,7 +94,7 @@ void add_bounds(Program& program) {
       "bounds", "lower bounds with their reasons, and the best design known", run);
   request.asked.add_to(verb);
   request.asked.add_strength_to(verb);
-  request.output.add_to(verb, {"text", "json"});
+  request.output.add_to(verb, {"text", "latex", "json"});
   verb.examples({"changeover bounds 20 5", "changeover bounds 8 5 --circular --json",
                  "changeover bounds 10 7 --change 1 --strength 3   every three elements meet",
                  "JSON is about one kind: if none is named, the one with the fewest blocks known"});

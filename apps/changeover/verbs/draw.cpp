@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 
 #include "answer/answer.hpp"
@@ -45,21 +44,6 @@ struct DrawRequest {
   std::optional<std::uint64_t> to;
   OutputRequest output;
 };
-
-std::optional<std::uint64_t> number_in(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, failure] = std::from_chars(text.data(), end, value);
-  return failure == std::errc() && rest == end ? std::optional(value) : std::nullopt;
-}
-
-std::uint64_t number_of(const std::string& what, const std::string& text) {
-  const auto number = number_in(text);
-  if (!number) {
-    throw UsageError{fmt::format("{}: '{}' is not a whole number", what, text)};
-  }
-  return *number;
-}
 
 // PNG is enlarged, so that it is sharp on paper too, as far as that stays in reason.
 unsigned zoom_of(const Picture& picture, const std::string& format) {
@@ -227,15 +211,18 @@ Answer draw_file(const DrawRequest& request) {
 
 Answer draw_factorization(const DrawRequest& request) {
   constexpr std::uint64_t most_drawn = 40;
-  const std::uint64_t order = number_of("N", request.what);
+  const auto order = whole_number(request.what);
+  if (!order) {
+    throw UsageError{fmt::format("N: '{}' is not a whole number", request.what)};
+  }
   if (!request.second.empty()) {
     throw UsageError{
         "a 1-factorization has one number, N: changeover draw 8 --picture factorization"};
   }
-  if (order > most_drawn) {
+  if (*order > most_drawn) {
     throw UsageError{fmt::format("only 1-factorizations of K_2 to K_{} are drawn", most_drawn)};
   }
-  const OneFactorization factorization = one_factorization(static_cast<std::uint32_t>(order));
+  const OneFactorization factorization = one_factorization(static_cast<std::uint32_t>(*order));
   if (const auto defect = factorization_defect(factorization)) {
     throw InternalError("the 1-factorization is not one: " + *defect);
   }
@@ -279,10 +266,7 @@ Answer run(const DrawRequest& request) {
     return draw_factorization(request);
   }
   if (!request.second.empty()) {
-    ParameterRequest asked = request.asked;
-    asked.v = number_of("V", request.what);
-    asked.k = number_of("K", request.second);
-    return draw_cell(asked.of_each_kind(), request);
+    return draw_cell(request.asked.of_each_kind(request.what, request.second), request);
   }
   std::error_code ignored;
   if (request.what == "-" || std::filesystem::exists(request.what, ignored)) {
@@ -294,7 +278,7 @@ Answer run(const DrawRequest& request) {
   if (const auto entry = request.catalog.open().find(request.what)) {
     return draw_entry(*entry, request);
   }
-  if (number_in(request.what)) {
+  if (whole_number(request.what)) {
     throw UsageError{fmt::format("{}: there is no such file; V needs K: changeover draw {} K",
                                  request.what, request.what)};
   }

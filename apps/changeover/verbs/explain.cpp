@@ -1,10 +1,14 @@
 // changeover explain V K: the tree of constructions with their theorems.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "answer/catalog/entry_words.hpp"
 #include "answer/design/recipe_tree.hpp"
 #include "answer/known/offers.hpp"
 #include "changeover/bounds/lower_bound.hpp"
 #include "core/words.hpp"
+#include "io/write/latex_prose.hpp"
 #include "request/parameters.hpp"
 #include "verbs.hpp"
 
@@ -17,6 +21,30 @@ struct ExplainRequest {
   std::string construction;
 };
 
+// A list within a list for each construction, four deep at most, as LaTeX has them.
+std::string latex(const Recipe& recipe) {
+  constexpr std::size_t deepest = 4;
+  std::vector<std::string> keys;
+  std::string text;
+  std::size_t open = 0;
+  const auto open_to = [&](std::size_t depth) {
+    for (; open < depth; ++open) {
+      text += "\\begin{itemize}\n";
+    }
+    for (; open > depth; --open) {
+      text += "\\end{itemize}\n";
+    }
+  };
+  for (const RecipeStep& step : recipe_steps(recipe)) {
+    const std::string words = fmt::format("{}. {} {}", step.design, step.how, step.citation);
+    add_keys(words, keys);
+    open_to(std::min(step.depth + 1, deepest));
+    text += fmt::format("\\item {}\n", latex_prose(words, keys));
+  }
+  open_to(0);
+  return text;
+}
+
 Answer run(const ExplainRequest& request) {
   const std::vector<Parameters> asked = request.asked.of_each_kind();
   const auto offer = best_offer(asked, request.construction);
@@ -25,6 +53,9 @@ Answer run(const ExplainRequest& request) {
   }
   if (request.output.json()) {
     return text_answer(explanation_json(offer->recipe) + "\n", request.output);
+  }
+  if (request.output.format() == "latex") {
+    return text_answer(latex(offer->recipe), request.output);
   }
   std::string text = tree_text(offer->recipe);
   text += "lower bound: " + lower_bound(offer->recipe.parameters).reason + "\n";
@@ -49,7 +80,7 @@ void add_explain(Program& program) {
   request.asked.add_to(verb);
   request.asked.add_strength_to(verb);
   verb.option("--construction", request.construction, "NAME", "explain this construction's design");
-  request.output.add_to(verb, {"text", "json"});
+  request.output.add_to(verb, {"text", "latex", "json"});
   verb.examples({"changeover explain 253 13", "changeover explain 8 5 --json"});
 }
 

@@ -98,7 +98,9 @@ Answer run(const MinimaRequest& request) {
   }
   std::erase_if(rows, [&](const MinimaRow& row) { return !request.shows(row); });
   return final_answer(running,
-                      text_answer(request.output.json() ? minima_json(rows) : minima_markdown(rows),
+                      text_answer(request.output.json()                ? minima_json(rows)
+                                  : request.output.format() == "latex" ? minima_latex(rows)
+                                                                       : minima_markdown(rows),
                                   request.output));
 }
 
@@ -117,7 +119,7 @@ void add_minima(Program& program) {
   verb.option("--conflicts", request.conflicts, "N",
               "work on one number of blocks, in conflicts of the solver (default 100000)");
   request.run.add_limits_to(verb, "0s", request.output, false);
-  request.output.add_to(verb, {"markdown", "json"});
+  request.output.add_to(verb, {"markdown", "latex", "json"});
   verb.examples({"changeover minima --v 10                   what needs no search, and minima.csv",
                  "changeover minima --time 10m -o minima.md  go on with minima.csv"});
 }

@@ -2,11 +2,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <exception>
+#include <filesystem>
 #include <sstream>
 #include <utility>
 
+#include "answer/answer.hpp"
 #include "answer/known/offers.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/core/version.hpp"
 #include "changeover/run/control.hpp"
 #include "changeover/search/exact.hpp"
 #include "cli/team.hpp"
@@ -274,6 +278,55 @@ Answer answer_of(const ExactSearch& request, const MinimumResult& result) {
               : no_design(request.output, code, fmt::format("{}", fmt::join(lines, "\n")), json);
 }
 
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+// For whoever finds the proofs without the program: what each file says and how to check it.
+void explain_proofs(const ExactSearch& request, const MinimumResult& result) {
+  const Parameters& p = result.parameters;
+  std::string files;
+  for (const Decision& step : result.steps) {
+    if (!step.excluded()) {
+      continue;
+    }
+    files += fmt::format("## No {} with {}\n\n", name(p), count_of(step.b, "block"));
+    if (!step.cubes_path.empty()) {
+      files += fmt::format(
+          "The question is split into {} cubes, listed in `{}`; there is a formula and a proof for "
+          "each. The cubes leave no case out if their negations, as clauses, have no solution.\n\n",
+          step.cubes, file_name(step.cubes_path));
+    }
+    files += "| formula | variables | clauses | proof | bytes |\n|:---|---:|---:|:---|---:|\n";
+    for (const CheckedPart& part : step.parts) {
+      if (part.cnf_path.empty()) {
+        continue;  // Another process of the team wrote it.
+      }
+      files += fmt::format("| {} | {} | {} | {} | {} |\n", file_name(part.cnf_path), part.variables,
+                           part.clauses, file_name(part.proof_path), part.proof_bytes);
+    }
+    files += "\n";
+  }
+  if (files.empty()) {
+    return;
+  }
+  const std::filesystem::path file =
+      std::filesystem::path(request.proof_directory) /
+      fmt::format("{}-m{}-v{}-k{}{}-README.md", to_string(p.kind), p.change, p.v, p.k,
+                  p.strength == 2 ? "" : fmt::format("-t{}", p.strength));
+  write_file(file.string(), [&](OutputFile& out) {
+    out.write(fmt::format(
+        "# Proofs about the {}\n\nWritten by changeover {}. At least {}: {}\n\nEach formula "
+        "(DIMACS, `.cnf`) says that there is a design with so many blocks: variable v*i + e + 1 "
+        "says that block i holds element e, both from 0. Each proof (DRAT, `.drat`) shows that the "
+        "formula has no solution. Both are text. Any DRAT checker reads them:\n\n"
+        "    drat-trim NAME.cnf NAME.drat\n\nprints `s VERIFIED`. The program's own checker has "
+        "checked them, too. What has to be trusted is that the formula says what it should, and the bound "
+        "above.\n\n{}",
+        name(p), version, count_of(result.start.blocks, "block"), result.start.reason, files));
+  });
+}
+
 }  // namespace
 
 Answer search(const ExactSearch& request) {
@@ -306,6 +359,13 @@ Answer search(const ExactSearch& request) {
   running->finish();
   Answer answer = answer_of(request, result);
   answer.fault = result.fault;
+  if (!request.proof_directory.empty() && Team::world().first()) {
+    try {
+      explain_proofs(request, result);
+    } catch (const MissingResource&) {  // The answer is worth more.
+      answer.fault = answer.fault ? answer.fault : std::current_exception();
+    }
+  }
   return final_answer(running, std::move(answer));
 }
 

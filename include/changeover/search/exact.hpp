@@ -222,4 +222,7 @@ void write_minima(const std::vector<MinimaRow>& rows, Sink& sink);
 /// Markdown: tables of minima by v and k, of the proofs and of what is open.
 [[nodiscard]] std::string minima_markdown(const std::vector<MinimaRow>& rows);
 
+/// The same as LaTeX, for the packages booktabs and longtable.
+[[nodiscard]] std::string minima_latex(const std::vector<MinimaRow>& rows);
+
 }  // namespace changeover

@@ -9,6 +9,7 @@
 #include "changeover/io/tables.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
+#include "io/write/latex_prose.hpp"
 
 namespace changeover {
 namespace {
@@ -115,7 +116,8 @@ std::string head_line(const TableColumn& column, TableFormats format) {
 }
 
 bool is_right(const TableColumn& column) {
-  return column.style.kind == ColumnKind::number || column.style.kind == ColumnKind::cost;
+  const ColumnKind kind = column.style.kind;
+  return kind == ColumnKind::number || kind == ColumnKind::cost || kind == ColumnKind::formula;
 }
 
 std::string table_csv(const Table& table) {
@@ -150,21 +152,31 @@ std::string table_markdown(const Table& table) {
 }
 
 std::string table_latex(const Table& table) {
+  constexpr std::size_t most_on_a_page = 40;
   const std::vector<const TableColumn*> columns = columns_in(table, in_latex);
-  std::string text = "\\begin{tabular}{";
+  const std::string environment = table.rows > most_on_a_page ? "longtable" : "tabular";
+  std::string text = "\\begin{" + environment + "}{";
   for (const TableColumn* column : columns) {
     text += is_right(*column) ? 'r' : 'l';
   }
-  text += "}\n";
-  std::string rule = "\\hline\n";
+  text += "}\n\\toprule\n";
+  std::string rule = environment == "tabular" ? "\\midrule\n" : "\\midrule\n\\endhead\n";
+  const auto written = [](const TableColumn& column, const std::string& words) {
+    // A bracket or a star at the start of a row would be an argument of the line break before it.
+    return column.style.kind == ColumnKind::formula           ? words
+           : words.starts_with('[') || words.starts_with('*') ? "{}" + latex_prose(words)
+                                                              : latex_prose(words);
+  };
   each_row(
       table, columns,
-      [](const TableColumn& column) { return latex_escaped(head_line(column, in_latex)); },
-      [](const TableColumn&, const TableCell& cell) { return latex_escaped(joined(cell.words)); },
+      [&](const TableColumn& column) { return written(column, head_line(column, in_latex)); },
+      [&](const TableColumn& column, const TableCell& cell) {
+        return written(column, joined(cell.words));
+      },
       [&](const std::vector<std::string>& cells) {
         text += row_of(cells, "", " & ", " \\\\\n") + std::exchange(rule, "");
       });
-  return text + "\\end{tabular}\n";
+  return text + "\\bottomrule\n\\end{" + environment + "}\n";
 }
 
 std::string table_html(const Table& table) {

@@ -27,6 +27,7 @@ enum class ColumnKind {
   text,
   list,    ///< names: lines break between them, a file quotes those with commas in them
   number,  ///< decimal, to the right; words in it ("+1 (0.9 %)") are to the right as well
+  formula, ///< LaTeX that stands as it is, to the right; for LaTeX only
   cost,    ///< a number whose thousands a workbook sets apart
   remark,  ///< a text of some length: a page has it in small letters below the first cell of the row
   choice,  ///< to be filled in with a word: a page has a box for each word of the head
@@ -116,7 +117,7 @@ struct Table {
 /// <table>, for the page of table_document.hpp.
 [[nodiscard]] std::string table_html(const Table& table);
 
-/// A tabular, a rule below its head.
+/// For the package booktabs; a table of more than 40 rows is a longtable (package longtable).
 [[nodiscard]] std::string table_latex(const Table& table);
 
 /// Words with commas between them.

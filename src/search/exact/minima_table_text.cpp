@@ -17,6 +17,7 @@
 #include "io/table/table.hpp"
 #include "io/write/csv_cell.hpp"
 #include "io/write/json_writer.hpp"
+#include "io/write/latex_prose.hpp"
 
 namespace changeover {
 namespace {
@@ -141,7 +142,31 @@ std::string title(const Parameters& p) {
 
 using Rows = std::vector<const MinimaRow*>;
 
-std::string grid(const Rows& rows) {
+// How headings, sentences and tables are written.
+struct Style {
+  std::string (*heading)(const std::string& words, unsigned level);
+  std::string (*prose)(const std::string& words);
+  std::string (*table)(const Table& table);
+};
+
+constexpr Style in_markdown_style{[](const std::string& words, unsigned level) {
+                                    return std::string(level, '#') + " " + words + "\n\n";
+                                  },
+                                  [](const std::string& words) { return words + "\n\n"; },
+                                  table_markdown};
+
+constexpr Style in_latex_style{[](const std::string& words, unsigned level) {
+                                 return fmt::format("\\{}section*{{{}}}\n\n",
+                                                    level < 3 ? "" : "sub", latex_prose(words));
+                               },
+                               [](const std::string& words) {
+                                 std::string plain = words;
+                                 std::erase(plain, '`');
+                                 return latex_prose(plain) + "\n\n";
+                               },
+                               table_latex};
+
+std::string grid(const Rows& rows, const Style& style) {
   std::set<std::uint64_t> ks;
   std::map<std::uint64_t, std::map<std::uint64_t, std::string>> cells;
   for (const MinimaRow* row : rows) {
@@ -159,11 +184,11 @@ std::string grid(const Rows& rows) {
       lines.back().push_back(row[k]);
     }
   }
-  return fmt::format("### {}\n\n{}\n", title(rows.front()->parameters),
-                     table_markdown(table_of(std::move(heads), std::move(lines))));
+  return style.heading(title(rows.front()->parameters), 3) +
+         style.table(table_of(std::move(heads), std::move(lines))) + "\n";
 }
 
-std::string proofs(const Rows& rows) {
+std::string proofs(const Rows& rows, const Style& style) {
   std::vector<std::vector<std::string>> lines;
   for (const MinimaRow* row : rows) {
     lines.push_back({name(row->parameters), std::to_string(row->start), interval(*row), row->by,
@@ -171,31 +196,76 @@ std::string proofs(const Rows& rows) {
                      fmt::format("{:.2f}", row->check_seconds), std::to_string(row->proof_bytes),
                      std::to_string(row->proof_steps)});
   }
-  return table_markdown(table_of({{"design", {}},
-                                  {"bound on paper", number_column},
-                                  {"minimum", number_column},
-                                  {"design by", {}},
-                                  {"solving, s", number_column},
-                                  {"checking, s", number_column},
-                                  {"proof, bytes", number_column},
-                                  {"proof, steps", number_column}},
-                                 std::move(lines))) +
+  return style.table(table_of({{"design", {}},
+                               {"bound on paper", number_column},
+                               {"minimum", number_column},
+                               {"design by", {}},
+                               {"solving, s", number_column},
+                               {"checking, s", number_column},
+                               {"proof, bytes", number_column},
+                               {"proof, steps", number_column}},
+                              std::move(lines))) +
          "\n";
 }
 
-std::string open(const Rows& rows) {
+std::string open(const Rows& rows, const Style& style) {
   std::vector<std::vector<std::string>> lines;
   for (const MinimaRow* row : rows) {
     lines.push_back({name(row->parameters), std::to_string(row->start), interval(*row), row->by,
                      std::to_string(row->limit)});
   }
-  return table_markdown(table_of({{"design", {}},
-                                  {"bound on paper", number_column},
-                                  {"between", number_column},
-                                  {"design by", {}},
-                                  {"conflicts a step", number_column}},
-                                 std::move(lines))) +
+  return style.table(table_of({{"design", {}},
+                               {"bound on paper", number_column},
+                               {"between", number_column},
+                               {"design by", {}},
+                               {"conflicts a step", number_column}},
+                              std::move(lines))) +
          "\n";
+}
+
+std::string minima_text(const std::vector<MinimaRow>& rows, const Style& style) {
+  std::map<std::tuple<std::uint32_t, std::uint64_t, Kind>, Rows> tables;
+  Rows excluded;
+  Rows unsettled;
+  std::size_t settled = 0;
+  std::size_t by_search = 0;
+  for (const MinimaRow& row : rows) {
+    const Parameters& p = row.parameters;
+    tables[{p.strength, p.change, p.kind}].push_back(&row);
+    settled += row.settled() ? 1U : 0U;
+    by_search += row.settled() && row.by == "SAT" ? 1U : 0U;
+    if (row.lower > row.start) {
+      excluded.push_back(&row);
+    }
+    if (!row.settled()) {
+      unsettled.push_back(&row);
+    }
+  }
+  std::string text = style.heading("Minima", 1);
+  text += style.prose(fmt::format(
+      "The least number of blocks, for {} sets of parameters: {} are settled, {} of them by a "
+      "design that only search found, and for {} a checked proof goes beyond the bounds on paper.",
+      rows.size(), settled, by_search, excluded.size()));
+  text += style.prose(
+      "`12`: a bound on paper is met by a construction. `s`: the design was found by SAT. `p`: "
+      "fewer blocks were excluded by SAT, and the DRAT proofs checked (docs/trust.md). `12..14`: "
+      "open between these.");
+  for (const auto& [which, members] : tables) {
+    text += grid(members, style);
+  }
+  if (!excluded.empty()) {
+    text += style.heading("Excluded with checked proofs", 2);
+    text += style.prose(
+        "Times are of one processor; a proof's size is that of its text, for all numbers of blocks "
+        "from the bound on paper up to the minimum. `changeover search V K --exact --proof DIR` "
+        "with --change and --linear or --circular writes the formulas and proofs anew.");
+    text += proofs(excluded, style);
+  }
+  if (!unsettled.empty()) {
+    text += style.heading("Open", 2) + open(unsettled, style);
+  }
+  text.pop_back();
+  return text;
 }
 
 }  // namespace
@@ -263,48 +333,11 @@ std::vector<MinimaRow> read_minima(Input& input) {
 }
 
 std::string minima_markdown(const std::vector<MinimaRow>& rows) {
-  std::map<std::tuple<std::uint32_t, std::uint64_t, Kind>, Rows> tables;
-  Rows excluded;
-  Rows unsettled;
-  std::size_t settled = 0;
-  std::size_t by_search = 0;
-  for (const MinimaRow& row : rows) {
-    const Parameters& p = row.parameters;
-    tables[{p.strength, p.change, p.kind}].push_back(&row);
-    settled += row.settled() ? 1U : 0U;
-    by_search += row.settled() && row.by == "SAT" ? 1U : 0U;
-    if (row.lower > row.start) {
-      excluded.push_back(&row);
-    }
-    if (!row.settled()) {
-      unsettled.push_back(&row);
-    }
-  }
-  std::string text = fmt::format(
-      "# Minima\n\nThe least number of blocks, for {} sets of parameters: {} are settled, {} of "
-      "them "
-      "by a design that only search found, and for {} a checked proof goes beyond the bounds on "
-      "paper.\n\n"
-      "`12`: a bound on paper is met by a construction. `s`: the design was found by SAT. `p`: "
-      "fewer blocks were excluded by SAT, and the DRAT proofs checked (docs/trust.md). `12..14`: "
-      "open between these.\n\n",
-      rows.size(), settled, by_search, excluded.size());
-  for (const auto& [which, members] : tables) {
-    text += grid(members);
-  }
-  if (!excluded.empty()) {
-    text +=
-        "## Excluded with checked proofs\n\nTimes are of one processor; a proof's size is that of "
-        "its text, for all numbers of blocks from the bound on paper up to the minimum. "
-        "`changeover search V K --exact --proof DIR` with --change and --linear or --circular "
-        "writes the formulas and proofs anew.\n\n" +
-        proofs(excluded);
-  }
-  if (!unsettled.empty()) {
-    text += "## Open\n\n" + open(unsettled);
-  }
-  text.pop_back();
-  return text;
+  return minima_text(rows, in_markdown_style);
+}
+
+std::string minima_latex(const std::vector<MinimaRow>& rows) {
+  return minima_text(rows, in_latex_style);
 }
 
 }  // namespace changeover

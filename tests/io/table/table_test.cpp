@@ -54,9 +54,9 @@ TEST(TableFormats, SayTheSameCellsEachInItsWay) {
             "| put in | cost | how |\n|:---|---:|:---|\n"
             "| Valve, large, \\<b\\>\\|\\& | =1.50 | a\\_b |\n");
   EXPECT_EQ(table_latex(table),
-            "\\begin{tabular}{lrl}\nput in & cost & how \\\\\n\\hline\n"
+            "\\begin{tabular}{lrl}\n\\toprule\nput in & cost & how \\\\\n\\midrule\n"
             "Valve, large, " +
-                latex_escaped("<b>|&") + " & =1.50 & a\\_b \\\\\n\\end{tabular}\n");
+                latex_escaped("<b>|&") + " & =1.50 & $a_{b}$ \\\\\n\\bottomrule\n\\end{tabular}\n");
   EXPECT_EQ(
       table_html(table),
       "<table>\n<thead><tr><th>Put<br>in</th><th class=\"n\">Cost</th></tr></thead>\n<tbody>\n"

@@ -33,7 +33,7 @@ std::string misc(const std::string& key, const std::string& author, const std::s
   if (!author.empty()) {
     text += fmt::format("  author = {{{{{}}}}},\n", author);  // one name, whatever is in it
   }
-  text += fmt::format("  title  = {{{}}},\n", title);
+  text += fmt::format("  title  = {{{{{}}}}},\n", title);
   if (!date.empty()) {
     text += fmt::format("  year   = {{{}}},\n", date.substr(0, 4));
   }
@@ -96,6 +96,20 @@ std::string bibtex_of(const std::string& key) {
   const std::size_t begin = all.rfind('@', named);
   const std::size_t end = all.find("\n}", named);
   return std::string(all.substr(begin, end + 2 - begin)) + "\n";
+}
+
+void add_keys(const std::string& sentence, std::vector<std::string>& keys) {
+  for (std::size_t at = sentence.find('['); at != std::string::npos;
+       at = sentence.find('[', at + 1)) {
+    const std::size_t end = sentence.find_first_of(",]", at);
+    if (end == std::string::npos) {
+      return;
+    }
+    const std::string key = sentence.substr(at + 1, end - at - 1);
+    if (std::ranges::find(keys, key) == keys.end() && !bibtex_of(key).empty()) {
+      keys.push_back(key);
+    }
+  }
 }
 
 std::string bibtex_of(const CatalogEntry& entry) {

@@ -24,6 +24,9 @@ void write_entry(JsonWriter& json, const CatalogEntry& entry);
 /// The text of docs/references.bib from "@" to its end for a key; empty if there is none.
 [[nodiscard]] std::string bibtex_of(const std::string& key);
 
+/// Adds the keys that a sentence cites in brackets, "[ChafeeStevens2025, Theorem 2]", each once, if they are in docs/references.bib.
+void add_keys(const std::string& sentence, std::vector<std::string>& keys);
+
 /// BibTeX of a design and of what it is from.
 [[nodiscard]] std::string bibtex_of(const CatalogEntry& entry);
 

@@ -73,7 +73,23 @@ void add_json(const RecipeNode& node, const Recipe& recipe, JsonWriter& json) {
   json.end_array().end_object();
 }
 
+void add_steps(const RecipeNode& node, std::size_t depth, std::vector<RecipeStep>& steps) {
+  steps.push_back({depth,
+                   node.b ? fmt::format("{}: {}", name(node.parameters), count_of(*node.b, "block"))
+                          : name(node.parameters),
+                   node.explanation, node.citation});
+  for (const RecipeNode& input : node.inputs) {
+    add_steps(input, depth + 1, steps);
+  }
+}
+
 }  // namespace
+
+std::vector<RecipeStep> recipe_steps(const Recipe& recipe) {
+  std::vector<RecipeStep> steps;
+  add_steps(explained(Registry::standard(), recipe), 0, steps);
+  return steps;
+}
 
 std::string tree_text(const Recipe& recipe) {
   std::string text;

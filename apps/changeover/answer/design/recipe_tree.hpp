@@ -2,11 +2,24 @@
 // unless that takes long.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "changeover/core/recipe.hpp"
 
 namespace changeover::cli {
+
+/// One construction of the tree.
+struct RecipeStep {
+  std::size_t depth = 0;  ///< how many constructions it stands within
+  std::string design;     ///< "circular DCCD(231,13): 1155 blocks"
+  std::string how;        ///< a sentence
+  std::string citation;   ///< "[ChafeeStevens2025, Theorem 2]"
+};
+
+/// The outermost first. Nothing is verified.
+[[nodiscard]] std::vector<RecipeStep> recipe_steps(const Recipe& recipe);
 
 [[nodiscard]] std::string tree_text(const Recipe& recipe);
 

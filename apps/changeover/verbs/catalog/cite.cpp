@@ -1,4 +1,4 @@
-// changeover catalog cite [LABEL]: BibTeX of a design, or of the catalog as it is today.
+// changeover catalog cite [LABEL|KEY]: BibTeX of a design, of a reference, or of the catalog as it is today.
 #include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
 #include "changeover/core/error.hpp"
@@ -19,6 +19,9 @@ Answer run(const CiteRequest& request) {
   if (request.label.empty()) {
     return text_answer(bibtex_of(catalog), request.output);
   }
+  if (const std::string reference = bibtex_of(request.label); !reference.empty()) {
+    return text_answer(reference, request.output);
+  }
   const auto entry = catalog.find(request.label);
   if (!entry) {
     throw MissingResource(has_no_design(request.label) + left_out());
@@ -31,10 +34,13 @@ Answer run(const CiteRequest& request) {
 void add_catalog_cite(Program& program) {
   auto [verb, request] = program.add<CiteRequest>(
       "catalog-cite", "BibTeX of a design and what it is from, or of the whole catalog", run);
-  verb.positional("LABEL", request.label, "of a design; the whole catalog without it", false);
+  verb.positional("LABEL", request.label,
+                  "of a design, or a key of docs/references.bib; the whole catalog without it",
+                  false);
   request.catalog.add_to(verb);
   request.output.add_to(verb, {"bibtex"});
-  verb.examples({"changeover catalog cite 26.4.2.circular.65", "changeover catalog cite"});
+  verb.examples({"changeover catalog cite 26.4.2.circular.65",
+                 "changeover catalog cite ChafeeStevens2025", "changeover catalog cite"});
 }
 
 }  // namespace changeover::cli

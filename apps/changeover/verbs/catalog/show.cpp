@@ -1,8 +1,6 @@
 // changeover catalog show LABEL | V K: what is known of a design or of a cell.
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "answer/answer.hpp"
 #include "answer/catalog/entry_words.hpp"
 #include "answer/design/chosen_design.hpp"
@@ -25,19 +23,6 @@ struct ShowRequest {
   CatalogRequest catalog;
   OutputRequest output;
 };
-
-std::uint64_t number(const std::string& text) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, failure] = std::from_chars(text.data(), end, value);
-  if (failure != std::errc() || rest != end) {
-    throw UsageError{
-        fmt::format("'{}' is neither a label, as 20.5.2.linear, nor a number V that K "
-                    "follows",
-                    text)};
-  }
-  return value;
-}
 
 std::string text_of(const CatalogEntry& entry, bool is_shipped) {
   std::string text = fmt::format("{}\n  {}: {}, {}\n", entry.label(), name(entry.parameters),
@@ -71,10 +56,7 @@ Answer run(const ShowRequest& request) {
   std::vector<CatalogEntry> entries;
   std::vector<Parameters> cells;
   if (!request.k.empty()) {
-    ParameterRequest asked = request.asked;
-    asked.v = number(request.what);
-    asked.k = number(request.k);
-    cells = asked.of_each_kind();
+    cells = request.asked.of_each_kind(request.what, request.k);
   } else if (const auto cell = parse_cell_label(request.what)) {
     cells = {*cell};
   } else if (const auto entry = catalog.find(request.what)) {
@@ -135,15 +117,7 @@ Answer run(const ShowRequest& request) {
 void add_catalog_show(Program& program) {
   auto [verb, request] = program.add<ShowRequest>(
       "catalog-show", "what is known of a design, or of all designs of a cell", run);
-  verb.positional(
-      "LABEL", request.what,
-      "of a design, 20.5.2.linear.39.…, or its beginning; of a cell, 20.5.2.linear; or V");
-  verb.positional("K", request.k, "elements in a block, after V", false);
-  verb.option("-m,--change", request.asked.change, "M",
-              "after V K: elements in which consecutive blocks differ (default 2)");
-  request.asked.add_strength_to(verb);
-  add_kind_to(verb, request.asked.kind, "after V K: circular designs only",
-              "after V K: linear designs only");
+  request.asked.add_beside_label_to(verb, request.what, request.k);
   request.catalog.add_to(verb);
   std::vector<std::string> formats = {"summary"};
   formats.insert(formats.end(), design_formats().begin(), design_formats().end());

@@ -1,0 +1,159 @@
+#include "answer/dossier/dossier.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "answer/catalog/entry_words.hpp"
+#include "changeover/core/error.hpp"
+#include "changeover/core/version.hpp"
+#include "changeover/draw/draw.hpp"
+#include "core/words.hpp"
+#include "io/write/json_writer.hpp"
+
+namespace changeover::cli {
+namespace {
+
+void draw_it(Dossier& dossier) {
+  constexpr std::uint64_t most_points = 60;
+  constexpr std::uint64_t most_rows = 80;
+  constexpr std::uint64_t most_columns = 240;
+  const Parameters& p = dossier.parameters;
+  const Design& design = *dossier.design;
+  DrawOptions options{.picture = PictureKind::stays};
+  if (p.kind == Kind::circular && p.v <= most_points && find_rotation(design)) {
+    options.picture = PictureKind::circle;
+    dossier.picture_says = "The base blocks, with the pairs that they newly cover.";
+  } else if (p.v <= most_rows && dossier.b <= most_columns) {
+    dossier.picture_says =
+        "The stays: one row for each element, one bar from the block that introduces it to the "
+        "one where it leaves.";
+  } else {
+    return;
+  }
+  dossier.picture_name = to_string(options.picture);
+  dossier.picture = draw(design, options);
+}
+
+std::string options_of(const Parameters& p) {
+  return fmt::format("{} {} --change {} --{}{}", p.v, p.k, p.change, to_string(p.kind),
+                     p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength));
+}
+
+std::string own_bibtex(const Dossier& dossier) {
+  const Parameters& p = dossier.parameters;
+  return fmt::format(
+      "@misc{{changeover-{},\n  author = {{{{The Changeover developers}}}},\n  title  = {{{{{} with "
+      "{} blocks}}}},\n  note   = {{Changeover {}, SHA-256 of the blocks {}}}\n}}\n",
+      cell_label(p), name(p), dossier.b, version, to_hex(dossier.checksum));
+}
+
+}  // namespace
+
+Dossier dossier_of(ChosenDesign chosen, const std::optional<CatalogEntry>& entry) {
+  const Registry& registry = Registry::standard();
+  const Recipe& recipe = chosen.offer.recipe;
+  Dossier dossier;
+  dossier.parameters = recipe.parameters;
+  dossier.b = chosen.offer.b;
+  dossier.quality = quality(chosen.exhibit.judgement);
+  dossier.certificate = chosen.exhibit.judgement.certificate;
+  dossier.statement =
+      fmt::format("There is a {} with {}.", name(dossier.parameters), count_of(dossier.b, "block"));
+  dossier.known = known_bounds(dossier.parameters);
+  dossier.steps = recipe_steps(recipe);
+  dossier.recipe = recipe_to_json(recipe);
+  dossier.positions = chosen.exhibit.positions;
+  dossier.base_blocks = chosen.exhibit.base_blocks;
+  dossier.checksum = design_digest(*registry.build(recipe)).checksum;
+  if (dossier.b <= most_listed_blocks && dossier.b * dossier.parameters.k <= most_listed_elements) {
+    const auto source = registry.build(recipe);
+    dossier.design = read_all(*source);
+    dossier.design->set_labels(chosen.exhibit.header.labels);
+    draw_it(dossier);
+  }
+  if (entry) {
+    dossier.label = entry->label();
+    dossier.credit = credit_words(entry->credit);
+    dossier.keys = references_of(*entry);
+    dossier.write_command =
+        fmt::format("changeover catalog show {} --format text -o design.txt", dossier.label);
+  } else {
+    dossier.names_elements = !chosen.exhibit.header.labels.empty();
+    dossier.write_command =
+        fmt::format("changeover design {} --construction {} --format text -o design.txt",
+                    options_of(dossier.parameters), recipe.construction);
+  }
+  for (const RecipeStep& step : dossier.steps) {
+    add_keys(step.citation, dossier.keys);
+    add_keys(step.how, dossier.keys);
+  }
+  for (const Bound& bound : dossier.known.bounds) {
+    add_keys(bound.reason, dossier.keys);
+  }
+  if (const auto& reported = dossier.known.reported) {
+    add_keys(fmt::format("[{}]", reported->cites), dossier.keys);
+  }
+  std::erase_if(dossier.keys, [](const std::string& key) { return bibtex_of(key).empty(); });
+  dossier.bibtex = entry ? bibtex_of(*entry) : own_bibtex(dossier);
+  for (const std::string& key : dossier.keys) {
+    if (dossier.bibtex.find("{" + key + ",") == std::string::npos) {
+      dossier.bibtex += "\n" + bibtex_of(key);
+    }
+  }
+  const Judgement& judgement = chosen.exhibit.judgement;
+  if (judgement.bound.name == "checked proofs" && judgement.bound.blocks == dossier.b) {
+    const Parameters& p = dossier.parameters;
+    dossier.proof_commands = {
+        fmt::format("changeover search {} --exact --proof proofs", options_of(p)),
+        "drat-trim proofs/NAME.cnf proofs/NAME.drat"};
+  }
+  return dossier;
+}
+
+std::string dossier_json(const Dossier& dossier) {
+  const Parameters& p = dossier.parameters;
+  JsonWriter json;
+  json.begin_object().key("format").value("changeover-dossier/1");
+  json.key("v").value(p.v).key("k").value(p.k).key("change").value(p.change);
+  json.key("kind").value(to_string(p.kind)).key("strength").value(std::uint64_t{p.strength});
+  json.key("b").value(dossier.b).key("statement").value(dossier.statement);
+  json.key("quality").value(dossier.quality).key("verified").value(dossier.certificate);
+  json.key("status").value(dossier.known.status());
+  json.key("label");
+  dossier.label.empty() ? json.null() : json.value(dossier.label);
+  json.key("credit");
+  dossier.credit.empty() ? json.null() : json.value(dossier.credit);
+  json.key("hash").value(to_hex(dossier.checksum)).key("bounds").begin_array();
+  for (const Bound& bound : dossier.known.bounds) {
+    json.begin_object().key("lower_bound").value(bound.blocks).key("name").value(bound.name);
+    json.key("reason").value(bound.reason).end_object();
+  }
+  json.end_array();
+  write_reported(json, dossier.known);
+  json.key("steps").begin_array();
+  for (const RecipeStep& step : dossier.steps) {
+    json.begin_object().key("depth").value(std::uint64_t{step.depth});
+    json.key("design").value(step.design).key("how").value(step.how);
+    json.key("citation").value(step.citation).end_object();
+  }
+  json.end_array().key("recipe").raw(dossier.recipe).key("blocks");
+  if (dossier.design) {
+    json.begin_array();
+    for (std::uint64_t i = 0; i < dossier.design->block_count(); ++i) {
+      json.value(dossier.design->block(i));
+    }
+    json.end_array();
+  } else {
+    json.null();
+  }
+  json.key("check").begin_array().value(dossier.write_command).value("checkdesign design.txt");
+  for (const std::string& command : dossier.proof_commands) {
+    json.value(command);
+  }
+  json.end_array().key("cites").value(dossier.keys).key("bibtex").value(dossier.bibtex);
+  return json.end_object().take();
+}
+
+}  // namespace changeover::cli

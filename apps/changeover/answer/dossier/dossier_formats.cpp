@@ -1,0 +1,349 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "answer/dossier/dossier.hpp"
+#include "changeover/core/version.hpp"
+#include "changeover/io/tables.hpp"
+#include "core/words.hpp"
+#include "io/table/table.hpp"
+#include "io/write/latex_prose.hpp"
+
+namespace changeover::cli {
+namespace {
+
+/// What every form says, in this order; each form says how.
+class Form {
+ public:
+  virtual ~Form() = default;
+  virtual void heading(const std::string& words) = 0;
+  virtual void paragraph(const std::string& words) = 0;
+  /// `depth` is that of a list within lists.
+  virtual void item(std::size_t depth, const std::string& words) = 0;
+  virtual void end_of_items() = 0;
+  virtual void code(const std::string& lines) = 0;
+  virtual void blocks(const Dossier& dossier) = 0;
+  virtual void picture(const Dossier& dossier) = 0;
+  virtual void references(const Dossier& dossier) = 0;
+};
+
+std::string title_of(const Dossier& dossier) {
+  std::string title = name(dossier.parameters);
+  title.insert(title.find(')'), fmt::format(",{}", dossier.b));
+  return title;
+}
+
+std::string lines_of(const Design& design) {
+  std::string text;
+  for (std::uint64_t i = 0; i < design.block_count(); ++i) {
+    std::string line;
+    for (const Element x : design.block(i)) {
+      line += (line.empty() ? "" : " ") + design.label(x);
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+void say_bounds(const Dossier& dossier, Form& form) {
+  form.heading("Lower bounds");
+  const std::uint64_t least = dossier.known.bounds.front().blocks;
+  form.paragraph(
+      dossier.b == least
+          ? fmt::format("No {} has fewer than {}; the first line proves it.",
+                        name(dossier.parameters), count_of(least, "block"))
+          : fmt::format("No {} has fewer than {}; whether one has fewer than {} is open.",
+                        name(dossier.parameters), count_of(least, "block"), dossier.b));
+  for (const Bound& bound : dossier.known.bounds) {
+    form.item(0, fmt::format("b >= {} ({}): {}", bound.blocks, bound.name, bound.reason));
+  }
+  form.end_of_items();
+  if (dossier.known.reported) {
+    form.paragraph(
+        fmt::format("A publication reports fewer blocks: {}.", in_words(*dossier.known.reported)));
+  }
+}
+
+void say_construction(const Dossier& dossier, Form& form) {
+  form.heading("Construction");
+  for (const RecipeStep& step : dossier.steps) {
+    form.item(step.depth, fmt::format("{}. {} {}", step.design, step.how, step.citation));
+  }
+  form.end_of_items();
+  if (!dossier.label.empty()) {
+    form.paragraph(fmt::format("Catalog label {}. {}", dossier.label,
+                               dossier.credit.empty() ? "" : "Credit: " + dossier.credit + "."));
+  }
+  form.paragraph("SHA-256 of the blocks, one block per line:");
+  form.code(to_hex(dossier.checksum) + "\n");
+}
+
+void say_how_to_check(const Dossier& dossier, Form& form) {
+  form.heading("How to check it");
+  form.paragraph(
+      "checkdesign is a C program of one file that shares no code with the program that made the "
+      "design. It prints the word valid, the parameters and the number of blocks.");
+  form.code(dossier.write_command + "\ncheckdesign design.txt\n" +
+            (dossier.names_elements ? "" : "grep -v \"^#\" design.txt | sha256sum\n"));
+  if (!dossier.proof_commands.empty()) {
+    form.paragraph(
+        "That no design has fewer blocks rests on proofs by a SAT solver. The first command makes "
+        "formulas and proofs in DIMACS and DRAT. Any DRAT checker reads them; drat-trim prints "
+        "s VERIFIED for each.");
+    std::string commands;
+    for (const std::string& command : dossier.proof_commands) {
+      commands += command + "\n";
+    }
+    form.code(commands);
+  }
+}
+
+void write(const Dossier& dossier, Form& form) {
+  form.paragraph(dossier.statement + " Quality: " + dossier.quality + ".");
+  form.paragraph("Verified by changeover " + std::string(version) + ": " + dossier.certificate +
+                 ".");
+  say_bounds(dossier, form);
+  say_construction(dossier, form);
+  form.heading("Blocks");
+  if (dossier.design) {
+    form.blocks(dossier);
+  } else {
+    form.paragraph(fmt::format("The {} are too many for a page. This command writes them:",
+                               count_of(dossier.b, "block")));
+    form.code(dossier.write_command + "\n");
+  }
+  if (dossier.picture) {
+    form.picture(dossier);
+  }
+  say_how_to_check(dossier, form);
+  form.references(dossier);
+}
+
+// ---------------------------------------------------------------------------------------- LaTeX
+
+class Latex final : public Form {
+ public:
+  explicit Latex(const Dossier& dossier) : keys_(dossier.keys) {}
+
+  void heading(const std::string& words) override {
+    text += fmt::format("\n\\section*{{{}}}\n", latex_prose(words));
+  }
+  void paragraph(const std::string& words) override { text += latex_prose(words, keys_) + "\n\n"; }
+  void item(std::size_t depth, const std::string& words) override {
+    constexpr std::size_t deepest = 3;  // lists within lists of LaTeX end at four
+    open_to(std::min(depth, deepest) + 1);
+    text += fmt::format("\\item {}\n", latex_prose(words, keys_));
+  }
+  void end_of_items() override { open_to(0); }
+  void code(const std::string& lines) override {
+    text += fmt::format("\\begin{{verbatim}}\n{}\\end{{verbatim}}\n", folded(lines));
+  }
+  void blocks(const Dossier& dossier) override {
+    constexpr std::uint64_t most_in_a_table = 60;
+    if (dossier.b <= most_in_a_table) {
+      LatexOptions options{.positions = dossier.positions};
+      options.names.base_blocks = dossier.base_blocks;
+      options.caption =
+          latex_prose("A " + title_of(dossier) + "; a star marks an introduced element");
+      StringSink sink;
+      write_latex(*dossier.design, sink, options);
+      text += sink.text();
+      return;
+    }
+    text += fmt::format(
+        "\\begin{{multicols}}{{{}}}\\scriptsize\n\\begin{{verbatim}}\n{}\\end{{verbatim}}\n"
+        "\\end{{multicols}}\n",
+        dossier.parameters.k > 16  ? 1
+        : dossier.parameters.k > 8 ? 2
+                                   : 4,
+        lines_of(*dossier.design));
+  }
+  void picture(const Dossier& dossier) override {
+    text += fmt::format(
+        "\\begin{{figure}}[ht!]\n\\centering\n\\resizebox{{0.8\\linewidth}}{{!}}{{%\n{}}}\n"
+        "\\caption{{{}}}\n\\end{{figure}}\n",
+        tikz(*dossier.picture), latex_prose(dossier.picture_says, keys_));
+  }
+  void references(const Dossier& dossier) override {
+    text += fmt::format("\\nocite{{*}}\n\\bibliographystyle{{plain}}\n\\bibliography{{{}}}\n",
+                        bibliography(dossier));
+  }
+
+  /// The file that BibTeX reads, without its ending.
+  static std::string bibliography(const Dossier& dossier) {
+    std::string file = "changeover-" + cell_label(dossier.parameters);
+    std::ranges::replace(file, '.', '-');
+    return file;
+  }
+
+  std::string text;
+
+ private:
+  // Lines that are too long for a page go on below, after a backslash as shells have it.
+  static std::string folded(const std::string& lines) {
+    constexpr std::size_t width = 80;
+    std::string text;
+    std::size_t column = 0;
+    for (const std::string& word : words_of(lines)) {
+      if (column + word.size() > width && column > 0) {
+        text += "\\\n  ";
+        column = 2;
+      }
+      text += word;
+      column = word.ends_with('\n') ? 0 : column + word.size();
+    }
+    return text;
+  }
+
+  // Pieces that end in a blank or a line feed.
+  static std::vector<std::string> words_of(const std::string& lines) {
+    std::vector<std::string> words(1);
+    for (const char c : lines) {
+      words.back() += c;
+      if (c == ' ' || c == '\n') {
+        words.emplace_back();
+      }
+    }
+    words.pop_back();
+    return words;
+  }
+
+  void open_to(std::size_t depth) {
+    for (; open_ < depth; ++open_) {
+      text += "\\begin{itemize}\n";
+    }
+    for (; open_ > depth; --open_) {
+      text += "\\end{itemize}\n";
+    }
+  }
+
+  std::vector<std::string> keys_;
+  std::size_t open_ = 0;
+};
+
+// ------------------------------------------------------------------------------------- Markdown
+
+class Markdown final : public Form {
+ public:
+  void heading(const std::string& words) override {
+    text += fmt::format("## {}\n\n", markdown_text(words));
+  }
+  void paragraph(const std::string& words) override { text += markdown_text(words) + "\n\n"; }
+  void item(std::size_t depth, const std::string& words) override {
+    text += std::string(2 * depth, ' ') + "- " + markdown_text(words) + "\n";
+  }
+  void end_of_items() override { text += "\n"; }
+  void code(const std::string& lines) override { text += fmt::format("```\n{}```\n\n", lines); }
+  void blocks(const Dossier& dossier) override { code(lines_of(*dossier.design)); }
+  void picture(const Dossier& dossier) override {
+    paragraph(dossier.picture_says + " This command draws it:");
+    const Parameters& p = dossier.parameters;
+    code(fmt::format("changeover draw {} --picture {} -o design.svg\n",
+                     dossier.label.empty() ? fmt::format("{} {} --change {} --{}", p.v, p.k,
+                                                         p.change, to_string(p.kind))
+                                           : dossier.label,
+                     dossier.picture_name));
+  }
+  void references(const Dossier& dossier) override {
+    heading("References");
+    text += fmt::format("```bibtex\n{}```\n", dossier.bibtex);
+  }
+
+  std::string text;
+};
+
+// ----------------------------------------------------------------------------------------- HTML
+
+constexpr std::string_view style = R"(
+  body { margin: 2rem auto; max-width: 48rem; padding: 0 1rem; color: #111; background: #fff;
+         font: 16px/1.5 "Helvetica Neue", Helvetica, Arial, "Liberation Sans", sans-serif; }
+  h1 { font-size: 1.7rem; margin: 0 0 .5rem; }
+  h2 { font-size: 1.2rem; margin: 2rem 0 .5rem; }
+  pre { overflow-x: auto; padding: .6rem .8rem; background: #f3f4f5; font-size: .85rem; }
+  .blocks { column-width: 12rem; }
+  figure { margin: 1.5rem 0; text-align: center; }
+  figure svg { max-width: 100%; height: auto; }
+  figcaption { font-size: .9rem; }
+  @media print { body { margin: 0; max-width: none; font-size: 10pt; } pre { white-space: pre-wrap; } }
+  @media (prefers-color-scheme: dark) { @media screen {
+    body { color: #e8e8e8; background: #16181a; } pre { background: #24272a; }
+    figure svg { background: #fff; } } }
+)";
+
+class Html final : public Form {
+ public:
+  void heading(const std::string& words) override {
+    text += fmt::format("<h2>{}</h2>\n", html_text(words));
+  }
+  void paragraph(const std::string& words) override {
+    text += fmt::format("<p>{}</p>\n", html_text(words));
+  }
+  void item(std::size_t depth, const std::string& words) override {
+    open_to(depth + 1);
+    text += fmt::format("<li>{}\n", html_text(words));
+  }
+  void end_of_items() override { open_to(0); }
+  void code(const std::string& lines) override {
+    text += fmt::format("<pre>{}</pre>\n", html_text(lines));
+  }
+  void blocks(const Dossier& dossier) override {
+    text += fmt::format("<pre class=\"blocks\">{}</pre>\n", html_text(lines_of(*dossier.design)));
+  }
+  void picture(const Dossier& dossier) override {
+    text += fmt::format("<figure>\n{}<figcaption>{}</figcaption>\n</figure>\n",
+                        svg(*dossier.picture, Theme::light), html_text(dossier.picture_says));
+  }
+  void references(const Dossier& dossier) override {
+    heading("References");
+    code(dossier.bibtex);
+  }
+
+  std::string text;
+
+ private:
+  void open_to(std::size_t depth) {
+    for (; open_ < depth; ++open_) {
+      text += "<ul>\n";
+    }
+    for (; open_ > depth; --open_) {
+      text += "</ul>\n";
+    }
+  }
+
+  std::size_t open_ = 0;
+};
+
+}  // namespace
+
+std::string dossier_latex(const Dossier& dossier) {
+  Latex form(dossier);
+  write(dossier, form);
+  const std::string file = Latex::bibliography(dossier);
+  return fmt::format(
+      "% pdflatex, bibtex, pdflatex, pdflatex make the document of this file.\n"
+      "\\begin{{filecontents*}}[overwrite]{{{}.bib}}\n{}\\end{{filecontents*}}\n"
+      "\\documentclass{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage[T1]{{fontenc}}\n"
+      "\\IfFileExists{{lmodern.sty}}{{\\usepackage{{lmodern}}}}{{}}\n\\usepackage{{tikz}}\n\\usepackage{{multicol}}\n\\usepackage[margin=25mm]{{geometry}}\n"
+      "\\title{{{}}}\n\\author{{}}\n\\date{{}}\n\\sloppy\n\\begin{{document}}\n\\maketitle\n\n"
+      "{}\n\\end{{document}}\n",
+      file, dossier.bibtex, latex_prose("A " + title_of(dossier)), form.text);
+}
+
+std::string dossier_markdown(const Dossier& dossier) {
+  Markdown form;
+  write(dossier, form);
+  return fmt::format("# A {}\n\n{}", markdown_text(title_of(dossier)), form.text);
+}
+
+std::string dossier_html(const Dossier& dossier) {
+  Html form;
+  write(dossier, form);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<h1>{0}</h1>\n{2}</body>\n"
+      "</html>\n",
+      html_text("A " + title_of(dossier)), style, form.text);
+}
+
+}  // namespace changeover::cli

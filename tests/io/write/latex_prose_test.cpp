@@ -1,0 +1,72 @@
+#include "io/write/latex_prose.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace changeover::latex_prose_test {
+namespace {
+
+TEST(LatexProse, MakesMathematicsOfSignsAndIndices) {
+  EXPECT_EQ(latex_prose("b >= 3"), "b $\\geq$ 3");
+  EXPECT_EQ(latex_prose("i_x(k-1)"), "$i_{x}$(k-1)");
+  EXPECT_EQ(latex_prose("over Z_15, K_{22}"), "over $Z_{15}$, $K_{22}$");
+  EXPECT_EQ(latex_prose("put ∞_s and i_l"), "put $\\infty_{s}$ and $i_{l}$");
+  EXPECT_EQ(latex_prose("k²"), "k${}^{2}$");
+  EXPECT_EQ(latex_prose("U₁ ∪ {x}"), "U${}_{1}$ $\\cup$ \\{x\\}");
+  EXPECT_EQ(latex_prose("ceil((8-5)/2) = 2 (so)"), "$\\lceil$(8-5)/2$\\rceil$ = 2 (so)");
+  EXPECT_EQ(latex_prose("ceil(a + ceil(b)) + c)"),
+            "$\\lceil$a + $\\lceil$b$\\rceil$$\\rceil$ + c)");
+}
+
+TEST(LatexProse, LeavesWordsAsTheyAre) {
+  EXPECT_EQ(latex_prose("50 % of a_file & #1"), "50 \\% of a\\_file \\& \\#1");
+  EXPECT_EQ(latex_prose("file_name, x_"), "file\\_name, x\\_");
+  EXPECT_EQ(latex_prose("x_{a b}"), "x\\_\\{a b\\}");
+  EXPECT_EQ(latex_prose("Füredi …"), "Füredi …");
+  EXPECT_EQ(latex_prose(""), "");
+}
+
+TEST(LatexProse, CitesWhatThereIsAKeyFor) {
+  const std::vector<std::string> keys{"Ab2025", "Ab20"};
+  EXPECT_EQ(latex_prose("[Ab2025, Theorem 2]", keys), "\\cite[{Theorem 2}]{Ab2025}");
+  EXPECT_EQ(latex_prose("by [Ab20].", keys), "by \\cite{Ab20}.");
+  EXPECT_EQ(latex_prose("[Ab2025, Theorem 2]"), "[Ab2025, Theorem 2]");
+  EXPECT_EQ(latex_prose("[Ab2025", keys), "[Ab2025");
+  EXPECT_EQ(latex_prose("[Other, 1]", keys), "[Other, 1]");
+}
+
+// Dollars come in pairs and braces close, whatever is written; so nothing runs into the text behind it.
+RC_GTEST_PROP(LatexProseProperty, ClosesWhatItOpens, ()) {
+  const std::vector<std::string> pieces{"b",     ">=", "_", "x",  "{",  "}",     "(", ")",
+                                        "ceil(", "[K", "]", ", ", "∞",  "²",     "$", "\\",
+                                        "12",    "Σ",  " ", "%",  "a_", "_{1,2}"};
+  const auto chosen = *rc::gen::container<std::vector<std::size_t>>(
+      rc::gen::inRange<std::size_t>(0, pieces.size()));
+  std::string text;
+  for (const std::size_t i : chosen) {
+    text += pieces[i];
+  }
+  const std::string latex = latex_prose(text, {"K"});
+  int open = 0;
+  bool in_math = false;
+  for (std::size_t i = 0; i < latex.size(); ++i) {
+    if (latex[i] == '\\') {
+      ++i;  // A command, or an escaped sign.
+    } else if (latex[i] == '$') {
+      in_math = !in_math;
+    } else if (latex[i] == '{' || latex[i] == '}') {
+      open += latex[i] == '{' ? 1 : -1;
+      RC_ASSERT(open >= 0);
+    } else {
+      RC_ASSERT(latex[i] != '%');
+    }
+  }
+  RC_ASSERT(open == 0);
+  RC_ASSERT(!in_math);
+}
+
+}  // namespace
+}  // namespace changeover::latex_prose_test

@@ -1,0 +1,127 @@
+// changeover dossier: one design for a paper; LaTeX of tables and bounds; what stands beside proofs.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "cases.hpp"
+
+namespace changeover::test::dossier_test {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Dossier, SaysWhatAPaperNeeds) {
+  const TemporaryFolder folder;
+  expect({{"$changeover dossier 8 5", 0, "# A circular DCCD(8,5,5)"},
+          {"$changeover dossier 8 5 --linear", 0, "No linear DCCD(8,5) has fewer than"},
+          {"$changeover dossier 8.5.2.circular", 0, "grep -v \"^#\" design.txt | sha256sum"},
+          {"$changeover dossier 26.4.2.circular.65 --format html", 0, "<figcaption>"},
+          {"$changeover dossier 26 6 --change 1 --linear", 0, "63 reported \\[Bean2026\\]"},
+          {"$changeover dossier 9 5 --linear", 0, "drat-trim"},
+          {"$changeover dossier 8 5 -o d.tex && grep -c '.begin{document}' d.tex", 0, "1"},
+          {"$changeover dossier 200 101 --circular", 0, "checkdesign design.txt"},
+          {"$changeover dossier 253 13", 0, "The 1386 blocks are too many for a page."},
+          {"$changeover dossier 8 5 --json", 0, "\"format\":\"changeover-dossier/1\""}},
+         folder);
+}
+
+TEST(Dossier, RefusesWhatIsNoDesign) {
+  const TemporaryFolder folder;
+  expect({{"$changeover dossier", 2, "LABEL"},
+          {"$changeover dossier x", 4, "the catalog has no design x"},
+          {"$changeover dossier x 5", 2, "'x' is neither a label"},
+          {"$changeover dossier 8 x", 2, "'x' after 8 is not a number K"},
+          {"$changeover dossier 4 2", 4, "No circular DCCD(4,2) exists"},
+          {"$changeover dossier 200 3 --change 3 --circular", 4, "No construction serves"},
+          {"$changeover dossier 8 5 -o d.pdf", 2, "d.pdf"},
+          {"$changeover dossier 8 5 -o /dev/null/d.tex", 4, "/dev/null/d.tex"}},
+         folder);
+}
+
+// Names of environments that are open at the end of a text, and of those that close another than the last one opened.
+std::vector<std::string> unbalanced(const std::string& latex) {
+  static const std::regex mark(R"(\\(begin|end)\{([a-z*]+)\})");
+  std::vector<std::string> open;
+  for (std::sregex_iterator at(latex.begin(), latex.end(), mark); at != std::sregex_iterator();
+       ++at) {
+    const std::string name = (*at)[2];
+    if ((*at)[1] == "begin") {
+      open.push_back(name);
+    } else if (!open.empty() && open.back() == name) {
+      open.pop_back();
+    } else {
+      open.push_back("end of " + name);
+    }
+  }
+  return open;
+}
+
+TEST(Dossier, ItsLatexClosesWhatItOpens) {
+  const TemporaryFolder folder;
+  for (const std::string command :
+       {"dossier 8 5", "dossier 9 5 --linear", "dossier 26.4.2.circular.65", "dossier 253 13",
+        "dossier 45 7", "bounds 8 5", "bounds 26 6 --change 1", "explain 253 13", "minima --v 8",
+        "table --k 3..5 --v 5..60"}) {
+    const auto outcome = run("$changeover " + command + " --format latex", folder.path());
+    EXPECT_EQ(outcome.code, 0) << command << outcome.err;
+    EXPECT_THAT(unbalanced(outcome.out), testing::IsEmpty()) << command;
+  }
+}
+
+// What LaTeX itself says of it, where there is one.
+TEST(Dossier, LatexCompilesIt) {
+  const TemporaryFolder folder;
+  if (run("command -v pdflatex && command -v bibtex", folder.path()).code != 0) {
+    GTEST_SKIP() << "no pdflatex";
+  }
+  if (run("kpsewhich tikz.sty booktabs.sty", folder.path()).code != 0) {
+    GTEST_SKIP() << "no TikZ for LaTeX";
+  }
+  for (const std::string what : {"8 5", "9 5 --linear"}) {
+    const auto outcome =
+        run("$changeover dossier " + what +
+                " -o d.tex && pdflatex -halt-on-error d.tex >log && bibtex d >log && "
+                "pdflatex -halt-on-error d.tex >log && pdflatex -halt-on-error d.tex",
+            folder.path());
+    EXPECT_EQ(outcome.code, 0) << what << outcome.out << outcome.err;
+    EXPECT_EQ(outcome.out.find("undefined references"), std::string::npos) << what;
+  }
+}
+
+TEST(Latex, OfATableHasBoundsAndCitations) {
+  const TemporaryFolder folder;
+  expect({{"$changeover table --k 4..5 --v 14..15 --linear --format latex", 0,
+           "14 & $19^{a}_{\\geq 18}$ & $\\mathbf{14}^{a}$ \\\\"},
+          {"$changeover table --k 4 --v 15 --circular --format latex", 0, "\\toprule"},
+          {"$changeover table --k 5 --v 15 --circular --format latex", 0,
+           "a: cyclic \\cite[{Theorem 10"},
+          {"$changeover table --k 5 --v 15 --circular --format latex", 0,
+           "% changeover catalog cite ChafeeStevens2025"},
+          {"$changeover catalog cite ChafeeStevens2025", 0, "@article{ChafeeStevens2025,"},
+          {"$changeover minima --v 7 --format latex", 0, "\\section*{Minima}"}},
+         folder);
+}
+
+TEST(Proofs, StandBesideAReadme) {
+  const TemporaryFolder folder;
+  const std::string readme = folder.file("proofs/linear-m2-v9-k5-README.md");
+  EXPECT_EQ(run("$changeover search 9 5 --linear --exact --proof proofs --quiet --threads 1",
+                folder.path())
+                .code,
+            10);
+  const std::string text = slurp(readme);
+  EXPECT_THAT(text, HasSubstr("## No linear DCCD(9,5) with 5 blocks"));
+  EXPECT_THAT(text, HasSubstr("| linear-m2-v9-k5-b5.cnf |"));
+  EXPECT_THAT(text, HasSubstr("s VERIFIED"));
+  // A find without a proof leaves none.
+  EXPECT_EQ(
+      run("$changeover search 8 5 --blocks 9 --exact --proof other --quiet", folder.path()).code,
+      10);
+  EXPECT_EQ(run("ls other/*README.md", folder.path()).out, "");
+}
+
+}  // namespace
+}  // namespace changeover::test::dossier_test
