@@ -67,7 +67,7 @@ TEST_F(Draw, WhatItCannotDoIsSaidInOneLine) {
   expect(
       {{"$changeover draw", 2, "name a file, a label of the catalog, or V and K"},
        {"$changeover draw 20", 2, "V needs K"},
-       {"$changeover draw x 5", 2, "V: 'x' is not a whole number"},
+       {"$changeover draw x 5", 2, "'x' is neither a label, as 20.5.2.linear, nor a number V"},
        {"$changeover draw 5 61", 2, "k = 61 exceeds v = 5"},
        {"$changeover draw good.txt --picture photo", 2, "'photo' is not one of"},
        {"$changeover draw good.txt --measure gap", 2,

@@ -68,6 +68,7 @@ class Formats : public testing::Test {
       {"verify", "verify three.txt"},
       {"bounds", "bounds 7 3"},
       {"explain", "explain 9 4"},
+      {"dossier", "dossier 7 3"},
       {"search", "search 6 3 --time 200ms --quiet"},
       {"classify", "classify 6 3 8 --quiet"},
       {"same", "same three.txt three.txt"},
