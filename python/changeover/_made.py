@@ -10,12 +10,13 @@ import operator
 import reprlib
 import types
 import typing
-from typing import Any, Callable, Dict, Literal, Optional, Type, TypeVar
+from typing import Any, Callable, Dict, Literal, Optional, Type, TypeVar, Union
 
 from . import _core
+from ._progress import Bar
 
 Kind = Literal["linear", "circular"]
-Progress = Optional[Callable[[Dict[str, Any]], object]]
+Progress = Union[Callable[[Dict[str, Any]], object], bool, None]
 T = TypeVar("T")
 
 
@@ -39,7 +40,9 @@ class Made(metaclass=_Closed):
             f"{cls.__name__} is what functions of changeover return, and is not made by hand")
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
-        raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
+        if self._core is not None and not isinstance(self._core, str):
+            raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
+        return _made_again, (type(self), self._facts, self._core)
 
     __reduce__ = __reduce_ex__
 
@@ -52,11 +55,15 @@ class Made(metaclass=_Closed):
             raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
 
 
+def _not_pickled(self: Any, _protocol: Any = 2) -> Any:
+    raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
+
+
 # Nor is what the compiled module has made by hand: pybind11 would hand out what is empty.
 for _each in vars(_core).values():
     if isinstance(_each, type):
         setattr(_each, "__new__", Made.__new__)
-        setattr(_each, "__reduce_ex__", Made.__reduce_ex__)
+        setattr(_each, "__reduce_ex__", _not_pickled)
 
 
 def made(kind: Type[T], facts: dict[str, Any], core: Any = None) -> T:
@@ -64,6 +71,14 @@ def made(kind: Type[T], facts: dict[str, Any], core: Any = None) -> T:
     one._facts = facts
     one._core = core
     return typing.cast(T, one)
+
+
+def _made_again(kind: Any, facts: Any, core: Any) -> Any:
+    """What pickle has of an object."""
+    if not (isinstance(kind, type) and issubclass(kind, Made) and isinstance(facts, dict)
+            and (core is None or isinstance(core, str))):
+        raise TypeError("this is not what pickle made of an object of changeover")
+    return made(kind, facts, core)
 
 
 def _own(value: Any) -> Any:
@@ -186,6 +201,11 @@ def _bound(name: str, signature: inspect.Signature, given: tuple[Any, ...],
             bound.arguments[argument] = _fitted(signature.parameters[argument].annotation, value)
         except _Misfit as fault:
             return f"{name}(): {argument} is {fault}, not {_shown(value)}"
+        if argument == "progress":
+            if not (value is None or isinstance(value, bool) or callable(value)):
+                return (f"{name}(): progress is a function, True, False or None, "
+                        f"not {_shown(value)}")
+            bound.arguments[argument] = Bar() if value is True else value or None
     return bound
 
 
@@ -204,7 +224,12 @@ def checked(function: Callable[..., Any], name: str, owner: Optional[type] = Non
         bound = _bound(name, signature, given, named)
         if isinstance(bound, str):
             raise TypeError(bound)
-        return function(*bound.args, **bound.kwargs)
+        progress = bound.arguments.get("progress")
+        try:
+            return function(*bound.args, **bound.kwargs)
+        finally:
+            if isinstance(progress, Bar):
+                progress.close()
 
     shown = [each.replace(annotation=each.empty) if each.name == "self" else each
              for each in signature.parameters.values()]

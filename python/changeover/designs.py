@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copyreg
+import importlib
 import json
 import operator
 from array import array
@@ -11,7 +12,9 @@ from typing import Any, Dict, Iterator, List, Literal, Optional, SupportsIndex, 
 from . import _core
 from ._given import listed, rows_of, words_of
 from ._made import Kind, Made, check_calls, fact, made
+from ._notebook import shown, table
 from .errors import BadInput
+from .pictures import Picture, PictureKind, Theme, picture_of
 
 Block = Tuple[int, ...]
 
@@ -62,6 +65,9 @@ class Blocks(_core.Memory):
             return NotImplemented
         return self._view() == other._view()
 
+    def __hash__(self) -> int:
+        return hash((self.shape, self._view().tobytes()))
+
     def _view(self) -> memoryview:
         exporter: Any = self
         return memoryview(exporter)
@@ -97,7 +103,7 @@ class Verdict(Made):
     def as_dict(self) -> Dict[str, Any]:
         """Everything that the verifier found, as `changeover verify --json` has it under
         "details"."""
-        said: Dict[str, Any] = json.loads(self._core.verdict())
+        said: Dict[str, Any] = json.loads(self._core)
         return said
 
     def __bool__(self) -> bool:
@@ -105,18 +111,25 @@ class Verdict(Made):
 
     def __repr__(self) -> str:
         found = "not valid" if not self.valid else "valid, tight" if self.tight else "valid"
-        return f"<Verdict: {self._core.facts()['name']}, {self.b} blocks, {found}>"
+        return f"<Verdict: {self._facts['name']}, {self.b} blocks, {found}>"
+
+    def _repr_html_(self) -> str:
+        rows = [(name, getattr(self, name)) for name in (
+            "valid", "tight", "economical", "minimum", "b", "lower_bound", "bad_steps",
+            "uncovered", "excess")]
+        return shown(self._facts["name"], (), table(("", ""), rows))
 
 
 def _verdict(core: Any) -> Verdict:
-    said = json.loads(core.verdict())
+    text = core.verdict()
+    said = json.loads(text)
     bound = core.lower_bound()
     return made(Verdict, {
-        **said, "lower_bound": bound, "minimum": said["valid"] and said["b"] == bound,
+        **said, "name": core.facts()["name"], "lower_bound": bound, "minimum": said["valid"] and said["b"] == bound,
         "bad_step_examples": [(step["from"], step["to"], step["changes"])
                               for step in said["bad_step_examples"]],
         "introductions": [each["introductions"] for each in said["elements"]],
-        "memberships": [each["blocks"] for each in said["elements"]]}, core)
+        "memberships": [each["blocks"] for each in said["elements"]]}, text)
 
 
 class Design(Made):
@@ -196,6 +209,32 @@ class Design(Made):
         """The document changeover-design/1: the same bytes as `changeover design ... --json`."""
         return self.to_string("json")
 
+    def draw(
+        self, picture: PictureKind = "array", *, theme: Theme = "light",
+        order: Literal["first", "stays", "given"] = "first",
+        colour: Literal["length", "ordinal"] = "length", leaving: bool = False, first: int = 1,
+        last: Optional[int] = None,
+    ) -> Picture:
+        """A picture, which notebooks show: the blocks as an array, the stays of the elements, which
+        pairs are covered when, the base blocks on a circle, or the tree of the recipe.
+
+        theme: light or dark. order: of the elements in stays and coverage, by their first blocks,
+        by their numbers of stays, or as they are numbered. colour: what that of a stay says, its
+        length or its number among those of its element. leaving: an array marks leaving elements,
+        too. first, last: blocks, from 1. Raises BadInput if the picture would be too large, or
+        there is no recipe."""
+        return picture_of(self._core, picture, theme, order, colour, leaving, first, last)
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame with one row for each block. Raises ImportError without pandas."""
+        pandas: Any = importlib.import_module("pandas")
+        names = [f"element_{i + 1}" for i in range(self.k)]
+        frame = pandas.DataFrame(self.blocks.tolist(), columns=names)
+        if self.labels:
+            frame = frame.apply(lambda column: column.map(dict(enumerate(self.labels))))
+        frame.index = pandas.RangeIndex(1, self.b + 1, name="block")
+        return frame
+
     def is_same_as(self, other: Design, reversal: bool = False) -> bool:
         """Whether they are the same up to names of elements and, if circular, rotation."""
         return bool(self._core.is_same_as(other._core, reversal))
@@ -208,6 +247,47 @@ class Design(Made):
         if not isinstance(other, Design):
             return NotImplemented
         return bool(self._core.equals(other._core))
+
+    def __hash__(self) -> int:
+        return hash((self.v, self.change, self.kind, self.blocks))
+
+    @overload
+    def __getitem__(self, index: slice) -> Blocks: ...
+    @overload
+    def __getitem__(self, index: SupportsIndex) -> Block: ...
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.blocks[index]
+
+    def _repr_html_(self) -> str:
+        known = self.verdict
+        quality = ", ".join(
+            [word for word in ("tight", "economical", "minimum") if getattr(known, word)]
+            if known.valid else ["not valid"])
+        title = f"{self._facts['name']}, {self.b} blocks" + (f": {quality}" if quality else "")
+        drawn = self._repr_svg_()
+        if drawn is not None:
+            return shown(title, (), drawn)
+        names = self.labels or range(self.v)
+        rows = ((i, [names[x] for x in block]) for i, block in enumerate(self.blocks, 1))
+        return shown(title, (), table(("block", "elements"), rows, self.b))
+
+    def _repr_svg_(self) -> Optional[str]:
+        most_blocks, most_elements = 48, 600
+        if self.b > most_blocks or self.b * self.k > most_elements:
+            return None
+        return self.draw().svg
+
+    def _repr_latex_(self) -> Optional[str]:
+        most_blocks, most_elements = 24, 300
+        if self.b > most_blocks or self.b * self.k > most_elements:
+            return None
+        heads = " & ".join(f"B_{{{i + 1}}}" for i in range(self.b))
+        names = self.labels or range(self.v)
+        rows = [" & ".join(_math(str(names[block[row]])) for block in self.blocks)
+                for row in range(self.k)]
+        lines = " \\\\\n".join([heads, *rows])
+        return f"$$\\begin{{array}}{{{'l' * self.b}}}\n{lines}\n\\end{{array}}$$"
 
     def __getstate__(self) -> Tuple[str]:
         return (self.to_string("json"),)
@@ -231,6 +311,13 @@ class Design(Made):
     def __repr__(self) -> str:
         fault = "" if self._facts["valid"] else ", not valid"
         return f"<{self._facts['name']}, {self.b} blocks{fault}>"
+
+
+def _math(name: str) -> str:
+    if name.isdecimal():
+        return name
+    plain = "".join({"\\": "/", "$": "S"}.get(c, "\\" + c if c in "#%&_{}" else c) for c in name)
+    return f"\\text{{{plain}}}"
 
 
 def design_of(core: Any) -> Design:

@@ -7,6 +7,7 @@ from typing import Any, Iterable, List, Optional, Tuple, Union
 
 from . import _core
 from ._made import Kind, Made, check_calls, checked, fact, made
+from ._notebook import shown, table as html_table
 from .designs import Design
 from .errors import BadInput
 from .plans import RunSheet
@@ -41,6 +42,13 @@ class Bounds(Made):
     def __repr__(self) -> str:
         return f"<{self._core}: {self.status}>"
 
+    def _repr_html_(self) -> str:
+        lines = [f"best known: {self.best_known} blocks, by {self.construction}"] if (
+            self.best_known is not None) else []
+        rows = [(each.blocks, each.name, each.reason) for each in self.all]
+        return shown(f"{self._core}: {self.status}", lines,
+                     html_table(("at least", "bound", "reason"), rows))
+
 
 class Cell(Made):
     """What is known of one set of parameters: a cell of a table."""
@@ -57,6 +65,36 @@ class Cell(Made):
 
     def __repr__(self) -> str:
         return f"<{self._core}: {self.status}>"
+
+
+class Table(List[Cell]):
+    """Cells by kind, k, v: a list, which notebooks show with a row for each v."""
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame with one row for each cell. Raises ImportError without pandas."""
+        return to_pandas(self)
+
+    def _repr_html_(self) -> str:
+        parts = []
+        for kind in dict.fromkeys(cell.kind for cell in self):
+            cells = {(cell.v, cell.k): cell for cell in self if cell.kind == kind}
+            ks = sorted({k for _, k in cells})
+            rows = [[v, *(_in_a_word(cells.get((v, k))) for k in ks)]
+                    for v in sorted({v for v, _ in cells})]
+            change = {1: "single", 2: "double"}.get(self[0].change, str(self[0].change))
+            parts.append(shown(
+                f"{kind} {change}-change covering designs: blocks of the best known "
+                "(= minimum, - none exists)", (),
+                html_table(["v", *(f"k={k}" for k in ks)], rows, len(rows))))
+        return "\n".join(parts)
+
+
+def _in_a_word(cell: Optional[Cell]) -> str:
+    if cell is None:
+        return ""
+    if cell.b is None:
+        return "-" if cell.status == "impossible" else "?"
+    return f"{cell.b}=" if cell.status == "minimum" else str(cell.b)
 
 
 def bounds(v: int, k: int, change: int = 2, kind: Kind = "linear", strength: int = 2) -> Bounds:
@@ -87,19 +125,19 @@ def _ends(what: Any, name: str) -> Tuple[int, int]:
 
 
 def _table(k_from: int, k_to: int, v_from: int, v_to: int, change: int,
-           kind: Optional[Kind]) -> List[Cell]:
-    return [made(Cell, facts, name) for name,
-            facts in _core.table(k_from, k_to, v_from, v_to, change, kind)]
+           kind: Optional[Kind]) -> Table:
+    return Table(made(Cell, facts, name) for name,
+                 facts in _core.table(k_from, k_to, v_from, v_to, change, kind))
 
 
-def table(k: Range, v: Range, change: int = 2, kind: Optional[Kind] = None) -> List[Cell]:
+def table(k: Range, v: Range, change: int = 2, kind: Optional[Kind] = None) -> Table:
     """The best known design for every v and k of a range, with its lower bound.
 
     ``k`` and ``v`` are an int, a range such as ``range(3, 9)``, or a pair (first, last). Cells come
     by kind (circular first if none is named), k, v. A few milliseconds a cell; raises BadInput
     beyond v = 1000.
     """
-    cells: List[Cell] = _checked_table(*_ends(k, "k"), *_ends(v, "v"), change, kind)
+    cells: Table = _checked_table(*_ends(k, "k"), *_ends(v, "v"), change, kind)
     return cells
 
 
@@ -109,20 +147,15 @@ def to_pandas(what: Union[Design, RunSheet, Iterable[Cell]]) -> Any:
 
     Raises ImportError without pandas.
     """
+    if isinstance(what, (Design, RunSheet)):
+        return what.to_frame()
     pandas: Any = importlib.import_module("pandas")
-    if isinstance(what, RunSheet):
-        return pandas.DataFrame(what.steps).set_index("number")
-    if isinstance(what, Design):
-        names = [f"element_{i + 1}" for i in range(what.k)]
-        frame = pandas.DataFrame(what.blocks.tolist(), columns=names)
-        if what.labels:
-            frame = frame.apply(lambda column: column.map(dict(enumerate(what.labels))))
-        frame.index = pandas.RangeIndex(1, what.b + 1, name="block")
-        return frame
     columns = ("v", "k", "change", "kind", "b", "lower_bound", "status", "construction")
     cells: Any = what
-    return pandas.DataFrame([[getattr(cell, name) for name in columns] for cell in cells],
-                            columns=columns)
+    frame = pandas.DataFrame([[getattr(cell, name) for name in columns] for cell in cells],
+                             columns=columns)
+    # Whole numbers also where some cells have none.
+    return frame.astype({"b": "Int64", "lower_bound": "Int64"})
 
 
 def to_sage(what: Design) -> Any:

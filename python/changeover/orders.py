@@ -3,6 +3,8 @@ them."""
 
 from __future__ import annotations
 
+import importlib
+import itertools
 import json
 import operator
 from array import array
@@ -12,6 +14,7 @@ from typing import (
 from . import _core
 from ._given import listed, rows_of, words_of
 from ._made import Made, Progress, check_calls, fact, made
+from ._notebook import shown, table
 from .errors import BadInput
 
 Step = Tuple[List[int], List[int]]
@@ -34,6 +37,23 @@ class LoadOrder(Made):
         """changeover-loads/1: an object for the order, then one for each step, a line each."""
         text: str = self._core.to_json()
         return text
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame with one row for each step. Raises ImportError without pandas."""
+        pandas: Any = importlib.import_module("pandas")
+        frame = pandas.DataFrame(list(self), columns=["evict", "load"])
+        frame.index = pandas.RangeIndex(1, len(frame) + 1, name="step")
+        return frame
+
+    def _repr_html_(self) -> str:
+        most_shown = 20
+        first = itertools.islice(self, most_shown)
+        return shown(
+            f"{self.loads} loads for {self.items} items, room for {self.room}",
+            [f"at least {self.lower_bound} loads: {self.reason}", self.certificate],
+            table(("step", "evict", "load"),
+                  ((number, *step) for number, step in enumerate(first, 1))),
+            f"<div>{most_shown} of {self.steps} steps</div>\n" if self.steps > most_shown else "")
 
     def __iter__(self) -> Iterator[Step]:
         steps: Iterator[Step] = self._core.steps(0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 from decimal import Decimal
 from fractions import Fraction
@@ -10,6 +11,7 @@ from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Tuple,
 from . import _core
 from ._job import document_of, names_in, result_of
 from ._made import Made, Progress, check_calls, fact, made
+from ._notebook import shown, table
 from .errors import BadInput
 
 Cost = Union[int, float, str, Decimal]
@@ -59,6 +61,24 @@ class _Sheets(Made):
     notes: List[str] = fact(
         "What else is to be said of the job, a line each: results that are not understood, pairs "
         "that cannot meet.")
+
+    def _rows(self) -> List[Dict[str, Any]]:
+        """The tests, in the order in which they are made."""
+        raise NotImplementedError
+
+    def to_frame(self) -> Any:
+        """A pandas.DataFrame with one row for each test. Raises ImportError without pandas."""
+        pandas: Any = importlib.import_module("pandas")
+        return pandas.DataFrame(self._rows()).set_index("number")
+
+    def _repr_html_(self) -> str:
+        rows = self._rows()
+        heads = [key for key in ("bench", "number", "take_out", "put_in", "setup", "cost_so_far")
+                 if rows and key in rows[0]]
+        lines = [f"at least {self.lower_bound}: {self.reason}", *self.notes]
+        return shown(repr(self)[1:-1], lines, table(
+            [head.replace("_", " ") for head in heads],
+            ([row[head] for head in heads] for row in rows), len(rows)))
 
     def to_csv(self) -> str:
         return self._written("csv")
@@ -190,6 +210,9 @@ class RunSheet(_Sheets):
             } for each in found["tests"]],
             "most_cost": _decimal(found["most_cost"]), "unread": unread}
 
+    def _rows(self) -> List[Dict[str, Any]]:
+        return self.steps
+
     def __len__(self) -> int:
         return self.tests
 
@@ -205,6 +228,10 @@ class BenchSheets(_Sheets):
     makespan: Decimal = fact("What the bench costs that costs most; exact.")
     makespan_bound: Decimal = fact("Of the bench that costs most.")
     makespan_reason: str = fact("Of that bound.")
+
+    def _rows(self) -> List[Dict[str, Any]]:
+        return [{"bench": bench, **step} for bench, sheet in enumerate(self.sheets, 1)
+                for step in sheet]
 
     def __len__(self) -> int:
         return len(self.sheets)

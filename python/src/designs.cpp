@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <sstream>
+#include <tuple>
 
 #include "bind.hpp"
 #include "changeover/bounds/lower_bound.hpp"
@@ -12,8 +13,10 @@
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/design.hpp"
 #include "changeover/core/error.hpp"
+#include "changeover/draw/draw.hpp"
 #include "changeover/io/formats.hpp"
 #include "changeover/io/input.hpp"
+#include "changeover/io/output.hpp"
 #include "changeover/io/tables.hpp"
 #include "changeover/isomorphism/isomorphism.hpp"
 #include "gil.hpp"
@@ -339,6 +342,46 @@ HeldDesign held(VerifiedDesign design) {
   return {std::make_shared<const Design>(std::move(design).take()), std::move(verdict)};
 }
 
+namespace {
+
+// The picture as SVG and as TikZ, or why it cannot be TikZ, and its title.
+std::tuple<std::string, std::string, std::string, std::string> drawn(
+    const HeldDesign& self, const std::string& kind, const std::string& theme,
+    const std::string& order, const std::string& colour, bool leaving, std::uint64_t first,
+    const std::optional<std::uint64_t>& last) {
+  const auto picture = picture_kind_from_string(kind);
+  const auto by = element_order_from_string(order);
+  const auto says = stay_colour_from_string(colour);
+  const auto ground = theme_from_string(theme);
+  if (!picture || !by || !says || !ground) {
+    throw BadInput(
+        "there is no such picture, order, colour or theme; help(changeover.Design.draw) has them");
+  }
+  const DrawOptions options{.picture = *picture,
+                            .order = *by,
+                            .colour = *says,
+                            .leaving = leaving,
+                            .from = first,
+                            .to = last};
+  const Design& design = *self.design;
+  if (const auto defect = draw_defect(design.parameters(), design.block_count(), options)) {
+    throw BadInput(*defect);
+  }
+  return stoppable([&] {
+    const Picture made = draw(design, options);
+    std::string for_tex;
+    std::string defect;
+    try {
+      for_tex = tikz(made);
+    } catch (const BadInput& fault) {
+      defect = fault.what();
+    }
+    return std::tuple(svg(made, *ground), for_tex, defect, made.title);
+  });
+}
+
+}  // namespace
+
 void bind_designs(py::module_& module) {
   py::class_<HeldDesign>(module, "Design")
       .def("facts", &facts_of_design)
@@ -358,6 +401,7 @@ void bind_designs(py::module_& module) {
       .def("transitions", &transitions_of)
       .def("expand", &enlarged)
       .def("to_string", &text_of)
+      .def("draw", &drawn)
       .def("is_same_as", &same)
       .def("canonical", &canonical)
       .def("group_order",
@@ -371,6 +415,11 @@ void bind_designs(py::module_& module) {
   module.def("stream", &stream);
   module.def("explain", &explain);
   module.def("constructions", &constructions);
+  module.def("write_file", [](const std::string& path, const std::string& text) {
+    OutputFile file(path);
+    file.write(text);
+    file.commit();
+  });
   module.def("from_numbers", &from_numbers);
   module.def("read_text", [](const std::string& text, const std::string& name) {
     return read_text(text, name, {});

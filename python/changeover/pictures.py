@@ -1,0 +1,60 @@
+"""Pictures of designs, as SVG and TikZ; notebooks show them."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Literal, Optional
+
+from . import _core
+from ._made import Made, check_calls, fact, made
+from .errors import BadInput
+
+PictureKind = Literal["array", "stays", "coverage", "circle", "recipe"]
+Theme = Literal["light", "dark"]
+
+
+class Picture(Made):
+    """A picture; what Design.draw() returns."""
+
+    svg: str = fact("A whole SVG file.")
+    title: str = fact()
+
+    @property
+    def tikz(self) -> str:
+        """A tikzpicture, for the LaTeX package tikz. Raises BadInput if it is too large for TeX."""
+        if self._facts["defect"]:
+            raise BadInput(_in_python(self._facts["defect"]))
+        text: str = self._facts["tikz"]
+        return text
+
+    def save(self, path: str) -> None:
+        """Writes a file, whole or not at all: .svg, .tikz or .tex. Raises BadInput for another
+        ending, MissingResource if it cannot be written."""
+        ending = os.path.splitext(path)[1].lower()
+        if ending not in (".svg", ".tikz", ".tex"):
+            raise BadInput(f"{path}: unknown file extension; use .svg, .tikz or .tex")
+        _core.write_file(path, self.svg if ending == ".svg" else self.tikz)
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<Picture: {self.title}>"
+
+
+def _in_python(message: str) -> str:
+    """With the names of arguments instead of options of the command line."""
+    return message.replace("--from", "first").replace("--to", "last")
+
+
+def picture_of(core: Any, picture: str, theme: str, order: str, colour: str, leaving: bool,
+               first: int, last: Optional[int]) -> Picture:
+    try:
+        svg, tikz, defect, title = core.draw(
+            picture, theme, order, colour, leaving, first, last)
+    except BadInput as fault:
+        raise BadInput(_in_python(str(fault)))
+    return made(Picture, {"svg": svg, "tikz": tikz, "defect": defect, "title": title})
+
+
+check_calls(globals())

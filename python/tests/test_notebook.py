@@ -1,0 +1,201 @@
+"""What notebooks show, pictures, frames, pickles, progress."""
+
+import contextlib
+import io
+import multiprocessing
+import os
+import pathlib
+import pickle
+import tempfile
+import unittest
+import xml.etree.ElementTree as tree
+
+import changeover
+
+try:
+    import pandas
+except ImportError:
+    pandas = None
+
+
+def well_formed(markup):
+    """The element that a text is; what is no XML raises."""
+    return tree.fromstring(markup)
+
+
+class Shown(unittest.TestCase):
+    def test_a_small_design_is_a_picture_and_a_large_one_a_table(self):
+        small = changeover.design(8, 5)
+        self.assertIn("minimum", small._repr_html_())
+        self.assertIn("<svg", small._repr_html_())
+        self.assertTrue(well_formed(small._repr_svg_()).tag.endswith("svg"))
+        large = changeover.design(61, 4)
+        self.assertIsNone(large._repr_svg_())
+        self.assertIsNone(large._repr_latex_())
+        self.assertIn("60 of 366 rows", large._repr_html_())
+        well_formed(large._repr_html_())
+
+    def test_names_are_escaped(self):
+        names = ["<b>", "a&b", "c_1"]
+        design = changeover.Design([[names[0], names[1]], [names[1], names[2]], [names[2], names[0]]] * 30)
+        page = design._repr_html_()
+        self.assertIn("&lt;b&gt;, a&amp;b", page)
+        well_formed(page)
+        latex = changeover.Design([["$x", "a&b"], ["a&b", "c_1"], ["c_1", "$x"]])._repr_latex_()
+        self.assertEqual(latex.count("$"), 4)
+        self.assertIn(r"\text{a\&b}", latex)
+
+    def test_a_wrong_design_is_called_so(self):
+        self.assertIn("not valid", changeover.Design([[0, 1], [2, 3]])._repr_html_())
+
+    def test_verdicts_bounds_and_tables(self):
+        design = changeover.design(8, 5)
+        for each in (design.verdict, changeover.bounds(8, 5), changeover.table((3, 5), (4, 9))):
+            for part in each._repr_html_().replace("</div>\n<div>\n<strong>", "</div>\0<div>\n<strong>").split("\0"):
+                well_formed(part)
+        table = changeover.table(4, (2, 8), kind="linear")
+        self.assertIn("<td>6=</td>", table._repr_html_())
+        self.assertIn("double-change", table._repr_html_())
+        self.assertEqual(len(table), 7)
+
+    def test_run_sheets_and_load_orders(self):
+        sheet = changeover.plan(9, 3, test_cost=1, change_cost=5)
+        self.assertIn("<td>4, 6, 9</td>", sheet._repr_html_())
+        both = changeover.plan(9, 3, test_cost=1, change_cost=5, benches=2)
+        self.assertIn("<th>bench</th>", both._repr_html_())
+        order = changeover.load_order(20, 5)
+        self.assertIn("20 of 46 steps", order._repr_html_())
+        for each in (sheet, both, order):
+            well_formed(each._repr_html_())
+        if pandas:
+            self.assertEqual(len(sheet.to_frame()), sheet.tests)
+            self.assertEqual(len(both.to_frame()), both.tests)
+            self.assertEqual(list(order.to_frame()["load"].map(len))[0], 5)
+
+
+class Pictures(unittest.TestCase):
+    def test_each_kind_is_drawn(self):
+        design = changeover.design(15, 5)
+        for kind in ("array", "stays", "coverage", "circle", "recipe"):
+            for theme in ("light", "dark"):
+                picture = design.draw(kind, theme=theme)
+                self.assertTrue(well_formed(picture.svg).tag.endswith("svg"))
+                self.assertIn("tikzpicture", picture.tikz)
+        self.assertEqual(design.draw("stays")._repr_svg_(), design.draw("stays").svg)
+
+    def test_faults_speak_python(self):
+        design = changeover.design(8, 5)
+        with self.assertRaisesRegex(changeover.BadInput, "^first 9: there are fewer blocks"):
+            design.draw(first=9)
+        with self.assertRaisesRegex(changeover.BadInput, "no such picture"):
+            design.draw("oil")
+        with self.assertRaisesRegex(changeover.BadInput, "first and last"):
+            changeover.design(991, 51).draw()
+        large = changeover.design(200, 4).draw()
+        with self.assertRaisesRegex(changeover.BadInput, "too large for TeX"):
+            large.tikz
+
+    def test_files_are_whole(self):
+        picture = changeover.design(8, 5).draw()
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "d.svg"
+            file.write_text("before")
+            picture.save(str(file))
+            self.assertEqual(file.read_text(encoding="utf-8"), picture.svg)
+            self.assertEqual(file.stat().st_mode & 0o777, 0o666 & ~self.mask())
+            picture.save(str(file.with_suffix(".tex")))
+            self.assertEqual(file.with_suffix(".tex").read_text(encoding="utf-8"), picture.tikz)
+            with self.assertRaisesRegex(changeover.BadInput, "unknown file extension; use .svg, .tikz or .tex"):
+                picture.save(str(file.with_suffix(".pdf")))
+            with self.assertRaisesRegex(changeover.MissingResource, "d.svg"):
+                picture.save(str(file / "x" / "d.svg"))
+            self.assertEqual(sorted(os.listdir(folder)), ["d.svg", "d.tex"])
+
+    @staticmethod
+    def mask():
+        mask = os.umask(0)
+        os.umask(mask)
+        return mask
+
+
+class Sequences(unittest.TestCase):
+    def test_a_design_has_its_blocks_as_members(self):
+        design = changeover.design(8, 5)
+        self.assertEqual(design[0], design.blocks[0])
+        self.assertEqual(design[-1], list(design)[-1])
+        self.assertEqual(design[1:3], design.blocks[1:3])
+        with self.assertRaises(IndexError):
+            design[5]
+
+    def test_equal_designs_are_one_key(self):
+        one, other = changeover.design(9, 4), changeover.design(9, 4)
+        self.assertEqual(one, other)
+        self.assertEqual(len({one, other, one.canonical()}), 2 if one.canonical() != one else 1)
+        self.assertEqual(len({one.blocks, other.blocks, one.blocks[:3]}), 2)
+
+
+@unittest.skipUnless(pandas, "no pandas")
+class Frames(unittest.TestCase):
+    def test_there_and_back(self):
+        design = changeover.design(15, 5)
+        self.assertEqual(changeover.Design(design.to_frame(), v=15, kind=design.kind).blocks, design.blocks)
+        frame = changeover.table((2, 4), (4, 6)).to_frame()
+        self.assertEqual(str(frame["b"].dtype), "Int64")
+        self.assertEqual(list(frame[(frame.v == 4) & (frame.k == 2)]["status"]), ["impossible"] * 2)
+
+
+def minimum_of(v):
+    return changeover.bounds(v, 4)
+
+
+class Pickles(unittest.TestCase):
+    def test_answers_go_there_and_back(self):
+        design = changeover.design(9, 4)
+        for each in (design.verdict, changeover.bounds(9, 4), changeover.bounds(9, 4).all[0], changeover.table(4, 9)[0],
+                     changeover.search(9, 4, change=1, time=1), changeover.classify(9, 4, 6, 2, "circular"), design.draw()):
+            again = pickle.loads(pickle.dumps(each))
+            self.assertEqual(repr(again), repr(each))
+            for name in dir(type(each)):
+                if isinstance(getattr(type(each), name), property):
+                    self.assertEqual(repr(getattr(again, name)), repr(getattr(each, name)), name)
+        self.assertEqual(pickle.loads(pickle.dumps(design.verdict)).as_dict(), design.verdict.as_dict())
+
+    def test_what_was_tampered_with_is_refused(self):
+        with self.assertRaises(TypeError):
+            pickle.loads(_tampered())
+
+    def test_processes_exchange_them(self):
+        with multiprocessing.get_context("spawn").Pool(1) as pool:
+            self.assertEqual([each.best_known for each in pool.map(minimum_of, [8, 9])],
+                             [changeover.bounds(v, 4).best_known for v in (8, 9)])
+
+
+def _tampered():
+    from changeover import _made
+
+    class Wrong:
+        def __reduce__(self):
+            return _made._made_again, (int, {}, None)
+
+    return pickle.dumps(Wrong())
+
+
+class Progress(unittest.TestCase):
+    def test_true_shows_a_line_and_takes_it_away(self):
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said):
+            found = changeover.search(40, 6, time=0.8, progress=True)
+        self.assertIsNotNone(found.design)
+        self.assertIn("best", said.getvalue())
+        for nothing in (False, None):
+            with contextlib.redirect_stderr(io.StringIO()) as said:
+                changeover.search(9, 4, change=1, time=1, progress=nothing)
+            self.assertEqual(said.getvalue(), "")
+
+    def test_what_is_no_function_is_refused(self):
+        with self.assertRaisesRegex(TypeError, "progress is a function, True, False or None, not 3"):
+            changeover.search(9, 4, progress=3)
+
+
+if __name__ == "__main__":
+    unittest.main()
