@@ -3,7 +3,7 @@
 
 usage: docs/site/build.py [--out build/site] [--build build/release] [--without-cpp]
 
-The pages are those of docs/, README.md and a few others, which must also be readable on a code host. So they are not
+The pages are those of docs/ and a few others, which must also be readable on a code host. So they are not
 written for Sphinx; they are copied into one folder, and links between them are turned to where they now are. Needs the
 program and the Python package of BUILD. Ends with exit code 1 at the first warning, and with 77 where something is not installed.
 Nothing of what it writes asks the network for anything.
@@ -22,7 +22,7 @@ here = pathlib.Path(__file__).resolve().parent
 root = here.parent.parent
 # Pages that do not come from docs/, by the names they get.
 elsewhere = {
-    "README.md": "tour.md",
+    "README.md": "index.md",
     "bench/README.md": "performance.md",
     "HACKING.md": "hacking.md",
     "CONTRIBUTING.md": "contributing.md",
@@ -94,6 +94,8 @@ def stage(folder: pathlib.Path, static: pathlib.Path, program: pathlib.Path) -> 
     pages = places()
     wanted = set()
     for source, page in pages.items():
+        if page == "index.md":
+            continue  # The site has a first page of its own.
         text, files = retarget((root / source).read_text(encoding="utf-8"), source, pages)
         (folder / page).write_text(text, encoding="utf-8")
         wanted |= files
