@@ -93,8 +93,8 @@ def build_wheel(
         else:
             package = built(pathlib.Path(settings.get("build-dir", temporary)))
         files = {
-            f"{name}/{path.name}": path.read_bytes()
-            for path in sorted(package.iterdir())
+            f"{name}/{path.relative_to(package)}": path.read_bytes()
+            for path in sorted(package.rglob("*"))
             if path.suffix in {".py", ".pyi", ".so", ".typed"} or path.name == "py.typed"
         }
     info = f"{stem}.dist-info"

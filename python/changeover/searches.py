@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Dict, List, Optional
+import operator
+from typing import Any, Dict, List, Optional, Tuple
 
 from . import _core
 from ._made import Kind, Made, Progress, check_calls, fact, made
 from .designs import Design, design_of
+from .errors import BadInput
 
 
 class SearchResult(Made):
@@ -39,6 +41,8 @@ class Classification(Made):
     group_orders: Dict[int,
                        int] = fact("How many classes have an automorphism group of each order.")
     designs: List[Design] = fact("The first `keep` representatives.")
+    prefixes: int = fact("Into which the search was cut; more shares than these have nothing to "
+                         "do. 0 if shares were taken by a cluster.")
 
     def __repr__(self) -> str:
         return f"<{self.classes} classes>"
@@ -66,16 +70,30 @@ def search(
     return made(SearchResult, {**facts, "design": found, "b": found and found.b})
 
 
+def _share(share: Any) -> Tuple[int, int]:
+    try:
+        part, parts = (0, 1) if share is None else map(operator.index, share)
+    except Exception:
+        part, parts = 1, 0
+    if not 0 <= part < parts < 1 << 64:
+        raise BadInput("share is (part, parts), two numbers, the first from 0 and below the second")
+    return part, parts
+
+
 def classify(
     v: int, k: int, b: int, change: int = 2, kind: Kind = "linear", *, reversal: bool = False,
     keep: int = 100, time: Optional[float] = None, threads: int = 1, progress: Progress = None,
+    share: Optional[Tuple[int, int]] = None,
 ) -> Classification:
     """All designs with exactly b blocks up to names of elements and rotation, and reversal if asked
     for.
 
+    share: (part, parts), from (0, n) to (n - 1, n): only that part of the search. Every class is
+    found by one part, so the counts of all parts add up.
     Raises ImpossibleParameters above 64 elements or 4096 blocks. Exponential in b.
     """
-    facts = _core.classify(v, k, b, change, kind, reversal, keep, time, threads, progress)
+    facts = _core.classify(
+        v, k, b, change, kind, reversal, keep, time, threads, progress, _share(share))
     orders = {int(order): count for order, count in facts["group_orders"]}
     designs = [design_of(core) for core in facts["designs"]]
     return made(Classification, {**facts, "group_orders": orders, "designs": designs})

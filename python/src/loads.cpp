@@ -39,6 +39,36 @@ py::tuple next_step(Steps& self) {
   return py::make_tuple(py::cast(step.evict), py::cast(step.load));
 }
 
+// Steps with what each computes, of all workers one after another.
+struct Work {
+  std::shared_ptr<const LoadsAnswer> answer;  // outlives the source
+  std::unique_ptr<StepSource> source;
+  bool busy = false;
+};
+
+// (worker, evict, load, pairs): the items of the pairs one after the other, as bytes.
+py::tuple next_work(Work& self) {
+  const OneAtATime one(self.busy);
+  Step step;
+  bool more = false;
+  {
+    const GilReleased released;
+    more = self.source->next(step);
+  }
+  if (!more) {
+    throw py::stop_iteration();
+  }
+  std::vector<Element> ends;
+  ends.reserve(2 * step.compute.size());
+  for (const auto& [x, y] : step.compute) {
+    ends.push_back(x);
+    ends.push_back(y);
+  }
+  return py::make_tuple(
+      step.worker, py::cast(step.evict), py::cast(step.load),
+      py::bytes(reinterpret_cast<const char*>(ends.data()), ends.size() * sizeof(Element)));
+}
+
 // Pairs as the bytes of their items, one after the other.
 std::shared_ptr<const PairGraph> pairs_in(std::optional<std::uint64_t> items,
                                           const std::optional<py::bytes>& ends) {
@@ -70,6 +100,123 @@ struct Loads {
     return sink.text();
   }
 };
+
+// @throws ImpossibleParameters for so many items that it is not kept in mind which pairs were computed
+Work work_of(const Loads& loads) {
+  const LoadOrder& order = loads.one() != nullptr ? *loads.one() : loads.split().order();
+  ScheduleRules rules = order.rules(ComputeRules{});
+  if (loads.one() == nullptr) {
+    rules.items = loads.split().facts().items;
+    rules.room = loads.split().facts().room;
+  }
+  if (rules.items > max_elements_in_memory && rules.wanted.graph() == nullptr) {
+    throw ImpossibleParameters(
+        "all pairs of more than 65535 items: group items into larger ones, or list the pairs");
+  }
+  auto steps = loads.one() != nullptr ? order.stream() : loads.split().stream();
+  return {loads.answer, std::make_unique<StepWork>(std::move(steps), rules)};
+}
+
+// The shares of workers without their steps, of any number of items.
+class Shapes {
+ public:
+  explicit Shapes(const Loads& loads) : loads_(loads.answer) {
+    const LoadOrder* const one = loads.one();
+    items_ = one != nullptr ? one->facts().items : loads.split().facts().items;
+    groups_ = one != nullptr ? items_ : loads.split().facts().groups;
+    steps_ = one != nullptr ? one->stream() : loads.split().stream();
+    met_.resize(groups_ <= most_kept_groups ? groups_ : 0);
+    first_of_group_.resize(met_.empty() ? 0 : groups_);
+    for (std::uint64_t g = 0; g < first_of_group_.size(); ++g) {
+      first_of_group_[g] = g * items_ / groups_;
+      met_[g].resize(g + 1);
+    }
+  }
+
+  // For each worker its loads, those of its first step, and its pairs.
+  [[nodiscard]] std::vector<std::uint64_t> read() {
+    std::vector<std::uint64_t> shapes;
+    std::vector<std::uint64_t> held;
+    std::uint64_t count = 0;
+    std::uint64_t worker = 0;
+    bool first = true;
+    for (Step step; steps_->next(step);) {
+      stop_if_asked();
+      if (step.worker >= shapes.size() / 3) {
+        shapes.resize(3 * (step.worker + 1));
+      }
+      if (step.worker != worker || first) {
+        worker = step.worker;
+        held.clear();
+        count = 0;
+        shapes[3 * worker + 1] = step.load.size();
+      }
+      shapes[3 * worker] += step.load.size();
+      shapes[3 * worker + 2] += met_.empty() ? by_number(step, count, first) : by_group(step, held);
+      count = count + step.load.size() - step.evict.size();
+      first = false;
+    }
+    return shapes;
+  }
+
+ private:
+  static constexpr std::uint64_t most_kept_groups = 20'000;
+
+  // Each load is taken to meet all that is there; what a later worker loads first has met before,
+  // but for one item.
+  static std::uint64_t by_number(const Step& step, std::uint64_t count, bool first) {
+    const std::uint64_t there = count - std::min<std::uint64_t>(count, step.evict.size());
+    const std::uint64_t come = step.load.size();
+    if (there == 0 && !first) {
+      return come == 0 ? 0 : come - 1;
+    }
+    return come * there + come * (come - std::min<std::uint64_t>(come, 1)) / 2;
+  }
+
+  // Groups come and go as a whole.
+  std::uint64_t by_group(const Step& step, std::vector<std::uint64_t>& held) {
+    for (const std::uint64_t g : groups_in(step.evict)) {
+      std::erase(held, g);
+    }
+    std::uint64_t pairs = 0;
+    for (const std::uint64_t g : groups_in(step.load)) {
+      held.push_back(g);
+      for (const std::uint64_t h : held) {
+        if (!met_[std::max(g, h)][std::min(g, h)]) {
+          met_[std::max(g, h)][std::min(g, h)] = true;
+          pairs += g == h ? size(g) * (size(g) - 1) / 2 : size(g) * size(h);
+        }
+      }
+    }
+    return pairs;
+  }
+
+  [[nodiscard]] std::uint64_t size(std::uint64_t g) const {
+    return (g + 1) * items_ / groups_ - g * items_ / groups_;
+  }
+
+  [[nodiscard]] std::vector<std::uint64_t> groups_in(const std::vector<Element>& items) const {
+    std::vector<std::uint64_t> found;
+    for (const Element x : items) {
+      const std::uint64_t g = ((std::uint64_t{x} + 1) * groups_ - 1) / items_;
+      if (first_of_group_[g] == x) {
+        found.push_back(g);
+      }
+    }
+    return found;
+  }
+
+  std::shared_ptr<const LoadsAnswer> loads_;
+  std::unique_ptr<StepSource> steps_;
+  std::uint64_t items_ = 0, groups_ = 0;
+  std::vector<std::uint64_t> first_of_group_;
+  std::vector<std::vector<bool>> met_;  // groups that have met, larger number first
+};
+
+py::bytes shapes_of(const Loads& loads) {
+  const auto shapes = stoppable([&] { return Shapes(loads).read(); });
+  return {reinterpret_cast<const char*>(shapes.data()), shapes.size() * sizeof(shapes[0])};
+}
 
 py::dict facts_of(const Loads& loads) {
   if (const LoadOrder* const one = loads.one()) {
@@ -110,7 +257,10 @@ py::tuple order(const std::string& document, const std::optional<py::bytes>& pai
   work.run([&](RunControl& control) {
     LoadOrderOptions options;
     options.seed = seed;
-    plan(options);
+    // The search of a list has an order as soon as its first start is over.
+    if (!time || asked.wanted().graph() == nullptr) {
+      plan(options);
+    }
     if (time) {
       RunControl limited(control, std::chrono::duration<double>(*time));
       options.improve = improve_by_search(limited);
@@ -122,6 +272,9 @@ py::tuple order(const std::string& document, const std::optional<py::bytes>& pai
         plan(options);
       } catch (const Stopped&) {
         // Ctrl-C: the order that needed no search is the best so far.
+        if (!loads.answer) {
+          throw;
+        }
       }
     }
   });
@@ -196,7 +349,12 @@ void bind_loads(py::module_& module) {
   py::class_<Steps>(module, "Steps")
       .def("__iter__", [](py::object self) { return self; })
       .def("__next__", &next_step);
+  py::class_<Work>(module, "Work")
+      .def("__iter__", [](py::object self) { return self; })
+      .def("__next__", &next_work);
   py::class_<Loads>(module, "Loads")
+      .def("work", &work_of)
+      .def("shapes", &shapes_of)
       .def("to_json", &Loads::to_json)
       .def("steps", [](const Loads& self, std::uint64_t worker) {
         return Steps{self.one() != nullptr ? self.one()->stream() : self.split().stream(worker)};

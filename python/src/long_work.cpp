@@ -50,6 +50,7 @@ RunControl::Settings settings_of(const LongOptions& options, Shared& shared) {
   }
   settings.threads = static_cast<unsigned>(options.threads);
   settings.seed = options.seed;
+  settings.share = options.share;
   if (!options.progress.is_none()) {
     settings.on_progress = [&shared](const Progress& progress) {
       const std::lock_guard lock(shared.mutex);

@@ -22,6 +22,7 @@ struct LongOptions {
   std::optional<double> seconds = {};
   std::uint64_t threads = 1;
   std::uint64_t seed = 1;
+  WorkShare share = {};
   pybind11::object progress = pybind11::none();  ///< called with a dict, or None
   bool keeps_best = false;  ///< KeyboardInterrupt is no fault: what was found is the answer
 };

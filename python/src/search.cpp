@@ -77,11 +77,22 @@ py::dict search(std::uint64_t v, std::uint64_t k, std::uint64_t change, const st
                   py::arg("moves") = found.moves, py::arg("seconds") = found.seconds);
 }
 
+// Part `share.first` of `share.second`.
+WorkShare share_of(const std::pair<std::uint64_t, std::uint64_t>& share) {
+  if (share.first >= share.second) {
+    throw BadInput("share is (part, parts): a number below that of the parts");
+  }
+  return {share.first, share.second};
+}
+
 py::dict classify(std::uint64_t v, std::uint64_t k, std::uint64_t b, std::uint64_t change,
                   const std::string& kind, bool reversal, std::uint64_t keep,
-                  std::optional<double> time, std::uint64_t threads, py::object progress) {
+                  std::optional<double> time, std::uint64_t threads, py::object progress,
+                  const std::pair<std::uint64_t, std::uint64_t>& share) {
   const Parameters p = parameters(v, k, change, kind_of(kind));
-  LongWork work(limits(time, threads, 1, std::move(progress)));
+  LongOptions options = limits(time, threads, 1, std::move(progress));
+  options.share = share_of(share);
+  LongWork work(std::move(options));
   Classification all;
   work.run([&](RunControl& control) {
     all = classify_designs(p, b, {.reversal = reversal, .keep = keep}, control);
@@ -98,7 +109,35 @@ py::dict classify(std::uint64_t v, std::uint64_t k, std::uint64_t b, std::uint64
                   py::arg("tight") = all.tight,
                   py::arg("complete") = all.why_stopped == WhyStopped::exhausted,
                   py::arg("interrupted") = work.interrupted(), py::arg("group_orders") = orders,
-                  py::arg("designs") = designs);
+                  py::arg("designs") = designs, py::arg("prefixes") = all.prefixes);
+}
+
+// Whether there is a design with b blocks, of so many cubes those of a share: each with a checked proof.
+py::dict decide_share(std::uint64_t v, std::uint64_t k, std::uint64_t change,
+                      const std::string& kind, std::uint64_t strength, std::uint64_t b,
+                      std::uint64_t cubes, const std::pair<std::uint64_t, std::uint64_t>& share,
+                      std::optional<double> time, std::uint64_t threads, py::object progress) {
+  const Parameters p = parameters(v, k, change, kind_of(kind), strength);
+  LongOptions limited = limits(time, threads, 1, std::move(progress));
+  limited.share = share_of(share);
+  LongWork work(std::move(limited));
+  Decision decision;
+  work.run([&](RunControl& control) { decision = decide(p, b, {.cubes = cubes}, control); });
+  std::vector<Cube> excluded;
+  std::uint64_t proof_bytes = 0;
+  for (const CheckedPart& part : decision.parts) {
+    excluded.push_back(part.cube);
+    proof_bytes += part.proof_bytes;
+  }
+  std::optional<HeldDesign> design;
+  if (decision.design) {
+    design = held(std::move(*decision.design));
+  }
+  return py::dict(py::arg("outcome") = std::string(to_string(decision.outcome)),
+                  py::arg("design") = design, py::arg("cubes") = decision.cubes,
+                  py::arg("excluded") = excluded, py::arg("proof_bytes") = proof_bytes,
+                  py::arg("why_stopped") = std::string(to_string(decision.why_stopped)),
+                  py::arg("interrupted") = work.interrupted());
 }
 
 }  // namespace
@@ -106,6 +145,9 @@ py::dict classify(std::uint64_t v, std::uint64_t k, std::uint64_t b, std::uint64
 void bind_search(py::module_& module) {
   module.def("search", &search);
   module.def("classify", &classify);
+  module.def("decide_share", &decide_share);
+  module.def("cubes_cover_everything",
+             [](const std::vector<Cube>& cubes) { return cubes_cover_everything(cubes); });
 }
 
 }  // namespace changeover::python

@@ -16,7 +16,7 @@ print(build_backend.build_wheel(".", {"built": sys.argv[1]}))' "$build" 2>said |
 }
 archive=$(echo ./*.tar.gz)
 tar -tzf "$archive" >listed
-for path in CMakeLists.txt pyproject.toml PKG-INFO python/build_backend.py python/changeover/plans.py web/dist/index.html LICENSE; do
+for path in CMakeLists.txt pyproject.toml PKG-INFO python/build_backend.py python/changeover/plans.py python/changeover/cluster/_team.py web/dist/index.html LICENSE; do
   grep -q "^[^/]*/$path\$" listed || {
     printf 'the source archive lacks %s\n' "$path" >&2
     exit 1
@@ -32,4 +32,6 @@ PYTHONPATH=$folder/site "$python" -c '
 import changeover, importlib.metadata, pathlib
 assert pathlib.Path(changeover.__file__).parent.parent.name == "site"
 assert importlib.metadata.version("changeover") == changeover.__version__
-assert changeover.design(61, 4).b == 366'
+assert changeover.design(61, 4).b == 366
+import changeover.cluster
+assert changeover.cluster.simulate(items=9, room=4, workers=2, pair_seconds=1, item_bytes=1).pairs == 36'

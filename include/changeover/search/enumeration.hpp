@@ -90,6 +90,7 @@ struct Classification {
   std::uint64_t classes = 0;
   std::uint64_t tight = 0;  ///< classes of tight designs
   std::uint64_t nodes = 0;
+  std::uint64_t prefixes = 0;  ///< into which the work was split: more shares have nothing to do
   std::map<std::string, std::uint64_t> group_orders = {};  ///< how many classes have each order
   std::vector<DesignClass> kept;                           ///< the first `keep` classes
 };

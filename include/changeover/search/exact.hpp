@@ -55,6 +55,10 @@ struct ExactOptions {
   /// the answer then does not depend on the machine.
   std::optional<std::uint32_t> conflicts_per_step = {};
   EncodingOptions encoding = {};
+  /// The question is split into about so many cubes, 4096 at most, however many threads and shares
+  /// there are. 0: 16 for each share, or 8 for each thread; one thread alone splits nothing. Shares
+  /// of the same cubes can be divided further: shares i and i + n of 2n are share i of n.
+  std::uint64_t cubes = 0;
 };
 
 /// One formula without solution, and its proof.

@@ -113,6 +113,7 @@ Classification classify_designs(const Parameters& p, std::uint64_t b,
   const EnumerationRun run = explore(task, b, control);
   result.why_stopped = run.why_stopped;
   result.nodes = run.nodes;
+  result.prefixes = run.prefixes;
   return result;
 }
 

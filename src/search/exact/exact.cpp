@@ -69,8 +69,8 @@ std::string proof_folder(const ExactOptions& options) {
 }
 
 // Threads and processes that share a question each need a part of it.
-bool must_split(const RunControl& control) {
-  return control.threads() > 1 || control.settings().share.of > 1;
+bool must_split(const ExactOptions& options, const RunControl& control) {
+  return options.cubes > 1 || control.threads() > 1 || control.settings().share.of > 1;
 }
 
 /// One question, with or without cubes.
@@ -115,7 +115,7 @@ class Question {
     try {
       const unsigned threads = require_room(decision_.parameters, decision_.b, options_, control_);
       formula_.emplace(encode_design(decision_.parameters, decision_.b, options_.encoding));
-      if (must_split(control_)) {
+      if (must_split(options_, control_)) {
         split(share);
       } else {
         cubes_.emplace_back();
@@ -129,8 +129,10 @@ class Question {
 
   // About 16 cubes for each process, or 8 for each thread: enough to even out their times.
   void split(const WorkShare& share) {
-    const std::uint64_t wanted =
-        share.of > 1 ? 16 * share.of : 8 * static_cast<std::uint64_t>(control_.threads());
+    const std::uint64_t wanted = options_.cubes > 0 ? options_.cubes
+                                 : share.of > 1
+                                     ? 16 * share.of
+                                     : 8 * static_cast<std::uint64_t>(control_.threads());
     constexpr int deepest = 12;
     const auto depth = std::min(static_cast<int>(std::bit_width(wanted - 1)), deepest);
     const std::uint64_t places = decision_.b * decision_.parameters.v;
@@ -346,7 +348,7 @@ unsigned require_room(const Parameters& p, std::uint64_t b, const ExactOptions& 
   }
   const CnfSize size = design_formula_size(p, b, options.encoding);
   SolvingNeeds needs{
-      .proof = options.prove, .split = must_split(control), .threads = control.threads()};
+      .proof = options.prove, .split = must_split(options, control), .threads = control.threads()};
   const auto limit = control.settings().memory_bytes;
   while (limit && needs.threads > 1 && solving_bytes(size, needs) > *limit) {
     --needs.threads;

@@ -235,6 +235,27 @@ TEST(Decide, SharesTheCubesBetweenProcesses) {
   EXPECT_THROW((void)decide(sccd_9_4, 11, {}, wrong), BadInput);
 }
 
+TEST(Decide, DividesSharesOfTheSameCubesFurther) {
+  const auto excluded = [](std::uint64_t index, std::uint64_t of) {
+    RunControl control({.share = {index, of}});
+    const Decision decision = decide(sccd_9_4, 11, {.cubes = 16}, control);
+    EXPECT_EQ(decision.outcome, Outcome::none);
+    std::set<Cube> cubes;
+    for (const CheckedPart& part : decision.parts) {
+      cubes.insert(part.cube);
+    }
+    return cubes;
+  };
+  for (std::uint64_t index = 0; index < 2; ++index) {
+    std::set<Cube> halves = excluded(index, 4);
+    halves.merge(excluded(index + 2, 4));
+    EXPECT_EQ(excluded(index, 2), halves);
+  }
+  EXPECT_TRUE(excluded(5000, 5001).empty());  // more shares than cubes
+  RunControl whole({});
+  EXPECT_TRUE(decide(sccd_9_4, 11, {.cubes = 16}, whole).excluded());
+}
+
 TEST(Decide, KnowsTheCornerCases) {
   RunControl control({});
   const auto outcome = [&](const Parameters& p, std::uint64_t b) {

@@ -1,0 +1,139 @@
+"""Workers of a Dask cluster."""
+
+from __future__ import annotations
+
+import importlib
+import queue
+import threading
+import time
+import uuid
+from typing import Any, Callable, Dict, List
+
+from ..errors import MissingResource
+from ._engine import Event, Lost, RealTime, Task, packed
+from ._worker import Outcome, Part, forget_job, perform
+
+
+def _same(value: bytes) -> bytes:
+    return value
+
+
+class DaskEngine(RealTime):
+    """Each part is a future for one worker. Whether workers are there is asked of the scheduler:
+    a future whose worker is gone would wait for it to come back."""
+
+    def __init__(self, client: Any, task: Task) -> None:
+        if getattr(client, "asynchronous", False):
+            raise TypeError("client is asynchronous; give one that is not: Client(address)")
+        self._client = client
+        self._task = task
+        self._job = f"changeover-{uuid.uuid4().hex}"
+        self._done: queue.SimpleQueue[int] = queue.SimpleQueue()
+        self._futures: Dict[int, Any] = {}
+        self._worker_of: Dict[int, str] = {}
+        self._known: Dict[str, int] = self._nthreads()
+        self._looked = time.monotonic()
+        maker = packed(task.maker, importlib.import_module("cloudpickle"))
+        # A task and not data: if the workers that have it are lost the scheduler makes it again.
+        self._maker = client.submit(_same, maker, key=f"{self._job}-functions", pure=False)
+
+    def _nthreads(self) -> Dict[str, int]:
+        try:
+            answer: Dict[str, int] = dict(self._client.nthreads())
+        except (OSError, ValueError, RuntimeError) as fault:
+            raise MissingResource(f"the scheduler of Dask cannot be reached: {fault}") from fault
+        return answer
+
+    def workers(self) -> List[str]:
+        return sorted(self._known)
+
+    def submit(self, worker: str, part: Part) -> None:
+        threads = self._task.threads or self._known.get(worker, 1)
+        number = part.number
+        future = self._client.submit(
+            perform, self._job, self._maker, {**self._task.settings, "threads": threads}, part,
+            workers=[worker], allow_other_workers=False, pure=False, key=f"{self._job}-{number}")
+        self._futures[number] = future
+        self._worker_of[number] = worker
+        future.add_done_callback(lambda _: self._done.put(number))
+
+    def wait(self, seconds: float) -> List[Event]:
+        end = time.monotonic() + seconds
+        pause = max(0.1, 0.001 * len(self._known))
+        while True:
+            events = self._take(min(pause, max(0.0, end - time.monotonic())))
+            if time.monotonic() - self._looked >= pause:
+                events += self._look()
+            if events or time.monotonic() >= end:
+                return events
+
+    def _take(self, seconds: float) -> List[Event]:
+        events = []
+        try:
+            number = self._done.get(timeout=max(seconds, 0.001))
+            while True:
+                if number in self._futures:
+                    events.append(Event("done", self._worker_of[number], number))
+                number = self._done.get_nowait()
+        except queue.Empty:
+            return events
+
+    def _look(self) -> List[Event]:
+        now = self._nthreads()
+        self._looked = time.monotonic()
+        events = [Event("lost", worker) for worker in self._known if worker not in now]
+        events += [Event("joined", worker) for worker in now if worker not in self._known]
+        self._known = now
+        return events
+
+    def outcome(self, number: int) -> Outcome:
+        future = self._futures[number]
+        worker = self._worker_of[number]
+        while True:
+            try:
+                outcome: Outcome = future.result(timeout=2)
+                break
+            except Exception as fault:
+                kind = type(fault).__name__
+                if "Timeout" in kind and future.status in ("pending", "finished"):
+                    # Its data are on their way, or went with the worker.
+                    if worker in self._nthreads():
+                        continue
+                elif kind not in ("KilledWorker", "CancelledError", "TimeoutError"):
+                    self.drop(number)
+                    raise MissingResource(
+                        f"worker {worker} cannot do its part: {type(fault).__name__}: "
+                        f"{' '.join(str(fault).split())}") from fault
+                if self._client.status != "running":
+                    raise MissingResource("the scheduler of Dask is gone") from fault
+                self.drop(number)
+                raise Lost from fault
+        self.drop(number)
+        return outcome
+
+    def drop(self, number: int) -> None:
+        future = self._futures.pop(number, None)
+        self._worker_of.pop(number, None)
+        if future is not None and future.status == "pending":
+            self._quietly(lambda: future.cancel())
+
+    def close(self) -> None:
+        futures = list(self._futures.values())
+        self._futures.clear()
+        workers = list(self._known)
+
+        def forget() -> None:
+            self._client.cancel([*futures, self._maker])
+            self._client.run(forget_job, self._job, workers=workers, on_error="ignore")
+
+        # Workers that hang must not keep the caller.
+        thread = threading.Thread(target=self._quietly, args=(forget,), daemon=True)
+        thread.start()
+        thread.join(10)
+
+    @staticmethod
+    def _quietly(work: Callable[[], Any]) -> None:
+        try:
+            work()
+        except Exception:
+            pass

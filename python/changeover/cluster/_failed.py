@@ -1,0 +1,46 @@
+"""What a run on a cluster ends with when a function of its caller raises."""
+
+from __future__ import annotations
+
+from typing import Any, Optional, Tuple, Type
+
+from ..errors import Error
+from ._worker import Failure
+
+
+class Failed(Error):
+    """load(), compute() or sink() raised: the message names the item or the pair. It is of the
+    class of what was raised, too, where that class can be had here: `except KeyError` works."""
+
+    what: str = ""  # 'load', 'compute' or 'sink'
+    items: Tuple[int, ...] = ()  # the item, or both items of the pair
+    trace: str = ""  # of the worker
+
+    def __str__(self) -> str:
+        return str(self.args[0]) if self.args else ""
+
+
+def failed(failure: Failure, where: str) -> Failed:
+    """The exception for it; its cause is what was raised, if it could be sent."""
+    cause = failure.exception()
+    call = f"{failure.what}({', '.join(map(str, failure.items))})"
+    says = " ".join(failure.says.split())
+    message = f"{call} raised {failure.raised}" + (f": {says}" if says else "")
+    if where:
+        message += f" (on {where})"
+    fault = _instance(message, type(cause) if cause is not None else None)
+    fault.what, fault.items, fault.trace = failure.what, failure.items, failure.trace
+    fault.__cause__ = cause
+    return fault
+
+
+def _instance(message: str, also: Optional[Type[BaseException]]) -> Failed:
+    if also is not None and issubclass(also, Exception) and not issubclass(Failed, also):
+        try:
+            kind: Any = type(f"Failed{also.__name__}", (Failed, also), {"__module__": __name__})
+            fault: Failed = kind.__new__(kind, message)
+            fault.args = (message,)
+            return fault
+        except Exception:  # Classes that cannot be mixed.
+            pass
+    return Failed(message)

@@ -1,0 +1,302 @@
+"""What runs on a worker: stretches, with a memory that stays from one to the next."""
+
+from __future__ import annotations
+
+import concurrent.futures
+import dataclasses
+import pickle
+import threading
+import time
+import traceback
+from array import array
+from typing import Any, Callable, Dict, Iterator, List, Optional, Protocol, Tuple
+
+from ._stretches import Stretch
+
+Load = Callable[[int], Any]
+Compute = Callable[[int, int, Any, Any], Any]
+
+
+@dataclasses.dataclass(frozen=True)
+class Failure:
+    """An exception of the caller's functions, in a form that travels."""
+
+    what: str  # 'load' or 'compute'
+    items: Tuple[int, ...]
+    raised: str  # the name of its class
+    says: str
+    trace: str
+    pickled: Optional[bytes]
+
+    @classmethod
+    def of(cls, what: str, items: Tuple[int, ...], fault: BaseException) -> Failure:
+        trace = "".join(traceback.format_exception(type(fault), fault, fault.__traceback__))
+        try:
+            pickled: Optional[bytes] = pickle.dumps(fault)
+            pickle.loads(pickle.dumps(fault))
+        except Exception:  # Its class is not known elsewhere, or it holds what cannot be sent.
+            pickled = None
+        try:
+            says = str(fault)
+        except Exception:
+            says = ""
+        return cls(what, items, type(fault).__name__, says, trace, pickled)
+
+    def exception(self) -> Optional[BaseException]:
+        try:
+            fault = pickle.loads(self.pickled) if self.pickled else None
+        except Exception:
+            return None
+        return fault if isinstance(fault, BaseException) else None
+
+
+@dataclasses.dataclass
+class Outcome:
+    """What became of a stretch: results in the order of its pairs, fewer if it ended early."""
+
+    number: int
+    results: List[Any] = dataclasses.field(default_factory=list)
+    loads: int = 0
+    bytes_loaded: Optional[int] = 0  # None: an item does not say its size
+    most_held: int = 0
+    load_seconds: float = 0.0
+    seconds: float = 0.0
+    held: Tuple[int, ...] = ()  # at the end
+    failure: Optional[Failure] = None
+    stopped: bool = False
+
+
+class Part(Protocol):
+    """What a worker is sent."""
+
+    @property
+    def number(self) -> int: ...
+
+
+class Performer(Protocol):
+    """What does the parts of a job on a worker."""
+
+    def run(self, part: Any, stopped: Callable[[], bool] = lambda: False) -> Outcome: ...
+
+    def is_busy(self) -> bool: ...
+
+    def close(self) -> None:
+        """No more of this job: what runs ends soon."""
+
+
+class _Failed(Exception):
+    def __init__(self, failure: Failure) -> None:
+        super().__init__(failure.what)
+        self.failure = failure
+
+
+class _Stopped(Exception):
+    pass
+
+
+def size_of(item: Any) -> Optional[int]:
+    """The bytes of an item that says how many it has."""
+    if isinstance(item, (bytes, bytearray)):
+        return len(item)
+    size = getattr(item, "nbytes", None)
+    return size if isinstance(size, int) else None
+
+
+class Memory:
+    """At most `room` items of one job. What no stretch holds stays as long as there is room."""
+
+    def __init__(self, load: Load, compute: Compute, room: int, threads: int = 1,
+                 overlap: bool = False) -> None:
+        self._load = load
+        self._compute = compute
+        self._room = room
+        self._overlap = overlap
+        self._threads = threads
+        self._items: Dict[int, Any] = {}
+        self._coming: Dict[int, concurrent.futures.Future[Any]] = {}
+        self._busy = threading.Lock()
+        self._pool: Optional[concurrent.futures.ThreadPoolExecutor] = None
+        if threads > 1 or overlap:
+            self._pool = concurrent.futures.ThreadPoolExecutor(
+                threads + (1 if overlap else 0), thread_name_prefix="changeover")
+        self.over = False  # set from outside: no more of this job
+
+    def is_busy(self) -> bool:
+        return self._busy.locked()
+
+    def close(self) -> None:
+        self.over = True
+        if self._busy.acquire(blocking=False):  # Otherwise the stretch that runs does it.
+            self._forget()
+            self._busy.release()
+
+    def _forget(self) -> None:
+        self._items.clear()
+        self._coming.clear()
+        if self._pool is not None:
+            self._pool.shutdown(wait=False)
+
+    def run(self, stretch: Stretch, stopped: Callable[[], bool] = lambda: False) -> Outcome:
+        """One at a time, however many call. Never raises what load() and compute() raise."""
+        with self._busy:
+            outcome = Outcome(stretch.number)
+            begin = time.perf_counter()
+            try:
+                self._run(stretch, outcome, lambda: self.over or stopped())
+            except _Failed as fault:
+                outcome.failure = fault.failure
+            except _Stopped:
+                outcome.stopped = True
+            outcome.seconds = time.perf_counter() - begin
+            outcome.held = tuple(self._items)
+            if self.over:
+                self._forget()
+            return outcome
+
+    def _run(self, stretch: Stretch, outcome: Outcome, stopped: Callable[[], bool]) -> None:
+        next_load: Dict[int, int] = {}  # item: the first step that loads it
+        for place, step in enumerate(stretch.steps):
+            for x in step[1]:
+                next_load.setdefault(x, place)
+        held = set(stretch.keep)
+        self._bring(stretch.hold, held, next_load, outcome, stopped)
+        for place, (evict, load, ends) in enumerate(stretch.steps):
+            held.difference_update(evict)
+            held.update(load)
+            self._bring(load, held, next_load, outcome, stopped)
+            if self._overlap and place + 1 < len(stretch.steps):
+                self._start_loads(stretch.steps[place + 1][1], held, next_load)
+            self._compute_pairs(ends, outcome, stopped)
+
+    def _drop(self, held: set[int], next_load: Dict[int, int], coming: int) -> bool:
+        """Makes room for so many: what is loaded again last goes first, never what is held."""
+        spare = len(self._items) + len(self._coming) + coming - self._room
+        if spare > 0:
+            free = [x for x in self._items if x not in held]
+            free.sort(key=lambda x: next_load.get(x, len(next_load) + 1), reverse=True)
+            for x in free[:spare]:
+                del self._items[x]
+            spare -= len(free)
+        return spare <= 0
+
+    def _start_loads(self, load: Tuple[int, ...], held: set[int],
+                     next_load: Dict[int, int]) -> None:
+        """While pairs are computed, as far as there is room."""
+        assert self._pool is not None
+        for x in load:
+            if x not in self._items and x not in self._coming:
+                if not self._drop(held | set(load), next_load, 1):
+                    return
+                self._coming[x] = self._pool.submit(self._load_timed, x)
+
+    def _load_timed(self, x: int) -> Tuple[Any, float]:
+        begin = time.perf_counter()
+        try:
+            return self._load(x), time.perf_counter() - begin
+        except Exception as fault:
+            raise _Failed(Failure.of("load", (x,), fault)) from fault
+
+    def _bring(self, load: Tuple[int, ...], held: set[int], next_load: Dict[int, int],
+               outcome: Outcome, stopped: Callable[[], bool]) -> None:
+        for x in list(self._coming):
+            if x in held:
+                self._take(x, self._coming.pop(x).result(), outcome)
+        missing = [x for x in load if x not in self._items]
+        if not missing:
+            return
+        for x in [x for x in self._coming if x not in held]:  # Of a stretch that was given up.
+            self._coming.pop(x).cancel()
+        if not self._drop(held, next_load, len(missing)):
+            raise RuntimeError("a stretch needs more room than there is: this is a bug")
+        if self._pool is None or len(missing) == 1:
+            for x in missing:
+                if stopped():
+                    raise _Stopped
+                self._take(x, self._load_timed(x), outcome)
+            return
+        begin = time.perf_counter()
+        futures = {x: self._pool.submit(self._load_timed, x) for x in missing}
+        try:
+            for x, future in futures.items():
+                self._take(x, (future.result()[0], 0.0), outcome)
+                if stopped():
+                    raise _Stopped
+        finally:
+            for future in futures.values():
+                future.cancel()
+            concurrent.futures.wait(futures.values())
+        outcome.load_seconds += time.perf_counter() - begin
+
+    def _take(self, x: int, loaded: Tuple[Any, float], outcome: Outcome) -> None:
+        item, seconds = loaded
+        self._items[x] = item
+        size = size_of(item)
+        outcome.loads += 1
+        outcome.load_seconds += seconds
+        outcome.bytes_loaded = (None if size is None or outcome.bytes_loaded is None
+                                else outcome.bytes_loaded + size)
+        outcome.most_held = max(outcome.most_held, len(self._items) + len(self._coming))
+
+    def _compute_pairs(self, ends: array[int], outcome: Outcome,
+                       stopped: Callable[[], bool]) -> None:
+        pairs = list(zip(ends[::2], ends[1::2]))
+        if self._threads == 1 or len(pairs) < 2:
+            self._compute_some(pairs, outcome.results, stopped)
+            return
+        assert self._pool is not None
+        pieces: List[Tuple[List[Tuple[int, int]], List[Any]]] = [
+            (pairs[begin:end], []) for begin, end in _pieces(len(pairs), 4 * self._threads)]
+        futures = [self._pool.submit(self._compute_some, some, results, stopped)
+                   for some, results in pieces]
+        concurrent.futures.wait(futures)
+        for future, (_, results) in zip(futures, pieces):
+            outcome.results += results  # Up to the first that is missing.
+            future.result()
+
+    def _compute_some(self, pairs: List[Tuple[int, int]], results: List[Any],
+                      stopped: Callable[[], bool]) -> None:
+        for i, j in pairs:
+            if stopped():
+                raise _Stopped
+            first, second = self._items[i], self._items[j]
+            try:
+                result = self._compute(i, j, first, second)
+            except Exception as fault:
+                raise _Failed(Failure.of("compute", (i, j), fault)) from fault
+            results.append(result)
+
+
+def _pieces(count: int, parts: int) -> Iterator[Tuple[int, int]]:
+    parts = min(count, parts)
+    for part in range(parts):
+        yield count * part // parts, count * (part + 1) // parts
+
+
+# Of this process: who performs the jobs that it works for, by their names.
+_performers: Dict[str, Performer] = {}
+_over: List[str] = []
+_guard = threading.Lock()
+
+
+def perform(job: str, maker: bytes, settings: Dict[str, Any], part: Part) -> Outcome:
+    """Where engines send parts to processes that stay, such as those of Dask."""
+    with _guard:
+        if job in _over:
+            return Outcome(part.number, stopped=True)
+        performer = _performers.get(job)
+        if performer is None:
+            for name, other in list(_performers.items()):
+                if not other.is_busy():  # Its client may have been killed.
+                    _performers.pop(name).close()
+            performer = _performers[job] = pickle.loads(maker)(**settings)
+    return performer.run(part)
+
+
+def forget_job(job: str) -> None:
+    """Ends what still runs of it, and lets its items go."""
+    with _guard:
+        _over.append(job)
+        del _over[:-100]
+        performer = _performers.pop(job, None)
+    if performer is not None:
+        performer.close()
