@@ -24,13 +24,14 @@ say the rest, for the block that comes next:
     <!-- not run: why -->     it is not run
     <!-- slow -->             it is run with --slow only
     <!-- first: COMMAND -->   COMMAND is run before, at its place in the session
-    <!-- needs: PROGRAM -->   it is run where there is such a program
+    <!-- needs: PROGRAM -->   it is run where there is such a program; module:NAME, where Python has it
     <!-- is in: FILE -->      the fenced code that comes next is a part of FILE, line for line
 
 Fenced code in C++ (```cpp) must compile. With --write what was printed is put where a difference was found.
 """
 
 import argparse
+import importlib.util
 import os
 import pathlib
 import re
@@ -87,7 +88,7 @@ def parse(text):
             while i < len(lines) and (lines[i].startswith("    ") or not lines[i].strip()):
                 if lines[i].startswith("    $ "):
                     found.append(Command(i, lines[i][6:]))
-                    found[-1].slow, found[-1].skip = "slow" in kinds, "not run" in kinds or not all(map(shutil.which, needs))
+                    found[-1].slow, found[-1].skip = "slow" in kinds, "not run" in kinds or not all(map(is_there, needs))
                     found[-1].first, first = first, []
                 else:
                     found[-1].shown.append(lines[i][4:])
@@ -102,6 +103,11 @@ def parse(text):
     if marks:
         raise ValueError(f"line {marks[0][0] + 1}: nothing comes after this mark")
     return found
+
+
+def is_there(needed):
+    kind, _, name = needed.rpartition(":")
+    return (importlib.util.find_spec(name) if kind == "module" else shutil.which(needed)) is not None
 
 
 def usual(line):
@@ -133,9 +139,16 @@ class Session:
         self.root, self.build, self.slow = root, build, slow
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="changeover_page_"))
         shutil.copytree(root / "examples", self.folder / "examples", ignore=shutil.ignore_patterns("*.cpp", "*.hpp"))
-        path = f"{build}:{build / 'examples'}:{os.environ['PATH']}"
+        # python3 is the one that the package was built for; Open MPI would refuse root and few processors.
+        own = self.folder / ".bin"
+        own.mkdir()
+        (own / "python3").symlink_to(sys.executable)
+        path = f"{own}:{build}:{build / 'examples'}:{os.environ['PATH']}"
         self.environment = {**os.environ, "PATH": path, "COLUMNS": "100", "LC_ALL": "C.UTF-8",
-                            "CHANGEOVER_CATALOG": str(self.folder / ".catalog.db")}
+                            "CHANGEOVER_CATALOG": str(self.folder / ".catalog.db"),
+                            "PYTHONPATH": str(build / "python"), "OMPI_ALLOW_RUN_AS_ROOT": "1",
+                            "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+                            "OMPI_MCA_btl_vader_single_copy_mechanism": "none"}
 
     def close(self):
         shutil.rmtree(self.folder, ignore_errors=True)

@@ -15,6 +15,7 @@ class Failed(Error):
     what: str = ""  # 'load', 'compute' or 'sink'
     items: Tuple[int, ...] = ()  # the item, or both items of the pair
     trace: str = ""  # of the worker
+    _made_of: Optional[Tuple[Failure, str]] = None  # from which other processes make it, too
 
     def __str__(self) -> str:
         return str(self.args[0]) if self.args else ""
@@ -31,6 +32,7 @@ def failed(failure: Failure, where: str) -> Failed:
     fault = _instance(message, type(cause) if cause is not None else None)
     fault.what, fault.items, fault.trace = failure.what, failure.items, failure.trace
     fault.__cause__ = cause
+    fault._made_of = failure, where
     return fault
 
 

@@ -3,14 +3,14 @@ too."""
 
 from __future__ import annotations
 
+import pickle
 import queue
 import threading
 import time
 from typing import Any, Dict, List, Optional
 
-from ..errors import Error
 from ._engine import Event, RealTime, Task
-from ._failed import Failed
+from ._failed import Failed, failed
 from ._worker import Outcome, Part
 
 _to_worker, _to_leader = 1, 2
@@ -141,20 +141,15 @@ def _name(rank: int) -> str:
     return f"process {rank}"
 
 
-def _sendable(fault: BaseException) -> BaseException:
-    """What the other processes raise: the class of the package, and the message."""
-    for kind in type(fault).__mro__:
-        if kind.__module__.startswith("changeover.") and issubclass(kind, Error) or (
-                kind.__module__ == "builtins"):
-            if kind.__name__ != "Error" and not kind.__name__.startswith("Failed"):
-                try:
-                    made: BaseException = kind(str(fault))
-                    return made
-                except Exception:
-                    continue
-        if kind is Failed:
-            return Failed(str(fault))
-    return RuntimeError(str(fault))
+def _sendable(fault: BaseException) -> Any:
+    """What the other processes raise: the same, or at least a fault that says the same."""
+    if isinstance(fault, Failed):
+        return fault._made_of
+    try:
+        pickle.loads(pickle.dumps(fault))
+        return fault
+    except Exception:
+        return RuntimeError(str(fault))
 
 
 def serve(comm: Any, task: Task) -> Dict[str, Any]:
@@ -202,6 +197,8 @@ def serve(comm: Any, task: Task) -> Dict[str, Any]:
         idle += 1
     mail.comm.Free()
     if last[0] == "fault":
-        raise last[1]
+        if isinstance(last[1], BaseException):
+            raise last[1]
+        raise failed(*last[1])
     facts: Dict[str, Any] = last[1]
     return facts
