@@ -81,7 +81,7 @@ and shares no code with it.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-changeover)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-numpy, python3-distributed, python3-mpi4py")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION "change covering designs - Python 3 package
 ${about}
 .

@@ -7,6 +7,7 @@ import random
 import sys
 import tempfile
 import threading
+import types
 import unittest
 import warnings
 from array import array
@@ -405,7 +406,7 @@ class Teams(unittest.TestCase):
         original = _simulation._Simulated
         _simulation._Simulated = Kills
         try:
-            with self.assertRaisesRegex(_team.NoWorkers, r"the pair \(3, 8\) was under way on 5"):
+            with self.assertRaisesRegex(_team.NoWorkers, r"the pair \(3, 8\) was under way on 8"):
                 play(14, 5, 3, None, 1, None, restart=1.0)
         finally:
             _simulation._Simulated = original
@@ -594,7 +595,7 @@ class Bags(unittest.TestCase):
         bag = _bag.Bag(lambda *_: None)
         bag.put({})
         engine = self.Engine(lambda over, threads: 1, ["a"], dies=range(1, 10))
-        with self.assertRaisesRegex(changeover.MissingResource, "5 workers were lost"):
+        with self.assertRaisesRegex(changeover.MissingResource, "8 workers were lost"):
             bag.run(engine, lambda _: None)
 
     def test_cubes_that_leave_something_out_are_noticed(self):
@@ -616,6 +617,102 @@ class Bags(unittest.TestCase):
         for each, b in ((design, design.b - 1), (wrong, 2)):
             with self.assertRaises(changeover.InternalError):
                 _exact.received(each, cell, b)
+
+
+class RayStandIn(types.ModuleType):
+    """What the engine uses of Ray, as Ray's manual describes it: actors, calls that are waited for, and
+    actors that die. The real one is used where it is installed (docs/cluster.md)."""
+
+    class exceptions:
+        class RayError(Exception):
+            pass
+
+        class RayActorError(RayError):
+            pass
+
+    class Actor:
+        def __init__(self, ray, made):
+            self.ray, self.made, self.alive = ray, made, True
+            self.run = types.SimpleNamespace(remote=self.call)
+
+        def call(self, part):
+            self.ray.calls += 1
+            if self.ray.calls in self.ray.deaths:
+                self.alive = False
+            ref = object()
+            self.ray.results[ref] = self.made.run(part) if self.alive else None
+            return ref
+
+    def __init__(self, deaths=()):
+        super().__init__("ray")
+        import pickle
+        self.cloudpickle, self.results, self.calls, self.deaths = pickle, {}, 0, set(deaths)
+        self.killed = 0
+
+    def is_initialized(self):
+        return True
+
+    def cluster_resources(self):
+        return {"CPU": 4.0}
+
+    def put(self, value):
+        return value
+
+    def remote(self, **_):
+        return lambda kind: types.SimpleNamespace(
+            remote=lambda *given: self.Actor(self, kind(*given)))
+
+    def wait(self, refs, num_returns, timeout):
+        return refs[:num_returns], refs[num_returns:]
+
+    def get(self, ref):
+        result = self.results.pop(ref)
+        if result is None:
+            raise self.exceptions.RayActorError("it died")
+        return result
+
+    def kill(self, actor):
+        self.killed += 1
+
+
+def _ray_load(x):
+    return 10 * x
+
+
+def _ray_compute(i, j, first, second):
+    if (i, j) == (2, 50):
+        raise ValueError("odd")
+    return i, j, first, second
+
+
+class Ray(unittest.TestCase):
+    def run_job(self, items, deaths=()):
+        ray = RayStandIn(deaths)
+        before, sys.modules["ray"] = sys.modules.get("ray"), ray
+        got = {}
+        try:
+            report = cluster.all_pairs(ray, items=items, room=6, load=_ray_load,
+                                       compute=_ray_compute,
+                                       sink=lambda i, j, result: got.setdefault((i, j), result))
+        finally:
+            sys.modules.pop("ray")
+            if before is not None:
+                sys.modules["ray"] = before
+        self.assertEqual(got, {(i, j): (i, j, 10 * i, 10 * j)
+                               for i, j in itertools.combinations(range(items), 2)})
+        return ray, report
+
+    def test_every_pair_comes_once(self):
+        ray, report = self.run_job(24)
+        self.assertEqual((report.pairs, len(report.workers), ray.killed), (276, 4, 4))
+
+    def test_actors_that_die_are_done_without(self):
+        ray, report = self.run_job(24, (3, 9, 20))
+        self.assertEqual((report.lost, ray.killed), (3, 1))
+
+    def test_what_raises_is_named(self):
+        with self.assertRaisesRegex(ValueError, r"compute\(2, 50\) raised ValueError: odd \(on actor"):
+            self.run_job(60)
 
 
 def _team_event(kind, worker, number):

@@ -69,7 +69,7 @@ class Kills(unittest.TestCase):
 
                 def kill():
                     nonlocal killed
-                    while not over.wait(rng.uniform(0.02, 0.6)) and killed < kills_wanted:
+                    while not over.wait(rng.uniform(0.02, 1.0)) and killed < kills_wanted:
                         there = client.run(os.getpid, on_error="ignore").values()
                         known = [each for each in workers.running if each.pid in there]
                         if known:

@@ -16,7 +16,7 @@ from ._worker import Failure, Outcome
 
 _patience = 0.5
 _without_workers = 300.0
-_most_losses = 5
+_most_losses = 8
 
 
 @dataclasses.dataclass(frozen=True)

@@ -114,16 +114,16 @@ class DaskEngine(RealTime):
     def drop(self, number: int) -> None:
         future = self._futures.pop(number, None)
         self._worker_of.pop(number, None)
-        if future is not None and future.status == "pending":
-            self._quietly(lambda: future.cancel())
+        if future is not None:
+            self._quietly(future.release)
 
     def close(self) -> None:
-        futures = list(self._futures.values())
-        self._futures.clear()
+        for number in list(self._futures):
+            self.drop(number)
+        self._quietly(self._maker.release)
         workers = list(self._known)
 
         def forget() -> None:
-            self._client.cancel([*futures, self._maker])
             self._client.run(forget_job, self._job, workers=workers, on_error="ignore")
 
         # Workers that hang must not keep the caller.

@@ -18,7 +18,7 @@ from ._worker import Outcome
 
 _patience = 0.5  # seconds after which progress is told, at the latest, and idle workers looked at
 _without_workers = 300.0  # seconds after which a run without any worker ends
-_most_losses = 5  # of workers while they had one pair
+_most_losses = 8  # of workers while they had one pair and nothing else
 _some_workers = 200  # of very many, that are looked at for what has least to do
 _no_twin, _settled = -1, -2  # _settled: the other one was ready first
 # Stealing may cost up to such a part of the planned loads if it saves such a part of the time.
@@ -157,7 +157,9 @@ class Team:
         self._idle.pop(worker, None)
         runs = list(member.queue)
         if member.flight in self._flights:
-            runs = self._again(member.flight) + runs
+            again = self._again(member.flight)
+            # What was lost before waits until the rest is done: it may be what workers are lost of.
+            runs = again + runs if not again or again[0].losses < 2 else runs + again
         member.queue.clear()
         member.left, member.flight, member.held = 0.0, -1, frozenset()
         self.gone[worker] = member
