@@ -8,9 +8,8 @@ import dataclasses
 import time
 from typing import Any, Callable, Deque, Dict, List, Optional, Tuple
 
-from .._made import Progress
 from ..errors import MissingResource
-from ._engine import Engine, Lost, Task, engine_for, kind_of
+from ._engine import Engine, Lost, Task, Tell, engine_for, kind_of
 from ._failed import failed
 from ._worker import Failure, Outcome
 
@@ -176,7 +175,7 @@ class Bag:
 
 
 def run_bag(client: Any, function: Callable[..., Any], begin: Callable[[], Bag],
-            finish: Callable[[Bag], Dict[str, Any]], progress: Progress, threads: Optional[int],
+            finish: Callable[[Bag], Dict[str, Any]], tell_caller: Tell, threads: Optional[int],
             facts: Callable[[Bag], Dict[str, Any]], workers: Optional[int]) -> Dict[str, Any]:
     """The same on every engine: where the caller leads, `begin` makes the bag, and `finish` its
     answer, which all processes of MPI return. Ctrl-C ends it with what is known by then."""
@@ -193,10 +192,10 @@ def run_bag(client: Any, function: Callable[..., Any], begin: Callable[[], Bag],
 
         def tell(phase: str) -> None:
             nonlocal last
-            if progress is not None and time.monotonic() - last >= _patience:
+            if tell_caller is not None and time.monotonic() - last >= _patience:
                 last = time.monotonic()
-                progress({"phase": phase, "steps": bag.parts, "unit": "parts",
-                          "workers": bag.workers, "elapsed": last - began, **facts(bag)})
+                tell_caller({"phase": phase, "steps": bag.parts, "unit": "parts",
+                             "workers": bag.workers, "elapsed": last - began, **facts(bag)})
 
         interrupted = False
         try:

@@ -8,7 +8,15 @@ import sys
 import time
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Protocol
 
+from .._made import Progress
 from ._worker import Outcome, Part, Performer
+
+
+Tell = Optional[Callable[[Dict[str, Any]], object]]  # where progress goes
+
+
+def tell_of(progress: Progress) -> Tell:
+    return progress if callable(progress) else None
 
 
 class Event(NamedTuple):

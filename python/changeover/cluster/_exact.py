@@ -119,7 +119,8 @@ class Walk:
         settled = self._impossible or self._best is not None and self._best.b == self._lower
         return {"design": None if self._impossible else self._best,
                 "lower_bound": self._lower, "reason": self._reason, "minimum": settled,
-                "how": "exact search", "moves": 0, "why_stopped": "exhausted" if settled else "time limit"}
+                "how": "exact search", "moves": 0,
+                "why_stopped": "exhausted" if settled else "time limit"}
 
 
 class Tree:

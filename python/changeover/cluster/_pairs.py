@@ -8,7 +8,7 @@ from typing import Any, Callable, Dict, Iterable, List, Optional, SupportsIndex,
 
 from .._made import Made, Progress, check_calls, fact, made
 from ..errors import BadInput, MissingResource
-from ._engine import Engine, Task, engine_for, kind_of
+from ._engine import Engine, Task, Tell, engine_for, kind_of, tell_of
 from ._job import Wanted, Work, planned_bytes, sizes_of
 from ._team import NoWorkers, Team
 from ._worker import Memory
@@ -61,7 +61,7 @@ def _size(count: int) -> str:
 class _Teller:
     """Calls progress now and then."""
 
-    def __init__(self, progress: Progress, work: Work, clock: Callable[[], float]) -> None:
+    def __init__(self, progress: Tell, work: Work, clock: Callable[[], float]) -> None:
         self._progress, self._work, self._clock = progress, work, clock
         self._begin = self._last = clock()
         self.team: Optional[Team] = None
@@ -83,7 +83,7 @@ class _Teller:
 
 
 def _run_job(engine: Engine, work: Work, stretches: int, size: Optional[Callable[[int], int]],
-            progress: Progress) -> Dict[str, Any]:
+            progress: Tell) -> Dict[str, Any]:
     """The facts of the report. The engine is closed, whatever happens."""
     begin = time.monotonic()
     teller = _Teller(progress, work, time.monotonic)
@@ -181,7 +181,8 @@ def all_pairs(
         from ._mpi import MpiEngine
         with MpiEngine(client, task) as mpi:
             work = begin()
-            facts = _run_job(mpi, work, stretches, sizes_of(sizes, work.wanted.items), progress)
+            facts = _run_job(mpi, work, stretches, sizes_of(sizes, work.wanted.items),
+                             tell_of(progress))
             mpi.tell_all(facts)
             return made(Report, facts)
     work = begin()
@@ -191,7 +192,7 @@ def all_pairs(
     except BaseException:
         work.close()
         raise
-    return made(Report, _run_job(engine, work, stretches, size, progress))
+    return made(Report, _run_job(engine, work, stretches, size, tell_of(progress)))
 
 
 check_calls(globals())

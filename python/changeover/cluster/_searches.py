@@ -17,6 +17,7 @@ from ..searches import Classification, SearchResult
 from ..searches import classify as classify_here
 from ..searches import search as search_here
 from ._bag import Bag, Over, run_bag, unless_over
+from ._engine import tell_of
 from ._exact import Cell, Tree, Walk, received
 
 _most_cubes = 4096
@@ -35,11 +36,7 @@ class Improvement(Made):
     lower_bound: int = fact()
     label: Optional[str] = fact("In the user's catalog; None if it was not put there.")
     how: str = fact()
-
-    @property
-    def design(self) -> Design:
-        found: Design = self._core
-        return found
+    design: Design = fact("Verified where it arrived.")
 
     def __repr__(self) -> str:
         kind = {1: "SCCD", 2: "DCCD"}.get(self.change, f"{self.change}-change CCD")
@@ -200,14 +197,14 @@ def improve(
                           if found is not None and found.b != run.before[cell]]}
 
     state: List[_Cells] = []
-    answer = run_bag(client, _improve_part, begin, finish, progress, threads,
+    answer = run_bag(client, _improve_part, begin, finish, tell_of(progress), threads,
                      lambda _: {"best": None, "moves": state[0].moves}, workers)
     finds = []
     for cell, before, found, bound, label, how in answer["finds"]:
         names = ("v", "k", "change", "kind", "strength")
         finds.append(made(Improvement, {
             **dict(zip(names, cell)), "before": before, "b": found.b, "lower_bound": bound,
-            "label": label, "how": how}, found))
+            "label": label, "how": how, "design": found}))
     return finds
 
 
@@ -240,7 +237,7 @@ def search(
             raise BadInput("target is for the search that is not exact; an exact one ends at the "
                            "minimum")
         walk = Walk(cell, each, end, cubes, start)
-        answer = run_bag(client, _decide_part, walk.begin, walk.finish, progress, threads,
+        answer = run_bag(client, _decide_part, walk.begin, walk.finish, tell_of(progress), threads,
                          walk.progress, workers)
     else:
         state: List[_Cells] = []
@@ -258,7 +255,7 @@ def search(
                     "moves": run.moves,
                     "why_stopped": "found" if best and run.is_settled(cell) else "time limit"}
 
-        answer = run_bag(client, _improve_part, begin, finish, progress, threads,
+        answer = run_bag(client, _improve_part, begin, finish, tell_of(progress), threads,
                          lambda _: {"moves": state[0].moves}, workers)
     found = answer["design"]
     if answer["interrupted"]:
@@ -281,7 +278,7 @@ def classify(
     _limits(1e9 if time is None else time, each)
     cell: Cell = (v, k, change, kind, 2)
     tree = Tree(cell, b, reversal, keep, each, _now() + (1e9 if time is None else time))
-    answer = run_bag(client, _classify_part, tree.begin, tree.finish, progress, threads,
+    answer = run_bag(client, _classify_part, tree.begin, tree.finish, tell_of(progress), threads,
                      tree.progress, workers)
     return made(Classification, answer)
 

@@ -16,7 +16,7 @@ from typing import (
 from .. import _core
 from .._made import Made, Progress, check_calls, fact, made
 from ..errors import BadInput
-from ._engine import Event
+from ._engine import Event, Tell, tell_of
 from ._job import Wanted, Work, cut_evenly, sizes_of
 from ._team import NoWorkers, Team
 from ._worker import Memory, Outcome
@@ -394,11 +394,11 @@ def simulate(
     cluster = _Cluster(size, mean, pair_seconds, bandwidth, numbers["store"], latency, overhead,
                        failures / 3600, restart, stragglers, slowness, overlap)
     return made(Simulation, (_exactly if exact else _in_bulk)(
-        cluster, wanted, room, workers, stretches, seed, progress))
+        cluster, wanted, room, workers, stretches, seed, tell_of(progress)))
 
 
 def _exactly(cluster: _Cluster, wanted: Wanted, room: int, workers: int, stretches: int, seed: int,
-             progress: Progress) -> Dict[str, Any]:
+             progress: Tell) -> Dict[str, Any]:
     memories: Dict[str, Memory] = {}
     loaded = [0]
 
@@ -425,7 +425,7 @@ def _nothing(_i: int, _j: int, _first: Any, _second: Any) -> None:
 
 
 def _in_bulk(cluster: _Cluster, wanted: Wanted, _room: int, workers: int, stretches: int, seed: int,
-             progress: Progress) -> Dict[str, Any]:
+             progress: Tell) -> Dict[str, Any]:
     held: Dict[str, int] = {}
     done = [0.0]
 
@@ -450,7 +450,7 @@ def _in_bulk(cluster: _Cluster, wanted: Wanted, _room: int, workers: int, stretc
                 False)
 
 
-def _teller(progress: Progress, done: Callable[[], int], total: int) -> Callable[[str], None]:
+def _teller(progress: Tell, done: Callable[[], int], total: int) -> Callable[[str], None]:
     last = [time.monotonic()]
 
     def tell(_phase: str) -> None:
