@@ -217,6 +217,13 @@ class Memory(unittest.TestCase):
 
         self.assertIs(type(failure(Local("here only"))), cluster.Failed)
 
+    def test_results_that_cannot_be_sent_name_their_pair(self):
+        (run,) = shares_of(12, 4, 1)
+        stretch = run.take(1, 1e9)
+        outcome = _worker.Memory(lambda x: x, lambda *_: threading.Lock(), 4).run(stretch)
+        self.assertEqual(outcome.failure.items, next(iter(stretch.each_pair())))
+        self.assertIn("pickle", outcome.failure.says)
+
     def test_it_stops_when_it_is_told(self):
         (run,) = shares_of(12, 4, 1)
         stretch = run.take(1, 1e9)

@@ -215,7 +215,7 @@ class Dask(unittest.TestCase):
                 self.cluster.scale(3)
             self.sink(i, j, result)
 
-        report = self.run_job(compute=lambda i, j, a, b: time.sleep(0.02) or compute(i, j, a, b),
+        report = self.run_job(compute=lambda i, j, a, b: time.sleep(0.012) or compute(i, j, a, b),
                               sink=sink)
         self.cluster.scale(2)
         self.sink.check(self.every)
@@ -281,9 +281,10 @@ class Dask(unittest.TestCase):
             self.assertEqual(getattr(shared, fact), getattr(alone, fact))
         self.assertEqual({each.to_string() for each in shared.designs},
                          {each.to_string() for each in alone.designs})
-        result = cluster.search(self.client, 8, 4, 1, exact=True)
+        result = cluster.search(self.client, 9, 5, 2, exact=True, cubes=16)
         self.assertTrue(result.minimum)
-        self.assertEqual((result.b, result.lower_bound), (9, 9))
+        self.assertEqual(result.b, changeover.bounds(9, 5, 2).lower_bound)
+        self.assertIn("checked proofs", result.reason)
         start_design = changeover.design(14, 4, 1, "linear", construction="hold-and-stream")
         result = cluster.search(self.client, 14, 4, 1, start=start_design, time=20, each=1)
         self.assertEqual(result.b, changeover.bounds(14, 4, 1, "linear").best_known)

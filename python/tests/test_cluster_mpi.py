@@ -111,11 +111,11 @@ class Mpi(unittest.TestCase):
     def test_searches_in_shares(self):
         said, _ = self.run_program(
             "all_of_it = cluster.classify(comm, 9, 4, 6, 2, 'circular')\n"
-            "result = cluster.search(comm, 8, 4, 1, exact=True)\n"
+            "result = cluster.search(comm, 9, 5, 2, exact=True, cubes=16)\n"
             "say(all_of_it.complete, all_of_it.classes, result.b, result.minimum)\n")
         import changeover
         classes = changeover.classify(9, 4, 6, 2, "circular").classes
-        self.assertEqual(set(said.values()), {f"True {classes} 9 True"})
+        self.assertEqual(set(said.values()), {f"True {classes} 6 True"})
 
 
 if __name__ == "__main__":

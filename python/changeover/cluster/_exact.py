@@ -34,6 +34,15 @@ def divided(share: Share) -> List[Share]:
     return [(part + each * parts, _pieces * parts) for each in range(_pieces)]
 
 
+def seconds_for(share: Share, each: float) -> float:
+    """Twice as long after each division: what all shares do first may take longer than `each`."""
+    times = 1.0
+    parts = _first_shares
+    while parts < share[1]:
+        parts, times = _pieces * parts, 2 * times
+    return each * times
+
+
 class Walk:
     """Up from the lower bound, one number of blocks after another, to the minimum."""
 
@@ -59,7 +68,10 @@ class Walk:
             self._impossible = self._over = True
             self._reason = known.reason
             return self._bag
-        self._lower, self._reason = known.lower_bound, known.reason
+        # What other searches have excluded is excluded anew.
+        paper = [each for each in known.all if each.name != "checked proofs"]
+        self._lower, self._reason = max(((each.blocks, each.reason) for each in paper),
+                                        key=lambda each: each[0], default=(1, "trivial"))
         best = design(v, k, change, kind, strength)
         if best is not None and (self._best is None or best.b < self._best.b):
             self._best = best
@@ -83,7 +95,7 @@ class Walk:
         assert self._bag is not None
         alone = share[1] >= self._cubes
         self._bag.put({"cell": self._cell, "b": self._lower, "cubes": self._cubes, "share": share,
-                       "seconds": None if alone else self._each})
+                       "seconds": None if alone else seconds_for(share, self._each)})
 
     def _take(self, arguments: Dict[str, Any], result: Dict[str, Any]) -> None:
         if arguments["b"] != self._lower or arguments["share"] not in self._left:
@@ -150,7 +162,7 @@ class Tree:
         v, k, change, kind, _ = self._cell
         self._bag.put({"cell": self._cell, "b": self._b, "reversal": self._reversal,
                        "keep": self._keep, "share": share,
-                       "seconds": None if alone else self._each})
+                       "seconds": None if alone else seconds_for(share, self._each)})
 
     def _take(self, arguments: Dict[str, Any], result: Dict[str, Any]) -> None:
         share = arguments["share"]

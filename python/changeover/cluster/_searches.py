@@ -222,8 +222,8 @@ def search(
     Without exact, parts are seeds; each takes the best design so far further for `each` seconds.
     exact=True walks up from the lower bound: the question whether there is a design with b blocks
     is split into `cubes` (None: 64), the same everywhere, and workers take shares
-    of them. A share that takes longer than `each` seconds is given up and divided into four, so a
-    lost worker loses no more, unless it is a single cube. A number of blocks is excluded when
+    of them. A share that takes longer than `each` seconds is given up and divided into four, which
+    may take twice as long, and so on; a lost worker loses no more, unless it is a single cube. A number of blocks is excluded when
     every cube was, by a proof that was checked where it was made; that the cubes leave nothing out
     is checked here. Designs are verified here. Ctrl-C ends it and keeps the best.
     """
@@ -269,8 +269,8 @@ def classify(
     threads: Optional[int] = None, workers: Optional[int] = None, progress: Progress = None,
 ) -> Classification:
     """changeover.classify() by the workers of a cluster: they take shares of the search tree. A
-    share that takes longer than `each` seconds is given up and divided into four, so a lost worker
-    loses no more, unless it is a single subtree.
+    share that takes longer than `each` seconds is given up and divided into four, which may take
+    twice as long, and so on; a lost worker loses no more, unless it is a single subtree.
 
     Counts of shares add up, as each class is found in one of them. The designs that are kept are
     verified here, and found to be different; up to `keep` of them, the smallest of those that came.

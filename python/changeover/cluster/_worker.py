@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import concurrent.futures
 import dataclasses
+import importlib
+import operator
 import pickle
 import threading
 import time
@@ -99,7 +101,22 @@ def size_of(item: Any) -> Optional[int]:
     if isinstance(item, (bytes, bytearray)):
         return len(item)
     size = getattr(item, "nbytes", None)
-    return size if isinstance(size, int) else None
+    try:
+        return None if size is None else operator.index(size)
+    except TypeError:
+        return None
+
+
+def check_sendable(result: Any) -> None:
+    """Raises what pickling raises, for a result that cannot leave the worker."""
+    try:
+        pickle.dumps(result)
+    except Exception:
+        try:
+            pickler: Any = importlib.import_module("cloudpickle")  # Dask's and Ray's last resort.
+        except ImportError:
+            pickler = pickle
+        pickler.dumps(result)
 
 
 class Memory:
@@ -119,6 +136,7 @@ class Memory:
         if threads > 1 or overlap:
             self._pool = concurrent.futures.ThreadPoolExecutor(
                 threads + (1 if overlap else 0), thread_name_prefix="changeover")
+        self._sent = False
         self.over = False  # set from outside: no more of this job
 
     def is_busy(self) -> bool:
@@ -261,6 +279,9 @@ class Memory:
             first, second = self._items[i], self._items[j]
             try:
                 result = self._compute(i, j, first, second)
+                if not self._sent:
+                    check_sendable(result)  # The others will be alike.
+                    self._sent = True
             except Exception as fault:
                 raise _Failed(Failure.of("compute", (i, j), fault)) from fault
             results.append(result)
