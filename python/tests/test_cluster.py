@@ -4,6 +4,7 @@ import collections
 import itertools
 import os
 import random
+import subprocess
 import sys
 import tempfile
 import threading
@@ -720,6 +721,35 @@ class Ray(unittest.TestCase):
     def test_what_raises_is_named(self):
         with self.assertRaisesRegex(ValueError, r"compute\(2, 50\) raised ValueError: odd \(on actor"):
             self.run_job(60)
+
+
+class Improvements(unittest.TestCase):
+    def test_finds_are_verified_and_go_into_one_catalog(self):
+        # A process of its own: the user's catalog is opened once.
+        program = (
+            "import sys; sys.path.insert(0, sys.argv[1])\n"
+            "import changeover, test_cluster\n"
+            "from changeover import cluster\n"
+            "from changeover.cluster import _searches\n"
+            "sys.modules['ray'] = ray = test_cluster.RayStandIn()\n"
+            "best = changeover.bounds(14, 4, 1).best_known\n"
+            "_searches.design = lambda v, k, change, kind, strength: changeover.design(\n"
+            "    v, k, change, kind, strength, construction='hold-and-stream')\n"
+            "finds = cluster.improve(ray, 14, [4, 20], change=1, kind='linear', time=20, each=0.5,\n"
+            "                        who='A Tester')\n"
+            "(find,) = finds\n"
+            "assert find.b == best < find.before, (find, best)\n"
+            "assert find.design.verdict.valid and find.design.b == find.b\n"
+            "entry = changeover.catalog.find(find.label)\n"
+            "assert entry.b == find.b\n"
+            "print(find, entry.design().b == find.b)\n")
+        with tempfile.TemporaryDirectory() as folder:
+            environment = {**os.environ, "CHANGEOVER_CATALOG": os.path.join(folder, "mine.db")}
+            ended = subprocess.run(
+                [sys.executable, "-c", program, os.path.dirname(os.path.abspath(__file__))],
+                env=environment, capture_output=True, text=True, timeout=120)
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        self.assertRegex(ended.stdout, r"^<linear SCCD\(14,4\): \d+ -> \d+ blocks> True$")
 
 
 def _team_event(kind, worker, number):
