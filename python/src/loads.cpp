@@ -25,7 +25,9 @@ struct Steps {
   bool busy = false;
 };
 
-py::tuple next_step(Steps& self) {
+// The next step; other threads of Python run meanwhile. @throws stop_iteration at the end
+template <typename Reader>
+Step next_of(Reader& self) {
   const OneAtATime one(self.busy);
   Step step;
   bool more = false;
@@ -36,6 +38,11 @@ py::tuple next_step(Steps& self) {
   if (!more) {
     throw py::stop_iteration();
   }
+  return step;
+}
+
+py::tuple next_step(Steps& self) {
+  const Step step = next_of(self);
   return py::make_tuple(py::cast(step.evict), py::cast(step.load));
 }
 
@@ -48,16 +55,7 @@ struct Work {
 
 // (worker, evict, load, pairs): the items of the pairs one after the other, as bytes.
 py::tuple next_work(Work& self) {
-  const OneAtATime one(self.busy);
-  Step step;
-  bool more = false;
-  {
-    const GilReleased released;
-    more = self.source->next(step);
-  }
-  if (!more) {
-    throw py::stop_iteration();
-  }
+  const Step step = next_of(self);
   std::vector<Element> ends;
   ends.reserve(2 * step.compute.size());
   for (const auto& [x, y] : step.compute) {
