@@ -51,7 +51,7 @@ class DaskEngine(RealTime):
         threads = self._task.threads or self._known.get(worker, 1)
         number = part.number
         future = self._client.submit(
-            perform, self._job, self._maker, {**self._task.settings, "threads": threads}, part,
+            perform, self._job, worker, self._maker, {**self._task.settings, "threads": threads}, part,
             workers=[worker], allow_other_workers=False, pure=False, key=f"{self._job}-{number}")
         self._futures[number] = future
         self._worker_of[number] = worker

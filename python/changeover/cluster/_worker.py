@@ -293,23 +293,24 @@ def _pieces(count: int, parts: int) -> Iterator[Tuple[int, int]]:
         yield count * part // parts, count * (part + 1) // parts
 
 
-# Of this process: who performs the jobs that it works for, by their names.
-_performers: Dict[str, Performer] = {}
+# Of this process, which may be several workers: who performs the jobs, by job and worker.
+_performers: Dict[Tuple[str, str], Performer] = {}
 _over: List[str] = []
 _guard = threading.Lock()
 
 
-def perform(job: str, maker: bytes, settings: Dict[str, Any], part: Part) -> Outcome:
+def perform(job: str, worker: str, maker: bytes, settings: Dict[str, Any], part: Part) -> Outcome:
     """Where engines send parts to processes that stay, such as those of Dask."""
     with _guard:
         if job in _over:
             return Outcome(part.number, stopped=True)
-        performer = _performers.get(job)
+        performer = _performers.get((job, worker))
         if performer is None:
-            for name, other in list(_performers.items()):
-                if not other.is_busy():  # Its client may have been killed.
-                    _performers.pop(name).close()
-            performer = _performers[job] = pickle.loads(maker)(**settings)
+            for key, other in list(_performers.items()):
+                # The client of the other job may have been killed.
+                if key[0] != job and key[1] == worker and not other.is_busy():
+                    _performers.pop(key).close()
+            performer = _performers[job, worker] = pickle.loads(maker)(**settings)
     return performer.run(part)
 
 
@@ -318,6 +319,6 @@ def forget_job(job: str) -> None:
     with _guard:
         _over.append(job)
         del _over[:-100]
-        performer = _performers.pop(job, None)
-    if performer is not None:
+        ended = [_performers.pop(key) for key in list(_performers) if key[0] == job]
+    for performer in ended:
         performer.close()
