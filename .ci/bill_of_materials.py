@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""bill_of_materials.py PROGRAM: what a program is linked with, as SPDX 2.3 in JSON: each shared library's Debian package with its version."""
+
+import datetime
+import hashlib
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+
+def output(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def package_of(library):
+    """The package that a file is from; Debian knows files by their place before /usr was merged, too."""
+    for place in (library, os.path.realpath(library), library.removeprefix("/usr")):
+        found = subprocess.run(["dpkg-query", "--search", place], capture_output=True, text=True)
+        if found.returncode == 0:
+            return found.stdout.split(": ")[0].split(",")[0]
+    raise SystemExit(f"bill_of_materials: no package has {library}")
+
+
+def main(program):
+    libraries = re.findall(r"=> (/\S+)", output("ldd", program))
+    packages = sorted({package_of(library) for library in libraries})
+    version = output(program, "--version").split()[1]
+    when = os.environ.get("SOURCE_DATE_EPOCH") or output("git", "log", "-1", "--format=%ct")
+    created = datetime.datetime.fromtimestamp(int(when), datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
+    digest = hashlib.sha256(pathlib.Path(program).read_bytes()).hexdigest()
+    described = [{
+        "SPDXID": "SPDXRef-changeover", "name": "changeover", "versionInfo": version, "downloadLocation": "NOASSERTION",
+        "filesAnalyzed": False, "licenseDeclared": "MIT", "supplier": "Organization: The Changeover developers",
+        "checksums": [{"algorithm": "SHA256", "checksumValue": digest}]}]
+    relations = [{"spdxElementId": "SPDXRef-DOCUMENT", "relationshipType": "DESCRIBES", "relatedSpdxElement": "SPDXRef-changeover"}]
+    for package in packages:
+        name, number, source = output("dpkg-query", "--show", "--showformat=${Package} ${Version} ${source:Package}", package).split()
+        identity = "SPDXRef-" + re.sub(r"[^A-Za-z0-9.-]", "-", name)
+        described.append({
+            "SPDXID": identity, "name": name, "versionInfo": number, "sourceInfo": f"Debian source package {source}",
+            "downloadLocation": "NOASSERTION", "filesAnalyzed": False})
+        relations.append({"spdxElementId": "SPDXRef-changeover", "relationshipType": "DYNAMIC_LINK", "relatedSpdxElement": identity})
+    json.dump({
+        "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT", "name": f"changeover-{version}",
+        "documentNamespace": f"urn:changeover:{version}:{digest}",
+        "creationInfo": {"created": created, "creators": ["Organization: The Changeover developers"]},
+        "packages": described, "relationships": relations}, sys.stdout, indent=1)
+    print()
+
+
+main(sys.argv[1])
