@@ -18,7 +18,7 @@ TEST(OldFiles, OfVersion0_1AreRead) {
        {"$changeover verify design.sage --circular", 0, "valid: circular DCCD(26,4)"},
        {"$changeover verify design.xml --circular", 0, "valid: circular DCCD(26,4)"},
        {"$changeover catalog show 4.3.1.linear.3.fdc879cf --catalog catalog.db", 0, "by hand"},
-       {"$changeover catalog verify --users --catalog catalog.db", 0, "1 of 1 designs built"},
+       {"$changeover catalog verify --users --catalog catalog.db", 0, "1 of 1 design built"},
        {"$changeover catalog import catalog.jsonl --catalog new.db", 0, "1 design"},
        {"$changeover minima --data minima.csv --v 6 -o minima.md && grep -c '' minima.md >/dev/null "
         "&& grep -m 1 Minima minima.md",
