@@ -120,6 +120,7 @@ export type LoadRequest = {
 };
 export type Loads = Head | Step;
 export type Status = 'minimum' | 'best-known' | 'impossible' | 'open';
+export type SearchWay = 'local' | 'exact' | 'base-blocks' | 'locked';
 
 export interface Documents {
   benches: Benches;
@@ -368,6 +369,8 @@ export interface Explorer {
   get: {
     about: About;
     table: TableCell[];
+    atlas: AtlasDocument;
+    groups: GroupsDocument;
     cell: CellDetail;
     bounds: {
       v: number;
@@ -393,6 +396,7 @@ export interface Explorer {
   };
   post: {
     verify: Verified;
+    repair: Repaired;
     plan: Planned;
     loadorder: Ordered;
     search: {id: number};
@@ -427,6 +431,35 @@ export interface TableCell {
   construction: string | null;
   label: string | null;
 }
+/** All cells of a range in columns: a value for each cell, by k, then v. */
+export interface AtlasDocument {
+  change: number;
+  kind: Kind;
+  strength: number;
+  k_from: number;
+  k_to: number;
+  v_from: number;
+  v_to: number;
+  constructions: string[];
+  b: (number | null)[];
+  /** null where no design exists */
+  lower_bound: (number | null)[];
+  /** an index into constructions */
+  construction: (number | null)[];
+  /** the digits at the end of the label; null: not in the catalog */
+  label: (string | null)[];
+}
+/** The orders of the groups of the best designs of these cells, in decimal. */
+export interface GroupsDocument {
+  change: number;
+  kind: Kind;
+  strength: number;
+  k_from: number;
+  k_to: number;
+  v_from: number;
+  v_to: number;
+  order: (string | null)[];
+}
 export interface CellDetail {
   v: number;
   k: number;
@@ -442,6 +475,7 @@ export interface CellDetail {
   designs: CatalogEntry[];
   offers: {construction: string; b: number; recipe: Recipe}[];
   history: {date: string; b: number; label: string; credit: string; how: string}[];
+  classified: Classified | null;
   impossible: string | null;
 }
 /** Fewer blocks that a publication has, without the design. */
@@ -477,6 +511,16 @@ export interface Credit {
   date: string;
   program: string;
   command: string;
+}
+/** How many designs with so many blocks there are: all of them, by exhaustive search. */
+export interface Classified {
+  b: number;
+  standard_forms: number;
+  classes: number;
+  /** classes of tight designs */
+  tight: number;
+  /** orders of groups, and how many classes have a group of that order */
+  groups: {order: number; classes: number}[];
 }
 export interface Explanation {
   recipe: Recipe;
@@ -523,6 +567,7 @@ export interface Theorem {
   number: string;
   title: string;
   statement: string;
+  proof: string;
   example: Example | null;
 }
 export interface SearchJob {
@@ -531,6 +576,8 @@ export interface SearchJob {
   k: number;
   change: number;
   kind: Kind;
+  strength: number;
+  way: SearchWay;
   state: 'running' | 'done' | 'stopped' | 'failed';
   best: number | null;
   lower_bound: number | null;
@@ -583,6 +630,14 @@ export interface Details {
   never_unchanged: (number | string)[];
   elements: {element: number | string; introductions: number; blocks: number; covered: number; excess: number}[];
 }
+/** What a list of blocks became with few blocks changed. */
+export interface Repaired {
+  given: number;
+  kept: number;
+  bad_steps: number;
+  uncovered: number;
+  design: Design | null;
+}
 /** One of the four documents; a plan also in the keys from before it was a document. */
 export interface Planned {
   plan?: Plan;
@@ -621,6 +676,10 @@ export interface Ordered {
   makespan?: number;
   makespan_bound?: number;
   worker_loads?: number[];
+  /** pairs that no worker before had together */
+  worker_pairs?: number[];
+  /** of the room, for what is loading */
+  spare?: number;
 }
 export interface Kept {
   label: string;
@@ -632,6 +691,12 @@ export interface SearchOrder {
   k: number;
   change?: number;
   kind?: Kind;
+  strength?: number;
+  way?: SearchWay;
+  blocks?: number;
+  first?: number[];
+  last?: number[];
+  expansion_set?: boolean;
   seconds?: number;
   threads?: number;
   seed?: number;

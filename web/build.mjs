@@ -30,6 +30,7 @@ async function checksums() {
   const paths = [
     ...(await filesBelow(join(here, 'src'))),
     join(here, 'answers.d.ts'),
+    join(here, 'references.json'),
     join(here, 'build.mjs'),
     join(here, 'types.mjs'),
     join(here, 'package.json'),
@@ -49,12 +50,14 @@ async function checksums() {
 async function pages() {
   const built = await esbuild.build({
     absWorkingDir: here,
-    entryPoints: { app: 'src/main.ts', 'verify-worker': 'src/pages/verify/worker.ts', style: 'src/style/main.css' },
-    outdir: 'dist/assets',
+    entryPoints: { 'assets/app': 'src/main.ts', 'assets/verify-worker': 'src/pages/verify/worker.ts', 'assets/style': 'src/style/main.css' },
+    outdir: 'dist',
     bundle: true,
     minify: true,
     write: false,
     format: 'esm',
+    splitting: true,
+    chunkNames: 'assets/[name]',
     target: ['es2022', 'chrome110', 'firefox110', 'safari16'],
     legalComments: 'eof',
     charset: 'utf8',
@@ -65,9 +68,19 @@ async function pages() {
     files.set(relative(dist, file.path), file.contents);
   }
   // What is bundled comes with its licence.
-  const licence = await readFile(join(here, 'node_modules/uplot/LICENSE'), 'utf8');
-  for (const path of ['assets/app.js', 'assets/style.css']) {
-    files.set(path, Buffer.concat([Buffer.from(`/*! With uPlot:\n${licence.trim()}\n*/\n`), files.get(path)]));
+  const licences = { uPlot: 'uplot/LICENSE', Temml: 'temml/LICENSE' };
+  const parts = [
+    ['uPlot', (path, text) => path === 'assets/style.css' || (path.endsWith('.js') && text.includes('u-legend'))],
+    ['Temml', (path, text) => path.endsWith('.js') && text.includes('\\\\mathrm') && text.includes('mtable')],
+  ];
+  for (const [path, content] of files) {
+    const text = Buffer.from(content).toString('utf8');
+    for (const [name, has] of parts) {
+      if (has(path, text)) {
+        const licence = await readFile(join(here, 'node_modules', licences[name]), 'utf8');
+        files.set(path, Buffer.concat([Buffer.from(`/*! With ${name}:\n${licence.trim()}\n*/\n`), files.get(path)]));
+      }
+    }
   }
   files.set('index.html', await readFile(join(here, 'src/index.html')));
   files.set('assets/icon.svg', await readFile(join(here, 'src/icon.svg')));

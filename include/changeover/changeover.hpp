@@ -24,6 +24,7 @@
 
 #include "changeover/bounds/lower_bound.hpp"
 #include "changeover/catalog/catalog.hpp"
+#include "changeover/catalog/classified.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"

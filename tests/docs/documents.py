@@ -4,6 +4,7 @@ Requests are made at random from the schema's own keys; an answer is asked for o
 Python, and is the same document at each of them.
 """
 
+import gzip
 import hashlib
 import json
 import os
@@ -16,6 +17,7 @@ import tempfile
 import time
 import urllib.error
 import urllib.request
+import xml.etree.ElementTree
 
 try:
     import jsonschema
@@ -310,6 +312,36 @@ def keys_of(said, inside, schemas, found):
             keys_of(said[key], (name, at["properties"][key]), schemas, found)
 
 
+def unpack(shelf):
+    """The designs of a file of `serve --export`, as packed_designs.hpp says that they are written."""
+    index, _, rest = shelf.partition(b"\n")
+    for design in json.loads(index):
+        at, way = design.pop("at"), design.pop("way")
+        v, k, m = design["v"], design["k"], design["change"]
+        wide = 2 if v > 256 else 1
+        steps = design["verdict"]["b"] - 1
+
+        def numbers(count):
+            nonlocal at
+            found = [int.from_bytes(rest[at + i * wide:at + (i + 1) * wide], "little") for i in range(count)]
+            at += count * wide
+            return found
+
+        if way == "blocks":
+            design["blocks"] = [numbers(k) for _ in range(steps + 1)]
+        else:
+            memory = numbers(k)
+            columns = [(numbers(steps), numbers(steps)) for _ in range(m)]
+            blocks, before = [sorted(memory)], [0] * m
+            for i in range(steps):
+                for j, (places, elements) in enumerate(columns):
+                    before[j] = (before[j] + elements[i]) % v
+                    memory[places[i]] = before[j]
+                blocks.append(sorted(memory))
+            design["blocks"] = blocks
+        yield design
+
+
 def check_explorer(server):
     """What the explorer's pages are answered, and the files of `serve --export`, at each address that the schema has."""
     schemas = {file.name: json.loads(file.read_text()) for file in (root / "docs/schema").glob("*.json")}
@@ -339,8 +371,11 @@ def check_explorer(server):
     for address in ("about", "completeness", "constructions", "theorems"):
         get(address)
     get("table", "?k=3..6&v=4..20")
+    for query in ("?k=3..5&v=4..20&kind=linear", "?k=3..5&v=4..20&kind=circular&change=1", "?k=4..5&v=5..9&kind=linear&strength=3"):
+        get("atlas", query)
+        get("groups", query)
     cells = ("v=9&k=4&change=2&kind=linear", "v=4&k=3&change=2&kind=circular", "v=40&k=6&change=1&kind=linear",
-             "v=7&k=4&change=3&kind=circular&strength=3", "v=9&k=4&change=2&kind=linear&strength=3", "v=7&k=3&change=2&kind=linear", "v=100&k=30&change=7&kind=circular")
+             "v=7&k=4&change=3&kind=circular&strength=3", "v=9&k=4&change=2&kind=linear&strength=3", "v=7&k=3&change=2&kind=linear", "v=9&k=4&change=1&kind=circular", "v=100&k=30&change=7&kind=circular")
     for cell in cells:
         for address in ("cell", "bounds"):
             get(address, "?" + cell)
@@ -356,11 +391,18 @@ def check_explorer(server):
             problem = fits("verify-1", by_line)
             if problem or any(by_server[key] != by_line[key] for key in by_line):
                 fault(f"verify --json: {problem} {by_line} {by_server}")
+    post("repair", "1 3 7 8\n2 5 7 8\n0 2 3 8\n2 3 4 5\n1 2 3 6\n0 1 4 7\n0 1 5 6\n4 6 7 8\n", "?change=2&kind=circular", "text/plain")
     for more in ({}, {"done": [["A", "B"]]}, {"benches": 2}, {"what_if": True}):
         post("plan", {"parts": ["A", "B", "C", "D"], "at_once": 2, "steps": 100, **more})
     post("plan", {"parts": ["A", "B", "C"], "at_once": 2, "diagnose": True, "done": [{"parts": ["A", "B"], "result": "FAIL"}]})
-    for more in ({}, {"workers": 2}, {"pairs": [[0, 1], [1, 8]]}, {"bytes_per_item": 8}):
+    for more in ({}, {"workers": 2}, {"pairs": [[0, 1], [1, 8]]}, {"bytes_per_item": 8}, {"prefetch": True}, {"seconds": 0.1}):
         post("loadorder", {"items": 9, "room": 3, **more})
+    for more in ({"way": "exact"}, {"way": "base-blocks", "kind": "circular", "blocks": 8}, {"way": "locked", "first": [0, 1], "expansion_set": True}, {"strength": 3}):
+        post("search/stop", "", f"?id={post('search', {'v': 9, 'k': 4, 'kind': 'linear', 'seconds': 20, **more})['id']}")
+        for _ in range(600):
+            if get("search")[0]["state"] != "running":
+                break
+            time.sleep(0.1)
     job = post("search", {"v": 9, "k": 4, "kind": "linear", "seconds": 20})["id"]
     for _ in range(600):
         if get("search")[0]["state"] != "running":
@@ -378,12 +420,38 @@ def check_explorer(server):
         problem = fits("explorer-1", refusal, "$defs/refusal")
         if problem:
             fault(f"a refusal is against its schema ({problem.message})")
-    run("serve", "--export", "site", "--k", "3..4", "--v", "4..8", "--change", "2")
-    data = pathlib.Path("site/data")
+    run("serve", "--export", "site", "--k", "3..4", "--v", "4..8", "--change", "2", "--address", "https://example.org/designs")
+    site = pathlib.Path("site")
+    data = site / "data"
     look("get", "about", json.loads((data / "config.json").read_text()), "config.json")
-    for address, files in (("table", "table/*"), ("design", "design/*"), ("theorems", "theorems.json")):
-        for file in data.glob(files):
-            look("get", address, json.loads(file.read_text()), str(file))
+    look("get", "theorems", json.loads((data / "theorems.json").read_text()), "theorems.json")
+    for address in ("atlas", "groups"):
+        for file in data.glob(f"{address}/*.gz"):
+            look("get", address, json.loads(gzip.decompress(file.read_bytes())), str(file))
+    labels = set()
+    for file in data.glob("cell/*.gz"):
+        for cell in json.loads(gzip.decompress(file.read_bytes())).values():
+            cites, explained = cell.pop("cite"), cell.pop("explain")
+            look("get", "cell", cell, str(file))
+            if explained:
+                look("get", "explain", explained, str(file))
+            labels |= {entry["label"] for entry in cell["designs"] if "retracted" not in entry}
+            if any(not text.startswith("@misc{") for text in cites.values()) or set(cites) != {entry["label"] for entry in cell["designs"]}:
+                fault(f"{file}: what to cite is not that of its designs")
+    unpacked = {design["label"]: design for file in data.glob("design/*.gz") for design in unpack(gzip.decompress(file.read_bytes()))}
+    if set(unpacked) != labels:
+        fault(f"designs that are packed are not those of the cells: {labels ^ set(unpacked)}")
+    for label, design in unpacked.items():
+        look("get", "design", design, label)
+        digits = hashlib.sha256("".join(" ".join(map(str, block)) + "\n" for block in design["blocks"]).encode()).hexdigest()[:8]
+        if not label.endswith(digits):
+            fault(f"{label}: the packed blocks are others ({digits})")
+    addresses = [address for file in site.glob("sitemap-*.gz") for address in re.findall("<loc>(.*?)</loc>", gzip.decompress(file.read_bytes()).decode())]
+    if not {f"https://example.org/designs/?design={label}" for label in labels} <= set(addresses) or "https://example.org/designs/?cell=8.4.2.linear" not in addresses:
+        fault("the sitemap lacks addresses")
+    entries = xml.etree.ElementTree.parse(site / "feed.xml").getroot().findall("{http://www.w3.org/2005/Atom}entry")
+    if not entries or any(entry.find("{http://www.w3.org/2005/Atom}updated") is None for entry in entries):
+        fault("the feed has no entries, or some without a date")
     missing = {(method, address) for method in said for address in said[method]["properties"]} - tried
     if missing:
         fault(f"nothing was asked of {missing}")

@@ -1,20 +1,23 @@
 import { keepToken } from './lib/api';
 import { fill, h } from './lib/dom';
+import { cellOfLabel } from './lib/source';
 import { count, number } from './lib/words';
 import { catalog } from './pages/catalog';
 import { cell } from './pages/cell';
 import { design } from './pages/design';
+import { home } from './pages/home';
 import { loadorder } from './pages/loadorder';
 import { plan } from './pages/plan';
 import { search } from './pages/search';
 import { theorems } from './pages/theorems';
 import { verify } from './pages/verify';
 import { about } from './shell/about';
+import { openGlossary } from './shell/glossary';
 import { whereThereIsAServer } from './shell/live';
 import { link, placeOf, Router, type Page } from './shell/router';
 import { startTheme, toggleTheme } from './shell/theme';
 
-const pages: readonly Page[] = [catalog, cell, design, verify, plan, loadorder, search, theorems].map((page) => (page.live ? whereThereIsAServer(page) : page));
+const pages: readonly Page[] = [home, plan, loadorder, catalog, cell, design, search, verify, theorems].map((page) => (page.live ? whereThereIsAServer(page) : page));
 
 function element(id: string): HTMLElement {
   const found = document.getElementById(id);
@@ -27,7 +30,7 @@ function element(id: string): HTMLElement {
 function navigation(current: Page): void {
   fill(
     element('top'),
-    h('a', { class: 'brand', href: link(catalog.path) }, 'Changeover'),
+    h('a', { class: 'brand', href: link(home.path), 'aria-current': current === home ? 'page' : null }, 'Changeover'),
     h(
       'nav',
       { 'aria-label': 'Pages' },
@@ -39,9 +42,23 @@ function navigation(current: Page): void {
           .map((page) => h('li', {}, h('a', { href: link(page.path), 'aria-current': page === current ? 'page' : null }, page.title))),
       ),
     ),
+    h('button', { type: 'button', class: 'plain', onclick: openGlossary }, 'Glossary'),
     h('button', { type: 'button', class: 'plain', onclick: toggleTheme, 'aria-label': 'Switch between light and dark' }, '◐'),
   );
-  document.title = `${current.title} · Changeover`;
+  document.title = current === home ? 'Changeover: change covering designs' : `${current.title} · Changeover`;
+}
+
+/** `?cell=40.6.2.circular` and `?design=LABEL` are permanent addresses: they lead to the page of that cell or design. */
+function followAddress(): void {
+  const address = new URL(window.location.href);
+  const [cellName, label] = [address.searchParams.get('cell'), address.searchParams.get('design')];
+  const found = cellName ? cellOfLabel(cellName) : null;
+  const to = label ? link(design.path, { label }) : found ? link(cell.path, { ...found }) : null;
+  if (to && address.hash === '') {
+    address.searchParams.delete('cell');
+    address.searchParams.delete('design');
+    history.replaceState(history.state, '', `${address.pathname}${address.search}${to}`);
+  }
 }
 
 async function foot(): Promise<void> {
@@ -52,13 +69,14 @@ async function foot(): Promise<void> {
       'p',
       {},
       `Changeover ${version}. ${count(kept.designs, 'design')} in ${number(kept.cells)} cells. `,
-      frozen ? 'A static copy: `changeover serve` checks, plans and searches too.' : 'This page comes from this machine alone.',
+      frozen ? 'A copy for reading; the program checks, plans and searches, too.' : 'Everything on this page comes from this machine.',
     ),
     files.length > 0 && h('p', {}, 'Opened with: ', files.map((file, i) => [i > 0 ? ', ' : '', h('a', { href: link(design.path, { file: file.index }) }, file.name)]).flat()),
   );
 }
 
 keepToken();
+followAddress();
 const router = new Router(pages, element('main'), navigation);
 startTheme();
 router.draw();

@@ -12,6 +12,8 @@ after(() => explorer.stop());
 
 test('statements with subscripts, and no raw marks', async () => {
   const page = await explorer.open('#/theorems');
+  await page.locator('#theorem-5 math').first().waitFor();
+  assert.equal(await page.locator('.math.plain').count(), 0, 'every formula is set');
   const all = await page.locator('#main').textContent();
   assert.ok(!/\*\*|_\{/.test(all), /.{20}(\*\*|_\{).{20}/.exec(all)?.[0]);
   assert.ok((await page.locator('#theorem-5 sub').count()) > 0);

@@ -19,6 +19,7 @@
 #include "request/range.hpp"
 #include "request/run_request.hpp"
 #include "serve/explorer_server.hpp"
+#include "serve/export/addresses.hpp"
 #include "serve/export/site.hpp"
 #include "verbs.hpp"
 
@@ -36,6 +37,7 @@ struct ServeRequest {
   std::string assets;
   std::string site;
   std::string k, v;
+  std::string address;
   std::optional<std::uint64_t> change;
   CatalogRequest catalog;
 };
@@ -107,12 +109,13 @@ Answer write_site(const ServeRequest& request) {
   if (request.change) {
     range.changes = {*request.change};
   }
+  const std::string address = request.address.empty() ? "" : serve::site_address(request.address);
   const serve::Pages pages(request.assets);
   const Catalog& catalog = request.catalog.open();
   const auto running = std::make_shared<Running>(RunRequest(), OutputRequest());
   try {
     const serve::SiteSummary site =
-        serve::export_site(request.site, range, pages, catalog, running->control());
+        serve::export_site(request.site, range, address, pages, catalog, running->control());
     running->finish();
     if (site.kept) {
       status_line().say(fmt::format(
@@ -190,11 +193,13 @@ void add_serve(Program& program) {
               "pages from this folder instead of those in the program, for work on them");
   verb.option("--export", request.site, "DIR",
               "write the pages with what is known as files for any web server, and end");
-  verb.option("--k", request.k, "A..B", "block sizes of these files (default 3..8)");
-  verb.option("--v", request.v, "C..D", "their numbers of elements (default 4..40)");
+  verb.option("--address", request.address, "URL",
+              "where these files will be, for a sitemap and a feed of what is new");
+  verb.option("--k", request.k, "A..B", "block sizes of these files (default 3..40)");
+  verb.option("--v", request.v, "C..D", "their numbers of elements (default 4..160)");
   verb.option("-m,--change", request.change, "M", "their change number (default 1, 2 and 3)");
   request.catalog.add_to(verb);
-  verb.only_with({"--k", "--v", "--change"}, {"--export"});
+  verb.only_with({"--k", "--v", "--change", "--address"}, {"--export"});
   verb.never_with({"--port", "--host", "--threads", "--open", "--no-write", "--verbose"},
                   {"--export"});
   verb.require([&asked = request] {
@@ -211,6 +216,7 @@ void add_serve(Program& program) {
     }
   });
   verb.examples({"changeover serve --open", "changeover serve mine.txt --port 8080",
+                 "changeover serve --export public --address https://example.org/designs/",
                  "changeover serve --export public --k 3..6 --v 4..30 --change 2",
                  "Ctrl-C ends it"});
   verb.outcomes({{exit_code::done, "ended by Ctrl-C or SIGTERM, or the files are written"},

@@ -95,7 +95,6 @@ std::vector<RequestOption<R>> options() {
           {{.key = "prefetch",
             .flags = "--prefetch",
             .help = "say what is computed when, so that loads overlap computation",
-            .not_in_server = of_pages,
             .not_in_python = of_executor},
            &R::prefetch},
           {{.key = "new_pairs",
@@ -123,7 +122,7 @@ std::vector<RequestOption<R>> options() {
             .not_in_python = of_executor},
            &R::shuffle},
       },
-      "search so long for a better order", "it answers at once");
+      "search so long for a better order");
 }
 
 std::vector<OptionRule> rules() {

@@ -317,6 +317,22 @@ TEST_F(Answers, LoadOrdersBringAllPairsTogether) {
       json_of(post("/api/loadorder", R"({"items":40,"room":8,"workers":3})", "application/json"));
   EXPECT_EQ(split["worker_loads"].size(), 3U) << split;
   EXPECT_EQ(split["pairs"], 40 * 39 / 2);
+  std::uint64_t of_workers = 0;
+  for (const auto& pairs : split["worker_pairs"]) {
+    of_workers += pairs.get<std::uint64_t>();
+  }
+  EXPECT_EQ(of_workers, 40U * 39 / 2);
+  const auto ahead = json_of(
+      post("/api/loadorder", R"({"items":20,"room":6,"prefetch":true})", "application/json"));
+  EXPECT_EQ(ahead["spare"], 1) << ahead["order"];
+  EXPECT_TRUE(ahead["steps"][1].contains("evict_first")) << ahead["steps"][1];
+  const auto searched =
+      json_of(post("/api/loadorder", R"({"items":20,"room":6,"seconds":0.2})", "application/json"));
+  EXPECT_LE(searched["loads"], json_of(post("/api/loadorder", R"({"items":20,"room":6})",
+                                            "application/json"))["loads"]);
+  EXPECT_EQ(
+      post("/api/loadorder", R"({"items":20,"room":6,"seconds":4000})", "application/json").status,
+      422);
   const auto some =
       json_of(post("/api/loadorder", R"({"items":10,"room":3,"pairs":[[0,1],[1,2],[8,9]]})",
                    "application/json"));

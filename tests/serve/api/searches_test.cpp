@@ -66,6 +66,34 @@ TEST(Searches, StopAndTellOfIt) {
   EXPECT_EQ(get(own.port(), "/api/design?job=1").status, 200);
 }
 
+TEST(Searches, GoAboutItInEachWay) {
+  const OwnServer own;
+  const auto begun = [&](const std::string& more) {
+    const Reply reply = act(own, "/api/search", R"({"v":9,"k":4,"seconds":60)" + more + "}");
+    EXPECT_EQ(reply.status, 200) << reply.body;
+    const int id = json_of(reply)["id"];
+    EXPECT_TRUE(ends(own, id));
+    return search(own, id);
+  };
+  const auto exact = begun(R"(,"change":1,"kind":"circular","way":"exact")");
+  EXPECT_EQ(exact["way"], "exact");
+  EXPECT_EQ(exact["best"], 12) << exact;
+  EXPECT_EQ(exact["lower_bound"], 12) << exact;
+  const auto developed = begun(R"(,"change":1,"kind":"circular","way":"base-blocks","blocks":18)");
+  EXPECT_EQ(developed["state"], "done") << developed;
+  const auto locked = begun(
+      R"(,"change":1,"kind":"linear","way":"locked","first":[0,1,2],"expansion_set":true,"blocks":16)");
+  ASSERT_FALSE(locked["best"].is_null()) << locked;
+  const auto design = json_of(get(own.port(), "/api/design?job=3"));
+  for (const int x : {0, 1, 2}) {
+    EXPECT_THAT(design["blocks"][0], ::testing::Contains(x));
+  }
+  EXPECT_THAT(design["recipe"]["provenance"].get<std::string>(),
+              HasSubstr("--first 0,1,2 --expansion-set"));
+  const auto triples = begun(R"(,"change":1,"kind":"linear","strength":3,"blocks":40)");
+  EXPECT_EQ(triples["strength"], 3) << triples;
+}
+
 TEST(Searches, AreLimited) {
   const OwnServer own;
   const std::string long_one = R"({"v":30,"k":6,"seconds":3600})";
@@ -86,6 +114,14 @@ TEST(Searches, RefuseWhatCannotBe) {
         std::tuple{R"({"v":20,"k":5,"kind":"round"})", 422, "kind"},
         std::tuple{R"({"v":20,"k":5,"seconds":0})", 422, "seconds"},
         std::tuple{R"({"v":20,"k":5,"threads":100000})", 422, "threads"},
+        std::tuple{R"({"v":20,"k":5,"way":"guess"})", 422, "\"local\", \"exact\""},
+        std::tuple{R"({"v":20,"k":5,"way":"locked"})", 422, "needs first, last or"},
+        std::tuple{R"({"v":20,"k":5,"first":[0]})", 422, "go with"},
+        std::tuple{R"({"v":20,"k":5,"way":"locked","first":[0,0]})", 422, "can be so"},
+        std::tuple{R"({"v":20,"k":5,"way":"locked","first":[-1]})", 422, "list of elements"},
+        std::tuple{R"({"v":20,"k":5,"way":"exact","blocks":3})", 422, "finds the minimum"},
+        std::tuple{R"({"v":20,"k":5,"strength":9})", 422, "strength"},
+        std::tuple{R"({"v":20,"k":5,"blocks":0})", 422, "at least one block"},
         std::tuple{R"({"v":20})", 422, "k is missing"},
         std::tuple{R"({"v":20,"k":5,"x":1})", 422, "no member 'x'"}}) {
     const Reply reply = act(own, "/api/search", body);

@@ -81,7 +81,7 @@ export async function getText(path: string, parameters: object, signal: AbortSig
 }
 
 /** A file of a static export. What it does not have is said in `missing`. */
-async function askFile(url: string, signal: AbortSignal, missing: string): Promise<Response> {
+export async function askFile(url: string, signal: AbortSignal, missing: string): Promise<Response> {
   const response = await fetch(url, { signal });
   if (!response.ok) {
     throw new ApiError(response.status === 404 ? missing : `The server answered ${response.status} for ${url}.`, response.status);
@@ -91,10 +91,6 @@ async function askFile(url: string, signal: AbortSignal, missing: string): Promi
 
 export async function getFile<T>(url: string, signal: AbortSignal, missing: string): Promise<T> {
   return (await askFile(url, signal, missing)).json() as Promise<T>;
-}
-
-export async function getFileText(url: string, signal: AbortSignal, missing: string): Promise<string> {
-  return (await askFile(url, signal, missing)).text();
 }
 
 /** Asks with a body: an object goes as JSON, a string or a file as it is. With the token if this window has it. */

@@ -1,25 +1,63 @@
 // Markdown as nodes. Text stays text: no HTML comes in with it.
+import { scholarly } from './citations';
 import { h, type Child } from './dom';
 import { inline, parse, type Inline, type Part } from './markdown';
+import { displayed } from './mathematics';
 
 /** Where a link of the text leads in these pages; null: it is shown as words only. */
 type Links = (to: string) => string | null;
 
+/** Text and its scripts as they were written: B_{i+1}. */
+function written(part: Inline): string | null {
+  switch (part.is) {
+    case 'text':
+      return part.text;
+    case 'sub':
+    case 'sup': {
+      const inside = part.inside.map(written);
+      return inside.includes(null) ? null : `${part.is === 'sub' ? '_' : '^'}{${inside.join('')}}`;
+    }
+    default:
+      return null;
+  }
+}
+
 function nodes(parts: readonly Inline[], links: Links): Child[] {
-  return parts.map((part) => {
+  const found: Child[] = [];
+  let text = '';
+  const flush = (): void => {
+    found.push(...scholarly(text, (number) => `#/theorems?theorem=${number}`));
+    text = '';
+  };
+  for (const part of parts) {
+    const plain = written(part);
+    if (plain !== null) {
+      text += plain;
+      continue;
+    }
+    flush();
     switch (part.is) {
       case 'text':
-        return part.text;
+        break;
       case 'code':
-        return h('code', {}, part.text);
+        found.push(h('code', {}, part.text));
+        break;
       case 'link': {
         const to = links(part.to);
-        return to === null ? h('span', {}, nodes(part.inside, links)) : h('a', { href: to }, nodes(part.inside, links));
+        found.push(to === null ? h('span', {}, nodes(part.inside, links)) : h('a', { href: to }, nodes(part.inside, links)));
+        break;
       }
       default:
-        return h(part.is, {}, nodes(part.inside, links));
+        found.push(h(part.is, {}, nodes(part.inside, links)));
     }
-  });
+  }
+  flush();
+  return found;
+}
+
+/** A line of a displayed formula as it was written, emphasis between stars. */
+function plainLine(parts: readonly Inline[]): string {
+  return parts.map((part) => written(part) ?? (part.is === 'em' ? `*${plainLine(part.inside)}*` : part.is === 'code' ? part.text : part.is === 'link' || part.is === 'strong' || part.is === 'sub' || part.is === 'sup' ? plainLine(part.inside) : '')).join('');
 }
 
 function block(part: Part, links: Links): HTMLElement {
@@ -30,7 +68,7 @@ function block(part: Part, links: Links): HTMLElement {
     case 'heading':
       return h(part.level <= 2 ? 'h3' : 'h4', {}, ...inside(part.inside));
     case 'formula':
-      return h('div', { class: 'formula scroll', tabindex: 0, role: 'group', 'aria-label': 'Formula' }, part.lines.map((line) => h('div', {}, ...inside(line))));
+      return h('div', { class: 'formula scroll', tabindex: 0, role: 'group', 'aria-label': 'Formula' }, displayed(part.lines.map(plainLine)));
     case 'list': {
       const items = part.items.map((item) => {
         const only = item.length === 1 && item[0]!.is === 'paragraph' ? item[0] : null;

@@ -15,11 +15,3 @@ export function readRange(text: string): Range | null {
   const range = { from: Number(found[1] || 0), to: to ? Number(to) : Infinity };
   return range.from <= range.to ? range : null;
 }
-
-export function parseRange(text: string): Range {
-  return readRange(text) ?? { from: 0, to: Infinity };
-}
-
-export function inRange(n: number, range: Range): boolean {
-  return n >= range.from && n <= range.to;
-}

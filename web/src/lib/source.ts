@@ -1,18 +1,11 @@
 // One way to ask for what a page shows: of the server, or of the files of a static export (docs/explorer.md has the rule).
 import { dataFolder, isCopy } from '../shell/about';
 import type { Theme } from '../shell/theme';
-import { address, ApiError, get, getFile, getFileText, getText, postText, type Cell, type CellDetail, type Completeness, type Construction, type Design, type Explanation, type Kind, type Selector, type TableCell, type Theorem } from './api';
-import { inRange, parseRange } from './range';
+import { address, ApiError, askFile, get, getFile, getText, postText, type Cell, type CellDetail, type AtlasDocument, type Completeness, type Construction, type Design, type Explanation, type GroupsDocument, type Kind, type Selector, type Theorem } from './api';
+import { Atlas, type Selection } from './atlas';
 import { localDesign } from './local';
+import { PackedShelf } from './packed';
 
-export interface TableQuery {
-  change: number;
-  kind: Kind;
-  k: string;
-  v: string;
-}
-
-export type Measure = 'ratio' | 'status' | 'gap';
 export type PictureName = 'array' | 'stays' | 'circle' | 'coverage' | 'recipe';
 
 export interface DrawQuery {
@@ -32,6 +25,19 @@ export function isCell(asked: Asked): asked is Cell {
 
 const notCopied = 'This static copy does not have it. `changeover serve` on a machine of your own shows every cell and design.';
 
+/** The bytes of a file that is kept compressed. A server may have taken its coding off already. */
+async function unzipped(path: string, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer>> {
+  const bytes = new Uint8Array(await (await askFile(`${dataFolder()}${path}`, signal, notCopied)).arrayBuffer());
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) {
+    return bytes;
+  }
+  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer());
+}
+
+async function zipped<T>(path: string, signal: AbortSignal): Promise<T> {
+  return JSON.parse(new TextDecoder().decode(await unzipped(`${path}.gz`, signal))) as T;
+}
+
 async function file<T>(path: string, signal: AbortSignal): Promise<T> {
   return getFile<T>(dataFolder() + path, signal, notCopied);
 }
@@ -41,28 +47,71 @@ function parameters(cell: Cell): object {
   return { v, k, change, kind, strength: strength === 2 ? undefined : strength };
 }
 
-export async function table(query: TableQuery, signal: AbortSignal): Promise<TableCell[]> {
-  if (!isCopy()) {
-    return get('table', query, signal);
+const atlases = new Map<string, Promise<Atlas>>();
+
+function nameOf({ change, kind, strength }: Selection): string {
+  return `${change}.${kind}${strength > 2 ? `.t${strength}` : ''}`;
+}
+
+/** All cells of a selection. Kept: who comes back finds it there. */
+export function atlasOf(selection: Selection): Promise<Atlas> {
+  const name = nameOf(selection);
+  const found = atlases.get(name);
+  if (found) {
+    return found;
   }
-  const k = parseRange(query.k);
-  const v = parseRange(query.v);
-  const cells = await file<TableCell[]>(`table/${query.change}.${query.kind}.json`, signal);
-  return cells.filter((cell) => inRange(cell.k, k) && inRange(cell.v, v));
+  const never = new AbortController().signal;
+  const { change, kind, strength } = selection;
+  const asked = (isCopy() ? zipped<AtlasDocument>(`atlas/${name}.json`, never) : get('atlas', { change, kind, strength: strength > 2 ? strength : undefined }, never)).then((document) => new Atlas(document));
+  atlases.set(name, asked);
+  asked.catch(() => atlases.delete(name));
+  return asked;
 }
 
-/** A static copy has the picture of its whole range only. */
-export async function heatmap(query: TableQuery, measure: Measure, theme: Theme, signal: AbortSignal): Promise<string> {
-  return isCopy()
-    ? getFileText(`${dataFolder()}heatmap/${query.change}.${query.kind}.${measure}.${theme}.svg`, signal, notCopied)
-    : getText('heatmap', { ...query, measure, theme }, signal);
+/** Has the atlas know the groups of its designs. */
+export async function addGroups(atlas: Atlas, signal: AbortSignal): Promise<void> {
+  if (!atlas.knowsGroups) {
+    const { change, kind, strength } = atlas.selection;
+    atlas.addGroups(await (isCopy() ? zipped<GroupsDocument>(`groups/${nameOf(atlas.selection)}.json`, signal) : get('groups', { change, kind, strength: strength > 2 ? strength : undefined }, signal)));
+  }
 }
 
-type KeptCell = CellDetail & { explain?: Explanation | null };
+/** Asks for all again: the user's catalog has changed. */
+export function forgetAtlases(): void {
+  atlases.clear();
+}
 
-async function keptCell(cell: Cell, signal: AbortSignal): Promise<KeptCell> {
-  const shelf = (cell.strength ?? 2) === 2 ? '' : `.t${cell.strength}`;
-  const row = await file<Record<string, KeptCell>>(`cell/${cell.change}.${cell.kind}.${cell.k}${shelf}.json`, signal);
+type KeptCell = CellDetail & { explain?: Explanation | null; cite?: Record<string, string> };
+
+/** Where a static copy has the cells of a block size, and where their designs. */
+function shelf(cell: Cell): string {
+  return `${cell.change}.${cell.kind}${(cell.strength ?? 2) === 2 ? '' : `.t${cell.strength}`}.${cell.k}`;
+}
+
+/** The last few files that were read: neighbours are on the same shelf. */
+const shelves = new Map<string, Promise<unknown>>();
+function onShelf<T>(name: string, read: () => Promise<T>): Promise<T> {
+  const found = shelves.get(name) as Promise<T> | undefined;
+  if (found) {
+    return found;
+  }
+  const reading = read();
+  shelves.set(name, reading);
+  reading.catch(() => shelves.delete(name));
+  if (shelves.size > 12) {
+    shelves.delete(shelves.keys().next().value!);
+  }
+  return reading;
+}
+
+function packedShelf(cell: Cell): Promise<PackedShelf> {
+  const never = new AbortController().signal;
+  return onShelf(`design ${shelf(cell)}`, async () => new PackedShelf(await unzipped(`design/${shelf(cell)}.gz`, never)));
+}
+
+async function keptCell(cell: Cell): Promise<KeptCell> {
+  const never = new AbortController().signal;
+  const row = await onShelf(`cell ${shelf(cell)}`, () => zipped<Record<string, KeptCell>>(`cell/${shelf(cell)}.json`, never));
   const found = row[String(cell.v)];
   if (!found) {
     throw new ApiError(notCopied, 404);
@@ -71,7 +120,7 @@ async function keptCell(cell: Cell, signal: AbortSignal): Promise<KeptCell> {
 }
 
 export async function cellDetail(cell: Cell, signal: AbortSignal): Promise<CellDetail> {
-  return isCopy() ? keptCell(cell, signal) : get('cell', parameters(cell), signal);
+  return isCopy() ? keptCell(cell) : get('cell', parameters(cell), signal);
 }
 
 export async function designOf(asked: Asked, signal: AbortSignal): Promise<Design> {
@@ -86,16 +135,32 @@ export async function designOf(asked: Asked, signal: AbortSignal): Promise<Desig
     return get('design', isCell(asked) ? parameters(asked) : asked, signal);
   }
   if ('label' in asked) {
-    return file<Design>(`design/${asked.label}.json`, signal);
+    return shelved(asked.label);
   }
   if (!isCell(asked)) {
     throw new ApiError(notCopied, 404);
   }
-  const label = (await keptCell(asked, signal)).best?.label;
+  const label = (await keptCell(asked)).best?.label;
   if (!label) {
     throw new ApiError(notCopied, 404);
   }
-  return file<Design>(`design/${label}.json`, signal);
+  return shelved(label);
+}
+
+function cellOf(label: string): Cell {
+  const cell = cellOfLabel(label);
+  if (!cell) {
+    throw new ApiError(`“${label}” is no label of a design.`, 404);
+  }
+  return cell;
+}
+
+async function shelved(label: string): Promise<Design> {
+  const found = (await packedShelf(cellOf(label))).find(label);
+  if (!found) {
+    throw new ApiError(notCopied, 404);
+  }
+  return found;
 }
 
 /** The tree of constructions of a cell's best design, or of a labelled one; null where nothing is known of how it was made. */
@@ -106,7 +171,7 @@ export async function explain(asked: Asked, signal: AbortSignal): Promise<Explan
   if (!isCopy()) {
     return get('explain', isCell(asked) ? parameters(asked) : asked, signal);
   }
-  return (await keptCell(isCell(asked) ? asked : cellOfLabel(asked.label)!, signal)).explain ?? null;
+  return (await keptCell(isCell(asked) ? asked : cellOf(asked.label))).explain ?? null;
 }
 
 /** Pictures of designs are drawn by a server only; null in a static copy. */
@@ -120,7 +185,14 @@ export async function draw(asked: Asked, query: DrawQuery, signal: AbortSignal):
 }
 
 export async function cite(label: string, signal: AbortSignal): Promise<string> {
-  return isCopy() ? getFileText(`${dataFolder()}cite/${label}.bib`, signal, notCopied) : getText('cite', { label }, signal);
+  if (!isCopy()) {
+    return getText('cite', { label }, signal);
+  }
+  const text = (await keptCell(cellOf(label))).cite?.[label];
+  if (!text) {
+    throw new ApiError(notCopied, 404);
+  }
+  return text;
 }
 
 export async function completeness(signal: AbortSignal): Promise<Completeness[]> {

@@ -1,230 +1,248 @@
-// Home: what is known, as a heat map and as a table, and a box to look one design up.
-import type { Kind, TableCell } from '../lib/api';
+// The catalog: all cells as a map and as a table, and what is known of the one that is pointed at.
+import type { Kind } from '../lib/api';
+import type { Atlas, AtlasCell, Selection } from '../lib/atlas';
 import { announce, field, fill, h, select } from '../lib/dom';
 import { readRange } from '../lib/range';
-import { completeness, heatmap, table, type Measure, type TableQuery } from '../lib/source';
+import { addGroups, atlasOf, completeness } from '../lib/source';
 import { changes, changeWord, kinds, number, ratio } from '../lib/words';
-import { badge, gap, glossary } from '../parts/status';
-import { isCopy } from '../shell/about';
+import { badge } from '../parts/status';
 import { link, problem, type Page, type View } from '../shell/router';
-import { theme, withTheme } from '../shell/theme';
+import { atlasMap, type Written } from './catalog/atlas_map';
 import { cellTable } from './catalog/cells';
-import { heatMap, sayCell } from './catalog/heat_map';
+import { filters } from './catalog/filters';
 import { lookUp } from './catalog/look_up';
+import { measures, paintOf } from './catalog/paint';
+import { takeAlong } from './catalog/taken';
 import { completenessTable, totals } from './catalog/totals';
 
-const measures: readonly (readonly [Measure, string])[] = [
-  ['ratio', 'blocks / bound'],
-  ['gap', 'blocks over the bound'],
-  ['status', 'status'],
+const strengths: readonly (readonly [string, string])[] = [
+  ['2', 'pairs (t = 2)'],
+  ['3', 'triples (t = 3)'],
+  ['4', 'quadruples (t = 4)'],
 ];
+const writtens: readonly (readonly [Written, string])[] = [
+  ['b', 'blocks'],
+  ['gap', 'blocks − bound'],
+];
+
+function linkOf(cell: AtlasCell): Record<string, string | number | null> {
+  return { v: cell.v, k: cell.k, change: cell.change, kind: cell.kind, strength: cell.strength === 2 ? null : cell.strength };
+}
 
 export const catalog: Page = {
   path: 'catalog',
   title: 'Catalog',
   async render(view: View) {
-    const frozen = isCopy();
-    const state = {
-      change: Number(view.params.get('change') ?? 2),
-      kind: (view.params.get('kind') ?? 'circular') as Kind,
-      k: view.params.get('k') ?? '3..12',
-      v: view.params.get('v') ?? '5..50',
-      measure: (view.params.get('measure') ?? 'ratio') as Measure,
-    };
-    let cells = new Map<string, TableCell>();
-    let asking = new AbortController();
-    let painting = new AbortController();
-    view.signal.addEventListener('abort', () => {
-      asking.abort();
-      painting.abort();
+    const param = (name: string, otherwise: string): string => view.params.get(name) ?? otherwise;
+    const selection = (): Selection => ({ change: Number(param('change', '2')), kind: param('kind', 'circular') as Kind, strength: Number(param('strength', '2')) });
+    let atlas: Atlas | null = null;
+    let listed: AtlasCell[] = [];
+    let asked = 0;
+
+    const readout = h('aside', { class: 'readout', 'aria-label': 'Details of the selected cell' });
+    const said = h('div');
+    const legend = h('div', { class: 'legend-place' });
+    const sums = h('div', { class: 'sums' });
+    const list = cellTable(view);
+    const complete = h('details', { class: 'completeness' }, h('summary', {}, 'Completeness by block size'), h('div', { class: 'inside' }));
+    const sift = filters(view, () => void redraw());
+    const take = takeAlong(() => listed, selection);
+    const kRange = range('k');
+    const vRange = range('v');
+
+    const map = atlasMap(view.signal, {
+      pointed: (cell) => cell && read(cell),
+      chosen(cell) {
+        read(cell);
+        view.go({ at: `${cell.v}.${cell.k}` }, { quiet: true });
+      },
+      opened: (cell) => (window.location.hash = link('cell', linkOf(cell))),
+      moved: () => soon(),
     });
 
-    const readout = h('div', { class: 'readout', 'aria-live': 'off' });
-    const said = h('div');
-    const sums = h('div', { class: 'sums' });
-    const map = heatMap(
-      (v, k) => sayCell(cells.get(`${v}.${k}`) ?? none(v, k)),
-      (v, k) => {
-        read(cells.get(`${v}.${k}`) ?? none(v, k));
-        view.go({ at: `${v}.${k}` }, { quiet: true });
-        map.mark(v, k);
-      },
-      (v, k) => (window.location.hash = link('cell', { v, k, change: state.change, kind: state.kind })),
-    );
-    const list = cellTable(view);
-    const complete = h('details', { class: 'completeness' }, h('summary', {}, 'How complete the whole catalog is, by block size'), h('div', { class: 'inside' }));
-
-    function none(v: number, k: number): TableCell {
-      return { v, k, change: state.change, kind: state.kind, b: null, lower_bound: null, status: 'open', construction: null, label: null };
-    }
-
-    function read(cell: TableCell): void {
-      const measure = gap(cell);
-      const to = { v: cell.v, k: cell.k, change: cell.change, kind: cell.kind };
+    function read(cell: AtlasCell): void {
+      const facts: [string, string][] = [
+        ['blocks', cell.b === null ? 'none known' : number(cell.b)],
+        ['lower bound', cell.lower === null ? '–' : number(cell.lower)],
+        ['gap', cell.gap === null ? '–' : cell.gap === 0 ? 'none' : `${number(cell.gap)} (b / bound ${ratio(cell.b!, cell.lower!)})`],
+        ['made by', cell.construction ?? '–'],
+        ...(cell.order !== null ? ([['group', cell.order.length > 12 ? `order ≈ 10^${cell.order.length - 1}` : `order ${number(Number(cell.order))}`]] as [string, string][]) : []),
+      ];
       fill(
         readout,
-        h('h2', {}, `v = ${cell.v}, k = ${cell.k} `, badge(cell.status)),
-        h(
-          'dl',
-          { class: 'facts' },
-          h('dt', {}, 'blocks'),
-          h('dd', {}, cell.b === null ? 'none known' : number(cell.b)),
-          h('dt', {}, 'lower bound'),
-          h('dd', {}, cell.lower_bound === null ? '–' : number(cell.lower_bound), measure ? ` (gap ${measure}, b / bound ${ratio(cell.b!, cell.lower_bound!)})` : ''),
-          h('dt', {}, 'construction'),
-          h('dd', {}, cell.construction ?? '–'),
-        ),
-        h('p', {}, h('a', { href: link('cell', to) }, 'Bounds, recipe, history'), cell.b !== null && [' · ', h('a', { href: link('design', to) }, 'The design')]),
+        h('h2', {}, `v = ${cell.v}, k = ${cell.k} `),
+        h('p', { class: 'badges' }, badge(cell.status), cell.tight && [' ', h('span', { class: 'badge good' }, 'tight')]),
+        h('dl', { class: 'facts' }, facts.map(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]).flat()),
+        h('p', {}, h('a', { href: link('cell', linkOf(cell)) }, 'Bounds, recipe, history'), cell.b !== null && [h('br'), h('a', { href: link('design', linkOf(cell)) }, 'The design, step by step')]),
       );
     }
 
-    const query = (): TableQuery => ({ change: state.change, kind: state.kind, k: state.k, v: state.v });
+    // ---- what is in sight ----
+    let timer = 0;
+    function soon(): void {
+      window.clearTimeout(timer);
+      timer = window.setTimeout(() => !view.signal.aborted && follow(true), 120);
+    }
+    view.signal.addEventListener('abort', () => window.clearTimeout(timer));
 
-    /** The latest picture that was asked for is the one that counts. */
-    function askMap(): Promise<string> {
-      painting.abort();
-      painting = new AbortController();
-      return heatmap(query(), state.measure, theme(), painting.signal);
+    /** Table, sums and link follow the part of the map that is in sight. */
+    function follow(tell: boolean): void {
+      if (!atlas) {
+        return;
+      }
+      const { k, v } = map.seen();
+      const whole = k.from === atlas.k.from && k.to === atlas.k.to && v.from === atlas.v.from && v.to === atlas.v.to;
+      kRange.value = `${k.from}..${k.to}`;
+      vRange.value = `${v.from}..${v.to}`;
+      if (tell) {
+        view.go({ k: whole ? null : kRange.value, v: whole ? null : vRange.value }, { quiet: true });
+      }
+      const inSight = atlas.cells(k, v).filter((cell) => cell.status !== 'impossible' || view.params.get('status') === 'impossible');
+      listed = inSight.filter((cell) => sift.passes(cell));
+      list.show(listed, atlas.knowsGroups);
+      fill(sums, totals(listed));
+      sift.say(listed.length, inSight.length);
     }
 
-    async function drawMap(svg: Promise<string>): Promise<void> {
-      map.show(await svg);
-      const at = /^(\d+)\.(\d+)$/.exec(view.params.get('at') ?? '');
-      if (at) {
-        map.mark(Number(at[1]), Number(at[2]));
+    function paint(): void {
+      if (atlas) {
+        const measure = param('measure', 'ratio');
+        map.show(atlas, { measure, written: param('number', 'b') as Written, passes: (cell) => sift.passes(cell) });
+        fill(legend, paintOf(atlas, measure).legend);
       }
     }
 
-    async function refresh(): Promise<void> {
-      asking.abort();
-      asking = new AbortController();
-      const signal = asking.signal;
-      fill(said);
-      map.element.setAttribute('aria-busy', 'true');
-      fill(complete.lastElementChild!);
-      complete.dataset['for'] = '';
-      if (complete.open) {
-        void fillCompleteness();
-      }
+    async function redraw(): Promise<void> {
+      const mine = ++asked;
       try {
-        const svg = askMap();
-        svg.catch(() => undefined);
-        // The table first: it says what the cells of the map are.
-        const answer = await table(query(), signal);
-        // The picture of a static copy has more cells than the table if that is of a part of the range.
-        const pictured = frozen ? await table({ ...query(), k: '', v: '' }, signal) : answer;
-        cells = new Map(pictured.map((cell) => [`${cell.v}.${cell.k}`, cell]));
-        list.show(answer);
-        fill(sums, totals(answer));
-        const at = cells.get(view.params.get('at') ?? '');
-        at ? read(at) : fill(readout, h('p', { class: 'hint' }, 'Point at a cell of the map, or walk through it by the arrow keys: what is known is said here.'));
-        await drawMap(svg);
-        announce(`${answer.length} cells`);
+        const wanted = selection();
+        const next = await atlasOf(wanted);
+        if (sift.needsGroups() && !next.knowsGroups) {
+          fill(said, h('p', { class: 'note', role: 'status' }, 'Counting symmetries of all designs in this selection … this takes a few seconds, once.'));
+          await addGroups(next, view.signal);
+        }
+        if (view.signal.aborted || mine !== asked) {
+          return;
+        }
+        fill(said);
+        const other = atlas !== next;
+        atlas = next;
+        if (other) {
+          sift.offer(atlas.constructions);
+          document.title = `${wanted.kind} ${changeWord(wanted.change)} designs · Changeover`;
+          if (complete.open) {
+            void fillCompleteness();
+          }
+        }
+        paint();
+        follow(false);
+        const at = /^(\d+)\.(\d+)$/.exec(view.params.get('at') ?? '');
+        // Something is there to be read from the beginning.
+        const cell = at ? atlas.cell(Number(at[1]), Number(at[2])) : (atlas.cell(20, 5) ?? null);
+        if (cell && cell.status !== 'impossible') {
+          read(cell);
+          map.mark(cell.v, cell.k);
+        } else {
+          fill(readout, h('h2', {}, 'Details of the selected cell'), h('p', { class: 'hint' }, 'Select a cell with the mouse, a finger or the arrow keys. Enter opens it.'));
+        }
+        announce(`${listed.length} cells`);
       } catch (fault) {
-        if (!signal.aborted && !(fault instanceof DOMException && fault.name === 'AbortError')) {
+        if (!view.signal.aborted) {
           fill(said, problem(fault));
         }
-      }
-      if (!signal.aborted) {
-        map.element.removeAttribute('aria-busy');
       }
     }
 
     async function fillCompleteness(): Promise<void> {
-      const wanted = `${state.change}.${state.kind}`;
-      if (complete.dataset['for'] === wanted) {
-        return;
-      }
-      complete.dataset['for'] = wanted;
+      const { change, kind } = selection();
       const inside = complete.lastElementChild!;
-      const { signal } = asking;
-      const { change, kind } = state;
+      complete.dataset['for'] = `${change}.${kind}`;
+      fill(inside, h('p', { class: 'hint' }, 'Counting …'));
       try {
-        fill(inside, h('p', { class: 'hint' }, 'Counting…'));
-        const answer = await completeness(signal);
-        if (!signal.aborted) {
+        const answer = await completeness(view.signal);
+        if (complete.dataset['for'] === `${change}.${kind}`) {
           fill(inside, completenessTable(answer, change, kind));
         }
       } catch (fault) {
-        if (!signal.aborted) {
+        if (!view.signal.aborted) {
           fill(inside, problem(fault));
         }
       }
     }
     complete.addEventListener('toggle', () => complete.open && void fillCompleteness());
 
-    /** The same table in other colours. */
-    async function recolour(): Promise<void> {
-      const svg = askMap();
-      const { signal } = painting;
-      try {
-        await drawMap(svg);
-        fill(said);
-      } catch (fault) {
-        if (!signal.aborted) {
-          fill(said, problem(fault));
-        }
-      }
+    function set(name: string, value: string, otherwise: string): void {
+      view.go({ [name]: value === otherwise ? null : value, ...(name === 'strength' ? { k: null, v: null, at: null } : {}) }, { quiet: true });
+      void redraw();
     }
-
-    function set(name: keyof typeof state, value: string): void {
-      Object.assign(state, { [name]: name === 'change' ? Number(value) : value });
-      view.go({ [name]: value }, { quiet: true });
-      void (name === 'measure' && cells.size > 0 ? recolour() : refresh());
-    }
-    const range = (name: 'k' | 'v'): HTMLInputElement => {
+    function range(name: 'k' | 'v'): HTMLInputElement {
       const input = h('input', {
         type: 'text',
         class: 'range',
-        value: state[name],
+        value: param(name, name === 'k' ? '3..40' : '4..160'),
         autocomplete: 'off',
         onchange: () => {
+          const [k, v] = [readRange(kRange.value), readRange(vRange.value)];
           const good = readRange(input.value) !== null;
           good ? input.removeAttribute('aria-invalid') : input.setAttribute('aria-invalid', 'true');
-          if (good) {
-            set(name, input.value.trim());
-          } else {
-            fill(said, problem(new Error(`“${input.value}” is no range: write it as 3..12, or one number.`)));
+          if (!good) {
+            fill(said, problem(new Error(`“${input.value}” is no range. Write it as 3..12, or one number.`)));
+          } else if (k && v) {
+            fill(said);
+            map.look({ k, v });
+            follow(true);
           }
         },
       });
       return input;
-    };
+    }
+    const choice = (label: string, name: string, otherwise: string, options: readonly (readonly [string, string])[]): HTMLElement => field(label, select(param(name, otherwise), options, (value) => set(name, value, otherwise)));
+    const button = (words: string, label: string, act: () => void): HTMLElement => h('button', { type: 'button', class: 'plain', 'aria-label': label, title: label, onclick: act }, words);
 
+    function random(): void {
+      const from = listed.length > 0 ? listed : (atlas?.cells().filter((cell) => cell.b !== null) ?? []);
+      const cell = from[Math.floor(Math.random() * from.length)];
+      if (cell) {
+        window.location.hash = link('cell', linkOf(cell));
+      }
+    }
+
+    if (view.params.has('k') || view.params.has('v')) {
+      const [k, v] = [readRange(param('k', '')), readRange(param('v', ''))];
+      map.look({ ...(k ? { k } : {}), ...(v ? { v } : {}) });
+    }
     fill(
       view.root,
-      h('div', { class: 'title-row' }, h('h1', {}, 'Change covering designs'), lookUp(() => state)),
-      h(
-        'p',
-        {},
-        'Lists of blocks, each ', h('var', {}, 'k'), ' of ', h('var', {}, 'v'), ' elements, in which every two elements are together in some block, and each block differs from the one before in exactly ', h('var', {}, 'm'),
-        ' elements. A cell of the map is a pair of parameters; the fewer blocks, the better.',
-      ),
-      glossary(),
+      h('div', { class: 'title-row' }, h('div', {}, h('h1', {}, 'Catalog'), h('p', { class: 'lead' }, 'The best known design for every choice of v elements, block size k and change number m. A cell of the map is one choice; its number says how many blocks are needed.')), lookUp(selection)),
       h(
         'div',
         { class: 'row controls' },
-        field('Change number', select(String(state.change), changes, (value) => set('change', value))),
-        field('Kind', select(state.kind, kinds, (value) => set('kind', value))),
-        field('k, block size', range('k')),
-        field('v, elements', range('v')),
-        frozen && h('p', { class: 'hint' }, 'This static copy draws the whole range that it has; the table follows k and v.'),
-        field('Colour says', select(state.measure, measures, (value) => set('measure', value))),
+        choice('Change number', 'change', '2', changes),
+        choice('Kind', 'kind', 'circular', kinds),
+        choice('Covers', 'strength', '2', strengths),
+        choice('Colour by', 'measure', 'ratio', measures),
+        choice('Numbers', 'number', 'b', writtens),
+        field('k, block size', kRange),
+        field('v, elements', vRange),
+        h('div', { class: 'zooms', role: 'group', 'aria-label': 'Zoom' }, button('−', 'Zoom out', () => map.zoom(1 / 1.6)), button('+', 'Zoom in', () => map.zoom(1.6)), button('All', 'Show everything', () => map.fit())),
       ),
       said,
-      h('div', { class: 'map-and-readout' }, map.element, readout),
-      sums,
+      h('div', { class: 'map-and-readout' }, h('div', { class: 'map-place' }, map.element, h('div', { class: 'map-foot' }, legend, h('p', { class: 'hint' }, 'Ctrl + wheel or two fingers zoom, dragging pans.'))), readout),
+      sift.element,
+      h('div', { class: 'row sums-row' }, sums, take, h('button', { type: 'button', class: 'plain small', onclick: random }, 'Random cell')),
       list.element,
       complete,
     );
-    document.title = `${state.kind} ${changeWord(state.change)} designs · Changeover`;
-    let first = true;
-    withTheme(view.signal, () => {
-      if (!first) {
-        void recolour();
+    document.addEventListener('themechange', paint, { signal: view.signal });
+    await redraw();
+    // The other selections are fetched while nothing else happens, so that choosing one takes no time.
+    const idle = window.setTimeout(() => {
+      for (const change of [1, 2, 3]) {
+        for (const kind of ['circular', 'linear'] as const) {
+          atlasOf({ change, kind, strength: 2 }).catch(() => undefined);
+        }
       }
-      first = false;
-    });
-    await refresh();
+    }, 1500);
+    view.signal.addEventListener('abort', () => window.clearTimeout(idle));
   },
 };

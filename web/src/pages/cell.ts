@@ -1,24 +1,29 @@
-// One cell: what is known of its parameters, why, from whom, and since when.
-import type { Cell, CellDetail } from '../lib/api';
+// One cell: what is known of its parameters, why, from whom, since when, and how many designs there are.
+import type { Cell, CellDetail, Design } from '../lib/api';
+import { work } from '../lib/citations';
 import { fill, h, scroll, type Child } from '../lib/dom';
+import { formula } from '../lib/mathematics';
 import { cellDetail, designOf, explain } from '../lib/source';
+import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { changeWord, count, nameOf, number, ratio } from '../lib/words';
 import { copyButton } from '../parts/copy';
 import { downloads } from '../parts/downloads';
 import { busyKey, cellOf } from '../parts/fields';
 import { reason, recipeTree } from '../parts/recipe';
-import { badge, glossary } from '../parts/status';
+import { badge } from '../parts/status';
+import { thumbnail } from '../parts/thumbnail';
 import { isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
-import { designsTable, historyList } from './cell/designs';
+import { origins } from './cell/designs';
+import { neighbourhood } from './cell/neighbours';
 
 function at(cell: Cell, changes: Partial<Cell> = {}): string {
   return link('cell', { ...cell, ...changes });
 }
 
-/** The cells beside this one. Arrow keys go there, too. */
-function neighbours(cell: Cell): HTMLElement {
+/** The same with other parameters. Arrow keys go to neighbours, too. */
+function others(cell: Cell): HTMLElement {
   const step = (words: string, changes: Partial<Cell>, key?: string): HTMLElement => h('li', {}, h('a', { href: at(cell, changes), 'aria-keyshortcuts': key ?? null }, words));
   return h(
     'nav',
@@ -32,7 +37,7 @@ function neighbours(cell: Cell): HTMLElement {
       step(`↓ k = ${cell.k + 1}`, { k: cell.k + 1 }, 'ArrowDown'),
       step(cell.kind === 'circular' ? 'linear' : 'circular', { kind: cell.kind === 'circular' ? 'linear' : 'circular' }),
       [1, 2, 3].filter((m) => m !== cell.change).map((m) => step(changeWord(m), { change: m })),
-      h('li', {}, h('a', { href: link('catalog', { change: cell.change, kind: cell.kind, at: `${cell.v}.${cell.k}` }) }, 'in the heat map')),
+      h('li', {}, h('a', { href: link('catalog', { change: cell.change, kind: cell.kind, at: `${cell.v}.${cell.k}` }) }, 'on the map')),
     ),
   );
 }
@@ -55,18 +60,15 @@ function walk(view: View, cell: Cell): void {
 /** The name of the bound that the best design attains, in words. */
 function argument(detail: CellDetail): string {
   const best = detail.best;
-  if (!best || best.status !== 'minimum') {
-    return '';
-  }
-  return `its ${count(best.b, 'block')} are the lower bound “${detail.bounds[0]!.name}”: ${detail.reason}`;
+  return best?.status === 'minimum' ? `its ${count(best.b, 'block')} are the lower bound “${detail.bounds[0]!.name}”: ${detail.reason}` : '';
 }
 
 /** What a publication reports and nobody here can verify. */
 function reported(detail: CellDetail): Child[] {
-  return detail.reported ? [`${number(detail.reported.blocks)} reported [${detail.reported.cites}], blocks not held here.`] : [];
+  return detail.reported ? [`${count(detail.reported.blocks, 'block')} are reported by `, work(detail.reported.cites), '; the blocks are not held here, so this is not verified.'] : [];
 }
 
-function summary(cell: Cell, detail: CellDetail, frozen: boolean): HTMLElement {
+function summary(cell: Cell, detail: CellDetail, frozen: boolean, figure: HTMLElement): HTMLElement {
   if (detail.impossible) {
     return h('p', { class: 'note' }, h('strong', {}, 'There is none: '), reason(detail.impossible), '.');
   }
@@ -82,11 +84,11 @@ function summary(cell: Cell, detail: CellDetail, frozen: boolean): HTMLElement {
     h('p', { class: 'figure' }, h('strong', {}, number(best.b)), h('span', {}, ` ${best.b === 1 ? 'block' : 'blocks'} `, badge(best.status))),
     h(
       'div',
-      {},
+      { class: 'known-words' },
       over > 0 && h('p', {}, `${count(over, 'block')} over the lower bound ${number(detail.lower_bound!)} (b / bound ${ratio(best.b, detail.lower_bound!)}). A design with fewer blocks may exist.`),
       detail.reported && h('p', {}, reported(detail)),
       why && h('p', {}, 'Minimum: ', reason(why), '.'),
-      h('p', {}, 'Made by ', h('a', { href: link('theorems', { construction: best.construction }) }, best.construction), best.label && [', catalog label ', h('a', { class: 'code', href: link('design', { label: best.label }) }, best.label)], '.'),
+      h('p', {}, 'Made by ', h('a', { href: link('theorems', { construction: best.construction }) }, best.construction), best.label && [', label ', h('a', { class: 'code', href: link('design', { label: best.label }) }, best.label)], '.'),
       h(
         'p',
         { class: 'buttons' },
@@ -95,6 +97,7 @@ function summary(cell: Cell, detail: CellDetail, frozen: boolean): HTMLElement {
         !frozen && best.status !== 'minimum' && h('a', { class: 'button plain', href: link('search', { ...cell }) }, 'Search for a better one'),
       ),
     ),
+    figure,
   );
 }
 
@@ -114,9 +117,23 @@ function bounds(detail: CellDetail): Child[] {
   ];
 }
 
+/** How many designs there are, where all of them were made. */
+function howMany(detail: CellDetail): Child[] {
+  const all = detail.classified;
+  if (!all) {
+    return [];
+  }
+  const groups = all.groups.map(({ order, classes }) => `${number(classes)} with a group of order ${number(order)}`);
+  return [
+    h('h2', {}, 'How many there are'),
+    h('p', {}, h('strong', {}, count(all.classes, 'class', 'classes')), ` of designs with ${count(all.b, 'block')}, up to names of the elements`, detail.kind === 'circular' && ' and rotation', `; in ${count(all.standard_forms, 'standard form')}. `, all.tight > 0 && (all.tight === all.classes ? 'All are tight. ' : `${number(all.tight)} of the classes are tight. `), 'These are all: counted by exhaustive search, each design verified.'),
+    h('ul', {}, groups.map((each) => h('li', {}, each))),
+  ];
+}
+
 function offers(detail: CellDetail): Child[] {
-  const others = detail.offers.filter((offer) => offer.construction !== detail.best?.construction || offer.b !== detail.best.b);
-  return others.length === 0
+  const rest = detail.offers.filter((offer) => offer.construction !== detail.best?.construction || offer.b !== detail.best.b);
+  return rest.length === 0
     ? []
     : [
         h('h2', {}, 'Other constructions'),
@@ -125,10 +142,24 @@ function offers(detail: CellDetail): Child[] {
             'table',
             {},
             h('thead', {}, h('tr', {}, h('th', { scope: 'col', class: 'number' }, 'blocks'), h('th', { scope: 'col' }, 'construction'))),
-            h('tbody', {}, others.map((offer) => h('tr', {}, h('td', { class: 'number' }, number(offer.b)), h('td', {}, h('a', { href: link('theorems', { construction: offer.construction }) }, offer.construction))))),
+            h('tbody', {}, rest.map((offer) => h('tr', {}, h('td', { class: 'number' }, number(offer.b)), h('td', {}, h('a', { href: link('theorems', { construction: offer.construction }) }, offer.construction))))),
           ),
         ),
       ];
+}
+
+/** The design as a picture, and what its symmetries are. */
+function picture(cell: Cell, design: Design, place: HTMLElement, signal: AbortSignal): void {
+  const b = design.blocks.length;
+  if (b * design.k > mostLooked || b > 20_000) {
+    return;
+  }
+  const { order, rotations } = symmetryOf(design);
+  fill(
+    place,
+    h('a', { href: link('design', { ...cell, show: 'stays' }), 'aria-label': 'The design, step by step' }, thumbnail(design, `Stays of the ${number(design.v)} elements over ${count(b, 'block')}`, signal)),
+    h('figcaption', { class: 'hint' }, 'A row for each element, a bar for each stay. ', order === '1' ? 'No symmetry.' : order.length > 15 ? `Group of order about 10^${order.length - 1}` : `Group of order ${number(Number(order))}`, order !== '1' && rotations > 1 && `, ${count(rotations, 'rotation')}`, order !== '1' && '.'),
+  );
 }
 
 export const cell: Page = {
@@ -142,46 +173,61 @@ export const cell: Page = {
       return;
     }
     const name = nameOf(wanted);
+    const strength = wanted.strength ?? 2;
+    const short = wanted.change === 1 ? 'SCCD' : wanted.change === 2 ? 'DCCD' : '';
     document.title = `(${wanted.v},${wanted.k}) ${wanted.kind} m = ${wanted.change} · Changeover`;
-    const head = h('h1', {}, name[0]!.toUpperCase() + name.slice(1), (wanted.strength ?? 2) > 2 ? `, strength ${wanted.strength}` : '');
+    const head = h('h1', {}, name[0]!.toUpperCase() + name.slice(1), strength > 2 ? `, strength ${strength}` : '');
+    const under = h('p', { class: 'under' }, short && [formula(`\\mathrm{${short}}(${wanted.v},\\,${wanted.k})`, `${short}(${wanted.v}, ${wanted.k})`), ', '], `cell ${wanted.v}.${wanted.k}.${wanted.change}.${wanted.kind}${strength > 2 ? `.t${strength}` : ''}`);
     const body = h('div', { class: 'cell-body' });
-    const begin = (): void => fill(view.root, head, neighbours(wanted), body);
+    const begin = (): void => fill(view.root, head, under, others(wanted), body);
     walk(view, wanted);
     const frozen = isCopy();
     let detail: CellDetail;
     try {
       detail = await waiting(cellDetail(wanted, view.signal), view.signal, () => {
         begin();
-        fill(body, h('p', { class: 'hint' }, 'Asking what is known…'));
+        fill(body, h('p', { class: 'hint' }, 'Asking what is known …'));
       });
     } catch (fault) {
       fill(body);
       begin();
       throw fault;
     }
-    const recipe = h('div', { class: 'recipe-place' }, h('p', { class: 'hint' }, 'Asking…'));
+    const recipe = h('div', { class: 'recipe-place' }, h('p', { class: 'hint' }, 'Asking …'));
     begin();
     const files = h('div', {}, !frozen && downloads(wanted, null, false));
+    const figure = h('figure', { class: 'known-picture' });
+    const around = h('section', { class: 'around-place', 'aria-label': 'Cells around this one' });
     fill(
       body,
-      summary(wanted, detail, frozen),
-      glossary(),
-      bounds(detail),
+      summary(wanted, detail, frozen, figure),
+      h('div', { class: 'cell-columns' }, h('div', {}, bounds(detail), howMany(detail)), around),
       detail.best && [h('h2', {}, 'How it is made'), recipe],
-      designsTable(detail, view.signal),
+      origins(detail, view.signal),
       offers(detail),
-      historyList(detail),
       detail.best && [h('h2', {}, 'Download the best design'), files],
       !frozen && h('p', { class: 'hint' }, 'On the command line: ', h('code', {}, command(wanted)), ' ', copyButton('Copy', () => command(wanted))),
     );
+    neighbourhood(wanted, view.signal).then((map) => map && fill(around, h('h2', {}, 'Around this cell'), map), () => undefined);
     if (!detail.best) {
       return;
     }
     const tasks: Promise<void>[] = [
-      explain(wanted, view.signal).then((found) => fill(recipe, found ? recipeTree(found.tree) : h('p', {}, 'Nothing is known of how it was made.'))),
+      explain(wanted, view.signal).then((found) => fill(recipe, found ? recipeTree(found.tree) : h('p', {}, 'How this design was made is not known.'))),
     ];
-    if (frozen) {
-      tasks.push(designOf(wanted, view.signal).then((design) => fill(files, downloads(wanted, design, true))));
+    if (detail.best.b <= 20_000) {
+      // Without the picture the page is whole all the same.
+      tasks.push(
+        designOf(wanted, view.signal).then(
+          (design) => {
+            picture(wanted, design, figure, view.signal);
+            if (frozen) {
+              fill(files, downloads(wanted, design, true));
+            }
+          },
+          () => undefined,
+        ),
+      );
     }
     for (const each of await Promise.allSettled(tasks)) {
       if (each.status === 'rejected' && !view.signal.aborted) {

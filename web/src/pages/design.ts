@@ -1,24 +1,39 @@
 // One design: its pictures, its blocks, and a player that steps through them.
 import type { Design } from '../lib/api';
-import { fill, h, scroll } from '../lib/dom';
-import { designOf, explain, isCell, type Asked, type PictureName } from '../lib/source';
+import { field, fill, h, scroll, select } from '../lib/dom';
+import { designOf, explain, isCell, type Asked } from '../lib/source';
+import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { count, nameOf } from '../lib/words';
 import { copyButton } from '../parts/copy';
 import { asText, downloads } from '../parts/downloads';
 import { askedOf } from '../parts/fields';
 import { recipeTree } from '../parts/recipe';
+import { byFirst } from '../parts/thumbnail';
 import { tabs, type Tab } from '../parts/tabs';
 import { about, isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { facts } from './design/facts';
-import { drawn } from './design/pictures';
+import { arrayView } from './design/array';
+import { circleView } from './design/circle';
+import { matrix } from './design/matrix';
+import { recipePicture, savePicture } from './design/pictures';
 import { openPlayer } from './design/player';
+import { Chosen } from './design/selection';
+import { Steps } from './design/steps';
+import { Stays } from '../parts/stays';
+import { timeline, type Order } from '../parts/timeline';
+
+const orders: readonly (readonly [string, string])[] = [
+  ['first', 'of first blocks'],
+  ['stays', 'of numbers of stays'],
+  ['given', 'as numbered'],
+];
 
 /** More blocks than this are not put into the page as text. */
 const mostText = 20_000;
 
-function recipeTab(asked: Asked, design: Design, view: View, panel: HTMLElement, signal: AbortSignal): void {
+function recipeTab(asked: Asked, design: Design, panel: HTMLElement, signal: AbortSignal): void {
   const place = h('div');
   const image = h('div');
   fill(panel, place, image);
@@ -30,7 +45,7 @@ function recipeTab(asked: Asked, design: Design, view: View, panel: HTMLElement,
       }
       fill(place, recipeTree(found.tree));
       if (found.tree.inputs.length > 0) {
-        drawn('recipe', asked, design, view, image, signal);
+        void recipePicture(asked, image, signal);
       }
     },
     (fault: unknown) => !signal.aborted && fill(place, problem(fault)),
@@ -55,8 +70,8 @@ function verified(asked: Asked, design: Design, frozen: boolean): string {
   if (!design.verdict.valid) {
     return 'Refuted: not every pair is covered, or a step is wrong.';
   }
-  const who = 'a checker that shares no code with what made the design';
-  return frozen ? `Verified by ${who} when this copy was written: every step and every pair.` : 'local' in asked ? `Verified on the page Verify by ${who}.` : `Verified by ${who} before it was sent: every step and every pair.`;
+  const when = frozen ? 'when this copy was written' : 'local' in asked ? 'on the page Verify' : 'before it was shown';
+  return `Verified ${when}, every step and every pair, by a checker that shares no code with what made the design.`;
 }
 
 export const design: Page = {
@@ -90,29 +105,103 @@ export const design: Page = {
     const name = nameOf(shown);
     document.title = `(${shown.v},${shown.k},${b}) ${shown.kind} m = ${shown.change} · Changeover`;
 
-    const picture = (which: PictureName, title: string): Tab => ({ name: which, title, draw: (panel, signal) => drawn(which, asked, shown, view, panel, signal) });
+    const chosen = new Chosen(view, shown);
+    const share = h('progress', { max: 1, value: 0, 'aria-label': 'Pairs are being counted' });
+    const steps = await waiting(
+      Steps.soon(shown, view.signal, (done) => (share.value = done)),
+      view.signal,
+      () => fill(view.root, h('h1', {}, name[0]!.toUpperCase() + name.slice(1)), h('p', {}, 'Counting pairs … ', share)),
+    );
+    const stays = new Stays(shown);
+    const symmetry = shown.kind === 'circular' && b * shown.k <= mostLooked ? symmetryOf(shown) : null;
+    const save = (which: 'array' | 'stays' | 'coverage' | 'circle', how: () => object, signal: AbortSignal): HTMLElement | false => !frozen && savePicture(which, asked, shown, how, signal);
+    const range = (): object => chosen.range ?? {};
+    const orderOf = (which: Order): number[] => (which === 'given' ? Array.from({ length: shown.v }, (_, x) => x) : which === 'first' ? byFirst(shown.blocks, shown.v) : byFirst(shown.blocks, shown.v).sort((x, y) => stays.of(x).length - stays.of(y).length));
+
     const all: Tab[] = [
       {
         name: 'steps',
         title: 'Steps',
         draw: (panel, signal) =>
-          void openPlayer(panel, shown, {
+          openPlayer(panel, steps, shown, {
             at: Number(view.params.get('at')) || 1,
             speed: view.params.get('speed') ?? '3',
             signal,
+            chosen,
             moved: (at, speed) => view.go({ at: at === 1 ? null : at, speed: speed === '3' ? null : speed }, { quiet: true }),
-          }).catch((fault: unknown) => fill(panel, problem(fault))),
+          }),
       },
-      picture('array', 'Array'),
-      picture('stays', 'Stays'),
-      picture('coverage', 'Coverage'),
-      picture('circle', 'Circle'),
-      { name: 'recipe', title: 'Recipe', draw: (panel, signal) => recipeTab(asked, shown, view, panel, signal) },
+      {
+        name: 'array',
+        title: 'Array',
+        draw: (panel, signal) => {
+          arrayView(steps, chosen, panel, signal);
+          panel.append(h('p', {}, save('array', range, signal) || ''));
+        },
+      },
+      {
+        name: 'stays',
+        title: 'Stays',
+        draw: (panel, signal) => {
+          let order = (view.params.get('order') ?? 'first') as Order;
+          const line = timeline({ v: steps.v, b: steps.b, names: steps.names, pairs: steps.pairs, allPairs: steps.allPairs, stays, step: 'block', item: 'element' }, chosen, orderOf(order), signal);
+          const pairs = matrix(steps, chosen, signal, 420);
+          fill(
+            panel,
+            h('p', { class: 'hint' }, 'A row for each element, a bar for each stay. Drag on the strip to choose blocks, drag below to pan; Ctrl + wheel or + and − zoom. Pairs that first meet in the blocks in sight are lit on the right.'),
+            h('div', { class: 'row' }, field('Order of elements', select(order, orders, (value) => {
+              order = value as Order;
+              line.order(orderOf(order));
+              view.go({ order: value === 'first' ? null : value }, { quiet: true });
+            })), save('stays', () => ({ ...range(), order }), signal)),
+            h('div', { class: pairs ? 'stays-and-pairs' : '' }, line.element, pairs?.element),
+          );
+        },
+      },
+      {
+        name: 'coverage',
+        title: 'Coverage',
+        draw: (panel, signal) => {
+          const pairs = matrix(steps, chosen, signal);
+          if (!pairs) {
+            fill(panel, h('p', { class: 'note' }, 'Pairs are drawn for up to 512 elements.'));
+            return;
+          }
+          const sort = (order: string): void => pairs.order(orderOf(order as Order));
+          let order = view.params.get('order') ?? 'first';
+          sort(order);
+          fill(
+            panel,
+            h('p', { class: 'hint' }, 'A square for each pair. Below the diagonal: the block in which the pair first meets, from early to late as the colours go. Above it: how often the pair is newly covered, empty for once.'),
+            h('div', { class: 'row' }, field('Order of elements', select(order, orders, (value) => {
+              order = value;
+              sort(order);
+              view.go({ order: value === 'first' ? null : value }, { quiet: true });
+            })), save('coverage', () => ({ order }), signal), chosen.range && h('span', { class: 'hint' }, `Lit: pairs that first meet in blocks ${chosen.range.from} to ${chosen.range.to}. `, h('button', { type: 'button', class: 'plain small', onclick: (event) => {
+              chosen.setRange(null);
+              (event.target as HTMLElement).parentElement!.remove();
+            } }, 'Show all'))),
+            pairs.element,
+          );
+        },
+      },
+      ...(symmetry && symmetry.rotations > 1 ? [{ name: 'circle', title: 'Circle', draw: (panel: HTMLElement, signal: AbortSignal) => {
+        circleView(symmetry, chosen, panel, signal);
+        panel.append(h('p', {}, save('circle', () => ({}), signal) || ''));
+      } }] : []),
+      { name: 'recipe', title: 'Recipe', draw: (panel, signal) => recipeTab(asked, shown, panel, signal) },
       { name: 'blocks', title: 'Blocks', draw: (panel) => textTab(shown, panel) },
     ];
+    const selected = h('div', { class: 'selected' });
+    const tell = (): void => {
+      const words = chosen.words(steps, stays);
+      fill(selected, words ? [h('span', { class: 'selected-key' }), h('span', {}, `${words}.`), h('button', { type: 'button', class: 'plain small', onclick: () => chosen.choose([]) }, 'Clear')] : h('span', { class: 'hint' }, 'Click an element or a pair in any view to see it in all of them.'));
+    };
+    chosen.follow(view.signal, tell);
+    tell();
     const from =
       shown.label ?? ('local' in asked ? 'of this window, in no catalog' : 'file' in asked ? `file ${(await about()).files.find((each) => each.index === asked.file)?.name ?? asked.file}` : 'job' in asked ? `found by search ${asked.job}` : '');
-    const start = view.params.get('show') ?? (view.params.has('at') || frozen ? 'steps' : 'array');
+    const start = view.params.get('show') ?? 'steps';
     fill(
       view.root,
       h('h1', {}, `${name[0]!.toUpperCase()}${name.slice(1)}${(shown.strength ?? 2) > 2 ? `, strength ${shown.strength}` : ''}: ${count(b, 'block')}`),
@@ -122,6 +211,7 @@ export const design: Page = {
         from && [shown.label === from ? h('span', { class: 'code' }, from) : from, ' · '],
         h('a', { href: link('cell', { v: shown.v, k: shown.k, change: shown.change, kind: shown.kind, strength: shown.strength === 2 ? null : shown.strength }) }, 'what is known of these parameters'),
       ),
+      selected,
       tabs('What to show of the design', all, start, view.signal, (which) => view.go({ show: which }, { quiet: true })),
       h('h2', {}, 'In numbers'),
       h('p', { class: `verdict ${shown.verdict ? (shown.verdict.valid ? 'valid' : 'invalid') : ''}` }, verified(asked, shown, frozen)),

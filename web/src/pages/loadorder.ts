@@ -1,16 +1,26 @@
 import { post, type Ordered } from '../lib/api';
-import { announce, field, fill, h } from '../lib/dom';
+import { announce, field, fill, h, select } from '../lib/dom';
 import { save } from '../lib/save';
 import { longestWord, pack, unpack } from '../lib/share';
 import { count } from '../lib/words';
 import { copyButton } from '../parts/copy';
 import { link, problem, type Page, type View } from '../shell/router';
 import { bytesOf } from './loadorder/naive';
-import { comparison, curves, headline, jsonLines, stepList, type Asked } from './loadorder/order';
+import { memory, shares } from './loadorder/memory';
+import { comparison, headline, jsonLines, stepList, type Asked } from './loadorder/order';
 
-function commandOf({ items, room, workers, pairs }: Asked): string {
+/** What the page begins with. */
+const usual = { items: '64', room: '16' };
+const times: readonly (readonly [string, string])[] = [
+  ['0', 'no search'],
+  ['2', '2 seconds'],
+  ['10', '10 seconds'],
+  ['25', '25 seconds'],
+];
+
+function commandOf({ items, room, workers, pairs, seconds, prefetch }: Asked): string {
   const what = pairs ? '--pairs pairs.txt' : `--items ${items}`;
-  return `changeover loadorder ${what} --room ${room}${workers > 1 ? ` --workers ${workers}` : ''} --json -o order.jsonl`;
+  return `changeover loadorder ${what} --room ${room}${workers > 1 ? ` --workers ${workers}` : ''}${seconds > 0 ? ` --time ${seconds}s` : ''}${prefetch ? ' --prefetch' : ''} --json -o order.jsonl`;
 }
 
 async function render(view: View): Promise<void> {
@@ -21,10 +31,12 @@ async function render(view: View): Promise<void> {
     return;
   }
   let running: AbortController | null = null;
-  const items = h('input', { type: 'number', min: 1, value: params.get('items') ?? '', placeholder: '64' });
-  const room = h('input', { type: 'number', min: 2, value: params.get('room') ?? '', placeholder: '16' });
+  const items = h('input', { type: 'number', min: 1, value: params.get('items') ?? (params.has('pairs') ? '' : usual.items), placeholder: '64' });
+  const room = h('input', { type: 'number', min: 2, value: params.get('room') ?? usual.room, placeholder: '16' });
   const size = h('input', { type: 'text', class: 'cost', value: params.get('bytes') ?? '', placeholder: '2 GB', autocomplete: 'off' });
   const workers = h('input', { type: 'number', min: 1, value: params.get('workers') ?? '', placeholder: '1' });
+  const time = select(params.get('time') ?? '0', times, () => undefined);
+  const ahead = h('input', { type: 'checkbox', checked: params.has('prefetch') });
   const pairs = h('textarea', { class: 'pairs-text', spellcheck: 'false', placeholder: '0 5\n1 5\n…' });
   pairs.value = typeof linked === 'string' ? linked : '';
   const some = h(
@@ -49,6 +61,8 @@ async function render(view: View): Promise<void> {
       items: named ? null : p,
       room: c,
       workers: w,
+      seconds: Number(time.value),
+      prefetch: ahead.checked,
       bytesPerItem: size.value.trim() === '' ? null : bytesOf(size.value),
       pairs: pairs.value.trim() === '' ? null : pairs.value,
     };
@@ -69,6 +83,8 @@ async function render(view: View): Promise<void> {
           room: asked.room,
           bytes: size.value.trim(),
           workers: asked.workers > 1 ? asked.workers : null,
+          time: asked.seconds > 0 ? asked.seconds : null,
+          prefetch: asked.prefetch ? 1 : null,
           pairs: packed !== null && packed.length <= longestWord ? packed : null,
         },
         { quiet: true },
@@ -78,7 +94,7 @@ async function render(view: View): Promise<void> {
         h(
           'p',
           { class: 'note', role: 'status' },
-          'Looking for an order … ',
+          asked.seconds > 0 ? `Searching for up to ${asked.seconds} s … ` : 'Looking for an order … ',
           h('button', { type: 'button', class: 'plain', onclick: stop }, 'Stop'),
         ),
       );
@@ -89,6 +105,8 @@ async function render(view: View): Promise<void> {
           ...(asked.items !== null ? { items: asked.items } : {}),
           room: asked.room,
           ...(asked.workers > 1 ? { workers: asked.workers } : {}),
+          ...(asked.seconds > 0 ? { seconds: asked.seconds } : {}),
+          ...(asked.prefetch ? { prefetch: true } : {}),
           ...(asked.bytesPerItem !== null ? { bytes_per_item: asked.bytesPerItem } : {}),
           ...(asked.pairs ? { pairs: { text: asked.pairs } } : {}),
         },
@@ -108,19 +126,28 @@ async function render(view: View): Promise<void> {
     }
   }
 
+  /** Each answer's drawings end when the next is there. */
+  let drawing = new AbortController();
+  view.signal.addEventListener('abort', () => drawing.abort());
+  function mine(): AbortSignal {
+    drawing.abort();
+    drawing = new AbortController();
+    return drawing.signal;
+  }
+
   function show(answer: Ordered, asked: Asked): void {
     const command = commandOf(asked);
     fill(
       result,
-      headline(answer, asked),
+      h('div', { class: 'columns loadorder-parts loadorder-head' }, headline(answer, asked), shares(answer, asked) ?? comparison(answer, asked)),
+      memory(answer, mine()),
       h(
         'div',
         { class: 'columns loadorder-parts' },
-        h('div', {}, comparison(answer, asked), curves(answer, asked, view.signal)),
+        h('div', {}, stepList(answer)),
         h(
           'div',
           {},
-          stepList(answer),
           h(
             'div',
             { class: 'row' },
@@ -148,7 +175,7 @@ async function render(view: View): Promise<void> {
             h(
               'p',
               { class: 'hint' },
-              'There it can search for fewer loads (--time), hold two levels of memory (--fast-room), write back what changes (--write-back) and prefetch (--prefetch).',
+              'The command line can also search for longer (--time), hold two levels of memory (--fast-room) and write back what changes (--write-back).',
             ),
           ),
         ),
@@ -170,8 +197,10 @@ async function render(view: View): Promise<void> {
       { class: 'row top' },
       field('Items', items, 'partitions, images, …'),
       field('Room', room, 'items in memory at once'),
-      field('Bytes an item', size, 'if you like'),
-      field('Workers', workers, 'with room of their own'),
+      field('Bytes per item', size, 'optional'),
+      field('Workers', workers, 'each with this room'),
+      field('Search', time, 'for fewer loads'),
+      h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), h('label', { class: 'check' }, ahead, 'load ahead'), h('small', { class: 'hint' }, 'while pairs are computed')),
       h('div', { class: 'field' }, h('span', { class: 'hint' }, '\u00a0'), go),
     ),
     some,
@@ -182,7 +211,7 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'Items lie on a disk, and some of them fit into memory. Every pair must be in memory together at some time: distances, Gram matrices, training on the edges between partitions. What is loaded and evicted, step by step, so that as little as possible is loaded? Try ',
+      'Items lie on a disk, and some of them fit into memory. Every pair must be in memory together at some time: distances, Gram matrices, training on the edges between partitions. This page finds what to load and evict, step by step, with as few loads as possible. Try ',
       h('a', { href: link('loadorder', { items: 64, room: 16, bytes: '2 GB' }) }, '64 items, room for 16'),
       ' or ',
       h('a', { href: link('loadorder', { items: 1000, room: 100, workers: 8 }) }, '1000 items for 8 workers'),
@@ -191,9 +220,7 @@ async function render(view: View): Promise<void> {
     form,
     result,
   );
-  if (params.has('room') && (params.has('items') || pairs.value)) {
-    await run();
-  }
+  await run();
 }
 
 export const loadorder: Page = { path: 'loadorder', title: 'Load order', live: true, render };

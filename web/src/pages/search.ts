@@ -1,4 +1,4 @@
-import { get, hasToken, post, type About, type Kind, type SearchJob } from '../lib/api';
+import { get, hasToken, post, type About, type Kind, type SearchJob, type SearchOrder, type SearchWay } from '../lib/api';
 import { announce, field, fill, h, select } from '../lib/dom';
 import { listen, retryNow } from '../lib/events';
 import { cellDetail } from '../lib/source';
@@ -16,6 +16,27 @@ const times: readonly (readonly [string, string])[] = [
   ['3600', '1 hour'],
   ['28800', '8 hours'],
 ];
+
+const ways: readonly (readonly [SearchWay, string, string])[] = [
+  ['local', 'local search', 'Starts from the best design known and changes it step by step. Best when few blocks are to be saved.'],
+  ['base-blocks', 'base blocks', 'Looks for designs with a symmetry, from a few blocks and their images. Best for large v.'],
+  ['exact', 'exact, with proof', 'Excludes one number of blocks after another by SAT, each with a checked proof, until a design is found. For small v only.'],
+  ['locked', 'locked sets', 'Looks for a design with certain elements in its first or last block, or with an expansion set, as constructions need them.'],
+];
+const strengths: readonly (readonly [string, string])[] = [
+  ['2', 'pairs (t = 2)'],
+  ['3', 'triples (t = 3)'],
+  ['4', 'quadruples (t = 4)'],
+];
+
+/** "0, 1,2" as elements. @throws Error with a line that can be shown. */
+function elementsOf(name: string, text: string): number[] {
+  const words = text.split(/[\s,]+/).filter(Boolean);
+  if (words.some((word) => !/^\d{1,6}$/.test(word))) {
+    throw new Error(`${name}: write numbers of elements, such as 0, 1, 2.`);
+  }
+  return words.map(Number);
+}
 
 /** Why nothing can be started here, and what helps; null if it can. */
 function hindrance({ write }: About): HTMLElement | null {
@@ -70,6 +91,14 @@ async function render(view: View): Promise<void> {
     value: params.get('seed') ?? 1,
     onchange: () => view.go({ seed: seed.value }, { quiet: true }),
   });
+  const strength = select(params.get('strength') ?? '2', strengths, () => look());
+  const blocks = h('input', { type: 'number', min: 1, value: params.get('blocks') ?? '', placeholder: 'as few as possible', onchange: () => view.go({ blocks: blocks.value }, { quiet: true }) });
+  const about_way = h('p', { class: 'hint' });
+  const way = select(params.get('way') ?? 'local', ways.map(([name, title]) => [name, title] as const), () => look());
+  const firstBlock = h('input', { type: 'text', value: params.get('first') ?? '', placeholder: '0, 1, 2', autocomplete: 'off' });
+  const lastBlock = h('input', { type: 'text', value: params.get('last') ?? '', placeholder: '', autocomplete: 'off' });
+  const expansion = h('input', { type: 'checkbox', checked: params.has('expansion') });
+  const locks = h('div', { class: 'row' }, field('In the first block', firstBlock), field('In the last block', lastBlock), h('label', { class: 'check' }, expansion, 'unchanged subsets hold all other elements, each once'));
   const start = h('button', { type: 'submit', disabled: hindered !== null }, 'Start');
   const known = h('p', { class: 'hint search-known', role: 'status' });
   const fault = h('div', {});
@@ -84,7 +113,11 @@ async function render(view: View): Promise<void> {
   /** What is known of the cell that was written, before it is searched. */
   let looking: AbortController | null = null;
   function look(): void {
-    view.go({ v: v.value, k: k.value, change: change.value, kind: kind.value }, { quiet: true });
+    view.go({ v: v.value, k: k.value, change: change.value, kind: kind.value, strength: strength.value === '2' ? null : strength.value, way: way.value === 'local' ? null : way.value }, { quiet: true });
+    fill(about_way, ways.find(([name]) => name === way.value)?.[2] ?? '');
+    locks.hidden = way.value !== 'locked';
+    blocks.parentElement!.hidden = way.value === 'exact';
+    seed.parentElement!.hidden = way.value === 'exact';
     looking?.abort();
     looking = new AbortController();
     signal.addEventListener('abort', () => looking?.abort(), { once: true });
@@ -93,7 +126,7 @@ async function render(view: View): Promise<void> {
       return;
     }
     const mine = looking.signal;
-    const cell = { v: Number(v.value), k: Number(k.value), change: Number(change.value), kind: kind.value as Kind };
+    const cell = { v: Number(v.value), k: Number(k.value), change: Number(change.value), kind: kind.value as Kind, ...(strength.value === '2' ? {} : { strength: Number(strength.value) }) };
     cellDetail(cell, mine).then(
       ({ best, lower_bound: bound, impossible }) => {
         const words = impossible
@@ -101,9 +134,9 @@ async function render(view: View): Promise<void> {
           : best === null
             ? `No design is known yet${bound ? `; none has fewer than ${count(bound, 'block')}` : ''}.`
             : best.b === bound
-              ? `Known: ${count(best.b, 'block')}, and no design has fewer. There is nothing to find.`
-              : `Known: ${count(best.b, 'block')}; no design has fewer than ${bound ?? '?'}.`;
-        fill(known, words, ' ', h('a', { href: link('cell', cell) }, 'More about these parameters'));
+              ? `Gap 0: ${count(best.b, 'block')} are known, and no design has fewer. There is nothing to find.`
+              : `Gap ${best.b - (bound ?? 0)}: ${count(best.b, 'block')} are known; no design has fewer than ${bound ?? '?'}.`;
+        fill(known, h('strong', {}, words), ' ', h('a', { href: link('cell', cell) }, 'More about these parameters'));
       },
       (why: unknown) => !mine.aborted && fill(known, (why as Error).message),
     );
@@ -151,7 +184,6 @@ async function render(view: View): Promise<void> {
 
   async function begin(): Promise<void> {
     fill(fault);
-    view.go({ v: v.value, k: k.value, change: change.value, kind: kind.value }, { quiet: true });
     if (v.value === '' || k.value === '') {
       fill(fault, problem(new Error('Write v, the number of elements, and k, the size of the blocks.')));
       (v.value === '' ? v : k).focus();
@@ -159,20 +191,24 @@ async function render(view: View): Promise<void> {
     }
     start.disabled = true;
     try {
-      const { id } = await post(
-        'search',
-        {},
-        {
-          v: Number(v.value),
-          k: Number(k.value),
-          change: Number(change.value),
-          kind: kind.value as Kind,
-          seconds: Number(time.value),
-          threads: Number(threads.value || 1),
-          seed: Number(seed.value || 1),
-        },
-        signal,
-      );
+      const order: SearchOrder = {
+        v: Number(v.value),
+        k: Number(k.value),
+        change: Number(change.value),
+        kind: kind.value as Kind,
+        seconds: Number(time.value),
+        threads: Number(threads.value || 1),
+        ...(strength.value === '2' ? {} : { strength: Number(strength.value) }),
+        ...(way.value === 'local' ? {} : { way: way.value as SearchWay }),
+        ...(way.value === 'exact' ? {} : { seed: Number(seed.value || 1) }),
+        ...(blocks.value !== '' && way.value !== 'exact' ? { blocks: Number(blocks.value) } : {}),
+      };
+      if (way.value === 'locked') {
+        const [first, last] = [elementsOf('In the first block', firstBlock.value), elementsOf('In the last block', lastBlock.value)];
+        Object.assign(order, first.length > 0 ? { first } : {}, last.length > 0 ? { last } : {}, expansion.checked ? { expansion_set: true } : {});
+        view.go({ first: first.join(','), last: last.join(','), expansion: expansion.checked ? 1 : null }, { quiet: true });
+      }
+      const { id } = await post('search', {}, order, signal);
       choose(String(id), true);
       await refresh();
     } catch (why) {
@@ -189,7 +225,7 @@ async function render(view: View): Promise<void> {
     h(
       'p',
       {},
-      'A local search tries to find a design with fewer blocks than are known. It runs on this machine, goes on when this page is closed, and what it finds is verified. It ends at once if the best design known is a minimum.',
+      'Looks for a design with fewer blocks than are known, or proves that there is none. A search runs on this machine and goes on when this page is closed; what it finds is verified.',
     ),
     h(
       'form',
@@ -200,9 +236,11 @@ async function render(view: View): Promise<void> {
           void begin();
         },
       },
-      h('div', { class: 'row' }, field('elements v', v), field('block size k', k), field('changes', change), field('kind', kind)),
-      h('div', { class: 'row' }, field('for', time), field('threads', threads), field('seed', seed), start),
+      h('div', { class: 'row' }, field('Elements v', v), field('Block size k', k), field('Change number', change), field('Kind', kind), field('Covers', strength)),
       known,
+      h('div', { class: 'row' }, field('Way', way), field('Time', time), field('Threads', threads), field('Seed', seed), field('Blocks wanted', blocks), start),
+      about_way,
+      locks,
     ),
     hindered,
     fault,
@@ -236,7 +274,7 @@ async function render(view: View): Promise<void> {
             h('button', { type: 'button', class: 'plain small', onclick: retryNow }, 'Try now'),
           );
         } else {
-          fill(stream, now === 'open' ? 'Live: this page follows the searches as they go.' : '\u00a0');
+          fill(stream, now === 'open' ? '' : '\u00a0');
         }
         stream.classList.toggle('problem', now === 'waiting');
         if (now === 'open') {

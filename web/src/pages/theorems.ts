@@ -1,13 +1,16 @@
 // The theorems that the program uses beyond the published ones, and all constructions, each with an example to look at.
 import type { Cell, Construction, Theorem } from '../lib/api';
-import { fill, h, picture, type Child } from '../lib/dom';
+import { cited } from '../lib/citations';
+import { fill, h, type Child } from '../lib/dom';
 import { line, markup } from '../lib/markup';
-import { constructions, draw, theorems as ask } from '../lib/source';
+import { constructions, designOf, theorems as ask } from '../lib/source';
+import { symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { count } from '../lib/words';
 import { citation, reason, shortName } from '../parts/recipe';
+import { thumbnail } from '../parts/thumbnail';
 import { link, problem, type Page, type View } from '../shell/router';
-import { theme } from '../shell/theme';
+import { circlePicture } from './design/circle';
 
 /** A link of docs/theorems.md, in these pages. */
 function inPages(to: string): string | null {
@@ -15,7 +18,8 @@ function inPages(to: string): string | null {
   return theorem ? link('theorems', { theorem: theorem[1] }) : /^https:/.test(to) ? to : null;
 }
 
-/** Pictures of examples are asked for when they come into sight, one after the other. */
+/** Pictures of examples are made when they come into sight, one after the other: on a circle if the design is turned by a symmetry,
+ * otherwise its stays. */
 class Gallery {
   private readonly watcher: IntersectionObserver;
   private readonly cells = new Map<Element, Cell>();
@@ -43,36 +47,21 @@ class Gallery {
 
   private async show(place: Element): Promise<void> {
     try {
-      const svg = await draw(this.cells.get(place)!, { picture: 'circle', theme: theme() }, this.signal);
-      if (svg !== null) {
-        const image = picture(svg);
-        image.setAttribute('aria-hidden', 'true');
-        image.setAttribute('focusable', 'false');
-        cropToPoints(image);
-        fill(place, image);
-      }
+      const cell = this.cells.get(place)!;
+      const design = await designOf(cell, this.signal);
+      const symmetry = symmetryOf(design);
+      const turned = symmetry.rotations > 2 && symmetry.shift <= 6 && design.v <= 80;
+      const image = turned
+        ? circlePicture(symmetry, design.blocks, (x) => design.labels?.[x] ?? String(x), Array.from({ length: symmetry.shift }, (_, i) => i), [])
+        : thumbnail(design, '', this.signal);
+      image.setAttribute('aria-hidden', 'true');
+      image.removeAttribute('role');
+      image.removeAttribute('aria-label');
+      fill(place, image as Node);
     } catch {
       // The link is there all the same.
     }
   }
-}
-
-/** A small picture has no room for headlines and legends: only the circle of points is left. */
-function cropToPoints(image: SVGSVGElement): void {
-  const points = [...image.querySelectorAll('circle')].map((point) => ['cx', 'cy', 'r'].map((name) => Number(point.getAttribute(name))));
-  if (points.length > 2) {
-    const low = (of: number): number => Math.min(...points.map((point) => point[of]! - point[2]!)) - 4;
-    const high = (of: number): number => Math.max(...points.map((point) => point[of]! + point[2]!)) + 4;
-    image.setAttribute('viewBox', `${low(0)} ${low(1)} ${high(0) - low(0)} ${high(1) - low(1)}`);
-  }
-}
-
-/** So many paragraphs of a statement are shown at once; some go on into the construction. */
-const mostShown = 7;
-
-function statement(text: string): Child[] {
-  const parts = markup(text, inPages);
-  return parts.length <= mostShown + 1 ? parts : [...parts.slice(0, mostShown), h('details', {}, h('summary', {}, 'More'), parts.slice(mostShown))];
 }
 
 function theorem(it: Theorem, gallery: Gallery, chosen: boolean): HTMLElement {
@@ -80,25 +69,53 @@ function theorem(it: Theorem, gallery: Gallery, chosen: boolean): HTMLElement {
     'article',
     { id: `theorem-${it.number}`, class: chosen ? 'statement chosen' : 'statement', tabindex: -1 },
     h('h3', {}, h('a', { href: link('theorems', { theorem: it.number }) }, `Theorem ${it.number}`), it.title && it.title !== `Theorem ${it.number}` ? [': ', ...line(it.title)] : ''),
-    h('div', { class: 'with-example' }, h('div', { class: 'prose' }, statement(it.statement)), it.example && gallery.add(it.example)),
-  );
-}
-
-function construction(it: Construction, gallery: Gallery, chosen: boolean): HTMLElement {
-  return h(
-    'article',
-    { id: `construction-${it.name}`, class: chosen ? 'statement chosen' : 'statement', tabindex: -1 },
-    h('h3', {}, h('a', { href: link('theorems', { construction: it.name }) }, it.name)),
     h(
       'div',
       { class: 'with-example' },
       h(
         'div',
         { class: 'prose' },
-        h('p', {}, reason(it.summary), '.'),
-        it.serves && h('p', { class: 'hint' }, 'Serves: ', reason(it.serves), '.'),
-        it.gives && h('p', { class: 'hint' }, 'Gives: ', reason(it.gives), '.'),
-        it.citation && it.citation !== '[elementary]' && h('p', { class: 'hint' }, citation(it.citation)),
+        markup(it.statement, inPages),
+        it.proof && h('details', { class: 'proof' }, h('summary', {}, 'Proof'), lazily(() => markup(it.proof, inPages))),
+      ),
+      it.example && gallery.add(it.example),
+    ),
+  );
+}
+
+/** What is inside of a fold, made when it is opened. */
+function lazily(make: () => Child[]): HTMLElement {
+  const place = h('div');
+  const watcher = new IntersectionObserver((seen) => {
+    if (seen.some((each) => each.isIntersecting)) {
+      watcher.disconnect();
+      fill(place, make());
+    }
+  });
+  watcher.observe(place);
+  place.append('\u00a0');
+  return place;
+}
+
+function construction(it: Construction, gallery: Gallery, chosen: boolean): HTMLDetailsElement {
+  return h(
+    'details',
+    { id: `construction-${it.name}`, class: chosen ? 'statement construction chosen' : 'statement construction', open: chosen },
+    h('summary', {}, h('strong', {}, it.name), ' ', h('span', { class: 'summary-words' }, reason(it.summary))),
+    h(
+      'div',
+      { class: 'with-example' },
+      h(
+        'div',
+        { class: 'prose' },
+        h(
+          'dl',
+          { class: 'facts' },
+          it.serves ? [h('dt', {}, 'serves'), h('dd', {}, reason(it.serves))] : [],
+          it.gives ? [h('dt', {}, 'gives'), h('dd', {}, reason(it.gives))] : [],
+          it.citation && it.citation !== '[elementary]' ? [h('dt', {}, 'from'), h('dd', {}, citation(it.citation))] : [],
+        ),
+        h('p', {}, h('a', { href: link('catalog', { by: it.name }) }, 'Cells of the catalog that it makes'), ' · ', h('a', { href: link('theorems', { construction: it.name }) }, 'link to this construction')),
       ),
       it.example && gallery.add(it.example),
     ),
@@ -109,7 +126,7 @@ export const theorems: Page = {
   path: 'theorems',
   title: 'Theorems',
   async render(view: View) {
-    const wanted = { theorem: view.params.get('theorem'), construction: view.params.get('construction') };
+    const wanted = { theorem: view.params.get('theorem'), construction: view.params.get('construction'), reference: view.params.get('reference') };
     let answers: [Theorem[], Construction[]];
     try {
       answers = await waiting(Promise.all([ask(view.signal), constructions(view.signal)]), view.signal, () => fill(view.root, h('h1', {}, 'Theorems and constructions'), h('p', { class: 'hint' }, 'Asking…')));
@@ -142,20 +159,51 @@ export const theorems: Page = {
       (wanted.theorem && !proved.some((each) => each.number === wanted.theorem) && `There is no Theorem ${wanted.theorem} here.`) ||
       (wanted.construction && !built.some((each) => each.name === wanted.construction) && `There is no construction “${wanted.construction}” here.`);
 
+    const jump = (words: Child[], id: string, to: string): HTMLElement =>
+      h('li', {}, h('a', { href: to, onclick: (event) => {
+        // The page is there already: no need to draw it anew.
+        event.preventDefault();
+        view.go({ theorem: null, construction: null, reference: null, ...Object.fromEntries(new URLSearchParams(to.split('?')[1] ?? '')) }, { quiet: true });
+        const target = document.getElementById(id);
+        target?.scrollIntoView({ block: 'start' });
+        target?.focus({ preventScroll: true });
+      } }, words));
+    const contents = h(
+      'nav',
+      { class: 'contents', 'aria-label': 'Contents' },
+      h(
+        'details',
+        { open: window.innerWidth > 900 },
+        h('summary', {}, 'Contents'),
+        h('ul', {}, proved.map((each) => jump([h('strong', {}, each.number), ' ', ...line(each.title)], `theorem-${each.number}`, link('theorems', { theorem: each.number }))), jump([h('strong', {}, 'Constructions')], 'constructions', link('theorems')), jump([h('strong', {}, 'References')], 'references', link('theorems'))),
+      ),
+    );
+    const folds = h('button', { type: 'button', class: 'plain small', onclick: () => {
+      const open = articles.some((each) => !each.hidden && !each.open);
+      articles.filter((each) => !each.hidden).forEach((each) => (each.open = open));
+      folds.textContent = open ? 'Fold all' : 'Unfold all';
+    } }, 'Unfold all');
     fill(
       view.root,
       h('h1', {}, 'Theorems and constructions'),
       missing && h('p', { class: 'note', role: 'alert' }, missing),
-      h('p', {}, 'What the program uses beyond the published theorems, and everything that it can build. Proofs are in docs/theorems.md, which comes with the program. SCCD(v, k) and DCCD(v, k) are single- and double-change covering designs on v elements in blocks of k.'),
-      h('nav', { class: 'jump', 'aria-label': 'On this page' }, h('ul', {}, proved.map((each) => h('li', {}, h('a', { href: link('theorems', { theorem: each.number }) }, each.number.match(/^\d+$/) ? `Theorem ${each.number}` : each.number))), h('li', {}, h('a', { href: '#constructions', onclick: (event) => {
-        event.preventDefault();
-        filter.focus();
-      } }, 'Constructions')))),
-      h('h2', {}, 'Theorems'),
-      proved.map((each) => theorem(each, gallery, each.number === wanted.theorem)),
-      h('h2', { id: 'constructions' }, 'Constructions'),
-      h('div', { class: 'row' }, h('div', { class: 'field' }, h('label', { for: filter.id }, 'Find a construction'), filter), found),
-      h('div', { class: 'constructions' }, articles),
+      h(
+        'div',
+        { class: 'with-contents' },
+        contents,
+        h(
+          'div',
+          {},
+          h('p', {}, 'What the program uses beyond the published theorems, with proofs, and everything that it can build. SCCD(v, k) and DCCD(v, k) are single- and double-change covering designs on v elements in blocks of k.'),
+          h('h2', {}, 'Theorems'),
+          proved.map((each) => theorem(each, gallery, each.number === wanted.theorem)),
+          h('h2', { id: 'constructions', tabindex: -1 }, 'Constructions'),
+          h('div', { class: 'row' }, h('div', { class: 'field' }, h('label', { for: filter.id }, 'Find a construction'), filter), folds, found),
+          h('div', { class: 'constructions' }, articles),
+          h('h2', { id: 'references', tabindex: -1 }, 'References'),
+          h('ul', { class: 'references' }, cited.map(([key, text, url]) => h('li', { id: `reference-${key}`, class: key === wanted.reference ? 'statement chosen' : null, tabindex: -1 }, h('span', { class: 'code' }, `[${key}]`), ' ', text, url && [' ', h('a', { href: url, rel: 'noreferrer' }, url.replace('https://', ''))]))),
+        ),
+      ),
     );
     const chosen = view.root.querySelector<HTMLElement>('.chosen');
     if (chosen) {

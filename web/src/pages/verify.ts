@@ -3,12 +3,15 @@ import { field, fill, h, select } from '../lib/dom';
 import { keepLocal, keepText, keptText } from '../lib/local';
 import { longestWord, pack, unpack } from '../lib/share';
 import { bytes, changes, kinds } from '../lib/words';
+import { asText } from '../parts/downloads';
 import { about } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { blockList, defects } from './verify/blocks';
 import { check, type Report } from './verify/check';
+import { citation } from './verify/citation';
 import { examples } from './verify/examples';
 import { excerpt, lineRange } from './verify/excerpt';
+import { repairOffer } from './verify/repair';
 import { elementTable, facts, headline } from './verify/verdict';
 
 /** Larger texts are not put into the field, only named. */
@@ -143,11 +146,12 @@ async function render(view: View): Promise<void> {
         result,
         headline(report),
         actions(report, body),
+        !report.answer.valid && report.blocks.shown && mend(report, body),
         h(
           'div',
           { class: 'verify-parts' },
           report.blocks.shown ? blockList(report, view) : defects(report),
-          h('div', {}, facts(report), elementTable(report)),
+          h('div', {}, report.answer.valid && citation(report, mine.signal), facts(report), elementTable(report)),
         ),
       );
     } catch (fault) {
@@ -162,6 +166,29 @@ async function render(view: View): Promise<void> {
         go.disabled = false;
       }
     }
+  }
+
+  function mend(report: Report, body: string | Blob): HTMLElement {
+    const given = designOf(report);
+    return repairOffer(
+      {
+        query: { v: v.value, change: report.blocks.change, kind: report.blocks.kind, ...(report.blocks.strength === 2 ? {} : { strength: report.blocks.strength }) },
+        body,
+        blocks: given.blocks,
+        name: (x) => given.labels?.[x] ?? String(x),
+      },
+      (design) => {
+        show(asText(design));
+        change.value = kind.value = v.value = '';
+        view.go({ v: null, change: null, kind: null, example: null }, { quiet: true });
+        void run();
+      },
+      (design) => {
+        keepLocal(design);
+        window.location.hash = link('design', { local: 1 });
+      },
+      view.signal,
+    );
   }
 
   async function showFault(fault: unknown, body: string | Blob): Promise<void> {
@@ -290,9 +317,9 @@ async function render(view: View): Promise<void> {
     h(
       'div',
       { class: 'row' },
-      field('elements v', v),
-      field('changes', change),
-      field('kind', kind),
+      field('Elements v', v),
+      field('Change number', change),
+      field('Kind', kind),
       go,
       h('button', { type: 'button', class: 'plain', onclick: () => pick.click() }, 'Choose a file …'),
       pick,

@@ -1,7 +1,7 @@
 // How a design is made: the tree of constructions, each with what it does, and who found it.
 import type { TreeNode } from '../lib/api';
+import { scholarly, work } from '../lib/citations';
 import { h, type Child } from '../lib/dom';
-import { line } from '../lib/markup';
 import { changeWord, count, number } from '../lib/words';
 import { link } from '../shell/router';
 import { badge } from './status';
@@ -12,23 +12,15 @@ export function shortName(cell: { v: number; k: number; change: number; kind: st
   return `${cell.kind} ${family}(${cell.v},${cell.k})`;
 }
 
-/** Plain text with mathematics as the program writes it (`2*n_j >= 3k`), with theorems of ours as links. */
+/** Plain text with mathematics as the program writes it (`2*n_j >= 3k`), with theorems and works as links. */
 export function reason(text: string): Child[] {
-  const parts: Child[] = [];
-  const said = (words: string): Child[] => line(words.replace(/>=/g, '≥').replace(/<=/g, '≤').replace(/\*/g, '·'));
-  let rest = text;
-  const pattern = /docs\/theorems\.md, Theorem (\d+)/;
-  for (let found = pattern.exec(rest); found; found = pattern.exec(rest)) {
-    parts.push(...said(rest.slice(0, found.index)), h('a', { href: link('theorems', { theorem: found[1] }) }, `Theorem ${found[1]}`));
-    rest = rest.slice(found.index + found[0].length);
-  }
-  parts.push(...said(rest));
-  return parts;
+  return scholarly(text, (theorem) => link('theorems', { theorem }));
 }
 
 /** A citation without its brackets. */
 export function citation(text: string): Child[] {
-  return reason(text.startsWith('[') ? text.replace(/^\[|\]$/g, '') : text);
+  const key = /^\[([A-Za-z]+\d{4}[a-z]?)((?:, [^\]]*)?)\]$/.exec(text);
+  return key ? [work(key[1]!, key[2])] : reason(text.startsWith('[') ? text.replace(/^\[|\]$/g, '') : text);
 }
 
 function node(tree: TreeNode, depth: number): HTMLElement {

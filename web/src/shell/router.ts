@@ -78,7 +78,7 @@ export class Router {
     const { path, params } = placeOf(fragment);
     const page = this.pages.find((each) => each.path === path) ?? (path === '' ? this.pages[0] : undefined);
     if (!page) {
-      fill(this.root, h('h1', {}, 'No such page'), h('p', {}, `There is no page “${path}”. `, h('a', { href: link(this.pages[0]!.path) }, 'Go to the catalog'), '.'));
+      fill(this.root, h('h1', {}, 'No such page'), h('p', {}, `There is no page “${path}”. `, h('a', { href: link(this.pages[0]!.path) }, 'Go to the start page'), '.'));
       return;
     }
     this.entered(page);

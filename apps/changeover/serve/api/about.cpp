@@ -122,6 +122,9 @@ std::vector<Theorem> theorems_of(std::string_view text) {
     begin = text.find_first_not_of('\n', begin);
     theorem.statement = std::string(text.substr(begin, proof - begin));
     theorem.statement.erase(theorem.statement.find_last_not_of('\n') + 1);
+    theorem.proof = std::string(text.substr(proof, next - proof));
+    theorem.proof.erase(0, theorem.proof.find_first_not_of('\n'));
+    theorem.proof.erase(theorem.proof.find_last_not_of('\n') + 1);
     theorems.push_back(std::move(theorem));
   }
   return theorems;
@@ -133,7 +136,7 @@ std::string theorems_json() {
   json.begin_array();
   for (const Theorem& theorem : theorems_of(theorems_text())) {
     json.begin_object().key("number").value(theorem.number).key("title").value(theorem.title);
-    json.key("statement").value(theorem.statement);
+    json.key("statement").value(theorem.statement).key("proof").value(theorem.proof);
     // Of a construction that says it is from this theorem.
     std::optional<Parameters> example;
     for (const Construction* each : Registry::standard().constructions()) {

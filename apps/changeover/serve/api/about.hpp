@@ -14,12 +14,13 @@ struct Theorem {
   std::string number;
   std::string title;
   std::string statement;  ///< Markdown, up to the proof
+  std::string proof;      ///< Markdown, and what follows it in its section; empty if there is none
 };
 
 /// The theorems of a text like docs/theorems.md: sections "## Theorem N", titles in the list of contents.
 [[nodiscard]] std::vector<Theorem> theorems_of(std::string_view text);
 
-/// [{"number","title","statement","example":{v,k,change,kind}|null}]
+/// [{"number","title","statement","proof","example":{v,k,change,kind}|null}]
 [[nodiscard]] std::string theorems_json();
 
 /// [{"name","summary","citation","serves","gives","example":{v,k,change,kind}|null}]

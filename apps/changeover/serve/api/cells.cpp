@@ -7,6 +7,7 @@
 #include "answer/design/recipe_tree.hpp"
 #include "answer/known/known_bounds.hpp"
 #include "answer/known/known_table.hpp"
+#include "changeover/catalog/classified.hpp"
 #include "changeover/construct/standard_catalog.hpp"
 #include "changeover/io/formats.hpp"
 #include "io/write/json_writer.hpp"
@@ -18,8 +19,6 @@
 
 namespace changeover::serve {
 namespace {
-
-constexpr std::uint64_t usual_change = 2;
 
 Response table(Explorer& explorer, const Request& request) {
   const auto table = explorer.tables.of(table_range_of(request), explorer.generation());
@@ -46,19 +45,40 @@ void write_best(JsonWriter& json, const cli::KnownBounds& known) {
   json.key("recipe").raw(recipe_to_json(offer.recipe)).end_object();
 }
 
+// All designs with so many blocks, where they were counted. "1:11 3:1" becomes a list.
+void write_classified(JsonWriter& json, const cli::KnownBounds& known) {
+  const auto all = known.best ? classified(known.parameters, known.best->b) : std::nullopt;
+  json.key("classified");
+  if (!all) {
+    json.null();
+    return;
+  }
+  json.begin_object().key("b").value(all->b).key("standard_forms").value(all->standard_forms);
+  json.key("classes").value(all->classes).key("tight").value(all->tight);
+  json.key("groups").begin_array();
+  for (std::string_view rest = all->groups; !rest.empty();) {
+    const std::string_view each = rest.substr(0, rest.find(' '));
+    const std::size_t colon = each.find(':');
+    json.begin_object().key("order").raw(std::string(each.substr(0, colon)));
+    json.key("classes").raw(std::string(each.substr(colon + 1))).end_object();
+    rest.remove_prefix(std::min(rest.size(), each.size() + 1));
+  }
+  json.end_array().end_object();
+}
+
 }  // namespace
 
-cli::TableRange table_range_of(const Request& request) {
+cli::TableRange table_range_of(const Request& request, const cli::TableRange& usual) {
   constexpr std::uint64_t most_cells = 20'000;
-  const cli::Range usual_k{3, 8};
-  const cli::Range k = range_of(request, "k", usual_k);
-  const cli::Range v = range_of(request, "v", {k.from, 40});
+  const cli::Range k = range_of(request, "k", usual.k);
+  const cli::Range v =
+      range_of(request, "v", {usual.v.from > 0 ? usual.v.from : k.from, usual.v.to});
   const std::uint64_t columns = k.to - k.from;
   if (columns >= most_cells || (v.to - v.from) / (most_cells / (columns + 1)) > 0) {
     throw Refusal{413, fmt::format("the table would have more than {} cells; ask for fewer at once",
                                    most_cells)};
   }
-  return {.k = k, .v = v, .change = number_of(request, "change").value_or(usual_change)};
+  return {.k = k, .v = v, .change = number_of(request, "change").value_or(usual.change)};
 }
 
 bool is_quick_table(const Request& request) {
@@ -69,7 +89,7 @@ bool is_quick_table(const Request& request) {
          (range.k.to - range.k.from + 1) * (range.v.to - range.v.from + 1) <= quick_cells;
 }
 
-std::string cell_json(const Catalog& catalog, const Parameters& p) {
+std::string cell_json(const Catalog& catalog, const Parameters& p, Offers how) {
   const cli::KnownBounds known = cli::known_bounds(p);
   JsonWriter json;
   cli::begin_known(json, known);
@@ -93,7 +113,10 @@ std::string cell_json(const Catalog& catalog, const Parameters& p) {
       known.impossible ? std::vector<Offer>() : Registry::standard().offers(p);
   for (std::size_t i = 0; i < std::min(offers.size(), most_offers); ++i) {
     json.begin_object().key("construction").value(offers[i].recipe.construction);
-    json.key("b").value(offers[i].b).key("recipe").raw(recipe_to_json(offers[i].recipe));
+    json.key("b").value(offers[i].b);
+    if (how == Offers::with_recipes) {
+      json.key("recipe").raw(recipe_to_json(offers[i].recipe));
+    }
     json.end_object();
   }
   json.end_array().key("history").begin_array();
@@ -105,7 +128,9 @@ std::string cell_json(const Catalog& catalog, const Parameters& p) {
     json.key("credit").value(entry == entries.end() ? "" : entry->credit.who);
     json.key("how").value(step.how).end_object();
   }
-  json.end_array().key("impossible");
+  json.end_array();
+  write_classified(json, known);
+  json.key("impossible");
   known.impossible ? json.value(*known.impossible) : json.null();
   return json.end_object().take();
 }

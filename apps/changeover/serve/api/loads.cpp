@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <variant>
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/pair_set.hpp"
@@ -14,7 +17,6 @@
 #include "io/request/request_document.hpp"
 #include "io/write/json_writer.hpp"
 #include "loadorder/show/loads_answer.hpp"
-#include "loadorder/show/step_writer.hpp"
 #include "serve/api/request_body.hpp"
 #include "serve/api/routes.hpp"
 
@@ -29,6 +31,7 @@ struct LoadQuestion {
   LoadRequest request;
   CheckedLoads loads;
   std::uint64_t bytes_per_item = 1;
+  double seconds = 0;  // of a search; 0: none
 };
 
 // The page's own key, beside those of the document.
@@ -43,7 +46,18 @@ std::uint64_t take_bytes_per_item(RequestDocument& document) {
   return bytes;
 }
 
-LoadQuestion question_of(const Request& sent) {
+// A search leaves time to read what it finds.
+double search_time(const LoadRequest& request, const Limits& limits) {
+  const double most = limits.seconds.count() / 2;
+  const double seconds = request.seconds.value_or(0);
+  if (seconds < 0 || seconds > most) {
+    throw Refusal{422,
+                  fmt::format("seconds: write 0 to {}; changeover loadorder takes more", most)};
+  }
+  return seconds;
+}
+
+LoadQuestion question_of(const Explorer& explorer, const Request& sent) {
   RequestDocument document(load_table().format, sent.body, "");
   const std::uint64_t bytes = take_bytes_per_item(document);
   const auto request = read_request(load_table(), document);
@@ -54,7 +68,8 @@ LoadQuestion question_of(const Request& sent) {
   }
   LoadQuestion question{.request = request,
                         .loads = from_body([&] { return checked_loads(request, Door::document); }),
-                        .bytes_per_item = bytes};
+                        .bytes_per_item = bytes,
+                        .seconds = search_time(request, explorer.limits)};
   if (question.loads.items() > most_items_of_a_page) {
     throw Refusal{422, fmt::format("{} items; at most {} here; changeover loadorder takes more",
                                    question.loads.items(), most_items_of_a_page)};
@@ -79,11 +94,13 @@ class Account {
     for (const Element item : step.evict) {
       std::erase(memory_, item);
     }
+    pairs_of_.resize(std::max<std::size_t>(pairs_of_.size(), step.worker + 1));
     for (const Element item : step.load) {
       for (const Element other : memory_) {
         if (item != other && !met_.contains(item, other) && asked_.wanted().contains(item, other)) {
           met_.insert(item, other);
           ++pairs_;
+          ++pairs_of_[step.worker];
         }
       }
       memory_.push_back(item);
@@ -110,6 +127,8 @@ class Account {
 
   [[nodiscard]] std::uint64_t every() const { return every_; }
   [[nodiscard]] std::uint64_t pairs() const { return pairs_; }
+  /// That no worker before had together, worker by worker.
+  [[nodiscard]] const std::vector<std::uint64_t>& pairs_of() const { return pairs_of_; }
   [[nodiscard]] const std::vector<std::uint64_t>& held() const { return held_; }
   [[nodiscard]] const std::vector<std::uint64_t>& done() const { return done_; }
 
@@ -121,73 +140,138 @@ class Account {
   ScheduleCheck check_;
   std::uint64_t count_ = 0;
   std::uint64_t pairs_ = 0;
+  std::vector<std::uint64_t> pairs_of_;
   std::vector<std::uint64_t> held_;
   std::vector<std::uint64_t> done_;
 };
 
-Response load_order(const Request& request) {
-  const LoadQuestion question = question_of(request);
-  const CheckedLoads& asked = question.loads;
-  const LoadsAnswer answer(asked, question.request, {});
-  const auto* const split = std::get_if<WorkerSplit>(&answer.loads());
-  const auto* const order = std::get_if<LoadOrder>(&answer.loads());
-  const LoadOrderFacts& facts = split != nullptr ? split->order().facts() : order->facts();
-  const std::uint64_t loads = split != nullptr ? split->facts().loads : facts.loads;
-  const LoadBound bound = asked.wanted().are_all() ? load_lower_bound(asked.items(), asked.room())
-                                                   : load_lower_bound(asked.wanted(), asked.room());
-  std::uint64_t steps = facts.steps;
-  if (split) {
-    steps = 0;
-    for (const WorkerFacts& worker : split->facts().workers) {
-      steps += worker.steps;
+// The first lines of a document; what follows is let through.
+class FirstLines final : public Sink {
+ public:
+  explicit FirstLines(std::uint64_t most) : left_(most) {}
+
+  void write(std::string_view bytes) override {
+    while (left_ > 0 && !bytes.empty()) {
+      const std::size_t end = std::min(bytes.find('\n'), bytes.size() - 1) + 1;
+      text_.append(bytes.substr(0, end));
+      left_ -= bytes[end - 1] == '\n' ? 1U : 0U;
+      bytes.remove_prefix(end);
     }
   }
+
+  /// The first line, and the others as an array.
+  [[nodiscard]] std::string head() const { return text_.substr(0, text_.find('\n')); }
+  [[nodiscard]] std::string others() const {
+    std::string list = text_.substr(std::min(text_.find('\n'), text_.size() - 1) + 1);
+    std::ranges::replace(list, '\n', ',');
+    list.resize(list.size() - std::min<std::size_t>(1, list.size()));
+    return "[" + list + "]";
+  }
+
+ private:
+  std::uint64_t left_;
+  std::string text_;
+};
+
+// What is planned, whichever way: one order, or that of workers; of the room `spare` is for what is loading.
+struct PlannedLoads {
+  const LoadOrder* order = nullptr;
+  const WorkerSplit* split = nullptr;
+  std::optional<std::uint64_t> spare = {};
+
+  [[nodiscard]] const LoadOrderFacts& facts() const {
+    return split != nullptr ? split->order().facts() : order->facts();
+  }
+  [[nodiscard]] std::uint64_t loads() const {
+    return split != nullptr ? split->facts().loads : order->facts().loads;
+  }
+  [[nodiscard]] std::unique_ptr<StepSource> stream() const {
+    return split != nullptr ? split->stream() : order->stream();
+  }
+  [[nodiscard]] std::uint64_t steps() const {
+    std::uint64_t steps = split != nullptr ? 0 : order->facts().steps;
+    for (std::size_t i = 0; split != nullptr && i < split->facts().workers.size(); ++i) {
+      steps += split->facts().workers[i].steps;
+    }
+    return steps;
+  }
+};
+
+PlannedLoads planned_loads(const AnyLoads& loads) {
+  if (const auto* const split = std::get_if<WorkerSplit>(&loads)) {
+    return {.split = split};
+  }
+  if (const auto* const plan = std::get_if<PrefetchPlan>(&loads)) {
+    return {.order = &plan->order, .spare = plan->spare};
+  }
+  if (const auto* const plan = std::get_if<PrefetchSplit>(&loads)) {
+    return {.split = &plan->order, .spare = plan->spare};
+  }
+  return {.order = &std::get<LoadOrder>(loads)};
+}
+
+void write_workers(JsonWriter& json, const WorkerSplit& split,
+                   const std::vector<std::uint64_t>& pairs_of) {
+  const SplitFacts& facts = split.facts();
+  json.key("makespan").value(facts.makespan);
+  json.key("makespan_bound").value(facts.makespan_bound.loads);
+  json.key("worker_loads").begin_array();
+  for (const WorkerFacts& worker : facts.workers) {
+    json.value(worker.loads);
+  }
+  json.end_array().key("worker_pairs").begin_array();
+  for (std::size_t i = 0; i < facts.workers.size(); ++i) {
+    json.value(i < pairs_of.size() ? pairs_of[i] : 0);
+  }
+  json.end_array();
+}
+
+Response load_order(const Explorer& explorer, const Request& request) {
+  const LoadQuestion question = question_of(explorer, request);
+  const CheckedLoads& asked = question.loads;
+  RunControl control(*RunScope::current(), std::chrono::duration<double>(question.seconds));
+  LoadOrderOptions options;
+  options.seed = question.request.seed.value_or(1);
+  if (question.seconds > 0) {
+    options.improve = improve_by_search(control);
+    options.search_pairs = [&control](const std::function<void()>& search) {
+      const RunScope scope(control);
+      search();
+    };
+  }
+  const LoadsAnswer answer(asked, question.request, options);
+  stop_if_asked();  // The client may have gone.
+  const PlannedLoads planned = planned_loads(answer.loads());
+  const LoadOrderFacts& facts = planned.facts();
+  const std::uint64_t loads = planned.loads();
+  const std::uint64_t steps = planned.steps();
+  const LoadBound bound = asked.wanted().are_all() ? load_lower_bound(asked.items(), asked.room())
+                                                   : load_lower_bound(asked.wanted(), asked.room());
+  FirstLines lines(most_steps + 1);
+  answer.write("jsonl", lines);
+  Account account(asked, steps);
+  const auto stream = planned.stream();
+  for (Step step; stream->next(step);) {
+    account.read(step);
+  }
+  account.finish(loads);
   JsonWriter json;
-  json.begin_object()
-      .key("order")
-      .raw(answer.head())
-      .key("loads")
-      .value(loads)
-      .key("lower_bound")
-      .value(bound.loads);
-  json.key("reason").value(bound.reason).key("method").value(facts.method);
-  json.key("explanation").value(split ? split->facts().explanation : facts.explanation);
+  json.begin_object().key("order").raw(lines.head()).key("loads").value(loads);
+  json.key("lower_bound").value(bound.loads).key("reason").value(bound.reason);
+  json.key("method").value(facts.method).key("explanation");
+  json.value(planned.split != nullptr ? planned.split->facts().explanation : facts.explanation);
   json.key("bytes").value(checked_multiply(loads, question.bytes_per_item));
   json.key("bytes_bound").value(checked_multiply(bound.loads, question.bytes_per_item));
   json.key("step_count").value(steps);
-  Account account(asked, steps);
-  std::uint64_t read = 0;
-  StringSink lines;
-  std::vector<Column> columns{Column::step, Column::load, Column::evict};
-  if (split) {
-    columns.insert(columns.begin(), Column::worker);
-  }
-  const PairGraph* const graph = asked.wanted().graph();
-  StepWriter writer(lines, "jsonl", graph != nullptr ? &graph->names() : nullptr, columns);
-  const auto stream = split ? split->stream() : order->stream();
-  for (Step step; stream->next(step);) {
-    account.read(step);
-    if (read++ < most_steps) {
-      writer.write(step);
-    }
-  }
-  writer.end();
-  account.finish(loads);
-  std::string shown = lines.take();
-  std::ranges::replace(shown, '\n', ',');
-  shown.resize(shown.size() - std::min<std::size_t>(1, shown.size()));
-  json.key("steps").raw("[" + shown + "]").key("truncated").value(read > most_steps);
+  json.key("steps").raw(lines.others()).key("truncated").value(steps > most_steps);
   json.key("sample_every").value(account.every());
   json.key("memory").value(account.held()).key("pairs_done").value(account.done());
   json.key("pairs").value(account.pairs());
-  if (split) {
-    json.key("makespan").value(split->facts().makespan);
-    json.key("makespan_bound").value(split->facts().makespan_bound.loads);
-    json.key("worker_loads").begin_array();
-    for (const WorkerFacts& worker : split->facts().workers) {
-      json.value(worker.loads);
-    }
-    json.end_array();
+  if (planned.split != nullptr) {
+    write_workers(json, *planned.split, account.pairs_of());
+  }
+  if (planned.spare) {
+    json.key("spare").value(*planned.spare);
   }
   json.key("verified").value(true).end_object();
   return json_response(json.take() + "\n");
@@ -196,7 +280,8 @@ Response load_order(const Request& request) {
 }  // namespace
 
 void add_loads(Router& router, Explorer& explorer) {
-  router.add(posted(explorer, "api/loadorder", {}, Body::json, load_order));
+  router.add(posted(explorer, "api/loadorder", {}, Body::json,
+                    [&explorer](const Request& request) { return load_order(explorer, request); }));
 }
 
 }  // namespace changeover::serve

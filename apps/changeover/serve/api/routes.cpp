@@ -34,7 +34,7 @@ Route posted(Explorer& explorer, std::string path, std::vector<std::string> para
 
 void add_pages(Router& router, const Pages& pages) {
   Route route;
-  route.parameters = {"token"};
+  route.parameters = {"token", "cell", "design"};  // The page reads what it is to show.
   route.lane = always(Lane::here);
   route.answer = [&pages](const Request& request) {
     auto page = pages.find(request.path);
@@ -56,6 +56,7 @@ std::shared_ptr<const Router> routes(Explorer& explorer, const Pages& pages) {
   add_pages(*router, pages);
   add_about(*router, explorer);
   add_cells(*router, explorer);
+  add_atlas(*router, explorer);
   add_designs(*router, explorer);
   add_searches(*router, explorer);
   add_verify(*router, explorer);

@@ -13,11 +13,12 @@ namespace changeover::serve {
 [[nodiscard]] std::shared_ptr<const Router> routes(Explorer& explorer, const Pages& pages);
 
 void add_about(Router& router,
-               Explorer& explorer);  ///< about, completeness, constructions, theorems
+               Explorer& explorer);  ///< about, completeness, constructions, theorems, references
 void add_cells(Router& router, Explorer& explorer);     ///< table, cell, bounds, explain
+void add_atlas(Router& router, Explorer& explorer);     ///< atlas, groups
 void add_designs(Router& router, Explorer& explorer);   ///< design, download, cite
 void add_searches(Router& router, Explorer& explorer);  ///< search, events, what is kept
-void add_verify(Router& router, Explorer& explorer);    ///< verify
+void add_verify(Router& router, Explorer& explorer);    ///< verify, repair
 void add_pictures(Router& router, Explorer& explorer);  ///< draw, heatmap
 void add_plans(Router& router, Explorer& explorer);     ///< plan
 void add_loads(Router& router, Explorer& explorer);     ///< load orders

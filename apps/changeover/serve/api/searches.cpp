@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "changeover/io/input.hpp"
@@ -22,6 +23,56 @@ void require_writing(const Explorer& explorer) {
   }
 }
 
+SearchWay way_named(const std::string& name) {
+  for (const SearchWay way :
+       {SearchWay::local, SearchWay::exact, SearchWay::base_blocks, SearchWay::locked}) {
+    if (name == to_string(way)) {
+      return way;
+    }
+  }
+  throw Refusal{422, "way: write \"local\", \"exact\", \"base-blocks\" or \"locked\""};
+}
+
+Block elements_in(JsonBody& body, const std::string& name) {
+  Block elements;
+  const nlohmann::json* const list = body.find(name);
+  if (list == nullptr) {
+    return elements;
+  }
+  if (!list->is_array()) {
+    throw Refusal{422, fmt::format("{}: write a list of elements such as [0,1,2]", name)};
+  }
+  for (const nlohmann::json& each : *list) {
+    if (!each.is_number_unsigned() || each.get<std::uint64_t>() > max_elements_in_memory) {
+      throw Refusal{422, fmt::format("{}: write a list of elements such as [0,1,2]", name)};
+    }
+    elements.push_back(each.get<Element>());
+  }
+  return elements;
+}
+
+// What a way cannot do, before it is begun.
+void check_way(const SearchOrder& order) {
+  const Parameters& p = order.parameters;
+  const Wanted& wanted = order.wanted;
+  const bool locks = wanted.expansion_set || !wanted.first.empty() || !wanted.last.empty();
+  if (locks != (order.way == SearchWay::locked)) {
+    throw Refusal{422, locks ? "first, last and expansion_set go with \"way\":\"locked\""
+                             : "way: a locked search needs first, last or expansion_set"};
+  }
+  if (order.way == SearchWay::locked) {
+    if (p.strength != 2) {
+      throw Refusal{422, "way: a locked search has strength 2"};
+    }
+    if (const std::string defect = wanted_defect(p, wanted); !defect.empty()) {
+      throw Refusal{422, fmt::format("no {} can be so: {}", name(p), defect)};
+    }
+  }
+  if (order.way == SearchWay::exact && order.blocks) {
+    throw Refusal{422, "blocks has no meaning with \"way\":\"exact\", which finds the minimum"};
+  }
+}
+
 SearchOrder order_of(const Request& request) {
   constexpr double most_seconds = 86'400;
   JsonBody body(request.body);
@@ -35,6 +86,19 @@ SearchOrder order_of(const Request& request) {
     throw Refusal{422, "kind: write \"circular\" or \"linear\""};
   }
   p.kind = *kind;
+  const std::uint64_t strength = body.number("strength").value_or(2);
+  if (strength < 2 || strength > max_strength) {
+    throw Refusal{422, fmt::format("strength: write 2 to {}", max_strength)};
+  }
+  p.strength = static_cast<std::uint32_t>(strength);
+  order.way = way_named(body.text("way").value_or("local"));
+  order.blocks = body.number("blocks");
+  if (order.blocks == 0) {
+    throw Refusal{422, "blocks: a design has at least one block"};
+  }
+  order.wanted.first = elements_in(body, "first");
+  order.wanted.last = elements_in(body, "last");
+  order.wanted.expansion_set = body.boolean("expansion_set").value_or(false);
   order.seconds = body.seconds("seconds").value_or(order.seconds);
   if (order.seconds <= 0 || order.seconds > most_seconds) {
     throw Refusal{422, fmt::format("seconds: write more than 0 and at most {}", most_seconds)};
@@ -48,6 +112,7 @@ SearchOrder order_of(const Request& request) {
   order.seed = body.number("seed").value_or(1);
   body.finish();
   check(p);
+  check_way(order);
   return order;
 }
 

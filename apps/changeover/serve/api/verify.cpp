@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "answer/answer.hpp"
 #include "answer/design/judgement.hpp"
 #include "changeover/io/formats.hpp"
+#include "changeover/run/control.hpp"
+#include "changeover/search/repair.hpp"
 #include "changeover/verify/verdict.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
@@ -80,6 +83,40 @@ std::string verified_json(const Design& design) {
                      std::string_view(rest).substr(1));
 }
 
+// What a list of blocks becomes with few blocks changed, and which blocks these are.
+static std::string repaired_json(const Design& list, RunControl& control) {
+  const RepairResult result = repair(list, {}, control);
+  JsonWriter json;
+  json.begin_object().key("given").value(result.given).key("kept").value(result.kept);
+  json.key("bad_steps").value(result.bad_steps).key("uncovered").value(result.uncovered);
+  json.key("design");
+  if (!result.design) {
+    json.null();
+  } else {
+    StringSink sink;
+    write_json(*result.design, sink);
+    std::string text = sink.take();
+    std::ranges::replace(text, '\n', ' ');
+    json.raw(text);
+  }
+  return json.end_object().take();
+}
+
+static Response repaired(const Request& request) {
+  constexpr std::size_t most_blocks = 20'000;
+  constexpr std::chrono::duration<double> most_time{10};
+  const Design list = read_design(input_from_text(request.body), reading_of(request));
+  if (list.block_count() > most_blocks) {
+    throw Refusal{413, fmt::format("the list has {} blocks, and at most {} are repaired here; "
+                                   "changeover search --repair FILE has no such limit",
+                                   list.block_count(), most_blocks)};
+  }
+  RunControl control(*RunScope::current(), most_time);
+  std::string answer = repaired_json(list, control);
+  stop_if_asked();  // The client may have gone.
+  return json_response(answer + "\n");
+}
+
 void add_verify(Router& router, Explorer& explorer) {
   constexpr std::size_t quick_bytes = 200'000;
   Route route = posted(
@@ -92,6 +129,8 @@ void add_verify(Router& router, Explorer& explorer) {
     return request.body.size() <= quick_bytes ? Lane::quick : Lane::slow;
   };
   router.add(std::move(route));
+  router.add(posted(explorer, "api/repair", {"v", "k", "change", "kind", "strength"}, Body::any,
+                    repaired));
 }
 
 }  // namespace changeover::serve

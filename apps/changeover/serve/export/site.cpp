@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <set>
@@ -18,30 +19,37 @@
 #include "changeover/catalog/entry.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
-#include "changeover/draw/draw.hpp"
 #include "changeover/run/control.hpp"
 #include "io/write/json_writer.hpp"
 #include "run/threads.hpp"
 #include "serve/api/about.hpp"
+#include "serve/api/atlas.hpp"
 #include "serve/api/cells.hpp"
 #include "serve/api/selection.hpp"
+#include "serve/export/addresses.hpp"
+#include "serve/export/packed_designs.hpp"
 #include "serve/export/workshop.hpp"
 
 namespace changeover::serve {
 namespace {
 
 // The page says where its data are, and asks for nothing from elsewhere wherever it is put.
-std::string static_index(std::string page) {
+std::string static_index(std::string page, const std::string& address) {
   constexpr std::string_view head = "<head>";
   const std::size_t at = page.find(head);
   if (at == std::string::npos) {
     throw MissingResource("index.html of the pages has no <head>");
   }
+  const std::string feed = address.empty()
+                               ? std::string()
+                               : "\n    <link rel=\"alternate\" type=\"application/atom+xml\" "
+                                 "title=\"New designs\" href=\"feed.xml\">";
   page.insert(at + head.size(),
               "\n    <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
               "script-src 'self'; style-src 'self'; img-src 'self' data: blob:; connect-src "
               "'self'; base-uri 'none'; form-action 'none'\">"
-              "\n    <meta name=\"changeover-data\" content=\"data/\">");
+              "\n    <meta name=\"changeover-data\" content=\"data/\">" +
+                  feed);
   return page;
 }
 
@@ -56,51 +64,111 @@ std::string config_json(const Catalog& catalog) {
   return json.take() + "\n";
 }
 
+// Files that only these pages read are compressed: any server can send them as they are.
+std::string packed(std::string_view text) {
+  constexpr int smallest = 9;
+  return gzip(text, smallest);
+}
+
+// A cell without a recipe for each offer: the page names constructions only.
+std::string shelved_cell(const Catalog& catalog, const Parameters& p) {
+  return cell_json(catalog, p, Offers::by_name);
+}
+
 class Site {
  public:
-  Site(Workshop& workshop, const SiteRange& range, const Catalog& catalog, RunControl& control)
-      : workshop_(workshop), range_(range), catalog_(catalog), control_(control) {}
+  Site(Workshop& workshop, const SiteRange& range, std::string address, const Catalog& catalog,
+       RunControl& control)
+      : workshop_(workshop),
+        range_(range),
+        address_(std::move(address)),
+        catalog_(catalog),
+        control_(control) {}
 
   void write_change(std::uint64_t change) {
     report_progress({.phase = fmt::format("planning change number {}", change), .unit = "files"});
-    const cli::KnownTable table = cli::known_table({.k = range_.k, .v = range_.v, .change = change});
+    const cli::KnownTable table =
+        cli::known_table({.k = range_.k, .v = range_.v, .change = change});
     for (const Kind kind : {Kind::circular, Kind::linear}) {
-      const cli::Cells cells = table.cells(kind);
-      const std::string name = fmt::format("{}.{}", change, to_string(kind));
-      workshop_.write("data/table/" + name + ".json", cli::table_json(cells, true) + "\n");
-      write_heatmaps(name, cells);
-      write_cells(name, cells);
+      const AtlasQuestion asked{.range = table.range(), .kind = kind};
+      write_selection(fmt::format("{}.{}", change, to_string(kind)), asked, table.cells(kind));
     }
+  }
+
+  // Of larger strengths what the range has of the little that is known.
+  void write_strength(std::uint64_t change, std::uint32_t strength) {
+    const auto common = [](const cli::Range& a, const cli::Range& b) {
+      return cli::Range{std::max(a.from, b.from), std::min(a.to, b.to)};
+    };
+    const cli::TableRange all = atlas_range(change, strength);
+    const cli::TableRange range{.k = common(all.k, range_.k),
+                                .v = common(all.v, range_.v),
+                                .change = change};
+    if (range.k.from > range.k.to || range.v.from > range.v.to) {
+      return;
+    }
+    for (const Kind kind : {Kind::circular, Kind::linear}) {
+      const AtlasQuestion asked{.range = range, .kind = kind, .strength = strength};
+      const std::deque<KnownCell> held = cells_of_strength(asked);
+      cli::Cells cells;
+      for (const KnownCell& cell : held) {
+        cells.push_back(&cell);
+      }
+      write_selection(fmt::format("{}.{}.t{}", change, to_string(kind), strength), asked, cells);
+    }
+  }
+
+  // Where the site will be is known: then addresses of all that it has can be named.
+  void write_addresses() {
+    std::vector<std::string> maps;
+    const auto write = [&](const std::string& name, const std::vector<std::string>& addresses) {
+      for (std::size_t from = 0, part = 1; from < addresses.size();
+           from += most_addresses, ++part) {
+        const auto end = std::min(addresses.size(), from + most_addresses);
+        const std::string file = fmt::format("sitemap-{}-{}.xml.gz", name, part);
+        workshop_.write(file,
+                        packed(sitemap({addresses.begin() + static_cast<std::ptrdiff_t>(from),
+                                        addresses.begin() + static_cast<std::ptrdiff_t>(end)})));
+        maps.push_back(address_ + file);
+      }
+    };
+    std::ranges::sort(named_cells_);
+    write("cells", named_cells_);
+    std::vector<std::string> designs;
+    for (const std::string& label : written_) {
+      designs.push_back(address_of_design(address_, label));
+    }
+    write("designs", designs);
+    workshop_.write("sitemap.xml", sitemap_index(maps));
+    workshop_.write("robots.txt",
+                    fmt::format("User-agent: *\nAllow: /\nSitemap: {}sitemap.xml\n", address_));
+    workshop_.write("feed.xml", feed(address_, catalog_));
   }
 
   [[nodiscard]] std::uint64_t cells() const { return cells_; }
   [[nodiscard]] std::uint64_t designs() const { return written_.size(); }
 
  private:
-  void write_heatmaps(const std::string& name, const cli::Cells& cells) {
-    std::vector<KnownCell> owned;
-    for (const KnownCell* const cell : cells) {
-      owned.push_back(*cell);
-    }
-    for (const HeatMeasure measure : {HeatMeasure::ratio, HeatMeasure::status, HeatMeasure::gap}) {
-      const Picture picture = draw_heatmap(owned, measure);
-      for (const Theme theme : {Theme::light, Theme::dark}) {
-        workshop_.write(
-            fmt::format("data/heatmap/{}.{}.{}.svg", name, to_string(measure), to_string(theme)),
-            svg(picture, theme));
-      }
-    }
+  void write_selection(const std::string& name, const AtlasQuestion& asked,
+                       const cli::Cells& cells) {
+    workshop_.write("data/atlas/" + name + ".json.gz", packed(atlas_json(asked, cells)));
+    workshop_.write("data/groups/" + name + ".json.gz", packed(groups_json(asked, cells)));
+    write_cells(name, cells);
   }
 
-  // A file for each k: an object by v. What is no list of blocks at all, with k > v, is in the table only.
+  // A file for each k: an object by v; and one with the designs. What is no list of blocks at all, with k > v, is in the atlas only.
   void write_cells(const std::string& name, cli::Cells cells) {
     std::erase_if(cells, [](const KnownCell* cell) {
       const Parameters& p = cell->parameters;
       return p.k > p.v || p.change > p.k;
     });
     std::vector<std::string> documents(cells.size());
+    std::map<std::uint64_t, PackedDesigns> designs;
+    for (const KnownCell* const cell : cells) {
+      designs[cell->parameters.k];
+    }
     in_parallel(control_, cells.size(), [&](std::size_t i) {
-      documents[i] = document_of(*cells[i]);
+      documents[i] = document_of(*cells[i], designs.at(cells[i]->parameters.k));
       report_progress({.phase = "writing the site", .steps = ++cells_, .unit = "cells"});
     });
     stop_if_asked();
@@ -109,27 +177,35 @@ class Site {
       const Parameters& p = cells[i]->parameters;
       std::string& shelf = shelves[p.k];
       shelf += fmt::format("{}\"{}\":{}", shelf.empty() ? "{" : ",\n", p.v, documents[i]);
+      named_cells_.push_back(address_of_cell(address_, p));
     }
     for (const auto& [k, shelf] : shelves) {
-      workshop_.write(fmt::format("data/cell/{}.{}.json", name, k), shelf + "}\n");
+      workshop_.write(fmt::format("data/cell/{}.{}.json.gz", name, k), packed(shelf + "}\n"));
+      workshop_.write(fmt::format("data/design/{}.{}.gz", name, k), packed(designs.at(k).take()));
     }
   }
 
-  std::string document_of(const KnownCell& cell) {
+  // With how it is made, and BibTeX of its designs by their labels.
+  std::string document_of(const KnownCell& cell, PackedDesigns& designs) {
     const Parameters& p = cell.parameters;
-    std::string document = cell_json(catalog_, p);
+    std::string document = shelved_cell(catalog_, p);
     document.pop_back();
     document += ",\"explain\":" +
-                (cell.best ? cli::explanation_json(cell.best->recipe) : std::string("null")) + "}";
+                (cell.best ? cli::explanation_json(cell.best->recipe) : std::string("null"));
+    JsonWriter cites;
+    cites.begin_object();
     for (const CatalogEntry& entry : catalog_.cell(p)) {
       const std::string label = entry.label();
+      cites.key(label).value(cli::bibtex_of(entry));
       if (entry.retracted.empty() && is_new(label)) {
         stop_if_asked();
-        workshop_.write("data/design/" + label + ".json", design_json({cli::built(entry), label}));
-        workshop_.write("data/cite/" + label + ".bib", cli::bibtex_of(entry));
+        const cli::ChosenDesign chosen = cli::built(entry);
+        Design design = read_all(*chosen.source);
+        design.set_labels(chosen.exhibit.header.labels);
+        designs.add(label, design, chosen.exhibit.judgement.verdict);
       }
     }
-    return document;
+    return document + ",\"cite\":" + cites.end_object().take() + "}";
   }
 
   bool is_new(const std::string& label) {
@@ -139,17 +215,20 @@ class Site {
 
   Workshop& workshop_;
   const SiteRange& range_;
+  std::string address_;
   const Catalog& catalog_;
   RunControl& control_;
   std::atomic<std::uint64_t> cells_ = 0;
+  std::vector<std::string> named_cells_;
   std::mutex mutex_;
   std::set<std::string> written_;
 };
 
 }  // namespace
 
-SiteSummary export_site(const std::string& folder, const SiteRange& range, const Pages& pages,
-                        const Catalog& catalog, RunControl& control) {
+SiteSummary export_site(const std::string& folder, const SiteRange& range,
+                        const std::string& address, const Pages& pages, const Catalog& catalog,
+                        RunControl& control) {
   const auto index = pages.find("index.html");
   if (!index) {
     throw MissingResource("this program was built without pages; give --assets DIR");
@@ -164,15 +243,21 @@ SiteSummary export_site(const std::string& folder, const SiteRange& range, const
       workshop.write(path, *page->body);
     }
   }
-  workshop.write("index.html", static_index(*index->body));
+  workshop.write("index.html", static_index(*index->body, address));
   workshop.write("data/config.json", config_json(catalog));
   workshop.write("data/constructions.json", constructions_json());
   workshop.write("data/theorems.json", theorems_json());
   workshop.write("data/completeness.json",
                  cli::completeness_json(cli::completeness(catalog, {.best_only = true})) + "\n");
-  Site site(workshop, range, catalog, control);
+  Site site(workshop, range, address, catalog, control);
   for (const std::uint64_t change : range.changes) {
     site.write_change(change);
+    for (std::uint32_t strength = 3; strength <= max_strength; ++strength) {
+      site.write_strength(change, strength);
+    }
+  }
+  if (!address.empty()) {
+    site.write_addresses();
   }
   const auto kept = workshop.put_in_place();
   return {.kept = kept,

@@ -122,11 +122,10 @@ const std::vector<std::pair<std::string, std::string>>& security_headers() {
   return headers;
 }
 
-std::string gzip(std::string_view text) {
+std::string gzip(std::string_view text, int level) {
   z_stream stream{};
   constexpr int with_gzip_header = 15 + 16;
   constexpr int memory_level = 8;
-  constexpr int level = 5;  // What more would save takes longer than sending it.
   if (deflateInit2(&stream, level, Z_DEFLATED, with_gzip_header, memory_level,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
     throw MissingResource("no memory to compress an answer");

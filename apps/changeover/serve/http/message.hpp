@@ -75,7 +75,8 @@ struct Response {
 /// What is sent with every answer, whatever it is.
 [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& security_headers();
 
-/// gzip of a text. @throws MissingResource if there is no memory for it.
-[[nodiscard]] std::string gzip(std::string_view text);
+/// gzip of a text, always the same for the same text. A larger level (up to 9) takes longer to make it smaller.
+/// @throws MissingResource if there is no memory for it.
+[[nodiscard]] std::string gzip(std::string_view text, int level = 5);
 
 }  // namespace changeover::serve

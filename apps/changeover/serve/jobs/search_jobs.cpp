@@ -1,6 +1,7 @@
 #include "serve/jobs/search_jobs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -13,9 +14,12 @@
 #include "answer/answer.hpp"
 #include "answer/catalog/today.hpp"
 #include "changeover/bounds/lower_bound.hpp"
+#include "changeover/construct/best_known.hpp"
 #include "changeover/construct/closure.hpp"
 #include "changeover/curator/curator.hpp"
 #include "changeover/run/control.hpp"
+#include "changeover/search/base_block_search.hpp"
+#include "changeover/search/exact.hpp"
 #include "changeover/search/local_search.hpp"
 #include "core/words.hpp"
 #include "io/write/json_writer.hpp"
@@ -34,7 +38,37 @@ struct Point {
   double rate = 0;  // moves a second
 };
 
+// As the command line says it.
+std::string way_of(const Wanted& wanted) {
+  std::string way;
+  const auto add = [&way](const std::string& words) { way += (way.empty() ? "" : " ") + words; };
+  if (!wanted.first.empty()) {
+    add(fmt::format("--first {}", fmt::join(wanted.first, ",")));
+  }
+  if (!wanted.last.empty()) {
+    add(fmt::format("--last {}", fmt::join(wanted.last, ",")));
+  }
+  if (wanted.expansion_set) {
+    add("--expansion-set");
+  }
+  return way;
+}
+
 }  // namespace
+
+std::string_view to_string(SearchWay way) {
+  switch (way) {
+    case SearchWay::local:
+      return "local";
+    case SearchWay::exact:
+      return "exact";
+    case SearchWay::base_blocks:
+      return "base-blocks";
+    case SearchWay::locked:
+      return "locked";
+  }
+  return "";
+}
 
 struct SearchJobs::Job {
   std::uint64_t id = 0;
@@ -89,6 +123,7 @@ void SearchJobs::Job::write(JsonWriter& json, bool with_points) const {
   const Parameters& p = order.parameters;
   json.begin_object().key("id").value(id).key("v").value(p.v).key("k").value(p.k);
   json.key("change").value(p.change).key("kind").value(to_string(p.kind));
+  json.key("strength").value(std::uint64_t{p.strength}).key("way").value(to_string(order.way));
   json.key("state").value(state).key("best").value(best).key("lower_bound").value(lower_bound);
   json.key("start_best").value(start_best).key("seconds").value(seconds);
   json.key("limit").value(order.seconds).key("threads").value(order.threads);
@@ -205,48 +240,137 @@ void SearchJobs::run(Job& job) {
   publish(job);
 }
 
+// What a way of searching came to.
+struct SearchJobs::Found {
+  std::optional<Design> design = {};
+  std::optional<std::uint64_t> known = {};  // blocks of the best before
+  std::optional<std::uint64_t> lower = {};  // proved by the search itself
+  std::uint64_t attempts = 0;
+  double moves_per_second = 0;
+  std::string message = {};
+  WhyStopped why_stopped = WhyStopped::running;
+};
+
+void SearchJobs::finish(Job& job, Found found) {
+  const std::scoped_lock lock(job.mutex);
+  if (found.design) {
+    job.design = std::make_shared<const Design>(*std::move(found.design));
+    job.best = job.design->block_count();
+  }
+  job.start_best = found.known;
+  job.lower_bound = found.lower ? found.lower : job.lower_bound;
+  job.restarts = found.attempts;
+  job.seconds = job.control->elapsed().count();
+  job.points.push_back({job.seconds, job.best, found.moves_per_second});
+  job.state = found.why_stopped == WhyStopped::interrupted ? "stopped" : "done";
+  job.message = found.message;
+  if (job.design && job.lower_bound == job.best) {
+    job.message = "minimum: as many blocks as the lower bound" +
+                  (found.lower && !found.message.empty() ? "; " + found.message : std::string());
+  }
+}
+
 void SearchJobs::search(Job& job) {
-  const Parameters& p = job.order.parameters;
+  const SearchOrder& order = job.order;
   RunControl& control = *job.control;
   const RunScope scope(control);
-  const Bound bound = lower_bound(p);
+  const Bound bound = order.way == SearchWay::exact ? lower_bound_on_paper(order.parameters)
+                                                    : lower_bound(order.parameters);
   {
     const std::scoped_lock lock(job.mutex);
     job.lower_bound = bound.blocks;
   }
-  ImproveResult result = improve(p, {}, control);
-  const bool better = result.design &&
-                      (!result.started_from || result.design->block_count() < *result.started_from);
-  std::shared_ptr<Design> found;
-  if (result.design) {
-    found = std::make_shared<Design>((*std::move(result.design)).take());
-    if (better || !found->recipe) {
-      cli::SearchRequest request;
-      request.run.seed = job.order.seed;
-      request.run.threads = job.order.threads;
-      request.run.time = fmt::format("{:g}s", job.order.seconds);
-      found->recipe = literal_recipe(*found, cli::provenance(request, p, ""));
+  const auto credited = [&](Design design, const std::string& way) {
+    cli::SearchRequest request;
+    request.run.seed = order.seed;
+    request.run.threads = order.threads;
+    request.run.time = fmt::format("{:g}s", order.seconds);
+    request.blocks = order.blocks;
+    design.recipe = literal_recipe(design, cli::provenance(request, order.parameters, way));
+    return design;
+  };
+  const auto stopped_early = [](WhyStopped why) {
+    return fmt::format("stopped ({}) before there was a design", to_string(why));
+  };
+  switch (order.way) {
+    case SearchWay::local: {
+      ImproveOptions options;
+      options.target = order.blocks;
+      ImproveResult result = improve(order.parameters, options, control);
+      Found found{.known = result.started_from,
+                  .attempts = result.attempts,
+                  .moves_per_second = result.moves_per_second,
+                  .why_stopped = result.why_stopped};
+      const bool better = result.design && (!result.started_from ||
+                                            result.design->block_count() < *result.started_from);
+      if (result.design) {
+        Design design = (*std::move(result.design)).take();
+        found.design = better || !design.recipe ? credited(std::move(design), "") : design;
+      }
+      found.message = !found.design               ? stopped_early(result.why_stopped)
+                      : better                    ? fmt::format("{}; {} were known", result.how,
+                                                                count_of(result.started_from.value_or(0), "block"))
+                      : result.unsearched.empty() ? "nothing better was found"
+                                                  : "no search was made: " + result.unsearched;
+      finish(job, std::move(found));
+      return;
     }
-  }
-  const std::scoped_lock lock(job.mutex);
-  job.design = found;
-  job.best = found ? std::optional<std::uint64_t>(found->block_count()) : job.best;
-  job.start_best = result.started_from;
-  job.restarts = result.attempts;
-  job.seconds = control.elapsed().count();
-  job.points.push_back({job.seconds, job.best, result.moves_per_second});
-  job.state = result.why_stopped == WhyStopped::interrupted ? "stopped" : "done";
-  if (!found) {
-    job.message =
-        fmt::format("stopped ({}) before there was a design", to_string(result.why_stopped));
-  } else if (*job.best == bound.blocks) {
-    job.message = "minimum: as many blocks as the lower bound";
-  } else if (better) {
-    job.message = fmt::format("{}; {} were known", result.how,
-                              count_of(result.started_from.value_or(0), "block"));
-  } else {
-    job.message = result.unsearched.empty() ? "nothing better was found"
-                                            : "no search was made: " + result.unsearched;
+    case SearchWay::exact: {
+      const std::optional<Offer> offer = order.parameters.strength == 2
+                                             ? best_known(Registry::standard(), order.parameters)
+                                             : std::nullopt;
+      MinimumResult result =
+          find_minimum(order.parameters, {}, control,
+                       offer ? std::optional<Design>(built_design(*offer).take()) : std::nullopt);
+      Found found{.known = offer ? std::optional(offer->b) : std::nullopt,
+                  .lower = result.lower,
+                  .attempts = result.steps.size(),
+                  .why_stopped = result.why_stopped};
+      for (const Decision& step : result.steps) {
+        if (step.excluded()) {
+          found.message +=
+              fmt::format("{}{}: none, by a checked DRAT proof", found.message.empty() ? "" : "; ",
+                          count_of(step.b, "block"));
+        }
+      }
+      if (result.best) {
+        Design design = (*std::move(result.best)).take();
+        found.design = design.recipe ? design : credited(std::move(design), "--exact");
+      }
+      if (!result.settled()) {
+        found.message += fmt::format("{}not decided ({})", found.message.empty() ? "" : "; ",
+                                     to_string(result.why_stopped));
+      }
+      finish(job, std::move(found));
+      return;
+    }
+    case SearchWay::base_blocks: {
+      BaseBlockOptions options;
+      options.shapes.most_blocks = order.blocks;
+      BaseBlockResult result = search_base_blocks(order.parameters, options, control);
+      Found found{.known = result.registry_b,
+                  .attempts = result.attempts.size(),
+                  .message = describe(result),
+                  .why_stopped = result.why_stopped};
+      if (result.found()) {
+        found.design = (*std::move(result.design)).take();
+        found.design->recipe = result.recipe;
+      }
+      finish(job, std::move(found));
+      return;
+    }
+    case SearchWay::locked: {
+      LockedResult result = search_locked(order.parameters, order.wanted,
+                                          {.blocks = order.blocks, .moves = {}}, control);
+      Found found{.attempts = result.attempts, .why_stopped = result.why_stopped};
+      if (result.design) {
+        found.design = credited((*std::move(result.design)).take(), way_of(order.wanted));
+      }
+      found.message = found.design ? "found with what was to be in its place"
+                                   : stopped_early(result.why_stopped);
+      finish(job, std::move(found));
+      return;
+    }
   }
 }
 

@@ -6,7 +6,7 @@
 //     jobs.stop(id);
 //     jobs.keep(id).label;                       // into the user's catalog
 //
-// A search is `changeover search` with the same limits and seed: improve() (search/local_search.hpp), whose result is verified. Each
+// A search is `changeover search` with the same way, limits and seed, and its result is verified. Each
 // has a thread that gives way to those that answer. The last 50 searches that ended are remembered.
 #pragma once
 
@@ -17,15 +17,30 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "changeover/catalog/catalog.hpp"
 #include "changeover/core/design.hpp"
+#include "changeover/search/locked_search.hpp"
 #include "serve/http/events.hpp"
 
 namespace changeover::serve {
 
+/// How a search goes about it, as the options of changeover search have it.
+enum class SearchWay : std::uint8_t {
+  local,  ///< fewer blocks, by annealing from the best that is known
+  exact,  ///< the minimum, number of blocks by number of blocks, each excluded with a checked proof
+  base_blocks,  ///< designs with an automorphism
+  locked        ///< designs with elements or subsets in their place: `wanted`
+};
+
+[[nodiscard]] std::string_view to_string(SearchWay way);
+
 struct SearchOrder {
   Parameters parameters;
+  SearchWay way = SearchWay::local;
+  Wanted wanted = {};                        ///< of a locked search
+  std::optional<std::uint64_t> blocks = {};  ///< so many are enough
   double seconds = 60;
   unsigned threads = 1;
   std::uint64_t seed = 1;
@@ -75,9 +90,11 @@ class SearchJobs {
 
  private:
   struct Job;
+  struct Found;
   [[nodiscard]] std::shared_ptr<Job> find(std::uint64_t id) const;
   void run(Job& job);
   void search(Job& job);
+  static void finish(Job& job, Found found);
   void publish(const Job& job);
   void forget_old();
 

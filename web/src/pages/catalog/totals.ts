@@ -1,13 +1,14 @@
 // How much is known: of the range that is shown, and of the whole catalog by block size.
-import type { Completeness, TableCell } from '../../lib/api';
+import type { Completeness } from '../../lib/api';
+import type { AtlasCell } from '../../lib/atlas';
 import { h, scroll } from '../../lib/dom';
 import { number } from '../../lib/words';
 
-export function totals(cells: readonly TableCell[]): HTMLElement {
+export function totals(cells: readonly AtlasCell[]): HTMLElement {
   const possible = cells.filter((cell) => cell.status !== 'impossible');
   const known = possible.filter((cell) => cell.b !== null);
   const minimum = known.filter((cell) => cell.status === 'minimum').length;
-  const ratios = known.filter((cell) => cell.lower_bound).map((cell) => cell.b! / cell.lower_bound!);
+  const ratios = known.filter((cell) => cell.lower).map((cell) => cell.b! / cell.lower!);
   const mean = ratios.length > 0 ? ratios.reduce((sum, each) => sum + each, 0) / ratios.length : null;
   const facts: [string, string][] = [
     ['cells', number(possible.length)],

@@ -8,14 +8,18 @@ export interface Coverage {
   show(n: number): void;
   /** What is known of the pair at a place of the map, in words; empty on the diagonal. */
   pairAt(event: MouseEvent): string;
+  /** The pair at a place; null on the diagonal. */
+  elementsAt(event: MouseEvent): [number, number] | null;
+  /** Shows what is chosen. */
+  light(elements: readonly number[]): void;
   /** Takes the colours of the theme anew. */
   recolour(): void;
 }
 
-function colours(): Record<'ground' | 'met' | 'anew' | 'line', string> {
+function colours(): Record<'ground' | 'met' | 'anew' | 'line' | 'mark', string> {
   const style = getComputedStyle(document.documentElement);
   const token = (name: string): string => style.getPropertyValue(name).trim();
-  return { ground: token('--sunken'), met: token('--met'), anew: token('--leave'), line: token('--ground') };
+  return { ground: token('--sunken'), met: token('--met'), anew: token('--leave'), line: token('--ground'), mark: token('--mark') };
 }
 
 /** Null if there are too many elements to tell their pairs apart. */
@@ -26,7 +30,10 @@ export function coverage(steps: Steps): Coverage | null {
   }
   const side = Math.max(1, Math.min(32, Math.floor(512 / v)));
   const canvas = h('canvas', { width: v * side, height: v * side, class: 'coverage-map', role: 'img' });
+  const over = h('canvas', { width: v * side, height: v * side, class: 'coverage-over', 'aria-hidden': 'true' });
+  const both = h('div', { class: 'coverage-both' }, canvas, over);
   const pen = canvas.getContext('2d')!;
+  let lit: readonly number[] = [];
   let paint = colours();
   let shown = -1;
 
@@ -60,8 +67,39 @@ export function coverage(steps: Steps): Coverage | null {
     }
   }
 
+  function light(): void {
+    const top = over.getContext('2d')!;
+    top.clearRect(0, 0, over.width, over.height);
+    top.strokeStyle = paint.mark;
+    top.lineWidth = 2;
+    for (const x of lit) {
+      top.strokeRect(x * side, 1, side, over.height - 2);
+      top.strokeRect(1, x * side, over.width - 2, side);
+    }
+    if (lit.length === 2) {
+      const [x, y] = lit as [number, number];
+      top.fillStyle = paint.mark;
+      top.globalAlpha = 0.55;
+      top.fillRect(x * side, y * side, side, side);
+      top.fillRect(y * side, x * side, side, side);
+      top.globalAlpha = 1;
+    }
+  }
+
+  function placeAt(event: MouseEvent): [number, number] | null {
+    const box = canvas.getBoundingClientRect();
+    const x = Math.floor(((event.clientX - box.left) / box.width) * v);
+    const y = Math.floor(((event.clientY - box.top) / box.height) * v);
+    return x === y || x < 0 || y < 0 || x >= v || y >= v ? null : [x, y];
+  }
+
   return {
-    element: canvas,
+    element: both,
+    elementsAt: placeAt,
+    light(elements) {
+      lit = elements;
+      light();
+    },
     show(n) {
       if (n === shown + 1 && shown > 0) {
         block(shown, (met) => (met === shown ? paint.met : null));
@@ -73,12 +111,11 @@ export function coverage(steps: Steps): Coverage | null {
       canvas.setAttribute('aria-label', `Map of pairs: ${steps.pairs![n]} of ${steps.allPairs} have met after block ${n}`);
     },
     pairAt(event) {
-      const box = canvas.getBoundingClientRect();
-      const x = Math.floor(((event.clientX - box.left) / box.width) * v);
-      const y = Math.floor(((event.clientY - box.top) / box.height) * v);
-      if (x === y || x < 0 || y < 0 || x >= v || y >= v) {
+      const place = placeAt(event);
+      if (!place) {
         return '';
       }
+      const [x, y] = place;
       const met = first[x * v + y]!;
       return `${steps.names[y]} and ${steps.names[x]}: ${met === 0 ? 'never together' : `first together in block ${met}`}`;
     },
@@ -87,6 +124,7 @@ export function coverage(steps: Steps): Coverage | null {
       if (shown > 0) {
         all(shown);
       }
+      light();
     },
   };
 }

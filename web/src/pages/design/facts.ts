@@ -1,6 +1,7 @@
 // A design in numbers, and what each of them means.
 import type { Design } from '../../lib/api';
 import { h, type Child } from '../../lib/dom';
+import { mathText } from '../../lib/mathematics';
 import { terms } from '../../lib/terms';
 import { changeWord, number } from '../../lib/words';
 import { link } from '../../shell/router';
@@ -32,6 +33,6 @@ export function facts(design: Design): HTMLElement {
     'table',
     { class: 'fact-table' },
     h('caption', { class: 'unseen' }, 'The design in numbers'),
-    h('tbody', {}, rows.map(([name, value, meaning]) => h('tr', {}, h('th', { scope: 'row' }, h('dfn', {}, name)), h('td', {}, value), h('td', { class: 'hint' }, meaning)))),
+    h('tbody', {}, rows.map(([name, value, meaning]) => h('tr', {}, h('th', { scope: 'row' }, h('dfn', {}, name)), h('td', {}, value), h('td', { class: 'hint' }, mathText(meaning))))),
   );
 }

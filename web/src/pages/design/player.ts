@@ -4,6 +4,7 @@ import { fill, h, select } from '../../lib/dom';
 import { count, number } from '../../lib/words';
 import { busyKey } from '../../parts/fields';
 import { coverage } from './coverage';
+import type { Chosen } from './selection';
 import { Steps } from './steps';
 
 const speeds: readonly (readonly [string, string])[] = [
@@ -19,29 +20,20 @@ interface Options {
   at: number;
   speed: string;
   signal: AbortSignal;
+  chosen: Chosen;
   /** Called a moment after the block or the speed has changed. */
   moved(at: number, speed: string): void;
 }
 
-/** Fills `panel` with the player, as soon as the pairs are counted. */
-export async function openPlayer(panel: HTMLElement, design: Design, options: Options): Promise<void> {
-  const share = h('progress', { max: 1, value: 0, 'aria-label': 'Pairs are being counted' });
-  const waiting = window.setTimeout(() => fill(panel, h('p', {}, 'Counting pairs… ', share)), 150);
-  try {
-    const steps = await Steps.soon(design, options.signal, (done) => (share.value = done));
-    fill(panel, player(steps, design, options));
-  } catch (fault) {
-    if (!options.signal.aborted) {
-      throw fault;
-    }
-  } finally {
-    window.clearTimeout(waiting);
-  }
+/** Fills `panel` with the player. */
+export function openPlayer(panel: HTMLElement, steps: Steps, design: Design, options: Options): void {
+  fill(panel, player(steps, design, options));
 }
 
 function player(steps: Steps, design: Design, options: Options): HTMLElement {
   const b = steps.b;
   const circular = design.kind === 'circular';
+  const { chosen } = options;
   let at = Math.min(b, Math.max(1, options.at));
   let speed = speeds.some(([each]) => each === options.speed) ? options.speed : '3';
   let playing = false;
@@ -51,6 +43,12 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
   const map = coverage(steps);
   const pair = h('div', { class: 'pair' }, '\u00a0');
   map?.element.addEventListener('pointermove', (event) => (pair.textContent = map.pairAt(event) || '\u00a0'));
+  map?.element.addEventListener('click', (event) => {
+    const place = map.elementsAt(event);
+    if (place) {
+      chosen.choose(place.every((x) => chosen.elements.includes(x)) ? [] : place);
+    }
+  });
   map?.element.addEventListener('pointerleave', () => (pair.textContent = '\u00a0'));
   // Many slots are drawn small, below the words, so that the words keep their place.
   const many = design.k > 24;
@@ -75,19 +73,24 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
     const isNew = new Set(entered);
     // Who left a slot stands below who took it, in the order in which both were found.
     const gone = at > 1 ? steps.step(at - 1).slots : null;
+    const focused = [...slots.children].findIndex((each) => each.contains(document.activeElement));
     fill(
       slots,
       [...memory].map((element, i) => {
         const before = gone?.[i] ?? -1;
         const entering = element >= 0 && isNew.has(element) && at > 1;
+        const lit = chosen.elements.includes(element);
         return h(
           'li',
-          { class: element < 0 ? 'empty' : entering ? 'entering' : 'staying' },
-          h('span', { class: 'name' }, element < 0 ? '' : steps.names[element]!),
+          { class: `${element < 0 ? 'empty' : entering ? 'entering' : 'staying'}${lit ? ' lit' : ''}` },
+          element < 0 ? h('span', { class: 'name' }) : h('button', { type: 'button', class: 'name', 'aria-pressed': String(lit), onclick: () => chosen.toggle(element) }, steps.names[element]!),
           h('span', { class: 'gone' }, before >= 0 && before !== element ? h('del', {}, steps.names[before]!) : '\u00a0'),
         );
       }),
     );
+    if (focused >= 0) {
+      slots.children[focused]?.querySelector('button')?.focus();
+    }
     const list = (elements: number[]): string => elements.map((each) => steps.names[each]).join(', ') || 'none';
     const fresh = steps.newPairs(at);
     fill(
@@ -186,7 +189,12 @@ function player(steps: Steps, design: Design, options: Options): HTMLElement {
     window.clearTimeout(note);
   });
 
+  chosen.follow(options.signal, () => {
+    show();
+    map?.light(chosen.elements);
+  });
   show();
+  map?.light(chosen.elements);
   return h(
     'div',
     { class: 'player' },

@@ -2,7 +2,6 @@
 import type { Ordered } from '../../lib/api';
 import { h, scroll, type Child } from '../../lib/dom';
 import { bytes, count, number } from '../../lib/words';
-import { plot } from '../../parts/plot';
 import { virtualList } from '../../parts/virtual';
 import { naive } from './naive';
 
@@ -12,6 +11,9 @@ export interface Asked {
   room: number;
   bytesPerItem: number | null;
   workers: number;
+  /** Of a search, in seconds; 0: none. */
+  seconds: number;
+  prefetch: boolean;
   /** Two items a line. */
   pairs: string | null;
 }
@@ -37,7 +39,9 @@ export function headline({ order, pairs, bytes: read, bytes_bound: least }: Orde
         : `${asked.pairs ? count(pairs, 'pair') : `All ${count(pairs, 'pair')}`} of ${count(order.items, 'item')}, with room for ${number(order.room)}: ${over(loads, bound)}.`,
       asked.bytesPerItem !== null && ` ${bytes(read)} are read${shared || read <= least ? '' : `; less than ${bytes(least)} is not possible`}.`,
     ),
-    h('p', { class: 'hint' }, 'Every step was read and every pair counted by an independent checker.'),
+    order.overlapped !== undefined && h('p', {}, `${number(order.overlapped)} of ${number(order.pairs ?? pairs)} pairs are computed while items load${order.order_room !== undefined && order.order_room < order.room ? '; one place in memory is kept for the item that is loading' : ''}.`),
+    asked.seconds > 0 && h('p', {}, `Searched for ${asked.seconds} s for fewer loads.`),
+    h('p', { class: 'hint' }, 'An independent checker read every step and counted every pair.'),
     h(
       'details',
       {},
@@ -105,27 +109,6 @@ export function comparison(answer: Ordered, asked: Asked): HTMLElement | null {
   );
 }
 
-export function curves(answer: Ordered, asked: Asked, signal: AbortSignal): HTMLElement {
-  const chart = plot({
-    label: `Items in memory and pairs that have met, step by step: at the end ${answer.pairs} pairs; never more than ${asked.room} items`,
-    x: asked.workers > 1 ? 'step, one worker after another' : 'step',
-    y: 'items in memory',
-    right: 'pairs that have met',
-    signal,
-    fromZero: true,
-    yText: (y) => (Number.isInteger(y) ? number(y) : ''),
-    rightText: (y) => (y >= 1e6 ? `${y / 1e6} M` : y >= 1e4 ? `${y / 1e3} k` : String(y)),
-  });
-  chart.set(
-    answer.memory.map((_, i) => Math.min(i * answer.sample_every + 1, answer.step_count)),
-    [
-      { label: 'items in memory', colour: 1, values: answer.memory, steps: true },
-      { label: 'pairs that have met', colour: 2, values: answer.pairs_done, right: true, dash: [8, 4] },
-    ],
-  );
-  return h('section', {}, h('h2', {}, 'Step by step'), chart.element);
-}
-
 /** Names of several words have commas between. */
 function listed(items: (number | string)[]): string {
   return items.join(items.some((item) => /\s/.test(String(item))) ? ', ' : ' ');
@@ -137,11 +120,12 @@ export function stepList(answer: Ordered): HTMLElement {
     label: `The ${number(answer.steps.length)} steps`,
     rows: answer.steps.length,
     row(i) {
-      const { step, worker, load, evict } = answer.steps[i]!;
+      const { step, worker, load, evict, before, compute } = answer.steps[i]!;
       const parts: Child[] = [
         h('span', { class: 'block-number' }, shared ? `${worker} · ${number(step)}` : number(step)),
         h('span', { class: 'load' }, 'load ', h('strong', {}, listed(load))),
         evict.length > 0 && h('span', { class: 'block-out' }, 'evict ', listed(evict)),
+        before && compute && h('span', { class: 'hint' }, `${count(before.length + compute.length, 'pair')} meanwhile`),
       ];
       return h('div', { class: 'block' }, parts);
     },

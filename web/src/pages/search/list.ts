@@ -2,7 +2,7 @@
 import type { SearchJob } from '../../lib/api';
 import { fill, h, scroll } from '../../lib/dom';
 import { number } from '../../lib/words';
-import { found, seconds, stateWords } from './words';
+import { found, seconds, stateWords, wayWords } from './words';
 
 export interface JobList {
   readonly element: HTMLElement;
@@ -32,7 +32,7 @@ export function jobList(chosen: (id: string) => void): JobList {
         h(
           'tr',
           {},
-          ['design', 'state', 'best', 'bound', 'time'].map((name, i) => h('th', { class: i > 2 ? 'number' : null }, name)),
+          ['design', 'way', 'state', 'best', 'bound', 'time'].map((name, i) => h('th', { scope: 'col', class: i > 3 ? 'number' : null }, name)),
         ),
       ),
       body,
@@ -44,10 +44,10 @@ export function jobList(chosen: (id: string) => void): JobList {
     const open = h(
       'button',
       { type: 'button', class: 'as-link', onclick: () => chosen(String(job.id)) },
-      `(${number(job.v)}, ${job.k}), m = ${job.change}, ${job.kind}`,
+      `(${number(job.v)}, ${job.k}), m = ${job.change}, ${job.kind}${job.strength > 2 ? `, t = ${job.strength}` : ''}`,
     );
     const [state, best, bound, time] = [h('td'), h('td'), h('td', { class: 'number' }), h('td', { class: 'number' })];
-    const element = h('tr', {}, h('td', {}, open), state, best, bound, time);
+    const element = h('tr', {}, h('td', {}, open), h('td', {}, wayWords[job.way]), state, best, bound, time);
     return {
       element,
       update(now) {

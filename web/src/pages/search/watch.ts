@@ -4,7 +4,7 @@ import { fill, h } from '../../lib/dom';
 import { nameOf, number } from '../../lib/words';
 import { plot } from '../../parts/plot';
 import { link, problem } from '../../shell/router';
-import { found, rate, seconds } from './words';
+import { found, rate, seconds, wayWords } from './words';
 
 export interface Watch {
   readonly element: HTMLElement;
@@ -43,23 +43,28 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     'Keep in my catalog',
   );
   const chart = plot({
-    label: 'The best number of blocks over time, with the lower bound, and the moves a second; the last numbers are in the text',
+    label: 'The best number of blocks over time, with the lower bound; the last numbers are in the text',
     x: 'seconds',
     y: 'blocks',
-    right: 'moves a second',
     signal,
     yText: (y) => (Number.isInteger(y) ? number(y) : ''),
-    rightText: rate,
   });
+  const speed = plot({ label: 'Moves per second over time', x: 'seconds', y: 'moves per second', height: 160, signal, fromZero: true, yText: rate });
+  const speeds = h('details', {}, h('summary', {}, 'Speed'), speed.element);
+  const figures = h('dl', { class: 'figures' });
+  const advice = h('p', { class: 'advice', role: 'status' });
   const element = h(
     'section',
     { class: 'watch' },
     title,
+    figures,
+    advice,
     h('div', { class: 'row' }, progress, words),
     message,
     h('div', { class: 'row' }, stop, open, keep),
     said,
     chart.element,
+    speeds,
   );
 
   async function act<T>(button: HTMLButtonElement, asked: Promise<T>, done: (answer: T) => string | (string | Node)[]): Promise<void> {
@@ -85,16 +90,20 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     try {
       const job = await get('search?id', { id }, signal);
       show(job);
+      advise(job);
       const points = (job.points ?? []).filter((point, i, all) => i === 0 || point.seconds > all[i - 1]!.seconds);
-      chart.element.hidden = points.length < 2;
+      chart.element.hidden = speeds.hidden = points.length < 2;
       if (points.length > 1) {
         chart.set(
           points.map((point) => point.seconds),
           [
             { label: 'best', colour: 1, values: points.map((point) => point.best), steps: true, width: 3 },
             { label: 'lower bound', colour: 3, values: points.map(() => job.lower_bound), dash: [8, 4] },
-            { label: 'moves a second', colour: 6, values: points.map((point) => point.rate), right: true, width: 1 },
           ],
+        );
+        speed.set(
+          points.map((point) => point.seconds),
+          [{ label: 'moves per second', colour: 6, values: points.map((point) => point.rate), width: 1 }],
         );
       }
     } catch (fault) {
@@ -111,10 +120,46 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     }, pause);
   }
 
+  /** When the best became better, and whether it pays to go on. */
+  function advise(job: SearchJob): void {
+    const points = job.points ?? [];
+    let last: number | null = null;
+    points.forEach((point, i) => {
+      const before = points[i - 1]?.best ?? job.start_best;
+      if (point.best !== null && before !== null && before !== undefined && point.best < before) {
+        last = point.seconds;
+      }
+    });
+    const since = last === null ? job.seconds : job.seconds - last;
+    const gap = job.best === null || job.lower_bound === null ? null : job.best - job.lower_bound;
+    const facts: [string, string][] = [
+      ['gap', gap === null ? '–' : number(gap)],
+      ['best', job.best === null ? '–' : number(job.best)],
+      ['lower bound', job.lower_bound === null ? '–' : number(job.lower_bound)],
+      ['last improvement', last === null ? 'none yet' : job.state === 'running' ? `${seconds(since)} ago` : `after ${seconds(last)}`],
+    ];
+    fill(figures, facts.map(([name, value]) => h('div', {}, h('dt', {}, name), h('dd', {}, value))));
+    const running = job.state === 'running';
+    fill(
+      advice,
+      gap === 0
+        ? 'Nothing is left to find: the best has as many blocks as the lower bound.'
+        : running && job.way === 'exact'
+          ? 'Each number of blocks below the best is being excluded or found.'
+          : running && job.seconds > 20 && since > job.seconds / 2
+            ? `No improvement for ${seconds(since)}, more than half of the time: stopping, another seed or another way may pay more than waiting.`
+            : running
+              ? 'Still early: most searches improve in their first minute.'
+              : gap !== null && gap > 0
+                ? `A gap of ${number(gap)} is left. A longer search, another seed or another way may close it.`
+                : '',
+    );
+  }
+
   function show(job: SearchJob): void {
     const running = job.state === 'running';
     const name = nameOf(job);
-    title.textContent = name[0]!.toUpperCase() + name.slice(1);
+    title.textContent = `${name[0]!.toUpperCase()}${name.slice(1)}${job.strength > 2 ? `, strength ${job.strength}` : ''}: ${wayWords[job.way]}`;
     words.textContent = `${running ? 'Running' : job.state === 'done' ? 'Done' : job.state === 'stopped' ? 'Stopped' : 'Failed'} after ${seconds(job.seconds)}${running ? ` of ${seconds(job.limit)}` : ''}: ${found(job)}; ${job.lower_bound === null ? 'no lower bound is known' : `the lower bound is ${number(job.lower_bound)}`}.`;
     message.textContent = job.message;
     message.classList.toggle('problem', job.state === 'failed');
@@ -128,7 +173,7 @@ export function watch(id: string, mayAct: boolean, signal: AbortSignal): Watch {
     open.hidden = running || job.best === null;
     keep.hidden = running || job.best === null || !mayAct;
   }
-  [stop, open, keep].forEach((each) => (each.hidden = true));
+  [stop, open, keep, speeds].forEach((each) => (each.hidden = true));
   void points();
   return {
     element,

@@ -13,6 +13,8 @@ export function seconds(s: number): string {
 
 export const stateWords: Record<SearchJob['state'], string> = { running: 'running', done: 'done', stopped: 'stopped', failed: 'failed' };
 
+export const wayWords: Record<SearchJob['way'], string> = { local: 'local search', exact: 'exact search', 'base-blocks': 'base blocks', locked: 'locked sets' };
+
 /** "87 blocks, 3 fewer than were known" */
 export function found(job: SearchJob): string {
   const { best, start_best: start, lower_bound: bound } = job;

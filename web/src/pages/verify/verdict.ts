@@ -1,7 +1,9 @@
 // What the verdict says, with its reasons: first in a sentence, then fact by fact, then element by element.
 import { h, type Child } from '../../lib/dom';
+import { mathText } from '../../lib/mathematics';
 import { terms } from '../../lib/terms';
 import { count, nameOf, number, ratio } from '../../lib/words';
+import { reason } from '../../parts/recipe';
 import { virtualList } from '../../parts/virtual';
 import type { Report } from './check';
 
@@ -23,7 +25,7 @@ function reasons({ answer, blocks }: Report): Child[] {
     const steps = blocks.b === 1 ? 'with one block there is no step' : `every step changes ${count(blocks.change, 'element')}`;
     return [
       h('p', {}, `Every one of the ${number(details.subsets)} ${setsOf(blocks.strength)} is in a block, and ${steps}. ${what}`),
-      bound && h('p', { class: 'reason' }, `Lower bound (${bound.name}): ${bound.reason}`),
+      bound && h('p', { class: 'reason' }, `Lower bound (${bound.name}): `, reason(bound.reason), '.'),
     ];
   }
   const list: Child[] = [];
@@ -97,7 +99,7 @@ export function facts({ answer, blocks }: Report): HTMLElement {
         'tbody',
         {},
         rows.map(([term, value, meaning]) =>
-          h('tr', {}, h('th', { scope: 'row' }, h('dfn', {}, term)), h('td', {}, value), h('td', { class: 'meaning' }, meaning)),
+          h('tr', {}, h('th', { scope: 'row' }, h('dfn', {}, term)), h('td', {}, value), h('td', { class: 'meaning' }, mathText(meaning))),
         ),
       ),
     ),
@@ -133,7 +135,7 @@ export function elementTable({ answer }: Report): HTMLElement {
     'section',
     { class: 'verify-elements' },
     h('h2', {}, 'Element by element'),
-    h('p', { class: 'hint' }, `${terms.introductions}; ${terms.occurrences}; ${terms.surplus}.`),
+    h('p', { class: 'hint' }, mathText(`${terms.introductions}; ${terms.occurrences}; ${terms.surplus}.`)),
     head,
     list.element,
   );

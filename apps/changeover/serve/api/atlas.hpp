@@ -1,0 +1,37 @@
+// All cells of a range at once, in columns: what a map of the catalog holds.
+//
+//     atlas_json(asked, cells)      // {"k_from":3,…,"b":[…],"lower_bound":[…],"construction":[…],"label":[…]}
+//     groups_json(asked, cells)     // {"order":["1","24",null,…]}
+//
+// A column has a value for each cell, by k, then v.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include "answer/known/known_table.hpp"
+
+namespace changeover::serve {
+
+struct AtlasQuestion {
+  cli::TableRange range;
+  Kind kind = Kind::circular;
+  std::uint32_t strength = 2;
+};
+
+/// The range that is shown unless another is asked for: all cells that the catalog comes with; for larger strengths
+/// the few that anything is known of.
+[[nodiscard]] cli::TableRange atlas_range(std::uint64_t change, std::uint32_t strength);
+
+/// What is known of each cell of a strength that tables do not have, as a table would say it. Listens to the scope.
+[[nodiscard]] std::deque<KnownCell> cells_of_strength(const AtlasQuestion& asked);
+
+/// Parameters that every cell shares, then the columns. A label has only what its cell and number of blocks do not say: its
+/// digits at the end.
+[[nodiscard]] std::string atlas_json(const AtlasQuestion& asked, const cli::Cells& cells);
+
+/// The order of the group of each best design, in decimal, null where there is no design. Builds them; listens to the scope.
+[[nodiscard]] std::string groups_json(const AtlasQuestion& asked, const cli::Cells& cells);
+
+}  // namespace changeover::serve

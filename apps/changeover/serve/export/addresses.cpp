@@ -1,0 +1,111 @@
+#include "serve/export/addresses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/catalog/entry.hpp"
+#include "cli/cli.hpp"
+#include "core/printable.hpp"
+#include "core/words.hpp"
+
+namespace changeover::serve {
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    safe += c == '&'   ? "&amp;"
+            : c == '<' ? "&lt;"
+            : c == '>' ? "&gt;"
+            : c == '"' ? "&quot;"
+                       : std::string(1, c);
+  }
+  return safe;
+}
+
+// A day as Atom wants a time.
+std::string time_of(const std::string& day) {
+  return (day.empty() ? std::string("2026-01-01") : day) + "T00:00:00Z";
+}
+
+}  // namespace
+
+std::string site_address(const std::string& given) {
+  const bool absolute = given.starts_with("https://") || given.starts_with("http://");
+  const std::size_t host = given.find("//") + 2;
+  const bool plain = std::ranges::all_of(given, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view(":/.-_~%").find(c) != std::string_view::npos;
+  });
+  if (!absolute || !plain || given.size() <= host || given[host] == '/') {
+    throw cli::UsageError{
+        fmt::format("--address {}: write where the site will be, as https://example.org/designs/",
+                    printable(given))};
+  }
+  return given.ends_with('/') ? given : given + "/";
+}
+
+std::string address_of_cell(const std::string& site, const Parameters& p) {
+  return site + "?cell=" + cell_label(p);
+}
+
+std::string address_of_design(const std::string& site, const std::string& label) {
+  return site + "?design=" + label;
+}
+
+std::string sitemap(const std::vector<std::string>& addresses) {
+  std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<urlset xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n";
+  for (const std::string& address : addresses) {
+    text += "<url><loc>" + escaped(address) + "</loc></url>\n";
+  }
+  return text + "</urlset>\n";
+}
+
+std::string sitemap_index(const std::vector<std::string>& sitemaps) {
+  std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<sitemapindex xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n";
+  for (const std::string& address : sitemaps) {
+    text += "<sitemap><loc>" + escaped(address) + "</loc></sitemap>\n";
+  }
+  return text + "</sitemapindex>\n";
+}
+
+std::string feed(const std::string& site, const Catalog& catalog) {
+  constexpr std::size_t most_entries = 100;
+  std::vector<CatalogEntry> latest;
+  catalog.each({.best_only = true}, [&](const CatalogEntry& entry) {
+    latest.push_back(entry);
+    return true;
+  });
+  const auto newer = [](const CatalogEntry& a, const CatalogEntry& b) {
+    return a.credit.date != b.credit.date ? a.credit.date > b.credit.date : a.label() < b.label();
+  };
+  const std::size_t shown = std::min(most_entries, latest.size());
+  std::partial_sort(latest.begin(), latest.begin() + static_cast<std::ptrdiff_t>(shown),
+                    latest.end(), newer);
+  latest.resize(shown);
+  std::string text = fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<feed xmlns=\"http://www.w3.org/2005/Atom\">\n"
+      "<title>Changeover: new designs</title>\n<id>{0}</id>\n<link href=\"{0}\"/>\n"
+      "<link rel=\"self\" href=\"{0}feed.xml\"/>\n<updated>{1}</updated>\n",
+      escaped(site), time_of(latest.empty() ? "" : latest.front().credit.date));
+  for (const CatalogEntry& entry : latest) {
+    const std::string address = escaped(address_of_design(site, entry.label()));
+    text += fmt::format(
+        "<entry><title>{}: {}</title><id>{}</id><link href=\"{}\"/><updated>{}</updated>"
+        "<author><name>{}</name></author><summary>{} by {}; lower bound {}.</summary></entry>\n",
+        escaped(name(entry.parameters)), count_of(entry.b, "block"), address, address,
+        time_of(entry.credit.date),
+        escaped(entry.credit.who.empty() ? "unknown" : entry.credit.who),
+        entry.b == entry.lower_bound ? "Minimum," : "Made", escaped(entry.recipe.construction),
+        entry.lower_bound);
+  }
+  return text + "</feed>\n";
+}
+
+}  // namespace changeover::serve

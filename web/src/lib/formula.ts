@@ -1,0 +1,352 @@
+// Mathematics as the program and docs/theorems.md write it (`2*n_j >= 3k`, `B_{i+1}`, `⌈(v−k)/2⌉`), found in plain text and
+// turned into TeX. What is not surely mathematics stays text.
+
+/** `breaks`: a line may end behind it. */
+export type Piece = { text: string } | { tex: string; text: string; breaks?: boolean };
+
+const symbols: Record<string, string> = {
+  '≤': '\\le ', '≥': '\\ge ', '<=': '\\le ', '>=': '\\ge ', '<': '<', '>': '>', '=': '=', '≠': '\\ne ', '≡': '\\equiv ', '+': '+', '−': '-', '-': '-', '±': '\\pm ',
+  '·': '\\cdot ', '*': '\\cdot ', '/': '/', '…': '\\dots ', '...': '\\dots ', '∖': '\\setminus ', '∪': '\\cup ', '∩': '\\cap ', '⊂': '\\subset ', '∈': '\\in ', ',': ',', ':': ':',
+  '⌈': '\\lceil ', '⌉': '\\rceil ', '⌊': '\\lfloor ', '⌋': '\\rfloor ', '(': '(', ')': ')', '[': '[', ']': ']', '{': '\\{', '}': '\\}', '|': '|', '∎': '\\blacksquare ',
+};
+const operators = new Set(['≤', '≥', '<=', '>=', '<', '>', '=', '≠', '≡', '+', '−', '-', '±', '·', '*', '/', '∖', '∪', '∩', '⊂', '∈']);
+const closers: Record<string, string> = { '(': ')', '[': ']', '{': '}', '⌈': '⌉', '⌊': '⌋' };
+const opened = new Set(Object.keys(closers));
+const closed = new Set(Object.values(closers));
+const functions = new Set(['ceil', 'floor', 'max', 'min', 'gcd', 'log']);
+const designs = new Set(['SCCD', 'DCCD']);
+/** Pairs of letters that are words wherever they stand. */
+const words = new Set(['a', 'A', 'I', 'am', 'an', 'as', 'at', 'be', 'by', 'do', 'go', 'he', 'if', 'in', 'is', 'it', 'me', 'my', 'no', 'of', 'on', 'or', 'so', 'to', 'up', 'us', 'we', 'If', 'In', 'It', 'So', 'To', 'On', 'At', 'By', 'No', 'Of', 'We', 'An', 'As', 'Is', 'Be', 'vs']);
+const greek: Record<string, string> = { ℓ: '\\ell ', τ: '\\tau ', σ: '\\sigma ', π: '\\pi ', ρ: '\\rho ', α: '\\alpha ', β: '\\beta ', Σ: '\\sum ', φ: '\\varphi ', λ: '\\lambda ', μ: '\\mu ', ε: '\\varepsilon ' };
+
+interface Token {
+  kind: 'number' | 'variable' | 'function' | 'design' | 'operator' | 'open' | 'close' | 'comma';
+  from: number;
+  to: number;
+  /** Without scripts. */
+  sign: string;
+  tex: string;
+}
+
+const letter = /\p{L}/u;
+
+/** Scripts behind a variable: `_x`, `_{i+1}`, `^2`, `²`, `′`. */
+function scripts(text: string, at: number): { to: number; tex: string } {
+  let tex = '';
+  let to = at;
+  for (;;) {
+    const rest = text.slice(to);
+    const found = /^[_^](\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|\d+|[A-Za-zℓ](?![A-Za-z]))/.exec(rest);
+    if (found) {
+      const inside = found[1]!.startsWith('{') ? found[1]!.slice(1, -1) : found[1]!;
+      tex += `${rest[0]}{${texOf(inside)}}`;
+      to += found[0].length;
+      continue;
+    }
+    const mark = { '²': '^2', '³': '^3', '′': "'", '*': '' }[rest[0] ?? ''];
+    if (mark && rest[0] !== '*') {
+      tex += mark;
+      to += 1;
+      continue;
+    }
+    return { to, tex };
+  }
+}
+
+/** The token at a place; null if what stands there is no mathematics. `sure`: all of the text is a formula. */
+function tokenAt(text: string, at: number, sure: boolean): Token | null {
+  const rest = text.slice(at);
+  const make = (kind: Token['kind'], sign: string, tex: string, length = sign.length): Token => ({ kind, from: at, to: at + length, sign, tex });
+  const number = /^\d+(?:[.]\d+)?/.exec(rest);
+  if (number) {
+    const end = scripts(text, at + number[0].length);
+    return { ...make('number', number[0], number[0] + end.tex), to: end.to };
+  }
+  const double = /^(?:>=|<=|\.\.\.)/.exec(rest);
+  if (double) {
+    return make(double[0] === '...' ? 'variable' : 'operator', double[0], symbols[double[0]]!);
+  }
+  const here = String.fromCodePoint(rest.codePointAt(0)!);
+  if (letter.test(here)) {
+    const run = /^\p{L}\p{M}*(?:\p{L}\p{M}*)*/u.exec(rest)![0];
+    const plain = run.normalize('NFD').replace(/\p{M}/gu, '');
+    if (functions.has(plain) && (rest[run.length] === '(' || plain === 'max' || plain === 'min')) {
+      return make('function', plain, plain === 'ceil' || plain === 'floor' ? '' : `\\${plain} `);
+    }
+    if (plain === 'mod' && /^ ?\d|^ ?[a-z](?![a-z])/.test(rest.slice(3))) {
+      return make('operator', 'mod', '\\bmod ');
+    }
+    if (designs.has(plain)) {
+      return rest[run.length] === '(' ? make('design', plain, `\\mathrm{${plain}}`) : null;
+    }
+    const before = text[at - 1] ?? ' ';
+    if (/[\p{L}'’_]/u.test(before) || (before === '-' && /\p{L}{2}-$/u.test(text.slice(Math.max(0, at - 3), at))) || (plain.length === 1 && /^['’]/.test(rest.slice(run.length))) || (plain === 's' && /['’]/.test(before))) {
+      return null;
+    }
+    const product = [...run.normalize('NFD').matchAll(/\p{L}\p{M}*/gu)].map(([each]) => each);
+    const bound = /\d/.test(before);
+    if (product.length > 2 && !(bound && product.length <= 3)) {
+      return null;
+    }
+    const behind = rest.slice(run.length);
+    const named = plain.length === 1 && /^ [=∖∪∩⊂∈] /.test(behind);
+    if (!sure && !named && (words.has(plain) || (product.length === 2 && !bound && !/[A-Z]/.test(plain) && !/^[_(+−·*/)]/.test(behind)))) {
+      return null;
+    }
+    if (/^-\p{L}{2}/u.test(rest.slice(run.length))) {
+      return null; // "m-change", "k-subsets"
+    }
+    const index = product.length === 1 ? /^\d+/.exec(behind)?.[0] : undefined;
+    const end = scripts(text, at + run.length + (index?.length ?? 0));
+    const tex = product.map((each) => {
+      const base = each[0]!;
+      const sign = greek[base] ?? base;
+      return each.includes('\u0304') ? `\\bar{${sign}}` : sign;
+    });
+    return { kind: 'variable', from: at, to: end.to, sign: plain, tex: tex.join('') + (index ? `_{${index}}` : '') + end.tex };
+  }
+  if (opened.has(here)) {
+    return make('open', here, symbols[here]!);
+  }
+  if (closed.has(here)) {
+    const end = scripts(text, at + 1);
+    return { ...make('close', here, symbols[here]! + end.tex), to: end.to };
+  }
+  if (here === ',' || here === ':' || here === ';') {
+    return make('comma', here, here);
+  }
+  if (here === '…') {
+    return make('variable', here, symbols[here]!);
+  }
+  if (here === '-') {
+    // A hyphen is a minus between signs of mathematics only: "3-subsets" and "end-to-end" are words.
+    const next = /^-\s*(\p{L}+|.)/u.exec(rest)?.[1] ?? '';
+    return letter.test(next) && (next.length > 2 || words.has(next)) && !sure ? null : make('operator', here, symbols[here]!);
+  }
+  return here in symbols ? make(operators.has(here) ? 'operator' : 'variable', here, symbols[here]!) : null;
+}
+
+/** TeX of tokens: `ceil(…)` and `C(v,2)` as they are set. */
+function join(tokens: readonly Token[], text: string): string {
+  let tex = '';
+  for (let i = 0; i < tokens.length; ++i) {
+    const token = tokens[i]!;
+    const next = tokens[i + 1];
+    const binomial = token.kind === 'variable' && token.sign === 'C' && token.to - token.from === 1 && next?.sign === '(' && next.from === token.to;
+    const rounded = token.kind === 'function' && (token.sign === 'ceil' || token.sign === 'floor');
+    if ((binomial || rounded) && next) {
+      const end = closing(tokens, i + 1);
+      if (end > 0) {
+        const inside = tokens.slice(i + 2, end);
+        const comma = inside.findIndex((each, at) => each.sign === ',' && depthAt(inside, at) === 0);
+        if (rounded) {
+          const [open, close] = token.sign === 'ceil' ? ['\\lceil ', '\\rceil '] : ['\\lfloor ', '\\rfloor '];
+          tex += `${open}${join(inside, text)}${close}`;
+          i = end;
+          continue;
+        }
+        if (comma > 0) {
+          tex += `\\tbinom{${join(inside.slice(0, comma), text)}}{${join(inside.slice(comma + 1), text)}}`;
+          i = end;
+          continue;
+        }
+      }
+    }
+    if (token.kind === 'function' && tex !== '' && i > 0) {
+      tex += ' ';
+    }
+    tex += token.tex;
+    const gap = next ? text.slice(token.to, next.from) : '';
+    if (gap.length >= 2 && !gap.includes('\n')) {
+      tex += '\\quad ';
+    } else if (token.kind === 'comma' && token.sign !== ':') {
+      tex += gap === '' ? '' : '\\, ';
+    }
+  }
+  return tex;
+}
+
+function closing(tokens: readonly Token[], open: number): number {
+  let depth = 0;
+  for (let i = open; i < tokens.length; ++i) {
+    depth += tokens[i]!.kind === 'open' ? 1 : tokens[i]!.kind === 'close' ? -1 : 0;
+    if (depth === 0) {
+      return i;
+    }
+  }
+  return -1;
+}
+
+function depthAt(tokens: readonly Token[], at: number): number {
+  return tokens.slice(0, at).reduce((depth, each) => depth + (each.kind === 'open' ? 1 : each.kind === 'close' ? -1 : 0), 0);
+}
+
+/** A text that is a formula as a whole; words in it stay words. */
+export function texOf(formula: string): string {
+  let tex = '';
+  let tokens: Token[] = [];
+  const flush = (): void => {
+    tex += join(tokens, formula);
+    tokens = [];
+  };
+  for (let i = 0; i < formula.length; ) {
+    if (formula[i] === ' ' || formula[i] === '\n') {
+      const gap = /^[ \n]+/.exec(formula.slice(i))![0].length;
+      if (gap >= 2 && tokens.length > 0) {
+        flush();
+        tex += '\\quad ';
+      }
+      i += gap;
+      continue;
+    }
+    const token = tokenAt(formula, i, true);
+    if (token && !(token.kind === 'variable' && words.has(token.sign) && token.sign.length > 1)) {
+      tokens.push(token);
+      i = token.to;
+      continue;
+    }
+    const word = /^(?:\p{L}[\p{L}\p{M}]*|.)/u.exec(formula.slice(i))![0];
+    flush();
+    tex += `\\text{ ${word.replace(/[\\{}$&#^_%~]/g, '')} }`;
+    i += word.length;
+  }
+  flush();
+  return tex;
+}
+
+/** Only what is balanced and neither begins nor ends with what joins. */
+function trimmed(tokens: Token[]): Token[] {
+  let list = tokens;
+  for (;;) {
+    const first = list[0];
+    const last = list.at(-1);
+    if (!first || !last) {
+      return [];
+    }
+    if (last.kind === 'comma' || (last.kind === 'operator') || last.kind === 'function' || last.kind === 'design' || last.kind === 'open') {
+      list = list.slice(0, -1);
+      continue;
+    }
+    if (first.kind === 'comma' || first.kind === 'close' || (first.kind === 'operator' && !'−-±'.includes(first.sign))) {
+      list = list.slice(1);
+      continue;
+    }
+    const open: number[] = [];
+    let extra = -1;
+    list.forEach((each, i) => {
+      if (each.kind === 'open') {
+        open.push(i);
+      } else if (each.kind === 'close' && open.pop() === undefined && extra < 0) {
+        extra = i;
+      }
+    });
+    if (extra >= 0) {
+      list = list.slice(0, extra);
+      continue;
+    }
+    if (open.length > 0) {
+      list = open[0] === 0 ? list.slice(1) : list.slice(0, open[0]);
+      continue;
+    }
+    return list;
+  }
+}
+
+const relations = new Set(['=', '≤', '≥', '<=', '>=', '<', '>', '≡', '≠']);
+const sums = new Set(['+', '−', '-', '·', '*']);
+/** Longer formulas, in letters, are set in parts, between which lines can end. */
+const longest = 24;
+
+/** A long list, a part for some members. */
+function listed(tokens: readonly Token[]): Token[][] {
+  const found: Token[][] = [[]];
+  tokens.forEach((token) => {
+    found.at(-1)!.push(token);
+    if (token.sign === ',' && found.at(-1)!.length >= 8) {
+      found.push([]);
+    }
+  });
+  return found.filter((part) => part.length > 0);
+}
+
+/** A formula in parts that begin with a relation, or with a sign of a sum where that is not enough. */
+function parts(tokens: Token[]): Token[][] {
+  const length = (some: readonly Token[]): number => (some.length === 0 ? 0 : some.at(-1)!.to - some[0]!.from);
+  const cut = (some: Token[], at: ReadonlySet<string>): Token[][] => {
+    const found: Token[][] = [[]];
+    some.forEach((token, i) => {
+      if (i > 0 && token.kind === 'operator' && at.has(token.sign) && depthAt(some, i) === 0 && some[i - 1]!.kind !== 'operator') {
+        found.push([]);
+      }
+      found.at(-1)!.push(token);
+    });
+    return found;
+  };
+  return length(tokens) <= longest ? [tokens] : cut(tokens, relations).flatMap((part) => (length(part) <= longest + 6 ? [part] : cut(part, sums))).flatMap((part) => (length(part) <= longest ? [part] : listed(part)));
+}
+
+/** Whether it is worth setting: a number alone is not, a list of numbers neither. */
+function isMathematics(tokens: readonly Token[]): boolean {
+  return tokens.some((each) => each.kind === 'variable' || each.kind === 'operator' || each.kind === 'function' || each.kind === 'design' || each.sign === '{') && !(tokens.length === 1 && (tokens[0]!.sign === '…' || tokens[0]!.kind === 'number'));
+}
+
+/** The text in pieces, mathematics with its TeX. Together the pieces are the text. */
+export function pieces(text: string): Piece[] {
+  const found: Piece[] = [];
+  let plain = '';
+  const say = (words: string): void => {
+    plain += words;
+  };
+  const flush = (): void => {
+    if (plain !== '') {
+      found.push({ text: plain });
+      plain = '';
+    }
+  };
+  let i = 0;
+  while (i < text.length) {
+    const tokens: Token[] = [];
+    let at = i;
+    let depth = 0;
+    while (at < text.length) {
+      const gap = /^[ \n]*/.exec(text.slice(at))![0].length;
+      const token = at + gap < text.length ? tokenAt(text, at + gap, false) : null;
+      const last = tokens.at(-1);
+      if (!token || (gap > 0 && !last)) {
+        break;
+      }
+      // Two things side by side with a blank between are two things: "at most 9 of", "k m".
+      const value = (each: Token): boolean => each.kind === 'number' || each.kind === 'variable' || each.kind === 'close';
+      if (last && gap > 0 && (value(last) || last.kind === 'comma') && (token.kind === 'number' || token.kind === 'variable' || token.kind === 'function' || token.kind === 'design' || token.kind === 'open') && !(last.kind === 'comma' && (depth > 0 || tokens.at(-2)?.sign === '…')) && token.sign !== '…' && last.sign !== '…' && !greek[last.sign]?.includes('sum')) {
+        break;
+      }
+      if (gap > 0 && token.kind === 'open' && last && last.kind !== 'operator' && last.kind !== 'open') {
+        break;
+      }
+      depth += token.kind === 'open' ? 1 : token.kind === 'close' ? -1 : 0;
+      if (depth < 0) {
+        break;
+      }
+      tokens.push(token);
+      at = token.to;
+    }
+    const list = trimmed(tokens);
+    if (list.length > 0 && isMathematics(list)) {
+      say(text.slice(i, list[0]!.from));
+      flush();
+      const end = list.at(-1)!.to;
+      const cut = parts(list);
+      cut.forEach((part, n) => {
+        const next = cut[n + 1]?.[0]!.from ?? end;
+        found.push({ tex: `${n > 0 ? '{}' : ''}${join(part, text)}`, text: text.slice(part[0]!.from, next), ...(n + 1 < cut.length ? { breaks: true } : {}) });
+      });
+      i = end;
+      continue;
+    }
+    const skip = list.length > 0 ? list.at(-1)!.to - i : (/^(?:\p{L}[\p{L}\p{M}]*|.)/su.exec(text.slice(i))![0].length);
+    say(text.slice(i, i + skip));
+    i += skip;
+  }
+  flush();
+  return found;
+}

@@ -1,0 +1,464 @@
+// The map of all cells on a canvas: v to the right, k downwards; zoomed and panned by pointer, fingers and keys. A cell has its
+// number as soon as there is room for it. What the map shows, the table below it says to those who do not see it.
+import type { Atlas, AtlasCell } from '../../lib/atlas';
+import { announce, h } from '../../lib/dom';
+import { number } from '../../lib/words';
+import { inkOn } from '../../lib/colours';
+import { paintOf, type Paint } from './paint';
+
+export interface Window {
+  k: { from: number; to: number };
+  v: { from: number; to: number };
+}
+
+export type Written = 'b' | 'gap';
+
+export interface AtlasMap {
+  readonly element: HTMLElement;
+  show(atlas: Atlas, how: { measure: string; written: Written; passes: (cell: AtlasCell) => boolean }): void;
+  /** Brings a window into sight. */
+  look(window: Partial<Window>): void;
+  /** Cells that are wholly or partly in sight. */
+  seen(): Window;
+  /** Marks a cell. */
+  mark(v: number, k: number): void;
+  zoom(factor: number): void;
+  fit(): void;
+}
+
+interface Listener {
+  /** A cell is pointed at, or none. */
+  pointed(cell: AtlasCell | null): void;
+  /** A cell is chosen by a click, a tap or a key. */
+  chosen(cell: AtlasCell): void;
+  /** It is to be opened. */
+  opened(cell: AtlasCell): void;
+  /** Another part of the map is in sight. */
+  moved(): void;
+}
+
+const margin = { left: 44, top: 40, right: 12, bottom: 10 };
+const largest = { x: 78, y: 40 };
+const sides: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
+/** Distances between lines of a scale: 1, 2, 5, 10, 20, … */
+function stride(pixels: number, least: number): number {
+  for (let unit = 1; ; unit *= 10) {
+    for (const step of [1, 2, 5]) {
+      if (step * unit * pixels >= least) {
+        return step * unit;
+      }
+    }
+  }
+}
+
+export function say(cell: AtlasCell): string {
+  const known = cell.status === 'impossible' ? 'no design exists' : cell.b === null ? `no design is known, at least ${cell.lower} blocks` : `${number(cell.b)} blocks, ${cell.status === 'minimum' ? 'minimum' : `lower bound ${cell.lower}`}`;
+  return `v ${cell.v}, k ${cell.k}: ${known}`;
+}
+
+export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
+  const canvas = h('canvas', {
+    class: 'atlas-canvas',
+    tabindex: 0,
+    role: 'application',
+    'aria-roledescription': 'map',
+    'aria-label': 'Map of cells, v from left to right, k from top to bottom. Arrow keys choose a cell, Enter opens it, plus and minus zoom, 0 shows everything. The table below has the same numbers.',
+  });
+  const tip = h('div', { class: 'atlas-tip', hidden: true });
+  const element = h('div', { class: 'atlas' }, canvas, tip);
+  const pen = canvas.getContext('2d')!;
+  let atlas: Atlas | null = null;
+  let paint: Paint | null = null;
+  let written: Written = 'b';
+  let passes: (cell: AtlasCell) => boolean = () => true;
+  let width = 0;
+  let height = 0;
+  /** Pixels a cell, and the cell at the corner, in cells from the first. */
+  const scale = { x: 8, y: 14 };
+  const corner = { x: 0, y: 0 };
+  let wanted: Partial<Window> | null = null;
+  let chosen: { v: number; k: number } | null = null;
+  let pointed: { v: number; k: number } | null = null;
+  let frame = 0;
+
+  const room = () => ({ x: width - margin.left - margin.right, y: height - margin.top - margin.bottom });
+  const smallest = () => ({ x: Math.min(largest.x, room().x / (atlas?.columns ?? 1)), y: Math.min(largest.y, room().y / (atlas?.rows ?? 1)) });
+
+  function clamp(): void {
+    if (!atlas) {
+      return;
+    }
+    const least = smallest();
+    scale.x = Math.min(largest.x, Math.max(least.x, scale.x));
+    scale.y = Math.min(largest.y, Math.max(least.y, scale.y));
+    corner.x = Math.max(0, Math.min(atlas.columns - room().x / scale.x, corner.x));
+    corner.y = Math.max(0, Math.min(atlas.rows - room().y / scale.y, corner.y));
+    const whole = scale.x <= least.x * 1.001 && scale.y <= least.y * 1.001;
+    canvas.style.touchAction = whole ? 'pan-y' : 'none';
+    element.classList.toggle('zoomed', !whole);
+  }
+
+  function later(): void {
+    if (frame === 0) {
+      frame = requestAnimationFrame(() => {
+        frame = 0;
+        draw();
+      });
+    }
+  }
+
+  function draw(): void {
+    if (!atlas || !paint || width === 0) {
+      return;
+    }
+    const ratio = devicePixelRatio || 1;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, width, height);
+    const { text, faint, line, ground, accent, font } = paint.ink;
+    const first = { x: Math.floor(corner.x), y: Math.floor(corner.y) };
+    const last = { x: Math.min(atlas.columns - 1, Math.ceil(corner.x + room().x / scale.x)), y: Math.min(atlas.rows - 1, Math.ceil(corner.y + room().y / scale.y)) };
+    const left = (x: number): number => margin.left + (x - corner.x) * scale.x;
+    const top = (y: number): number => margin.top + (y - corner.y) * scale.y;
+    const gap = scale.x >= 7 && scale.y >= 7 ? 1 : 0;
+    pen.save();
+    pen.beginPath();
+    pen.rect(margin.left, margin.top, room().x, room().y);
+    pen.clip();
+    const highest = Math.min(13, scale.y - 3);
+    let size = 0;
+    pen.textAlign = 'center';
+    pen.textBaseline = 'middle';
+    for (let y = first.y; y <= last.y; ++y) {
+      for (let x = first.x; x <= last.x; ++x) {
+        const cell = atlas.cell(atlas.v.from + x, atlas.k.from + y)!;
+        if (cell.status === 'impossible') {
+          continue;
+        }
+        const colour = paint.of(cell);
+        const passing = passes(cell);
+        pen.globalAlpha = passing ? 1 : 0.12;
+        pen.fillStyle = colour;
+        const [at, down] = [left(x), top(y)];
+        pen.fillRect(at, down, scale.x - gap, scale.y - gap);
+        if (cell.b === null) {
+          pen.strokeStyle = faint;
+          pen.strokeRect(at + 0.5, down + 0.5, scale.x - gap - 1, scale.y - gap - 1);
+        }
+        if (highest >= 8.5 && passing) {
+          const digits = cell.b === null ? '?' : written === 'b' ? String(cell.b) : cell.gap === 0 ? '=' : `+${cell.gap}`;
+          const fitting = Math.min(highest, Math.floor(((scale.x - 4) / (digits.length * 0.64)) * 2) / 2);
+          if (fitting >= 8.5) {
+            if (fitting !== size) {
+              size = fitting;
+              pen.font = `${size}px ${font}`;
+            }
+            pen.fillStyle = inkOn(colour);
+            pen.fillText(digits, at + (scale.x - gap) / 2, down + (scale.y - gap) / 2 + 0.5);
+          }
+        }
+      }
+    }
+    pen.globalAlpha = 1;
+    for (const [place, colour, wide] of [[pointed, text, 1.5], [chosen, accent, 3]] as const) {
+      if (place && atlas.has(place.v, place.k)) {
+        const [at, down] = [left(place.v - atlas.v.from), top(place.k - atlas.k.from)];
+        pen.lineWidth = wide + 2;
+        pen.strokeStyle = ground;
+        pen.strokeRect(at - 1, down - 1, scale.x - gap + 2, scale.y - gap + 2);
+        pen.lineWidth = wide;
+        pen.strokeStyle = colour;
+        pen.strokeRect(at - 1, down - 1, scale.x - gap + 2, scale.y - gap + 2);
+        pen.lineWidth = 1;
+      }
+    }
+    pen.restore();
+    // The scales.
+    pen.fillStyle = faint;
+    pen.strokeStyle = line;
+    pen.font = `12px ${font}`;
+    pen.textAlign = 'center';
+    pen.textBaseline = 'alphabetic';
+    const step = { x: stride(scale.x, 34), y: stride(scale.y, 15) };
+    for (let v = Math.ceil((atlas.v.from + corner.x) / step.x) * step.x; v <= atlas.v.from + last.x; v += step.x) {
+      const at = left(v - atlas.v.from) + (scale.x - gap) / 2;
+      if (at >= margin.left && at <= width - margin.right) {
+        pen.fillText(String(v), at, margin.top - 7);
+      }
+    }
+    pen.textAlign = 'right';
+    pen.textBaseline = 'middle';
+    for (let k = Math.ceil((atlas.k.from + corner.y) / step.y) * step.y; k <= atlas.k.from + last.y; k += step.y) {
+      const at = top(k - atlas.k.from) + (scale.y - gap) / 2;
+      if (at >= margin.top && at <= height - margin.bottom) {
+        pen.fillText(String(k), margin.left - 8, at);
+      }
+    }
+    pen.fillStyle = text;
+    pen.textAlign = 'left';
+    pen.textBaseline = 'alphabetic';
+    pen.font = `italic 600 13px ${font}`;
+    pen.fillText('v', margin.left, 13);
+    pen.fillText('k', 12, margin.top + 12);
+    pen.font = `12px ${font}`;
+    pen.fillStyle = faint;
+    pen.fillText('elements →', margin.left + 12, 13);
+  }
+
+  function cellAt(event: { clientX: number; clientY: number }): AtlasCell | null {
+    const box = canvas.getBoundingClientRect();
+    const x = event.clientX - box.left;
+    const y = event.clientY - box.top;
+    if (!atlas || x < margin.left || y < margin.top || x > width - margin.right || y > height - margin.bottom) {
+      return null;
+    }
+    const cell = atlas.cell(atlas.v.from + Math.floor(corner.x + (x - margin.left) / scale.x), atlas.k.from + Math.floor(corner.y + (y - margin.top) / scale.y));
+    return cell?.status === 'impossible' ? null : cell;
+  }
+
+  function zoomAt(factor: number, x: number, y: number): void {
+    const [cx, cy] = [corner.x + (x - margin.left) / scale.x, corner.y + (y - margin.top) / scale.y];
+    scale.x *= factor;
+    // Rows are high enough sooner than columns are wide.
+    scale.y *= Math.sqrt(factor);
+    clamp();
+    corner.x = cx - (x - margin.left) / scale.x;
+    corner.y = cy - (y - margin.top) / scale.y;
+    clamp();
+    later();
+    listener.moved();
+  }
+
+  function seen(): Window {
+    if (!atlas) {
+      return { k: { from: 3, to: 40 }, v: { from: 4, to: 160 } };
+    }
+    const to = (from: number, at: number, space: number, per: number, most: number): { from: number; to: number } => ({
+      from: Math.min(most, from + Math.floor(at + 0.001)),
+      to: Math.min(most, from + Math.ceil(at + space / per - 0.001) - 1),
+    });
+    return { v: to(atlas.v.from, corner.x, room().x, scale.x, atlas.v.to), k: to(atlas.k.from, corner.y, room().y, scale.y, atlas.k.to) };
+  }
+
+  function lookAt({ k, v }: Partial<Window>): void {
+    if (!atlas || width === 0) {
+      wanted = { ...(k ? { k } : {}), ...(v ? { v } : {}) };
+      return;
+    }
+    const [kk, vv] = [k ?? atlas.k, v ?? atlas.v];
+    scale.x = room().x / (Math.min(vv.to, atlas.v.to) - Math.max(vv.from, atlas.v.from) + 1);
+    scale.y = room().y / (Math.min(kk.to, atlas.k.to) - Math.max(kk.from, atlas.k.from) + 1);
+    corner.x = Math.max(vv.from, atlas.v.from) - atlas.v.from;
+    corner.y = Math.max(kk.from, atlas.k.from) - atlas.k.from;
+    clamp();
+    later();
+  }
+
+  function choose(cell: AtlasCell, into: boolean): void {
+    chosen = { v: cell.v, k: cell.k };
+    if (into && atlas) {
+      // Into sight.
+      const [x, y] = [cell.v - atlas.v.from, cell.k - atlas.k.from];
+      corner.x = Math.min(x, Math.max(corner.x, x + 1 - room().x / scale.x));
+      corner.y = Math.min(y, Math.max(corner.y, y + 1 - room().y / scale.y));
+      clamp();
+      listener.moved();
+    }
+    later();
+    listener.chosen(cell);
+  }
+
+  function point(cell: AtlasCell | null, event?: PointerEvent): void {
+    pointed = cell && { v: cell.v, k: cell.k };
+    listener.pointed(cell);
+    tip.hidden = cell === null || event === undefined;
+    if (cell && event) {
+      const box = canvas.getBoundingClientRect();
+      tip.textContent = `v ${cell.v}  k ${cell.k}   ${cell.b === null ? 'no design known' : `${number(cell.b)} blocks${cell.gap === 0 ? ', minimum' : `, bound ${number(cell.lower!)}`}`}`;
+      const x = event.clientX - box.left;
+      tip.style.left = `${Math.max(4, Math.min(width - tip.offsetWidth - 4, x + 14))}px`;
+      tip.style.top = `${Math.max(4, event.clientY - box.top - 40)}px`;
+    }
+    later();
+  }
+
+  // ---- pointers ----
+  const down = new Map<number, { x: number; y: number }>();
+  let dragged = 0;
+  canvas.addEventListener('pointerdown', (event) => {
+    down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    dragged = 0;
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    const before = down.get(event.pointerId);
+    if (!before) {
+      point(cellAt(event), event);
+      return;
+    }
+    const others = [...down].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
+    const box = canvas.getBoundingClientRect();
+    if (others.length === 1) {
+      const other = others[0]!;
+      const far = (place: { x: number; y: number }): number => Math.max(20, Math.hypot(place.x - other.x, place.y - other.y));
+      zoomAt(far({ x: event.clientX, y: event.clientY }) / far(before), (event.clientX + other.x) / 2 - box.left, (event.clientY + other.y) / 2 - box.top);
+      dragged = 100;
+    } else if (others.length === 0) {
+      const [dx, dy] = [event.clientX - before.x, event.clientY - before.y];
+      dragged += Math.abs(dx) + Math.abs(dy);
+      if (dragged > 4) {
+        corner.x -= dx / scale.x;
+        corner.y -= dy / scale.y;
+        clamp();
+        point(null);
+        listener.moved();
+      }
+    }
+    down.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  });
+  const released = (event: PointerEvent): void => {
+    down.delete(event.pointerId);
+  };
+  canvas.addEventListener('pointerup', (event) => {
+    released(event);
+    if (dragged > 4 || event.button !== 0) {
+      return;
+    }
+    const cell = cellAt(event);
+    if (cell) {
+      const again = chosen?.v === cell.v && chosen.k === cell.k;
+      choose(cell, false);
+      if (again || event.pointerType !== 'touch') {
+        listener.opened(cell);
+      }
+    }
+  });
+  canvas.addEventListener('pointercancel', released);
+  canvas.addEventListener('pointerleave', () => point(null));
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      // Without a key the page scrolls, unless the map is zoomed and the wheel moves sideways.
+      if (event.ctrlKey || event.metaKey) {
+        event.preventDefault();
+        const box = canvas.getBoundingClientRect();
+        zoomAt(Math.exp(-event.deltaY * 0.0022 * (event.deltaMode === 1 ? 20 : 1)), event.clientX - box.left, event.clientY - box.top);
+      } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+        event.preventDefault();
+        corner.x += (event.deltaX || event.deltaY) / scale.x;
+        clamp();
+        later();
+        listener.moved();
+      }
+    },
+    { passive: false },
+  );
+
+  // ---- keys ----
+  canvas.addEventListener('keydown', (event) => {
+    if (!atlas || event.ctrlKey || event.metaKey || event.altKey) {
+      return;
+    }
+    const step = sides[event.key];
+    if (step) {
+      event.preventDefault();
+      const from = chosen ?? { v: seen().v.from - step[0], k: seen().k.from - step[1] };
+      for (let i = 1; i <= 160; ++i) {
+        const next = atlas.cell(from.v + i * step[0], from.k + i * step[1]);
+        if (!next) {
+          break;
+        }
+        if (next.status !== 'impossible') {
+          choose(next, true);
+          announce(say(next));
+          break;
+        }
+      }
+      return;
+    }
+    const act: Record<string, () => void> = {
+      Enter: () => {
+        const cell = chosen && atlas!.cell(chosen.v, chosen.k);
+        if (cell) {
+          listener.opened(cell);
+        }
+      },
+      '+': () => zoom(1.5),
+      '=': () => zoom(1.5),
+      '-': () => zoom(1 / 1.5),
+      '0': fit,
+      Home: () => row((list) => list[0]),
+      End: () => row((list) => list.at(-1)),
+    };
+    const row = (pick: (list: AtlasCell[]) => AtlasCell | undefined): void => {
+      const k = chosen?.k ?? seen().k.from;
+      const next = pick(atlas!.cells({ from: k, to: k }).filter((cell) => cell.status !== 'impossible'));
+      if (next) {
+        choose(next, true);
+        announce(say(next));
+      }
+    };
+    if (act[event.key]) {
+      event.preventDefault();
+      act[event.key]!();
+    }
+  });
+  canvas.addEventListener('focus', later);
+
+  function zoom(factor: number): void {
+    const at = chosen && atlas ? { x: margin.left + (chosen.v - atlas.v.from - corner.x + 0.5) * scale.x, y: margin.top + (chosen.k - atlas.k.from - corner.y + 0.5) * scale.y } : { x: margin.left + room().x / 3, y: margin.top + room().y / 3 };
+    zoomAt(factor, at.x, at.y);
+  }
+  function fit(): void {
+    lookAt({});
+    listener.moved();
+  }
+
+  const sizes = new ResizeObserver(() => {
+    const [wide, high] = [element.clientWidth, element.clientHeight];
+    if (wide === 0 || (wide === width && high === height)) {
+      return;
+    }
+    const before = width > 0 && atlas ? seen() : null;
+    width = wide;
+    height = high;
+    const ratio = devicePixelRatio || 1;
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+    if (atlas) {
+      lookAt(wanted ?? before ?? {});
+      wanted = null;
+    }
+    draw();
+  });
+  sizes.observe(element);
+  signal.addEventListener('abort', () => {
+    sizes.disconnect();
+    cancelAnimationFrame(frame);
+  });
+
+  return {
+    element,
+    show(next, how) {
+      const other = atlas === null || atlas.columns !== next.columns || atlas.rows !== next.rows || atlas.k.from !== next.k.from;
+      atlas = next;
+      written = how.written;
+      passes = how.passes;
+      paint = paintOf(next, how.measure);
+      if (other && width > 0) {
+        lookAt(wanted ?? {});
+        wanted = null;
+      }
+      clamp();
+      draw();
+    },
+    look: lookAt,
+    seen,
+    mark(v, k) {
+      chosen = { v, k };
+      later();
+    },
+    zoom,
+    fit,
+  };
+}

@@ -1,0 +1,291 @@
+// All pairs of elements as a matrix: below the diagonal when they first meet, above it how often they are newly covered. Zoomed and
+// panned; a pair is chosen by a click, and the blocks that are chosen elsewhere stand out.
+import { scale } from '../../lib/colours';
+import { h } from '../../lib/dom';
+import { number } from '../../lib/words';
+import { theme } from '../../shell/theme';
+import type { Chosen } from './selection';
+import type { Steps } from './steps';
+
+export interface Matrix {
+  readonly element: HTMLElement;
+  order(rows: readonly number[]): void;
+}
+
+const margin = 40;
+
+function token(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+/** Null if there are too many elements to keep their pairs apart. */
+export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, largest = 720): Matrix | null {
+  const { v, b, first } = steps;
+  if (!first) {
+    return null;
+  }
+  const meet = first;
+  const canvas = h('canvas', {
+    class: 'matrix-canvas',
+    tabindex: 0,
+    role: 'application',
+    'aria-roledescription': 'matrix',
+    'aria-label': `Pairs of ${v} elements. Arrow keys choose a pair, plus and minus zoom, 0 shows everything.`,
+  });
+  const tip = h('div', { class: 'atlas-tip', hidden: true });
+  const element = h('div', { class: 'matrix' }, canvas, tip);
+  const pen = canvas.getContext('2d')!;
+  let rows: number[] = Array.from({ length: v }, (_, x) => x);
+  let side = 0;
+  let cell = 8;
+  const corner = { x: 0, y: 0 };
+  let frame = 0;
+  let pointed: { x: number; y: number } | null = null;
+
+  const room = (): number => side - margin;
+  const least = (): number => room() / v;
+  function clamp(): void {
+    cell = Math.min(Math.max(36, least()), Math.max(least(), cell));
+    for (const way of ['x', 'y'] as const) {
+      corner[way] = Math.max(0, Math.min(v - room() / cell, corner[way]));
+    }
+  }
+  function later(): void {
+    if (frame === 0) {
+      frame = requestAnimationFrame(() => {
+        frame = 0;
+        draw();
+      });
+    }
+  }
+
+  /** How often each pair is newly covered; counted when it is first asked for. */
+  let often: Uint16Array | null = null;
+  function times(): Uint16Array {
+    if (!often) {
+      often = new Uint16Array(v * v);
+      const counts = often;
+      const circular = chosen.design.kind === 'circular';
+      const { blocks } = chosen.design;
+      const before = new Uint8Array(v);
+      blocks.forEach((block, i) => {
+        before.fill(0);
+        const last = i > 0 ? blocks[i - 1]! : circular ? blocks.at(-1)! : [];
+        last.forEach((x) => (before[x] = 1));
+        block.forEach((x, p) => {
+          for (let q = p + 1; q < block.length; ++q) {
+            const y = block[q]!;
+            if (!before[x] || !before[y]) {
+              ++counts[x * v + y]!;
+              ++counts[y * v + x]!;
+            }
+          }
+        });
+      });
+    }
+    return often;
+  }
+
+  function draw(): void {
+    if (side === 0) {
+      return;
+    }
+    const ratio = devicePixelRatio || 1;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, side, side);
+    const colours = scale(theme());
+    const counts = times();
+    const range = chosen.range;
+    const lit = chosen.elements;
+    const [sunken, faint, mark, text, ground, met, leave] = ['--sunken', '--faint', '--mark', '--text', '--ground', '--met', '--leave'].map(token) as [string, string, string, string, string, string, string];
+    const gap = cell >= 5 ? 1 : 0;
+    pen.save();
+    pen.beginPath();
+    pen.rect(margin, margin, room(), room());
+    pen.clip();
+    const last = { x: Math.min(v - 1, Math.ceil(corner.x + room() / cell)), y: Math.min(v - 1, Math.ceil(corner.y + room() / cell)) };
+    for (let i = Math.floor(corner.y); i <= last.y; ++i) {
+      for (let j = Math.floor(corner.x); j <= last.x; ++j) {
+        const [x, y] = [rows[j]!, rows[i]!];
+        if (x === y) {
+          continue;
+        }
+        const when = meet[x * v + y]!;
+        const n = counts[x * v + y]!;
+        const inside = !range || (when >= range.from && when <= range.to);
+        pen.globalAlpha = inside ? 1 : 0.22;
+        pen.fillStyle = when === 0 ? leave : j > i ? (n === 1 ? sunken : n === 0 ? faint : n === 2 ? met : mark) : colours[Math.min(colours.length - 1, Math.floor(((when - 1) / b) * colours.length))]!;
+        const [px, py] = [margin + (j - corner.x) * cell, margin + (i - corner.y) * cell];
+        pen.fillRect(px, py, cell - gap, cell - gap);
+        if (cell >= 24 && inside) {
+          pen.fillStyle = text;
+          pen.font = `${cell >= 30 ? 11 : 9}px ${token('--text-font')}`;
+          pen.textAlign = 'center';
+          pen.textBaseline = 'middle';
+          pen.fillText(j > i ? (n === 1 ? '' : String(n)) : String(when), px + cell / 2, py + cell / 2);
+        }
+      }
+    }
+    pen.globalAlpha = 1;
+    // Rows and columns of what is chosen.
+    const rowOf = (x: number): number => rows.indexOf(x);
+    const cross = (i: number, colour: string): void => {
+      pen.strokeStyle = colour;
+      pen.lineWidth = 1.5;
+      pen.strokeRect(margin + (i - corner.x) * cell - 0.5, margin, cell, room());
+      pen.strokeRect(margin, margin + (i - corner.y) * cell - 0.5, room(), cell);
+    };
+    lit.forEach((x) => cross(rowOf(x), mark));
+    const pair = lit.length === 2 ? { x: rowOf(lit[0]!), y: rowOf(lit[1]!) } : null;
+    for (const each of [pair, pointed]) {
+      if (each) {
+        for (const [i, j] of [[each.x, each.y], [each.y, each.x]] as const) {
+          pen.lineWidth = 4;
+          pen.strokeStyle = ground;
+          pen.strokeRect(margin + (i - corner.x) * cell - 1, margin + (j - corner.y) * cell - 1, cell + 1, cell + 1);
+          pen.lineWidth = 2;
+          pen.strokeStyle = each === pair ? mark : text;
+          pen.strokeRect(margin + (i - corner.x) * cell - 1, margin + (j - corner.y) * cell - 1, cell + 1, cell + 1);
+        }
+      }
+    }
+    pen.restore();
+    pen.font = `12px ${token('--text-font')}`;
+    const step = Math.max(1, Math.ceil(16 / cell));
+    for (let i = 0; i < v; ++i) {
+      const strong = lit.includes(rows[i]!);
+      if (i % step !== 0 && !strong) {
+        continue;
+      }
+      pen.fillStyle = strong ? mark : faint;
+      const name = steps.names[rows[i]!]!.slice(0, 5);
+      const across = margin + (i - corner.x + 0.5) * cell;
+      const down = margin + (i - corner.y + 0.5) * cell;
+      pen.textBaseline = 'middle';
+      pen.textAlign = 'center';
+      if (across > margin && across < side && (cell * step >= name.length * 7 || strong)) {
+        pen.fillText(name, across, margin - 10);
+      }
+      pen.textAlign = 'right';
+      if (down > margin && down < side) {
+        pen.fillText(name, margin - 6, down);
+      }
+    }
+  }
+
+  function hit(event: { clientX: number; clientY: number }): { x: number; y: number } | null {
+    const box = canvas.getBoundingClientRect();
+    const x = Math.floor(corner.x + (event.clientX - box.left - margin) / cell);
+    const y = Math.floor(corner.y + (event.clientY - box.top - margin) / cell);
+    return x < 0 || y < 0 || x >= v || y >= v || x === y || event.clientX - box.left < margin || event.clientY - box.top < margin ? null : { x, y };
+  }
+  function zoomAt(factor: number, px: number, py: number): void {
+    const [cx, cy] = [corner.x + (px - margin) / cell, corner.y + (py - margin) / cell];
+    cell *= factor;
+    clamp();
+    corner.x = cx - (px - margin) / cell;
+    corner.y = cy - (py - margin) / cell;
+    clamp();
+    later();
+  }
+
+  let down: { x: number; y: number; cx: number; cy: number } | null = null;
+  let moved = 0;
+  canvas.addEventListener('pointerdown', (event) => {
+    down = { x: event.clientX, y: event.clientY, cx: corner.x, cy: corner.y };
+    moved = 0;
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    if (down) {
+      moved = Math.max(moved, Math.hypot(event.clientX - down.x, event.clientY - down.y));
+      if (moved > 4) {
+        corner.x = down.cx - (event.clientX - down.x) / cell;
+        corner.y = down.cy - (event.clientY - down.y) / cell;
+        clamp();
+        later();
+      }
+      return;
+    }
+    pointed = hit(event);
+    tip.hidden = !pointed;
+    if (pointed) {
+      const [x, y] = [rows[pointed.x]!, rows[pointed.y]!];
+      const when = meet[x * v + y]!;
+      tip.textContent = `${steps.names[y]} and ${steps.names[x]}: ${when === 0 ? 'never together' : `first together in block ${number(when)}, newly covered ${times()[x * v + y] === 1 ? 'once' : `${times()[x * v + y]} times`}`}`;
+      const box = canvas.getBoundingClientRect();
+      tip.style.left = `${Math.max(4, Math.min(side - tip.offsetWidth - 4, event.clientX - box.left + 14))}px`;
+      tip.style.top = `${Math.max(0, event.clientY - box.top - 36)}px`;
+    }
+    later();
+  });
+  canvas.addEventListener('pointerup', (event) => {
+    const here = down && moved <= 4 ? hit(event) : null;
+    down = null;
+    if (here) {
+      const pair = [rows[here.y]!, rows[here.x]!];
+      chosen.choose(pair.every((x) => chosen.elements.includes(x)) ? [] : pair);
+    }
+  });
+  canvas.addEventListener('pointercancel', () => (down = null));
+  canvas.addEventListener('pointerleave', () => {
+    pointed = null;
+    tip.hidden = true;
+    later();
+  });
+  canvas.addEventListener('wheel', (event) => {
+    if (event.ctrlKey || event.metaKey) {
+      event.preventDefault();
+      const box = canvas.getBoundingClientRect();
+      zoomAt(Math.exp(-event.deltaY * 0.0025 * (event.deltaMode === 1 ? 20 : 1)), event.clientX - box.left, event.clientY - box.top);
+    }
+  }, { passive: false });
+  canvas.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) {
+      return;
+    }
+    const [x, y] = chosen.elements.length === 2 ? [rows.indexOf(chosen.elements[1]!), rows.indexOf(chosen.elements[0]!)] : [0, 1];
+    const go = (dx: number, dy: number): void => {
+      let [nx, ny] = [x + dx, y + dy];
+      if (nx === ny) {
+        [nx, ny] = [nx + dx, ny + dy];
+      }
+      if (nx >= 0 && ny >= 0 && nx < v && ny < v) {
+        chosen.choose([rows[ny]!, rows[nx]!]);
+      }
+    };
+    const acts: Record<string, () => void> = { ArrowLeft: () => go(-1, 0), ArrowRight: () => go(1, 0), ArrowUp: () => go(0, -1), ArrowDown: () => go(0, 1), '+': () => zoomAt(1.5, side / 2, side / 2), '=': () => zoomAt(1.5, side / 2, side / 2), '-': () => zoomAt(1 / 1.5, side / 2, side / 2), '0': () => zoomAt(1e-9, margin, margin), Escape: () => chosen.choose([]) };
+    if (acts[event.key]) {
+      event.preventDefault();
+      acts[event.key]!();
+    }
+  });
+
+  const sizes = new ResizeObserver(() => {
+    const wide = Math.min(element.clientWidth, largest);
+    if (wide === 0 || wide === side) {
+      return;
+    }
+    side = wide;
+    const ratio = devicePixelRatio || 1;
+    canvas.width = canvas.height = Math.round(side * ratio);
+    canvas.style.width = canvas.style.height = `${side}px`;
+    cell = 0;
+    clamp();
+    draw();
+  });
+  sizes.observe(element);
+  chosen.follow(signal, later);
+  document.addEventListener('themechange', later, { signal });
+  signal.addEventListener('abort', () => {
+    sizes.disconnect();
+    cancelAnimationFrame(frame);
+  });
+  return {
+    element,
+    order(next) {
+      rows = [...next];
+      later();
+    },
+  };
+}

@@ -1,0 +1,421 @@
+// Stays over time, as a profiler shows them: a row for each element or item, a bar for each time that it is there. Zoomed, panned and brushed; the strip above
+// has the whole design and the part that is in sight.
+import { h } from '../lib/dom';
+import { number } from '../lib/words';
+import type { Choice, Stays } from './stays';
+
+export type Order = 'first' | 'stays' | 'given';
+
+export interface Timeline {
+  readonly element: HTMLElement;
+  /** Rows from top to bottom. */
+  order(rows: readonly number[]): void;
+}
+
+export interface TimelineData {
+  v: number;
+  b: number;
+  names: readonly string[];
+  /** How many pairs have met after so many steps; null: not counted. */
+  pairs: ArrayLike<number> | null;
+  allPairs: number;
+  stays: Stays;
+  /** What a step and an element are called. */
+  step: string;
+  item: string;
+}
+
+const left = 64;
+const axis = 24;
+const widest = 40;
+
+function token(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}
+
+function stride(pixels: number, least: number): number {
+  for (let unit = 1; ; unit *= 10) {
+    for (const step of [1, 2, 5]) {
+      if (step * unit * pixels >= least) {
+        return step * unit;
+      }
+    }
+  }
+}
+
+export function timeline(steps: TimelineData, chosen: Choice, first: readonly number[], signal: AbortSignal): Timeline {
+  const { v, b, stays } = steps;
+  const canvas = h('canvas', {
+    class: 'timeline-canvas',
+    tabindex: 0,
+    role: 'application',
+    'aria-roledescription': 'timeline',
+    'aria-label': `${v} ${steps.item}s over ${b} ${steps.step}s. Up and down choose one, left and right move, plus and minus zoom, 0 shows everything. Enter selects.`,
+  });
+  const strip = h('canvas', { class: 'timeline-strip', role: 'img', 'aria-label': 'From the first step to the last: how many pairs have met, and the part in sight. Drag to choose a part.' });
+  const tip = h('div', { class: 'atlas-tip', hidden: true });
+  const place = h('div', { class: 'timeline-place' }, canvas, tip);
+  const element = h('div', { class: 'timeline' }, strip, place);
+  const pen = canvas.getContext('2d')!;
+  const thin = strip.getContext('2d')!;
+  let rows: number[] = [];
+  let rowOf = new Int32Array(v);
+  let width = 0;
+  let height = 0;
+  /** Pixels a block, the block at the left edge (from 0), pixels a row, the first row in sight. */
+  let scale = 4;
+  let at = 0;
+  let row = 8;
+  let top = 0;
+  let pointed: { x: number; block: number } | null = null;
+  let key = 0;
+  let frame = 0;
+
+  const room = (): number => width - left - 8;
+  const least = (): number => Math.min(widest, room() / b);
+  function setOrder(next: readonly number[]): void {
+    rows = [...next];
+    rowOf = new Int32Array(v);
+    rows.forEach((x, i) => (rowOf[x] = i));
+    later();
+  }
+
+  function clamp(): void {
+    scale = Math.min(widest, Math.max(least(), scale));
+    at = Math.max(0, Math.min(b - room() / scale, at));
+    top = Math.max(0, Math.min(v - (height - axis) / row, top));
+  }
+  function later(): void {
+    if (frame === 0) {
+      frame = requestAnimationFrame(() => {
+        frame = 0;
+        draw();
+      });
+    }
+  }
+  function tellRange(): void {
+    const whole = scale <= least() * 1.001;
+    chosen.setRange(whole ? null : { from: Math.floor(at) + 1, to: Math.min(b, Math.ceil(at + room() / scale)) });
+  }
+
+  function draw(): void {
+    if (width === 0) {
+      return;
+    }
+    const ratio = devicePixelRatio || 1;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, width, height);
+    const [kept, fresh, faint, line, text, mark, leave] = ['--met', '--accent', '--faint', '--line', '--text', '--mark', '--leave'].map(token) as [string, string, string, string, string, string, string];
+    const [a, z] = [Math.floor(at) + 1, Math.min(b, Math.ceil(at + room() / scale))];
+    const x = (block: number): number => left + (block - 1 - at) * scale;
+    const picked = chosen.elements;
+    const lit = new Set(picked);
+    pen.save();
+    pen.beginPath();
+    pen.rect(left, axis, room(), height - axis);
+    pen.clip();
+    const gap = row >= 5 ? 1.5 : row >= 3 ? 0.7 : 0;
+    for (let i = Math.floor(top); i < v && axis + (i - top) * row < height; ++i) {
+      const each = rows[i]!;
+      const y = axis + (i - top) * row;
+      const mine = stays.of(each);
+      const strong = lit.has(each);
+      if (strong) {
+        pen.fillStyle = token('--sunken');
+        pen.fillRect(left, y, room(), row);
+      }
+      pen.globalAlpha = lit.size > 0 && !strong ? 0.45 : 1;
+      for (let j = stays.from(each, a); j < mine.length && mine[j]![0] <= z; ++j) {
+        const [from, to] = mine[j]!;
+        const start = x(from);
+        const long = Math.max((to - from + 1) * scale - (scale >= 4 ? 1 : 0), 0.8);
+        pen.fillStyle = strong ? mark : kept;
+        pen.fillRect(start, y, long, row - gap);
+        if (scale >= 3 && from > 1) {
+          pen.fillStyle = fresh;
+          pen.fillRect(start, y, Math.min(long, Math.max(2, scale * 0.35)), row - gap);
+        }
+        if (row >= 12 && long >= 22) {
+          pen.globalAlpha = 1;
+          pen.fillStyle = token('--ground');
+          pen.font = `10px ${token('--text-font')}`;
+          pen.textAlign = 'center';
+          pen.textBaseline = 'middle';
+          pen.fillText(steps.names[each]!, start + long / 2 + 2, y + (row - gap) / 2);
+          pen.globalAlpha = lit.size > 0 && !strong ? 0.45 : 1;
+        }
+      }
+    }
+    pen.globalAlpha = 1;
+    // Where a pair is together.
+    if (picked.length === 2) {
+      pen.fillStyle = leave;
+      for (const [from, to] of stays.shared(picked[0]!, picked[1]!)) {
+        for (const each of picked) {
+          const y = axis + (rowOf[each]! - top) * row;
+          pen.fillRect(x(from), y, Math.max((to - from + 1) * scale - 1, 1.5), row - gap);
+        }
+      }
+    }
+    if (pointed) {
+      pen.fillStyle = text;
+      pen.globalAlpha = 0.14;
+      pen.fillRect(x(pointed.block), axis, Math.max(scale, 1), height);
+      pen.fillRect(left, axis + (rowOf[pointed.x]! - top) * row, room(), row);
+      pen.globalAlpha = 1;
+    }
+    pen.restore();
+    // Scales.
+    pen.fillStyle = faint;
+    pen.strokeStyle = line;
+    pen.font = `12px ${token('--text-font')}`;
+    pen.textAlign = 'center';
+    pen.textBaseline = 'alphabetic';
+    const step = stride(scale, 52);
+    for (let n = Math.max(step, Math.ceil(a / step) * step); n <= z; n += step) {
+      pen.fillText(number(n), x(n) + scale / 2, axis - 8);
+      pen.beginPath();
+      pen.moveTo(Math.round(x(n) + scale / 2) + 0.5, axis - 4);
+      pen.lineTo(Math.round(x(n) + scale / 2) + 0.5, axis);
+      pen.stroke();
+    }
+    pen.textAlign = 'right';
+    pen.textBaseline = 'middle';
+    const rowStep = stride(row, 13);
+    for (let i = Math.floor(top); i < v && axis + (i - top) * row < height; ++i) {
+      const strong = lit.has(rows[i]!);
+      if (i % rowStep === 0 || strong) {
+        pen.fillStyle = strong ? mark : faint;
+        pen.font = `${strong ? '700 ' : ''}12px ${token('--text-font')}`;
+        pen.fillText(steps.names[rows[i]!]!.slice(0, 8), left - 8, axis + (i - top + 0.5) * row);
+      }
+    }
+    pen.textAlign = 'left';
+    pen.fillStyle = faint;
+    pen.font = `12px ${token('--text-font')}`;
+    pen.fillText(steps.step, 8, axis - 12);
+    drawStrip();
+  }
+
+  function drawStrip(): void {
+    const ratio = devicePixelRatio || 1;
+    const high = strip.clientHeight;
+    thin.setTransform(ratio, 0, 0, ratio, 0, 0);
+    thin.clearRect(0, 0, width, high);
+    const [faint, met, accent] = [token('--faint'), token('--met'), token('--accent')];
+    if (steps.pairs) {
+      thin.fillStyle = met;
+      thin.globalAlpha = 0.55;
+      thin.beginPath();
+      thin.moveTo(left, high);
+      for (let i = 0; i <= room(); i += 2) {
+        thin.lineTo(left + i, high - ((high - 4) * steps.pairs[Math.min(b, Math.round((i / room()) * b))]!) / Math.max(1, steps.allPairs));
+      }
+      thin.lineTo(left + room(), high);
+      thin.fill();
+      thin.globalAlpha = 1;
+    }
+    for (const each of chosen.elements) {
+      thin.fillStyle = token('--mark');
+      for (const [from, to] of stays.of(each)) {
+        thin.fillRect(left + ((from - 1) / b) * room(), chosen.elements.indexOf(each) * 6, Math.max(1, ((to - from + 1) / b) * room()), 4);
+      }
+    }
+    thin.fillStyle = faint;
+    thin.font = `11px ${token('--text-font')}`;
+    thin.textBaseline = 'middle';
+    thin.fillText('pairs', 8, high / 2 - 7);
+    thin.fillText('met', 8, high / 2 + 7);
+    const [from, to] = [left + (at / b) * room(), left + (Math.min(b, at + room() / scale) / b) * room()];
+    thin.fillStyle = token('--text');
+    thin.globalAlpha = 0.13;
+    thin.fillRect(left, 0, from - left, high);
+    thin.fillRect(to, 0, left + room() - to, high);
+    thin.globalAlpha = 1;
+    thin.strokeStyle = accent;
+    thin.lineWidth = 2;
+    thin.strokeRect(from + 1, 1, Math.max(4, to - from - 2), high - 2);
+  }
+
+  function zoomAt(factor: number, px: number): void {
+    const block = at + (px - left) / scale;
+    scale *= factor;
+    clamp();
+    at = block - (px - left) / scale;
+    clamp();
+    later();
+    tellRange();
+  }
+
+  function hit(event: { clientX: number; clientY: number }): { x: number; block: number } | null {
+    const box = canvas.getBoundingClientRect();
+    const [px, py] = [event.clientX - box.left, event.clientY - box.top];
+    const block = Math.floor(at + (px - left) / scale) + 1;
+    const i = Math.floor(top + (py - axis) / row);
+    return py < axis || i < 0 || i >= v || block < 1 || block > b || px < left ? (px < left && i >= 0 && i < v && py >= axis ? { x: rows[i]!, block: 0 } : null) : { x: rows[i]!, block };
+  }
+
+  let down: { x: number; y: number; at: number; top: number } | null = null;
+  let moved = 0;
+  canvas.addEventListener('pointerdown', (event) => {
+    down = { x: event.clientX, y: event.clientY, at, top };
+    moved = 0;
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener('pointermove', (event) => {
+    if (down) {
+      const [dx, dy] = [event.clientX - down.x, event.clientY - down.y];
+      moved = Math.max(moved, Math.hypot(dx, dy));
+      if (moved > 4) {
+        at = down.at - dx / scale;
+        top = down.top - dy / row;
+        clamp();
+        tip.hidden = true;
+        later();
+        tellRange();
+      }
+      return;
+    }
+    const here = hit(event);
+    pointed = here && here.block > 0 ? here : null;
+    tip.hidden = !pointed;
+    if (pointed) {
+      const stay = stays.at(pointed.x, pointed.block);
+      tip.textContent = `${steps.names[pointed.x]}, ${steps.step} ${number(pointed.block)}: ${stay ? `stays from ${number(stay[0])} to ${number(stay[1])}` : 'not there'}`;
+      const box = canvas.getBoundingClientRect();
+      tip.style.left = `${Math.max(4, Math.min(width - tip.offsetWidth - 4, event.clientX - box.left + 14))}px`;
+      tip.style.top = `${Math.max(0, event.clientY - box.top - 36)}px`;
+    }
+    later();
+  });
+  canvas.addEventListener('pointerup', (event) => {
+    const here = down && moved <= 4 ? hit(event) : null;
+    down = null;
+    if (here) {
+      key = rowOf[here.x]!;
+      chosen.toggle(here.x);
+    }
+  });
+  canvas.addEventListener('pointercancel', () => (down = null));
+  canvas.addEventListener('pointerleave', () => {
+    pointed = null;
+    tip.hidden = true;
+    later();
+  });
+  canvas.addEventListener(
+    'wheel',
+    (event) => {
+      if (event.ctrlKey || event.metaKey) {
+        event.preventDefault();
+        zoomAt(Math.exp(-event.deltaY * 0.0025 * (event.deltaMode === 1 ? 20 : 1)), event.clientX - canvas.getBoundingClientRect().left);
+      } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+        event.preventDefault();
+        at += (event.deltaX || event.deltaY) / scale;
+        clamp();
+        later();
+        tellRange();
+      }
+    },
+    { passive: false },
+  );
+  canvas.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) {
+      return;
+    }
+    const shift = (by: number): void => {
+      at += by * (room() / scale) * 0.2;
+      clamp();
+      tellRange();
+    };
+    const choose = (by: number): void => {
+      key = Math.max(0, Math.min(v - 1, key + by));
+      chosen.choose([rows[key]!]);
+      top = Math.min(key, Math.max(top, key + 1 - (height - axis) / row));
+      clamp();
+    };
+    const acts: Record<string, () => void> = {
+      ArrowLeft: () => shift(-1),
+      ArrowRight: () => shift(1),
+      a: () => shift(-1),
+      d: () => shift(1),
+      ArrowUp: () => choose(-1),
+      ArrowDown: () => choose(1),
+      '+': () => zoomAt(1.5, left + room() / 2),
+      '=': () => zoomAt(1.5, left + room() / 2),
+      w: () => zoomAt(1.5, left + room() / 2),
+      '-': () => zoomAt(1 / 1.5, left + room() / 2),
+      s: () => zoomAt(1 / 1.5, left + room() / 2),
+      '0': () => zoomAt(1e-9, left),
+      Enter: () => chosen.toggle(rows[key]!),
+      Escape: () => chosen.choose([]),
+    };
+    if (acts[event.key]) {
+      event.preventDefault();
+      acts[event.key]!();
+      later();
+    }
+  });
+
+  // The strip: a drag chooses blocks, a click moves there.
+  let brush: number | null = null;
+  const blockAt = (event: PointerEvent): number => Math.max(0, Math.min(b, ((event.clientX - strip.getBoundingClientRect().left - left) / room()) * b));
+  strip.addEventListener('pointerdown', (event) => {
+    brush = blockAt(event);
+    strip.setPointerCapture(event.pointerId);
+  });
+  strip.addEventListener('pointermove', (event) => {
+    if (brush === null) {
+      return;
+    }
+    const to = blockAt(event);
+    if (Math.abs(to - brush) * (room() / b) > 5) {
+      scale = room() / Math.max(3, Math.abs(to - brush));
+      at = Math.min(brush, to);
+      clamp();
+      later();
+      tellRange();
+    }
+  });
+  strip.addEventListener('pointerup', (event) => {
+    if (brush !== null && Math.abs(blockAt(event) - brush) * (room() / b) <= 5) {
+      at = brush - room() / scale / 2;
+      clamp();
+      later();
+      tellRange();
+    }
+    brush = null;
+  });
+
+  const sizes = new ResizeObserver(() => {
+    const wide = place.clientWidth;
+    if (wide === 0 || wide === width) {
+      return;
+    }
+    const begun = width > 0;
+    width = wide;
+    row = Math.max(2.5, Math.min(18, (Math.min(560, window.innerHeight * 0.6) - axis) / v));
+    height = Math.min(Math.max(600, window.innerHeight * 0.6), axis + Math.ceil(v * row) + 2);
+    place.style.height = `${height}px`;
+    const ratio = devicePixelRatio || 1;
+    for (const [each, high] of [[canvas, height], [strip, strip.clientHeight]] as const) {
+      each.width = Math.round(width * ratio);
+      each.height = Math.round(high * ratio);
+    }
+    if (!begun) {
+      const range = chosen.range;
+      scale = range ? room() / (range.to - range.from + 1) : least();
+      at = range ? range.from - 1 : 0;
+    }
+    clamp();
+    draw();
+  });
+  sizes.observe(place);
+  chosen.follow(signal, later);
+  document.addEventListener('themechange', later, { signal });
+  signal.addEventListener('abort', () => {
+    sizes.disconnect();
+    cancelAnimationFrame(frame);
+  });
+  setOrder(first);
+  return { element, order: setOrder };
+}

@@ -1,0 +1,4 @@
+declare module 'temml' {
+  const temml: { render(tex: string, place: HTMLElement, options?: { displayMode?: boolean; throwOnError?: boolean }): void };
+  export default temml;
+}
