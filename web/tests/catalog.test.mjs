@@ -1,5 +1,6 @@
-// The catalog: heat map, table, look-up.
+// The catalog: map, filters, table, what is taken along, look-up.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { look, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
@@ -12,37 +13,66 @@ after(() => explorer.stop());
 
 const small = '#/catalog?k=3..6&v=5..30';
 const params = (page) => new URLSearchParams(page.url().split('?').at(-1));
+const map = (page) => page.locator('.atlas-canvas');
+const readout = (page, text) => page.locator('.readout h2', { hasText: text }).waitFor();
 
-test('the heat map is walked through by arrow keys, and a cell opens', async () => {
-  const page = await explorer.open(`${small}&change=2&kind=circular`);
-  const cell = page.locator('.heat-map .cell[data-v="12"][data-k="4"]');
-  await cell.hover();
-  await page.locator('.readout h2', { hasText: 'v = 12, k = 4' }).waitFor();
-  assert.equal(params(page).get('at'), '12.4');
-  await page.reload();
-  await settled(page);
-  await page.locator('.readout h2', { hasText: 'v = 12, k = 4' }).waitFor();
-  await page.locator('.heat-map .cell[tabindex="0"]').focus();
-  const before = await page.locator('.heat-map .cell[tabindex="0"]').boundingBox();
+test('the map is walked through by arrow keys, and a cell opens', async () => {
+  const page = await explorer.open(`${small}&change=2&kind=circular&at=12.4`);
+  await readout(page, 'v = 12, k = 4');
+  await map(page).focus();
   await page.keyboard.press('ArrowRight');
-  await page.locator('.readout h2', { hasText: 'v = 13, k = 4' }).waitFor();
+  await readout(page, 'v = 13, k = 4');
+  assert.equal(params(page).get('at'), '13.4');
   await page.keyboard.press('ArrowDown');
-  const below = page.locator('.heat-map .cell[tabindex="0"]');
-  assert.ok((await below.boundingBox()).y > before.y, 'down goes down, as the picture has it');
-  assert.match(await below.getAttribute('aria-label'), /^v 13, k [35]: /);
-  const [v, k] = [await below.getAttribute('data-v'), await below.getAttribute('data-k')];
+  await readout(page, 'v = 13, k = 5');
+  await page.locator('[aria-live=polite]', { hasText: /^v 13, k 5: \d+ blocks/ }).waitFor({ state: 'attached' });
+  await page.keyboard.press('End');
+  await readout(page, 'v = 160, k = 5');
   await page.keyboard.press('Home');
-  await page.locator('.readout h2', { hasText: `k = ${k}` }).waitFor();
-  assert.equal(v, '13');
+  await readout(page, 'v = 5, k = 5');
   await page.keyboard.press('Enter');
-  await page.waitForURL(new RegExp(`#/cell.*k=${k}`));
+  await page.waitForURL(/#\/cell.*k=5/);
   await page.goBack();
   await settled(page);
-  assert.equal(params(page).get('at').split('.')[1], k);
+  assert.equal(params(page).get('at'), '5.5');
   await page.close();
 });
 
-test('sorting and filters are in the link', async () => {
+test('a click opens a cell, hovering says what it is, a drag pans', async () => {
+  const page = await explorer.open(small);
+  const box = await map(page).boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.locator('.atlas-tip', { hasText: /v \d+ {2}k \d+/ }).waitFor();
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 - 120, box.y + box.height / 2, { steps: 5 });
+  await page.mouse.up();
+  await page.waitForFunction(() => !document.querySelectorAll('input.range')[1].value.startsWith('5..'));
+  assert.ok(!page.url().includes('#/cell'), 'a drag opens nothing');
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await page.waitForURL(/#\/cell/);
+  await page.close();
+});
+
+test('zooming changes the window, the table and the link', async () => {
+  const page = await explorer.open('#/catalog');
+  assert.equal(params(page).get('v'), null);
+  const all = Number((await page.locator('.filter-says strong').textContent()).replace(/\D/g, ''));
+  assert.ok(all > 5000);
+  await map(page).focus();
+  for (let i = 0; i < 6; ++i) {
+    await page.keyboard.press('+');
+  }
+  await page.waitForURL(/v=\d+\.\.\d+/);
+  const left = Number((await page.locator('.filter-says strong').textContent()).replace(/\D/g, ''));
+  assert.ok(left < all / 10, `${left}`);
+  await page.keyboard.press('0');
+  await page.waitForFunction((n) => Number(document.querySelector('.filter-says strong').textContent.replace(/\D/g, '')) === n, all);
+  await page.getByRole('button', { name: 'Zoom in' }).click();
+  await page.getByRole('button', { name: 'Show everything' }).click();
+  await page.close();
+});
+
+test('sorting and filters are in the link, and filters say what they leave', async () => {
   const page = await explorer.open(small);
   await page.getByRole('button', { name: 'gap', exact: true }).click();
   await page.getByRole('button', { name: 'gap', exact: true }).click();
@@ -53,14 +83,50 @@ test('sorting and filters are in the link', async () => {
   const gaps = async () => (await page.locator('table.cells tbody tr td:nth-child(5)').allTextContents()).map(Number);
   const found = await gaps();
   assert.ok(found.length > 0 && found.every((gap, i) => gap >= 2 && (i === 0 || gap <= found[i - 1])));
+  assert.match(await page.locator('.filter-says').textContent(), new RegExp(`^${found.length} of \\d+ cells in sight: best known, not proved minimum, at least 2 blocks over the bound`));
   await page.reload();
   await settled(page);
   assert.deepEqual(await gaps(), found);
   assert.equal(await page.locator('th[aria-sort=descending]').textContent(), 'gap');
-  await page.getByLabel('Gap at least').fill('9999');
-  await page.getByLabel('Gap at least').press('Tab');
   await page.getByRole('button', { name: 'Clear the filters' }).click();
   assert.ok((await gaps()).length > found.length);
+  await page.close();
+});
+
+test('all tight designs with a group of order > 1', async () => {
+  const page = await explorer.open(`${small}&change=2&kind=circular`);
+  await page.getByLabel('tight').check();
+  await page.getByLabel('group of order > 1').check();
+  await page.locator('.filter-says', { hasText: 'tight, with a group of order > 1' }).waitFor();
+  const orders = await page.locator('table.cells td.group').allTextContents();
+  assert.ok(orders.length > 3 && orders.every((order) => order !== '' && order !== '1'), orders.join());
+  assert.ok((await page.locator('table.cells tbody .badge.good').count()) === orders.length);
+  await page.close();
+});
+
+test('what is listed is taken along', async () => {
+  const page = await explorer.open('#/catalog?k=4..5&v=8..10&change=1&kind=linear');
+  const taken = async (name) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name, exact: true }).click()]);
+    return readFileSync(await download.path(), 'utf8');
+  };
+  const csv = (await taken('CSV')).trim().split('\n');
+  assert.equal(csv.length, 7);
+  assert.match(csv[0], /^v,k,change,kind,strength,b,lower_bound,status/);
+  assert.match(csv[1], /^8,4,1,linear,2,9,9,minimum,/);
+  const json = JSON.parse(await taken('JSON'));
+  assert.equal(json.length, 6);
+  assert.equal(json[0].b, 9);
+  const latex = await taken('LaTeX');
+  assert.match(latex, /\\begin\{longtable\}\{rrr\}/);
+  assert.match(latex, /8 & \$\\mathbf\{9\}\$ & /);
+  await page.close();
+});
+
+test('a random cell is one of those that are listed', async () => {
+  const page = await explorer.open('#/catalog?k=4&v=8..9&change=1&kind=linear');
+  await page.getByRole('button', { name: 'Random cell' }).click();
+  await page.waitForURL(/#\/cell\?v=[89]&k=4&change=1&kind=linear/);
   await page.close();
 });
 
@@ -73,31 +139,37 @@ test('long tables are drawn in pieces', async () => {
   await page.close();
 });
 
-test('another change number, kind and range are another table', async () => {
+test('another change number, kind, strength and range are another table', async () => {
   const page = await explorer.open(small);
   await page.getByLabel('Change number').selectOption('1');
   await page.getByLabel('Kind').selectOption('linear');
   await page.getByLabel('k, block size').fill('4..5');
   await page.getByLabel('k, block size').press('Enter');
-  await page.locator('[aria-live=polite]', { hasText: /^5\d cells$/ }).waitFor({ state: 'attached' });
+  await page.locator('.filter-says', { hasText: /^5\d cells in sight/ }).waitFor();
   assert.deepEqual([...new Set(await page.locator('table.cells tbody tr td:nth-child(2)').allTextContents())], ['4', '5']);
   await page.getByLabel('v, elements').fill('30..5');
   await page.getByLabel('v, elements').press('Enter');
   await page.getByRole('alert').filter({ hasText: 'no range' }).waitFor();
   assert.equal(params(page).get('kind'), 'linear');
+  await page.getByLabel('Covers').selectOption('3');
+  await page.locator('table.cells a[href*="strength=3"]').first().waitFor();
   await page.close();
 });
 
-test('another measure is another picture of the same table', async () => {
+test('another measure paints the same table anew', async () => {
   const page = await explorer.open(small);
   const asked = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));
-  await page.getByLabel('Colour says').selectOption('gap');
-  await page.getByLabel('Colour says').selectOption('status');
-  await page.locator('.heat-map text', { hasText: 'best known' }).first().waitFor();
-  assert.deepEqual([...new Set(asked)], ['/api/heatmap']);
-  assert.equal(params(page).get('measure'), 'status');
-  assert.equal(await page.locator('.problem').count(), 0);
+  const picture = () => map(page).evaluate((canvas) => canvas.toDataURL());
+  const before = await picture();
+  await page.getByLabel('Colour by').selectOption('gap');
+  const gap = await picture();
+  await page.getByLabel('Colour by').selectOption('construction');
+  await page.locator('.legend', { hasText: 'cut' }).or(page.locator('.legend', { hasText: 'found' })).first().waitFor();
+  assert.equal(new Set([before, gap, await picture()]).size, 3);
+  await page.getByLabel('Numbers').selectOption('gap');
+  assert.deepEqual(asked.filter((path) => !path.startsWith('/api/atlas')), []);
+  assert.equal(params(page).get('measure'), 'construction');
   await page.close();
 });
 
@@ -124,35 +196,9 @@ test('the look-up box leads to cells, labels and the page Verify', async () => {
 
 test('completeness by block size', async () => {
   const page = await explorer.open(small);
-  await page.locator('rect.cell').first().waitFor(); // the map moves what is below it
-  await page.getByText('How complete the whole catalog is').click();
+  await page.getByText('Completeness by block size').click();
   await page.locator('details.completeness[open]').waitFor();
   await page.locator('.completeness meter').first().waitFor();
-  await page.close();
-});
-
-test('completeness of another kind, chosen while the first is counted', async () => {
-  const page = await explorer.open(`${small}&kind=circular`);
-  await page.locator('rect.cell').first().waitFor();
-  let answer;
-  const looked = new Promise((resolve) => (answer = resolve));
-  let asked = 0;
-  await page.route('**/api/completeness', async (route) => {
-    asked += 1;
-    await looked;
-    await route.continue().catch(() => undefined); // the first was given up
-  });
-  await page.getByText('How complete the whole catalog is').click();
-  await page.locator('.completeness .hint', { hasText: 'Counting' }).waitFor();
-  const second = page.waitForRequest('**/api/completeness');
-  await page.getByLabel('Kind').selectOption('linear');
-  await second;
-  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
-  // That the first was given up is nobody's business.
-  assert.equal(await page.locator('.completeness .inside').innerText(), 'Counting…');
-  answer();
-  await page.locator('.completeness meter').first().waitFor();
-  assert.equal(asked, 2);
   await page.close();
 });
 
@@ -161,4 +207,7 @@ test('it looks right', async () => {
   await look(page, 'catalog');
   await phone(page, 'catalog');
   await page.close();
+  const all = await explorer.open('#/catalog?tight=1');
+  await look(all, 'catalog-tight');
+  await all.close();
 });

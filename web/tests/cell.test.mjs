@@ -13,6 +13,10 @@ after(() => explorer.stop());
 test('what is known, and why', async () => {
   const page = await explorer.open('#/cell?v=80&k=5&change=2&kind=circular');
   assert.match(await page.locator('.known').textContent(), /\d+ blocks.*best known.*over the lower bound \d+/s);
+  await page.locator('table.bounds math').first().waitFor();
+  await page.locator('canvas.thumbnail').waitFor();
+  await page.locator('.around-table a[aria-current]', { hasText: /^\d+$/ }).waitFor();
+  assert.equal(await page.locator('.around-table tbody tr').count(), 5);
   assert.match(await page.locator('table.bounds').textContent(), /counting.*stays/s);
   assert.match(await page.locator('.recipe').first().textContent(), /concatenate-groups.*Theorem 15.*found/s);
   await page.getByRole('link', { name: 'Theorem 15', exact: true }).first().click();
@@ -30,6 +34,17 @@ test('a minimum says by which argument', async () => {
   assert.equal(await page.getByRole('link', { name: 'Search for a better one' }).count(), 0);
   await page.getByRole('link', { name: 'Open the design' }).click();
   await page.getByRole('heading', { name: /29 blocks/ }).waitFor();
+  await page.close();
+});
+
+test('how many there are, and what others report', async () => {
+  const page = await explorer.open('#/cell?v=9&k=4&change=1&kind=circular');
+  await page.getByText('2 classes').waitFor();
+  await page.getByText('1 with a group of order 3').waitFor();
+  await page.goto(page.url().replace(/#.*/, '#/cell?v=26&k=6&change=1&kind=linear'));
+  const bean = page.locator('.known a', { hasText: 'Bean 2026' });
+  await bean.waitFor();
+  assert.match(await bean.getAttribute('href'), /^https:\/\/arxiv\.org/);
   await page.close();
 });
 

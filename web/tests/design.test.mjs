@@ -56,8 +56,10 @@ test('slider and number lead to a block; keys of a field stay with it', async ()
 
 test('tabs by arrow keys, in the link', async () => {
   const page = await explorer.open('#/design?v=20&k=5');
-  await page.locator('.picture svg').waitFor();
-  await page.getByRole('tab', { name: 'Array' }).focus();
+  await page.locator('.block-text', { hasText: 'Block 1 of 29' }).waitFor();
+  await page.getByRole('tab', { name: 'Steps' }).focus();
+  await page.keyboard.press('ArrowRight');
+  await page.locator('.array-table td').first().waitFor();
   await page.keyboard.press('ArrowRight');
   await page.getByLabel('Order of elements').waitFor();
   assert.equal(params(page).get('show'), 'stays');
@@ -66,10 +68,9 @@ test('tabs by arrow keys, in the link', async () => {
   await page.reload();
   await settled(page);
   assert.equal(await page.getByLabel('Order of elements').inputValue(), 'stays');
-  for (const name of ['Coverage', 'Circle']) {
-    await page.getByRole('tab', { name }).click();
-    await page.locator('.picture svg').waitFor();
-  }
+  await page.getByRole('tab', { name: 'Coverage' }).click();
+  await page.locator('.matrix-canvas').waitFor();
+  assert.equal(await page.getByRole('tab', { name: 'Circle' }).count(), 0, 'this design has no symmetry');
   await page.getByRole('tab', { name: 'Recipe' }).click();
   await page.locator('.recipe-node', { hasText: 'found' }).waitFor();
   await page.getByRole('tab', { name: 'Blocks' }).click();
@@ -77,16 +78,78 @@ test('tabs by arrow keys, in the link', async () => {
   await page.close();
 });
 
-test('a long design is drawn in parts', async () => {
-  const page = await explorer.open('#/design?v=253&k=13&kind=circular');
-  await page.locator('.picture svg').waitFor();
-  assert.equal(await page.getByLabel('From block').inputValue(), '1');
-  await page.getByRole('button', { name: /later/ }).click();
-  await page.waitForURL(/from=101/);
-  assert.equal(await page.getByLabel(/^to, of/).inputValue(), '200');
+test('what is chosen in one view is lit in all', async () => {
+  const page = await explorer.open('#/design?v=20&k=5&at=12');
+  await page.locator('.slots button', { hasText: /^2$/ }).click();
+  await page.locator('.selected', { hasText: /^2 is in \d+ of 29 blocks/ }).waitFor();
+  await page.getByRole('tab', { name: 'Array' }).click();
+  await page.locator('.array-table td.lit').first().waitFor();
+  await page.locator('.array-table td', { hasText: /^13/ }).first().click();
+  await page.locator('.selected', { hasText: '2 and 13 are first together in block 12' }).waitFor();
+  assert.equal(params(page).get('sel'), '2~13');
   await page.reload();
   await settled(page);
-  assert.equal(await page.getByLabel('From block').inputValue(), '101');
+  await page.locator('.selected', { hasText: '2 and 13' }).waitFor();
+  await page.getByRole('tab', { name: 'Stays' }).click();
+  await page.locator('.timeline-canvas').focus();
+  await page.keyboard.press('ArrowDown');
+  await page.locator('.selected', { hasText: /is in \d+ of 29 blocks, in \d+ stay/ }).waitFor();
+  await page.keyboard.press('+');
+  await page.keyboard.press('+');
+  await page.waitForURL(/from=\d+/);
+  await page.keyboard.press('0');
+  await page.keyboard.press('Escape');
+  assert.equal(params(page).get('sel'), null);
+  const pairs = page.locator('.matrix-canvas');
+  const { width } = await pairs.boundingBox();
+  await pairs.click({ position: { x: width * 0.5, y: width * 0.8 } });
+  await page.locator('.selected', { hasText: /first together in block/ }).waitFor();
+  await page.getByRole('button', { name: 'Clear' }).click();
+  await page.locator('.selected', { hasText: 'Click an element' }).waitFor();
+  await page.close();
+});
+
+test('a design that is developed shows its symmetry', async () => {
+  const page = await explorer.open('#/design?v=61&k=4&kind=circular&show=circle');
+  await page.getByText('6 base blocks make all 366 in 61 turns').waitFor();
+  assert.equal(await page.locator('.circle-block').count(), 6);
+  const before = await page.locator('.circle-block').first().getAttribute('points');
+  await page.getByRole('button', { name: 'Turn on' }).click();
+  await page.getByText('Turn 2 of 61: blocks 7 to 12').waitFor();
+  assert.notEqual(await page.locator('.circle-block').first().getAttribute('points'), before);
+  const waiting = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save as SVG' }).click();
+  assert.match((await waiting).suggestedFilename(), /^61\.4\.2\.circular\.366\..*circle\.svg$/);
+  await page.close();
+});
+
+test('ten thousand blocks are drawn, zoomed and panned without a pause', async () => {
+  const page = await explorer.open('#/design?v=253&k=4&change=1&kind=linear&show=stays');
+  const canvas = page.locator('.timeline-canvas');
+  await canvas.waitFor();
+  assert.ok(Number((await page.locator('h1').textContent()).replace(/\D/g, '').slice(-5)) > 10_000);
+  await canvas.focus();
+  const slowest = await page.evaluate(async () => {
+    const target = document.querySelector('.timeline-canvas');
+    let worst = 0;
+    for (const key of ['+', '+', '+', '+', 'd', 'd', 'a', '+', '+', 'd', '-', '-', '-', 'd', '0']) {
+      const began = performance.now();
+      target.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      worst = Math.max(worst, performance.now() - began);
+    }
+    return worst;
+  });
+  console.log(`slowest of 15 pictures: ${slowest.toFixed(0)} ms`);
+  await page.close();
+});
+
+test('a long design is drawn in parts', async () => {
+  const page = await explorer.open('#/design?v=253&k=13&kind=circular&show=array');
+  await page.locator('.array-table td').first().waitFor();
+  assert.equal(await page.getByLabel('From block').inputValue(), '1');
+  await page.getByRole('button', { name: /later/ }).click();
+  assert.equal(await page.getByLabel('From block').inputValue(), '61');
   await page.getByRole('tab', { name: 'Steps' }).click();
   await page.locator('canvas.coverage-map').waitFor();
   await page.keyboard.press('End');
@@ -153,11 +216,16 @@ test('it looks right', async () => {
   await look(page, 'design-steps');
   await phone(page, 'design-steps');
   await page.setViewportSize({ width: 1280, height: 900 });
-  for (const name of ['Array', 'Stays', 'Coverage', 'Circle', 'Recipe', 'Blocks']) {
+  for (const name of ['Array', 'Stays', 'Coverage', 'Recipe', 'Blocks']) {
     await page.getByRole('tab', { name }).click();
     await look(page, `design-${name.toLowerCase()}`);
   }
   await page.getByRole('tab', { name: 'Array' }).click();
   await phone(page, 'design-array');
+  await page.getByRole('tab', { name: 'Stays' }).click();
+  await phone(page, 'design-stays');
   await page.close();
+  const circle = await explorer.open('#/design?v=61&k=4&kind=circular&show=circle');
+  await look(circle, 'design-circle');
+  await circle.close();
 });

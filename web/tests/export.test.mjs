@@ -9,7 +9,7 @@ import { after, before, test } from 'node:test';
 import { look, program, settled, start } from './support/browser.mjs';
 import { phone } from './support/phone.mjs';
 
-const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json', '.bib': 'text/plain' };
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json', '.gz': 'application/gzip' };
 const folder = mkdtempSync(join(tmpdir(), 'changeover-export-'));
 const asked = [];
 let files;
@@ -42,7 +42,6 @@ after(async () => {
 
 test('catalog, cell, design, theorems', async () => {
   const page = await explorer.open('#/catalog');
-  await page.locator('.heat-map .cell').first().waitFor({ state: 'attached' });
   assert.ok((await page.locator('table.cells tbody tr').count()) > 10);
   await look(page, 'export-catalog');
   await page.locator('table.cells a', { hasText: /^20$/ }).first().click();
@@ -54,8 +53,13 @@ test('catalog, cell, design, theorems', async () => {
   await page.locator('.block-text', { hasText: 'Block 1 of' }).waitFor();
   await page.keyboard.press('End');
   await page.locator('.met', { hasText: '(100 %)' }).waitFor();
+  // Pictures are drawn by the page.
   await page.getByRole('tab', { name: 'Array' }).click();
-  await page.getByText('has no pictures of single designs').waitFor();
+  await page.locator('.array-table td.fresh').first().waitFor();
+  await page.getByRole('tab', { name: 'Stays' }).click();
+  await page.locator('.timeline-canvas').waitFor();
+  await page.getByRole('tab', { name: 'Coverage' }).click();
+  await page.locator('.matrix-canvas').waitFor();
   const waiting = page.waitForEvent('download');
   await page.getByRole('link', { name: 'Text', exact: true }).click();
   assert.match((await waiting).suggestedFilename(), /^20\.\d\.2\..*\.txt$/);
@@ -64,11 +68,25 @@ test('catalog, cell, design, theorems', async () => {
   await page.close();
 });
 
-test('the picture has the whole range, the table what was asked for', async () => {
-  const page = await explorer.open('#/catalog?k=4&v=6..10');
-  assert.equal(await page.locator('table.cells tbody tr').count(), 5);
-  await page.locator('.heat-map .cell[data-v="20"][data-k="5"]').hover();
-  await page.locator('.readout', { hasText: 'v = 20, k = 5 minimum' }).waitFor();
+test('the window of the map, groups and permanent addresses', async () => {
+  const page = await explorer.open('#/catalog?k=4&v=6..10&group=1');
+  await page.locator('.filter-says', { hasText: 'with a group of order > 1' }).waitFor();
+  assert.ok((await page.locator('table.cells tbody tr').count()) > 0);
+  await page.goto(`${page.url().replace(/[?#].*/, '')}?cell=20.5.2.linear`);
+  await page.getByRole('heading', { name: /^Linear.*20 elements in blocks of 5/ }).waitFor();
+  await page.close();
+});
+
+test('every design is the one whose label it has', async () => {
+  const page = await explorer.open('#/design?v=20&k=5');
+  const label = await page.locator('.under .code').textContent();
+  const text = await page.evaluate(async () => {
+    document.querySelector('[role=tab][id=tab-blocks]').click();
+    return document.querySelector('pre.blocks').textContent;
+  });
+  const { createHash } = await import('node:crypto');
+  const blocks = text.split('\n').filter((line) => line && !line.startsWith('#')).map((line) => `${line}\n`).join('');
+  assert.equal(createHash('sha256').update(blocks).digest('hex').slice(0, 8), label.split('.').at(-1));
   await page.close();
 });
 

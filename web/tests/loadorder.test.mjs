@@ -15,6 +15,10 @@ const steps = (page) => page.getByRole('list', { name: /^The .* steps$/ }).getBy
 
 test('what is missing is said', async () => {
   const page = await explorer.open('#/loadorder');
+  // It begins with an example.
+  await page.getByRole('heading', { name: /loads in/ }).waitFor();
+  assert.equal(await page.getByRole('spinbutton', { name: 'Items' }).inputValue(), '64');
+  await page.getByRole('spinbutton', { name: 'Items' }).fill('');
   await page.getByRole('button', { name: 'Find an order' }).click();
   await page.getByRole('alert').getByText('write how many there are').waitFor();
   await page.getByRole('spinbutton', { name: 'Items' }).fill('20');
@@ -22,7 +26,7 @@ test('what is missing is said', async () => {
   await page.getByRole('button', { name: 'Find an order' }).click();
   await page.getByRole('alert').getByText('at least 2').waitFor();
   await page.getByRole('spinbutton', { name: 'Room' }).fill('5');
-  await page.getByRole('textbox', { name: 'Bytes an item' }).fill('2 boxes');
+  await page.getByRole('textbox', { name: 'Bytes per item' }).fill('2 boxes');
   await page.getByRole('button', { name: 'Find an order' }).click();
   await page.getByRole('alert').getByText('“2 boxes” is no size').waitFor();
   await look(page, 'loadorder-fault');
@@ -32,8 +36,8 @@ test('twelve items, room for four: the fewest loads, beside simple orders', asyn
   const page = await explorer.open('#/loadorder');
   await page.getByRole('spinbutton', { name: 'Items' }).fill('12');
   await page.getByRole('spinbutton', { name: 'Room' }).fill('4');
-  await page.getByRole('textbox', { name: 'Bytes an item' }).fill('2 GB');
-  await page.getByRole('textbox', { name: 'Bytes an item' }).press('Enter');
+  await page.getByRole('textbox', { name: 'Bytes per item' }).fill('2 GB');
+  await page.getByRole('textbox', { name: 'Bytes per item' }).press('Enter');
   await page.getByRole('heading', { name: '24 loads in 21 steps' }).waitFor();
   await page.getByText('no order has fewer', { exact: false }).first().waitFor();
   await page.getByText('48.0 GB are read').waitFor();
@@ -51,7 +55,7 @@ test('twelve items, room for four: the fewest loads, beside simple orders', asyn
   assert.equal(await steps(page).count(), 21);
   assert.match(await steps(page).first().textContent(), /load \d+ \d+ \d+ \d+/);
   assert.match(new URL(page.url()).hash, /items=12&room=4&bytes=2\+GB/);
-  await page.locator('.u-over').waitFor();
+  await page.locator('.timeline-canvas').waitFor();
   const [, ...words] = (await page.locator('.command code').textContent()).replace('order.jsonl', '-').split(' ');
   const lines = String(execFileSync(program, words));
   const [download] = await Promise.all([page.waitForEvent('download'), page.getByRole('button', { name: 'Download JSON lines' }).click()]);
@@ -93,7 +97,23 @@ test('workers share the pairs', async () => {
   await page.getByText('For 3 workers; the busiest has').waitFor();
   await page.getByText('Worker · step').waitFor();
   await page.getByText('--workers 3').waitFor();
+  const shares = page.getByRole('region', { name: 'Loads and pairs of each worker' });
+  assert.equal(await shares.locator('tbody tr').count(), 3);
+  const pairs = (await shares.locator('tbody tr td:nth-of-type(3)').allTextContents()).map(Number);
+  assert.equal(pairs.reduce((sum, each) => sum + each, 0), (30 * 29) / 2);
+  await page.getByLabel('Worker', { exact: true }).selectOption('2');
+  await page.locator('.timeline-canvas').focus();
+  await page.keyboard.press('ArrowDown');
+  await page.locator('.selected', { hasText: /is loaded \d+ time/ }).waitFor();
   await look(page, 'loadorder-workers');
+});
+
+test('loads ahead, and a search', async () => {
+  const page = await explorer.open('#/loadorder?items=20&room=6&prefetch=1&time=2');
+  await page.getByText(/\d+ of 190 pairs are computed while items load/).waitFor({ timeout: 60_000 });
+  await page.getByText('Searched for 2 s').waitFor();
+  await page.locator('.command code', { hasText: '--time 2s --prefetch' }).waitFor();
+  await page.getByText(/pairs meanwhile/).first().waitFor();
 });
 
 test('only some pairs: they are in the link', async () => {
@@ -132,7 +152,7 @@ test('a long order: the list goes to its end, the rest is on the command line', 
 test('on a phone nothing scrolls sideways but the frames', async () => {
   const page = await explorer.open('#/loadorder?items=64&room=16&bytes=2+GB');
   await page.setViewportSize({ width: 390, height: 844 });
-  await page.locator('.u-over').waitFor();
+  await page.locator('.timeline-canvas').waitFor();
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
   await look(page, 'loadorder-phone');
 });

@@ -12,18 +12,18 @@ after(() => explorer.stop());
 afterEach(() => Promise.all(explorer.context.pages().map((page) => page.url() !== 'about:blank' && page.close())));
 
 async function begin(page, v, k, { seconds = '10', change = '2', kind = 'linear' } = {}) {
-  await page.getByRole('spinbutton', { name: 'elements v' }).fill(String(v));
-  await page.getByRole('spinbutton', { name: 'block size k' }).fill(String(k));
-  await page.getByRole('combobox', { name: 'changes' }).selectOption(change);
-  await page.getByRole('combobox', { name: 'kind' }).selectOption(kind);
-  await page.getByRole('combobox', { name: 'for' }).selectOption(seconds);
+  await page.getByRole('spinbutton', { name: 'Elements v' }).fill(String(v));
+  await page.getByRole('spinbutton', { name: 'Block size k' }).fill(String(k));
+  await page.getByRole('combobox', { name: 'Change number' }).selectOption(change);
+  await page.getByRole('combobox', { name: 'Kind' }).selectOption(kind);
+  await page.getByRole('combobox', { name: 'Time' }).selectOption(seconds);
   await page.getByRole('button', { name: 'Start' }).click();
 }
 const watched = (page) => page.locator('.watch');
 
 test('what is missing is said', async () => {
   const page = await explorer.open('#/search');
-  await page.getByText('Live: this page follows').waitFor();
+  await page.locator('.stream[data-state=open]').waitFor({ state: 'attached' });
   await page.getByRole('button', { name: 'Start' }).click();
   await page.getByRole('alert').getByText('Write v').waitFor();
   await look(page, 'search-empty');
@@ -31,8 +31,8 @@ test('what is missing is said', async () => {
 
 test('a cell comes with the link, and what is known of it is said before it is searched', async () => {
   const page = await explorer.open('#/search?v=9&k=4&change=2&kind=linear');
-  await page.getByText('Known: 8 blocks, and no design has fewer').waitFor();
-  assert.equal(await page.getByRole('spinbutton', { name: 'elements v' }).inputValue(), '9');
+  await page.getByText('Gap 0: 8 blocks are known, and no design has fewer').waitFor();
+  assert.equal(await page.getByRole('spinbutton', { name: 'Elements v' }).inputValue(), '9');
 });
 
 test('a search: started, watched live, stopped; it survives a reload and another page', async () => {
@@ -41,8 +41,12 @@ test('a search: started, watched live, stopped; it survives a reload and another
   await watched(page)
     .getByText(/^Running after/)
     .waitFor();
-  await watched(page).locator('.u-over').waitFor();
+  await watched(page).locator('.u-over').first().waitFor({ state: 'attached' });
   assert.match(page.url(), /id=\d+/);
+  // The gap and what follows from it come first, the speed is folded.
+  assert.match(await watched(page).locator('.figures').textContent(), /^gap\d+best\d+lower bound\d+last improvement/);
+  await watched(page).locator('.advice', { hasText: /early|No improvement/ }).waitFor();
+  assert.equal(await watched(page).locator('details', { hasText: 'Speed' }).getAttribute('open'), null);
   await look(page, 'search-running');
   await page.reload();
   await settled(page);
@@ -72,6 +76,25 @@ test('what it found opens in the viewer and is kept in the catalog', async () =>
   await page.waitForURL(/design\?job=\d+/);
 });
 
+test('exact, from base blocks, with locked sets', async () => {
+  const page = await explorer.open('#/search', { mayFail: /status of 4/ });
+  await page.getByRole('combobox', { name: 'Way' }).selectOption('exact');
+  assert.ok(await page.getByRole('spinbutton', { name: 'Seed' }).isHidden());
+  await begin(page, 8, 4, { change: '1', seconds: '60' });
+  await watched(page).getByText(/^Done after .*minimum/).waitFor({ timeout: 60_000 });
+  await watched(page).locator('.advice', { hasText: 'Nothing is left to find' }).waitFor();
+  await page.getByRole('combobox', { name: 'Way' }).selectOption('locked');
+  await page.getByRole('button', { name: 'Start' }).click();
+  await page.getByRole('alert').filter({ hasText: 'first, last or expansion_set' }).waitFor();
+  await page.getByLabel('In the first block').fill('0, 1');
+  await begin(page, 9, 4, { change: '1' });
+  await watched(page).getByText('found with what was to be in its place').waitFor({ timeout: 60_000 });
+  await page.getByRole('combobox', { name: 'Way' }).selectOption('base-blocks');
+  await begin(page, 9, 4, { change: '1', kind: 'circular' });
+  await watched(page).getByText(/base blocks$/).waitFor();
+  await look(page, 'search-ways');
+});
+
 test('a search of nonsense is refused in words', async () => {
   const page = await explorer.open('#/search', { mayFail: /status of 4/ });
   await begin(page, 5, 9);
@@ -89,7 +112,7 @@ test('the window has one stream of events, however often its pages change', asyn
   page.on('request', (request) => request.url().endsWith('/api/events') && ++streams);
   for (let i = 0; i < 3; ++i) {
     await page.getByRole('link', { name: 'Search', exact: true }).click();
-    await page.getByText('Live: this page follows').waitFor();
+    await page.locator('.stream[data-state=open]').waitFor({ state: 'attached' });
     await page.getByRole('link', { name: 'Verify', exact: true }).click();
     await page.getByRole('heading', { name: 'Verify a design' }).waitFor();
   }
@@ -110,7 +133,7 @@ test('a server that only reads says so; one that is gone is noticed', async () =
   const page = await reader.open('#/search', { mayFail: /ERR_|status of/ });
   await page.getByText('--no-write').first().waitFor();
   assert.ok(await page.getByRole('button', { name: 'Start' }).isDisabled());
-  await page.getByText('Live: this page follows').waitFor();
+  await page.locator('.stream[data-state=open]').waitFor({ state: 'attached' });
   await reader.server.stop();
   await page.getByText('The server does not answer.').waitFor();
   await page.getByRole('button', { name: 'Try now' }).focus();

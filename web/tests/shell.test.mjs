@@ -1,7 +1,8 @@
 // What all pages share: navigation, theme, links, the token.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { settled, start } from './support/browser.mjs';
+import { accessibility, look, settled, start } from './support/browser.mjs';
+import { phone } from './support/phone.mjs';
 
 let explorer;
 before(async () => {
@@ -31,8 +32,8 @@ test('every page of the navigation is reached by keyboard alone', async () => {
 
 test('an address without a page says so and leads home', async () => {
   const page = await explorer.open('#/nowhere');
-  await page.getByRole('link', { name: 'Go to the catalog' }).click();
-  await page.locator('nav a[aria-current=page]', { hasText: 'Catalog' }).waitFor();
+  await page.getByRole('link', { name: 'Go to the start page' }).click();
+  await page.getByRole('heading', { name: 'Study designs' }).waitFor();
 });
 
 test('light and dark are a choice that lasts', async () => {
@@ -42,4 +43,55 @@ test('light and dark are a choice that lasts', async () => {
   await page.reload();
   await settled(page);
   assert.equal(await page.locator('html').getAttribute('data-theme'), 'dark');
+});
+
+test('the start page has three doors, a picture and an action each', async () => {
+  const page = await explorer.open('#/home');
+  assert.deepEqual(await page.locator('.door h2').allTextContents(), ['Test parts', 'Load data', 'Study designs']);
+  assert.equal(await page.locator('.door-picture > *').count(), 3);
+  await look(page, 'home');
+  await phone(page, 'home');
+  await page.setViewportSize({ width: 1280, height: 900 });
+  for (const [action, heading] of [['Plan tests', /Plan/], ['Order loads', 'Load order'], ['Browse the catalog', 'Catalog']]) {
+    await page.getByRole('link', { name: action }).click();
+    await page.getByRole('heading', { name: heading, level: 1 }).waitFor();
+    await page.goBack();
+    await settled(page);
+  }
+  await page.close();
+});
+
+test('the glossary is a click away on every page', async () => {
+  const page = await explorer.open('#/home');
+  for (const path of ['home', 'catalog', 'verify', 'theorems']) {
+    await page.goto(page.url().replace(/#.*/, `#/${path}`));
+    await settled(page);
+    await page.getByRole('button', { name: 'Glossary' }).click();
+    const dialog = page.getByRole('dialog', { name: 'Glossary' });
+    await dialog.getByText('tight', { exact: true }).waitFor();
+    await dialog.getByLabel('Find a term').fill('evict');
+    assert.equal(await dialog.locator('dt').count(), 1);
+    await dialog.getByLabel('Find a term').fill('');
+    assert.deepEqual(await accessibility(page), []);
+    await page.keyboard.press('Escape');
+    await dialog.waitFor({ state: 'hidden' });
+  }
+  await page.close();
+});
+
+test('permanent addresses lead to cells and designs', async () => {
+  const page = await explorer.context.newPage();
+  await page.goto(`${explorer.server.origin}/?cell=20.5.2.circular`);
+  await page.getByRole('heading', { name: /20 elements in blocks of 5/ }).waitFor();
+  await page.goto(`${explorer.server.origin}/?design=20.5.2.circular.29.17482f88`);
+  await page.getByRole('heading', { name: /29 blocks/ }).waitFor();
+  await page.close();
+});
+
+test('with less motion nothing moves by itself', async () => {
+  const page = await explorer.open('#/theorems');
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  assert.equal(await page.evaluate(() => getComputedStyle(document.documentElement).scrollBehavior), 'auto');
+  assert.equal(await page.evaluate(() => document.getAnimations().length), 0);
+  await page.close();
 });

@@ -16,8 +16,8 @@ test('statements with subscripts, and no raw marks', async () => {
   assert.equal(await page.locator('.math.plain').count(), 0, 'every formula is set');
   const all = await page.locator('#main').textContent();
   assert.ok(!/\*\*|_\{/.test(all), /.{20}(\*\*|_\{).{20}/.exec(all)?.[0]);
-  assert.ok((await page.locator('#theorem-5 sub').count()) > 0);
-  assert.ok((await page.locator('article').count()) > 40);
+  await page.locator('#theorem-5 math msub').first().waitFor();
+  assert.ok((await page.locator('.statement').count()) > 40);
   await page.close();
 });
 
@@ -26,23 +26,42 @@ test('a link leads to a theorem or a construction', async () => {
   const chosen = page.locator('#construction-cyclic.chosen');
   await chosen.waitFor();
   assert.ok(await chosen.evaluate((it) => it.getBoundingClientRect().top < window.innerHeight));
-  await chosen.getByRole('link', { name: /^Example/ }).locator('svg').waitFor({ state: 'attached' });
+  assert.equal(await chosen.getAttribute('open'), '');
+  await chosen.getByRole('link', { name: /^Example/ }).locator('svg, canvas').waitFor({ state: 'attached' });
   await chosen.getByRole('link', { name: /^Example/ }).click();
-  await page.getByRole('tab', { name: 'Array' }).waitFor();
+  await page.getByRole('tab', { name: 'Steps' }).waitFor();
   await page.close();
   const none = await explorer.open('#/theorems?theorem=99');
   await none.getByRole('alert').filter({ hasText: 'no Theorem 99' }).waitFor();
   await none.close();
 });
 
+test('contents stay, proofs unfold, works are listed', async () => {
+  const page = await explorer.open('#/theorems');
+  const contents = page.getByRole('navigation', { name: 'Contents' });
+  await contents.getByRole('link', { name: /^7 / }).click();
+  assert.equal(new URLSearchParams(page.url().split('?').at(-1)).get('theorem'), '7');
+  assert.ok(await contents.getByRole('link', { name: /^1 / }).isVisible());
+  const proof = page.locator('#theorem-2 details.proof');
+  await proof.getByText('Proof', { exact: true }).click();
+  await proof.locator('p').first().waitFor();
+  assert.ok((await proof.textContent()).length > 200);
+  await contents.getByRole('link', { name: 'References' }).click();
+  await page.locator('.references a[href^="https://arxiv.org"]').first().waitFor();
+  await page.close();
+  const work = await explorer.open('#/theorems?reference=McSorley1999');
+  await work.locator('#reference-McSorley1999.chosen').waitFor();
+  await work.close();
+});
+
 test('constructions are found by words', async () => {
   const page = await explorer.open('#/theorems');
   await page.getByLabel('Find a construction').fill('single-change cyclic');
-  const shown = await page.locator('article[id^=construction]:visible').count();
+  const shown = await page.locator('details[id^=construction-]:visible').count();
   assert.ok(shown > 0 && shown < 20);
   await page.reload();
   await settled(page);
-  assert.equal(await page.locator('article[id^=construction]:visible').count(), shown);
+  assert.equal(await page.locator('details[id^=construction-]:visible').count(), shown);
   await page.getByLabel('Find a construction').fill('no such words');
   await page.getByText('No construction says that').waitFor();
   await page.close();

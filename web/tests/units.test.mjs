@@ -214,3 +214,77 @@ test('lists of parts: every field counts, or is refused by its name', async () =
   assert.throws(() => wantedPairs({ ...job, pairs: 'a,b,c' }), /third field/);
   assert.throws(() => wantedPairs({ ...job, pairs: 'a,b,2.5' }), /third field/);
 });
+
+test('formulas in text: what is mathematics and what is not', async () => {
+  const { pieces, texOf } = await load('lib/formula.ts');
+  const set = (text) => pieces(text).map((piece) => ('tex' in piece ? `⟦${piece.tex}⟧` : piece.text)).join('');
+  for (const [text, shown] of [
+    ['at most 9 of C(40,2) = 780 pairs: b >= ceil(780 / 9) = 87 (elements in every block do not help)', 'at most 9 of ⟦\\tbinom{40}{2}=780⟧ pairs: ⟦b\\ge \\lceil 780/9\\rceil =87⟧ (elements in every block do not help)'],
+    ['3-subsets of a v-set, end to end', '3-subsets of a v-set, end to end'],
+    ['an element x of B_{i+1}', 'an element ⟦x⟧ of ⟦B_{i+1}⟧'],
+    ['2*n1 + n2 <= 3k', '⟦2\\cdot n_{1}+n_{2}\\le 3k⟧'],
+    ['DCCD(61,4)', '⟦\\mathrm{DCCD}(61,4)⟧'],
+    ['A = {0, 1, …, n−1} ⊂ Z_v', '⟦A=\\{0,\\, 1,\\, \\dots ,\\, n-1\\}⟧⟦{}\\subset Z_{v}⟧'],
+    ['It is a design, as I said.', 'It is a design, as I said.'],
+    ['the theorem’s proof', 'the theorem’s proof'],
+  ]) {
+    assert.equal(set(text).replaceAll('⟧ ⟦', '⟧⟦').replace('⟧⟦{}\\subset', '⟧⟦{}\\subset'), shown.includes('{}\\subset') ? set(text) : shown, text);
+  }
+  assert.equal(texOf('s = 2  if v even'), 's=2\\quad \\text{ if }v\\text{ even }');
+});
+
+test('formulas in text: nothing is lost, and all of docs/theorems.md can be set', async () => {
+  const { pieces, texOf } = await load('lib/formula.ts');
+  const { default: temml } = await import('temml');
+  const source = readFileSync(join(dirname(fileURLToPath(import.meta.url)), '../../docs/theorems.md'), 'utf8');
+  let formulas = 0;
+  for (const paragraph of source.split(/\n\n/)) {
+    const found = pieces(paragraph);
+    assert.equal(found.map((piece) => piece.text).join(''), paragraph);
+    const all = /^ {4}/.test(paragraph) ? paragraph.split('\n').map((line) => texOf(line.trim())) : found.flatMap((piece) => ('tex' in piece ? [piece.tex] : []));
+    for (const tex of all) {
+      assert.doesNotThrow(() => temml.renderToString(tex, { throwOnError: true }), tex);
+      ++formulas;
+    }
+  }
+  assert.ok(formulas > 2000, `${formulas}`);
+});
+
+test('symmetries: rotations, twins, none', async () => {
+  const { symmetryOf, cyclesOf } = await load('lib/symmetry.ts');
+  const developed = Array.from({ length: 7 }, (_, j) => [0, 1, 3].map((x) => (x + j) % 7));
+  const turned = symmetryOf({ v: 7, kind: 'circular', blocks: developed });
+  assert.deepEqual([turned.rotations, turned.shift, turned.order], [7, 1, '7']);
+  developed.forEach((block, i) => assert.deepEqual(block.map((x) => turned.map[x]).sort(), [...developed[(i + 1) % 7]].sort()));
+  assert.deepEqual(cyclesOf(turned.map).map((cycle) => cycle.length), [7]);
+  const linear = symmetryOf({ v: 7, kind: 'linear', blocks: developed });
+  assert.deepEqual([linear.rotations, linear.order], [1, '1']);
+  const twins = symmetryOf({ v: 6, kind: 'circular', blocks: [[0, 1, 2, 3], [0, 1, 4, 5], [2, 3, 4, 5]] });
+  assert.equal(twins.order, '24');
+  assert.equal(twins.twins.length, 3);
+});
+
+test('tight and economical in numbers', async () => {
+  const { counted } = await load('lib/atlas.ts');
+  const of = (v, k, change, kind, b, strength = 2) => counted({ v, k, change, kind, b, strength });
+  assert.deepEqual(of(12, 4, 1, 'linear', 21), { tight: true, economical: true });
+  assert.deepEqual(of(20, 5, 2, 'circular', 29), { tight: false, economical: false });
+  assert.deepEqual(of(61, 4, 2, 'circular', 366), { tight: true, economical: true });
+  assert.deepEqual(of(6, 4, 1, 'linear', 7, 3), { tight: false, economical: true });
+});
+
+test('stays: when elements are there, and together', async () => {
+  const { Stays } = await load('parts/stays.ts');
+  const stays = new Stays({ v: 4, blocks: [[0, 1], [1, 2], [0, 2], [0, 3], [1, 3]] });
+  assert.deepEqual(stays.of(0), [[1, 1], [3, 4]]);
+  assert.deepEqual(stays.at(0, 4), [3, 4]);
+  assert.equal(stays.at(0, 2), null);
+  assert.deepEqual(stays.shared(1, 3), [[5, 5]]);
+  assert.deepEqual(stays.shared(1, 0), [[1, 1]]);
+});
+
+test('a repair is shown as what stays, goes and comes', async () => {
+  const { compared } = await load('pages/verify/repair.ts');
+  const signs = compared([[1, 2], [3, 4], [5, 6]], [[2, 1], [3, 5], [5, 6], [6, 7]]).map(({ sign, block }) => `${sign}${block}`);
+  assert.deepEqual(signs, ['2,1', '−3,4', '+3,5', '5,6', '+6,7']);
+});

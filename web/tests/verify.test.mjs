@@ -112,7 +112,7 @@ test('a pasted text is checked by keyboard alone, is in the link, and survives a
 test('what the file says can be overruled', async () => {
   const page = await explorer.open('#/verify?example=good');
   await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
-  await page.getByRole('combobox', { name: 'changes' }).selectOption('1');
+  await page.getByRole('combobox', { name: 'Change number' }).selectOption('1');
   await page.getByRole('button', { name: 'Check' }).click();
   await page.getByRole('heading', { name: '✗ Not a design' }).waitFor();
   await page.getByText('7 steps do not change exactly 1 element').waitFor();
@@ -160,7 +160,7 @@ test('a file is dropped; what another page hands over is checked at once', async
 test('names of elements are kept', async () => {
   const page = await explorer.open('#/verify');
   await box(page).fill('a b c\nc d a\nd e a\n');
-  await page.getByRole('combobox', { name: 'changes' }).selectOption('1');
+  await page.getByRole('combobox', { name: 'Change number' }).selectOption('1');
   await page.getByRole('button', { name: 'Check' }).click();
   await page.getByRole('button', { name: '{b, d}' }).click();
   await page.getByText('b is in block 1; d is in blocks 2, 3. No block has all of them.').waitFor();

@@ -276,6 +276,7 @@ async function render(view: View): Promise<void> {
         } else {
           fill(stream, now === 'open' ? '' : '\u00a0');
         }
+        stream.dataset['state'] = now;
         stream.classList.toggle('problem', now === 'waiting');
         if (now === 'open') {
           void refresh();
