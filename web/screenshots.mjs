@@ -9,18 +9,24 @@ if (!folder) {
   process.exit(2);
 }
 const pictures = [
-  ['catalog', 'light', '#/catalog?change=1&kind=linear&k=3..12&v=5..60'],
-  ['catalog', 'dark', '#/catalog?change=2&kind=circular&k=3..12&v=5..60'],
+  ['home', 'light', '#/home'],
+  ['catalog', 'light', '#/catalog?change=2&kind=circular'],
+  ['catalog', 'dark', '#/catalog?change=1&kind=linear&k=3..16&v=8..40&at=26.6'],
   ['cell', 'light', '#/cell?v=40&k=6&change=2&kind=circular'],
   ['design', 'dark', '#/design?v=20&k=5&change=2&kind=circular&show=steps&at=12'],
-  ['stays', 'light', '#/design?v=61&k=4&change=2&kind=circular&show=stays'],
-  ['verify', 'light', '#/verify', (page) => page.getByText('one with bad steps').click()],
+  ['stays', 'light', '#/design?v=61&k=4&change=2&kind=circular&show=stays&sel=7'],
+  ['circle', 'light', '#/design?v=61&k=4&change=2&kind=circular&show=circle'],
+  ['verify', 'light', '#/verify', async (page) => {
+    await page.getByText('one with bad steps').click();
+    await page.locator('.repair-lines').waitFor({ timeout: 60_000 });
+    await page.locator('.verdict').evaluate((verdict) => window.scrollTo(0, verdict.offsetTop - 20));
+  }],
   ['plan', 'light', '#/plan', async (page) => {
     await page.setViewportSize({ width: 1280, height: 1500 });
     await page.getByText('Try an example').click();
     await page.getByText('What if').waitFor({ timeout: 60_000 });
   }],
-  ['loadorder', 'dark', '#/loadorder?items=64&room=16'],
+  ['loadorder', 'dark', '#/loadorder?items=64&room=16&workers=4'],
   ['search', 'light', '#/search?v=40&k=6&change=2&kind=circular', async (page) => {
     await page.getByRole('button', { name: 'Start' }).click();
     await page.waitForTimeout(8000);

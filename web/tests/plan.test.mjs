@@ -146,7 +146,7 @@ test('the rest is planned anew after some tests, without a part that is gone', a
   }
   const before = await sheetRows(page).evaluateAll((rows) => rows.slice(0, 3).map((row) => row.cells[4].textContent));
   await page.getByRole('checkbox', { name: 'Part 8 is gone' }).check();
-  await page.getByRole('button', { name: 'Plan the rest anew' }).click();
+  await page.getByRole('button', { name: 'Replan the remaining tests' }).click();
   await page.getByText('3 tests done; for the rest:').waitFor();
   const sets = await sheetRows(page).evaluateAll((rows) => rows.map((row) => row.cells[4].textContent));
   assert.deepEqual(sets.slice(0, 3), before);
@@ -173,7 +173,7 @@ test('sliders put the alternatives into another order at once, and plan anew', a
   await page.getByText('The double-change design would be cheaper').or(page.getByText('The ordered covering would be cheaper')).waitFor();
   assert.notEqual(await first.textContent(), 'this plan');
   assert.equal(asked, 0);
-  await page.getByRole('button', { name: 'Plan anew at these costs' }).click();
+  await page.getByRole('button', { name: 'Replan at these costs' }).click();
   await page.getByText('12 tests, 25 changes').waitFor();
   assert.equal(asked, 1);
 });

@@ -211,3 +211,22 @@ test('on a phone nothing scrolls sideways but the frames', async () => {
   assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
   await look(page, 'verify-phone');
 });
+
+test('a repair is suggested, and used', async () => {
+  const page = await explorer.open('#/verify?example=steps');
+  await page.getByText(/keeps \d of your 8 blocks/).waitFor({ timeout: 60_000 });
+  assert.ok((await page.locator('.repair-new').count()) > 0);
+  assert.ok((await page.locator('.repair-old').count()) > 0);
+  await look(page, 'verify-repair');
+  await page.getByRole('button', { name: 'Use the repaired list' }).click();
+  await page.getByRole('heading', { name: '✓ Valid' }).waitFor();
+  await page.close();
+});
+
+test('a design that is known is cited, with the reason of its bound', async () => {
+  const page = await explorer.open('#/verify?example=good');
+  await page.locator('.verify-citation', { hasText: /9\.4\.2\.linear\.8\.|not the one in the catalog/ }).waitFor();
+  await page.locator('.verify-citation pre', { hasText: '@misc{' }).waitFor();
+  await page.locator('.verdict .reason math').first().waitFor();
+  await page.close();
+});

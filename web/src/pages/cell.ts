@@ -207,6 +207,7 @@ export const cell: Page = {
       offers(detail),
       detail.best && [h('h2', {}, 'Download the best design'), files],
       !frozen && h('p', { class: 'hint' }, 'On the command line: ', h('code', {}, command(wanted)), ' ', copyButton('Copy', () => command(wanted))),
+      !frozen && detail.best && h('p', { class: 'hint' }, 'For a paper: ', h('code', {}, dossier(wanted)), ' ', copyButton('Copy', () => dossier(wanted))),
     );
     neighbourhood(wanted, view.signal).then((map) => map && fill(around, h('h2', {}, 'Around this cell'), map), () => undefined);
     if (!detail.best) {
@@ -239,4 +240,8 @@ export const cell: Page = {
 
 function command(cell: Cell): string {
   return `changeover explain ${cell.v} ${cell.k} --change ${cell.change} --${cell.kind}${(cell.strength ?? 2) > 2 ? ` --strength ${cell.strength}` : ''}`;
+}
+
+function dossier(cell: Cell): string {
+  return `changeover dossier ${cell.v} ${cell.k} --change ${cell.change} --${cell.kind} --format latex`;
 }

@@ -172,7 +172,7 @@ async function render(view: View): Promise<void> {
     const replan = h(
       'button',
       { type: 'button', class: 'plain', onclick: () => run(outcome.tests.filter((test) => test.done)) },
-      'Plan the rest anew',
+      'Replan the remaining tests',
     );
     const ticked = () => {
       replan.disabled = !outcome.tests.some((test) => test.done);

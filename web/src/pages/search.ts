@@ -92,7 +92,7 @@ async function render(view: View): Promise<void> {
     onchange: () => view.go({ seed: seed.value }, { quiet: true }),
   });
   const strength = select(params.get('strength') ?? '2', strengths, () => look());
-  const blocks = h('input', { type: 'number', min: 1, value: params.get('blocks') ?? '', placeholder: 'as few as possible', onchange: () => view.go({ blocks: blocks.value }, { quiet: true }) });
+  const blocks = h('input', { type: 'number', min: 1, value: params.get('blocks') ?? '', placeholder: 'fewest', onchange: () => view.go({ blocks: blocks.value }, { quiet: true }) });
   const about_way = h('p', { class: 'hint' });
   const way = select(params.get('way') ?? 'local', ways.map(([name, title]) => [name, title] as const), () => look());
   const firstBlock = h('input', { type: 'text', value: params.get('first') ?? '', placeholder: '0, 1, 2', autocomplete: 'off' });

@@ -101,7 +101,7 @@ export function whatIf(
   const anew = h(
     'button',
     { type: 'button', class: 'plain', onclick: () => planAnew(test.value(), change.value()) },
-    'Plan anew at these costs',
+    'Replan at these costs',
   );
   let along: Price = 'change';
   const axis = select(
@@ -156,8 +156,8 @@ export function whatIf(
     said.textContent = same
       ? 'These are your costs. Move a slider to see which plan would be cheapest.'
       : best === outcome.alternatives[0]
-        ? 'This plan stays the cheapest of them; planning anew may find one that suits these costs better.'
-        : `The ${best.name} would be cheaper than this plan. Plan anew to get it, or one that is better still.`;
+        ? 'This plan stays the cheapest of them; a new plan may suit these costs better.'
+        : `The ${best.name} would be cheaper than this plan. Replan to get it, or a better one.`;
     anew.disabled = same;
     const here = along === 'change' ? c : t;
     const found = ranges(outcome, along, along === 'change' ? t : c);

@@ -39,6 +39,8 @@ export function compared(before: readonly (readonly number[])[], after: readonly
   return lines;
 }
 
+/** Lists of at most so many blocks are repaired without being asked. */
+const atOnce = 200;
 /** So many unchanged blocks are shown around a change. */
 const around = 1;
 
@@ -99,6 +101,10 @@ export function repairOffer(given: { query: object; body: string | Blob; blocks:
       b + had <= mostCompared ? h('ol', { class: 'repair-lines' }, changes(compared(given.blocks, design.blocks), given.name)) : null,
       h('div', { class: 'row' }, h('button', { type: 'button', onclick: () => take(design) }, 'Use the repaired list'), h('button', { type: 'button', class: 'plain', onclick: () => open(design) }, 'Open in the viewer')),
     );
+  }
+  // Short lists are repaired in a moment: no need to be asked.
+  if (given.blocks.length > 0 && given.blocks.length <= atOnce) {
+    ask.click();
   }
   return h('section', { class: 'repair' }, h('h2', {}, 'Repair'), h('p', {}, ask, ' ', h('span', { class: 'hint' }, 'changes as few blocks as it can')), place);
 }

@@ -1,6 +1,6 @@
 // What the verdict says, with its reasons: first in a sentence, then fact by fact, then element by element.
 import { h, type Child } from '../../lib/dom';
-import { mathText } from '../../lib/mathematics';
+import { formula, mathText } from '../../lib/mathematics';
 import { terms } from '../../lib/terms';
 import { count, nameOf, number, ratio } from '../../lib/words';
 import { reason } from '../../parts/recipe';
@@ -117,7 +117,7 @@ export function elementTable({ answer }: Report): HTMLElement {
   const head = h(
     'div',
     { class: 'element-row head', 'aria-hidden': 'true' },
-    ['x', 'i_x', 'r_x', 'e_x'].map((name) => h('span', {}, name)),
+    ['x', 'i_x', 'r_x', 'e_x'].map((name) => h('span', {}, formula(name, name))),
   );
   const list = virtualList({
     label: 'Elements: how often each is introduced, in how many blocks it is, and its excess',
