@@ -81,19 +81,19 @@ test('tabs by arrow keys, in the link', async () => {
 test('what is chosen in one view is lit in all', async () => {
   const page = await explorer.open('#/design?v=20&k=5&at=12');
   await page.locator('.slots button', { hasText: /^2$/ }).click();
-  await page.locator('.selected', { hasText: /^2 is in \d+ of 29 blocks/ }).waitFor();
+  await page.locator('.selected-words', { hasText: /^2 is in \d+ of 29 blocks/ }).waitFor();
   await page.getByRole('tab', { name: 'Array' }).click();
   await page.locator('.array-table td.lit').first().waitFor();
   await page.locator('.array-table td', { hasText: /^13/ }).first().click();
-  await page.locator('.selected', { hasText: '2 and 13 are first together in block 12' }).waitFor();
+  await page.locator('.selected-words', { hasText: '2 and 13 are first together in block 12' }).waitFor();
   assert.equal(params(page).get('sel'), '2~13');
   await page.reload();
   await settled(page);
-  await page.locator('.selected', { hasText: '2 and 13' }).waitFor();
+  await page.locator('.selected-words', { hasText: '2 and 13' }).waitFor();
   await page.getByRole('tab', { name: 'Stays' }).click();
   await page.locator('.timeline-canvas').focus();
   await page.keyboard.press('ArrowDown');
-  await page.locator('.selected', { hasText: /is in \d+ of 29 blocks, in \d+ stay/ }).waitFor();
+  await page.locator('.selected-words', { hasText: /is in \d+ of 29 blocks, in \d+ stay/ }).waitFor();
   await page.keyboard.press('+');
   await page.keyboard.press('+');
   await page.waitForURL(/from=\d+/);
@@ -103,9 +103,15 @@ test('what is chosen in one view is lit in all', async () => {
   const pairs = page.locator('.matrix-canvas');
   const { width } = await pairs.boundingBox();
   await pairs.click({ position: { x: width * 0.5, y: width * 0.8 } });
-  await page.locator('.selected', { hasText: /first together in block/ }).waitFor();
+  await page.locator('.selected-words', { hasText: /first together in block/ }).waitFor();
   await page.getByRole('button', { name: 'Clear' }).click();
-  await page.locator('.selected', { hasText: 'Click an element' }).waitFor();
+  await page.locator('.selected-words', { hasText: 'Click an element' }).waitFor();
+  await page.getByLabel('Select an element or a pair').fill('4, 11');
+  await page.getByLabel('Select an element or a pair').press('Enter');
+  await page.locator('.selected-words', { hasText: /^4 and 11 / }).waitFor();
+  await page.getByLabel('Select an element or a pair').fill('4 99');
+  await page.getByLabel('Select an element or a pair').press('Enter');
+  assert.equal(await page.getByLabel('Select an element or a pair').getAttribute('aria-invalid'), 'true');
   await page.close();
 });
 

@@ -192,10 +192,15 @@ export const design: Page = {
       { name: 'recipe', title: 'Recipe', draw: (panel, signal) => recipeTab(asked, shown, panel, signal) },
       { name: 'blocks', title: 'Blocks', draw: (panel) => textTab(shown, panel) },
     ];
-    const selected = h('div', { class: 'selected' });
+    const selected = h('div', { class: 'selected-words' });
+    const wantedElements = h('input', { type: 'text', id: 'select-elements', autocomplete: 'off', placeholder: '3 or 3 7', 'aria-label': 'Select an element or a pair' });
+    const bySelf = h('form', { class: 'select-form', onsubmit: (event) => {
+      event.preventDefault();
+      chosen.chooseByName(wantedElements.value) ? wantedElements.removeAttribute('aria-invalid') : wantedElements.setAttribute('aria-invalid', 'true');
+    } }, wantedElements, h('button', { type: 'submit', class: 'plain small' }, 'Select'));
     const tell = (): void => {
       const words = chosen.words(steps, stays);
-      fill(selected, words ? [h('span', { class: 'selected-key' }), h('span', {}, `${words}.`), h('button', { type: 'button', class: 'plain small', onclick: () => chosen.choose([]) }, 'Clear')] : h('span', { class: 'hint' }, 'Click an element or a pair in any view to see it in all of them.'));
+      fill(selected, words ? [h('span', { class: 'selected-key' }), h('span', {}, `${words}.`), h('button', { type: 'button', class: 'plain small', onclick: () => chosen.choose([]) }, 'Clear')] : h('span', { class: 'hint' }, 'Click an element or a pair in any view, or write it here, to see it in all of them.'));
     };
     chosen.follow(view.signal, tell);
     tell();
@@ -211,7 +216,7 @@ export const design: Page = {
         from && [shown.label === from ? h('span', { class: 'code' }, from) : from, ' · '],
         h('a', { href: link('cell', { v: shown.v, k: shown.k, change: shown.change, kind: shown.kind, strength: shown.strength === 2 ? null : shown.strength }) }, 'what is known of these parameters'),
       ),
-      selected,
+      h('div', { class: 'selected' }, bySelf, selected),
       tabs('What to show of the design', all, start, view.signal, (which) => view.go({ show: which }, { quiet: true })),
       h('h2', {}, 'In numbers'),
       h('p', { class: `verdict ${shown.verdict ? (shown.verdict.valid ? 'valid' : 'invalid') : ''}` }, verified(asked, shown, frozen)),

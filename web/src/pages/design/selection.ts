@@ -25,6 +25,17 @@ export class Chosen extends Choice {
     return this.design.labels?.[x] ?? String(x);
   }
 
+  /** "3" or "3 7", by names. False if these are no elements. */
+  chooseByName(text: string): boolean {
+    const names = text.split(/[\s,]+/).filter(Boolean);
+    const found = names.map((name) => this.index(name));
+    if (found.length > 2 || found.some((x) => x < 0)) {
+      return false;
+    }
+    this.choose([...new Set(found)]);
+    return true;
+  }
+
   private index(name: string): number {
     const at = this.design.labels ? this.design.labels.indexOf(name) : /^\d+$/.test(name) ? Number(name) : -1;
     return at < this.design.v ? at : -1;
