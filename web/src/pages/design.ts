@@ -146,12 +146,14 @@ export const design: Page = {
           let order = (view.params.get('order') ?? 'first') as Order;
           const line = timeline({ v: steps.v, b: steps.b, names: steps.names, pairs: steps.pairs, allPairs: steps.allPairs, stays, step: 'block', item: 'element' }, chosen, orderOf(order), signal);
           const pairs = matrix(steps, chosen, signal, 420);
+          pairs?.order(orderOf(order));
           fill(
             panel,
             h('p', { class: 'hint' }, 'A row for each element, a bar for each stay. Drag on the strip to choose blocks, drag below to pan; Ctrl + wheel or + and − zoom. Pairs that first meet in the blocks in sight are lit on the right.'),
             h('div', { class: 'row' }, field('Order of elements', select(order, orders, (value) => {
               order = value as Order;
               line.order(orderOf(order));
+              pairs?.order(orderOf(order));
               view.go({ order: value === 'first' ? null : value }, { quiet: true });
             })), save('stays', () => ({ ...range(), order }), signal)),
             h('div', { class: pairs ? 'stays-and-pairs' : '' }, line.element, pairs?.element),
