@@ -1,5 +1,5 @@
 // The start page: three doors, one for each kind of question.
-import { fill, h, type Child } from '../lib/dom';
+import { fill, h, svg, type Child } from '../lib/dom';
 import { atlasOf } from '../lib/source';
 import { number } from '../lib/words';
 import { about, isCopy } from '../shell/about';
@@ -7,17 +7,6 @@ import { link, type Page, type View } from '../shell/router';
 import { lookUp } from './catalog/look_up';
 import { paintOf } from './catalog/paint';
 import { Steps } from './design/steps';
-
-const space = 'http://www.w3.org/2000/svg';
-
-function svg(tag: string, attributes: Record<string, string | number>, ...children: (SVGElement | string)[]): SVGElement {
-  const element = document.createElementNS(space, tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    element.setAttribute(name, String(value));
-  }
-  element.append(...children);
-  return element;
-}
 
 const list = (text: string): number[][] => text.split(';').map((block) => block.trim().split(' ').map(Number));
 /** Nine parts, four at a time: a circular DCCD(9,4). */

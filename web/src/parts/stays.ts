@@ -71,14 +71,7 @@ export class Stays {
 
   /** The stay that contains a block, if there is one. */
   at(x: number, block: number): [number, number] | null {
-    const mine = this.list[x]!;
-    let low = 0;
-    let high = mine.length;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      mine[middle]![1] < block ? (low = middle + 1) : (high = middle);
-    }
-    const found = mine[low];
+    const found = this.list[x]![this.from(x, block)];
     return found && found[0] <= block ? found : null;
   }
 

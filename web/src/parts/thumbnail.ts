@@ -1,10 +1,7 @@
 // A design at a glance: a row for each element, in the order of their first blocks, a bar for each stay.
 import type { Design } from '../lib/api';
+import { token } from '../lib/canvas';
 import { h } from '../lib/dom';
-
-function token(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
 
 /** Elements in the order in which they are introduced. */
 export function byFirst(blocks: readonly (readonly number[])[], v: number): number[] {

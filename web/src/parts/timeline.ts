@@ -1,5 +1,6 @@
 // Stays over time, as a profiler shows them: a row for each element or item, a bar for each time that it is there. Zoomed, panned and brushed; the strip above
 // has the whole design and the part that is in sight.
+import { clear, placeTip, resize, stride, token } from '../lib/canvas';
 import { h } from '../lib/dom';
 import { number } from '../lib/words';
 import type { Choice, Stays } from './stays';
@@ -28,20 +29,6 @@ export interface TimelineData {
 const left = 64;
 const axis = 24;
 const widest = 40;
-
-function token(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
-
-function stride(pixels: number, least: number): number {
-  for (let unit = 1; ; unit *= 10) {
-    for (const step of [1, 2, 5]) {
-      if (step * unit * pixels >= least) {
-        return step * unit;
-      }
-    }
-  }
-}
 
 export function timeline(steps: TimelineData, chosen: Choice, first: readonly number[], signal: AbortSignal): Timeline {
   const { v, b, stays } = steps;
@@ -102,9 +89,7 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
     if (width === 0) {
       return;
     }
-    const ratio = devicePixelRatio || 1;
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.clearRect(0, 0, width, height);
+    clear(pen, width, height);
     const [kept, fresh, faint, line, text, mark, leave] = ['--met', '--accent', '--faint', '--line', '--text', '--mark', '--leave'].map(token) as [string, string, string, string, string, string, string];
     const [a, z] = [Math.floor(at) + 1, Math.min(b, Math.ceil(at + room() / scale))];
     const x = (block: number): number => left + (block - 1 - at) * scale;
@@ -198,10 +183,8 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
   }
 
   function drawStrip(): void {
-    const ratio = devicePixelRatio || 1;
     const high = strip.clientHeight;
-    thin.setTransform(ratio, 0, 0, ratio, 0, 0);
-    thin.clearRect(0, 0, width, high);
+    clear(thin, width, high);
     const [faint, met, accent] = [token('--faint'), token('--met'), token('--accent')];
     if (steps.pairs) {
       thin.fillStyle = met;
@@ -281,10 +264,7 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
     tip.hidden = !pointed;
     if (pointed) {
       const stay = stays.at(pointed.x, pointed.block);
-      tip.textContent = `${steps.names[pointed.x]}, ${steps.step} ${number(pointed.block)}: ${stay ? `stays from ${number(stay[0])} to ${number(stay[1])}` : 'not there'}`;
-      const box = canvas.getBoundingClientRect();
-      tip.style.left = `${Math.max(4, Math.min(width - tip.offsetWidth - 4, event.clientX - box.left + 14))}px`;
-      tip.style.top = `${Math.max(0, event.clientY - box.top - 36)}px`;
+      placeTip(tip, canvas, event, `${steps.names[pointed.x]}, ${steps.step} ${number(pointed.block)}: ${stay ? `stays from ${number(stay[0])} to ${number(stay[1])}` : 'not there'}`);
     }
     later();
   });
@@ -396,11 +376,8 @@ export function timeline(steps: TimelineData, chosen: Choice, first: readonly nu
     row = Math.max(2.5, Math.min(18, (Math.min(560, window.innerHeight * 0.6) - axis) / v));
     height = Math.min(Math.max(600, window.innerHeight * 0.6), axis + Math.ceil(v * row) + 2);
     place.style.height = `${height}px`;
-    const ratio = devicePixelRatio || 1;
-    for (const [each, high] of [[canvas, height], [strip, strip.clientHeight]] as const) {
-      each.width = Math.round(width * ratio);
-      each.height = Math.round(high * ratio);
-    }
+    resize(canvas, width, height);
+    resize(strip, width, strip.clientHeight);
     if (!begun) {
       const range = chosen.range;
       scale = range ? room() / (range.to - range.from + 1) : least();

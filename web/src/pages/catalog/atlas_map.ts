@@ -1,6 +1,7 @@
 // The map of all cells on a canvas: v to the right, k downwards; zoomed and panned by pointer, fingers and keys. A cell has its
 // number as soon as there is room for it. What the map shows, the table below it says to those who do not see it.
 import type { Atlas, AtlasCell } from '../../lib/atlas';
+import { clear, placeTip, resize, stride } from '../../lib/canvas';
 import { announce, h } from '../../lib/dom';
 import { number } from '../../lib/words';
 import { inkOn } from '../../lib/colours';
@@ -40,17 +41,6 @@ interface Listener {
 const margin = { left: 44, top: 40, right: 12, bottom: 10 };
 const largest = { x: 78, y: 40 };
 const sides: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-
-/** Distances between lines of a scale: 1, 2, 5, 10, 20, … */
-function stride(pixels: number, least: number): number {
-  for (let unit = 1; ; unit *= 10) {
-    for (const step of [1, 2, 5]) {
-      if (step * unit * pixels >= least) {
-        return step * unit;
-      }
-    }
-  }
-}
 
 export function say(cell: AtlasCell): string {
   const known = cell.status === 'impossible' ? 'no design exists' : cell.b === null ? `no design is known, at least ${cell.lower} blocks` : `${number(cell.b)} blocks, ${cell.status === 'minimum' ? 'minimum' : `lower bound ${cell.lower}`}`;
@@ -112,9 +102,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     if (!atlas || !paint || width === 0) {
       return;
     }
-    const ratio = devicePixelRatio || 1;
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.clearRect(0, 0, width, height);
+    clear(pen, width, height);
     const { text, faint, line, ground, accent, font } = paint.ink;
     const first = { x: Math.floor(corner.x), y: Math.floor(corner.y) };
     const last = { x: Math.min(atlas.columns - 1, Math.ceil(corner.x + room().x / scale.x)), y: Math.min(atlas.rows - 1, Math.ceil(corner.y + room().y / scale.y)) };
@@ -273,11 +261,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     listener.pointed(cell);
     tip.hidden = cell === null || event === undefined;
     if (cell && event) {
-      const box = canvas.getBoundingClientRect();
-      tip.textContent = `v ${cell.v}  k ${cell.k}   ${cell.b === null ? 'no design known' : `${number(cell.b)} blocks${cell.gap === 0 ? ', minimum' : `, bound ${number(cell.lower!)}`}`}`;
-      const x = event.clientX - box.left;
-      tip.style.left = `${Math.max(4, Math.min(width - tip.offsetWidth - 4, x + 14))}px`;
-      tip.style.top = `${Math.max(4, event.clientY - box.top - 40)}px`;
+      placeTip(tip, canvas, event, `v ${cell.v}  k ${cell.k}   ${cell.b === null ? 'no design known' : `${number(cell.b)} blocks${cell.gap === 0 ? ', minimum' : `, bound ${number(cell.lower!)}`}`}`);
     }
     later();
   }
@@ -422,9 +406,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     const before = width > 0 && atlas ? seen() : null;
     width = wide;
     height = high;
-    const ratio = devicePixelRatio || 1;
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
+    resize(canvas, width, height);
     if (atlas) {
       lookAt(wanted ?? before ?? {});
       wanted = null;

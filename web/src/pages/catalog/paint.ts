@@ -1,5 +1,6 @@
 // What the colours of the map say, and the legend that says it.
 import type { Atlas, AtlasCell } from '../../lib/atlas';
+import { token } from '../../lib/canvas';
 import { hues, scale } from '../../lib/colours';
 import { h } from '../../lib/dom';
 import { theme } from '../../shell/theme';
@@ -24,10 +25,6 @@ export interface Paint {
   readonly ink: Ink;
   of(cell: AtlasCell): string;
   readonly legend: HTMLElement;
-}
-
-function token(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
 function key(colour: string, words: string): HTMLElement {

@@ -1,24 +1,14 @@
 // The design on a circle, turned by its own symmetry: elements are placed so that the automorphism is a rotation, and the blocks of one
 // turn are drawn; all others are their images.
 import { hues } from '../../lib/colours';
-import { field, fill, h, select } from '../../lib/dom';
+import { field, fill, h, select, svg } from '../../lib/dom';
 import { cyclesOf, type Symmetry } from '../../lib/symmetry';
 import { count, number } from '../../lib/words';
 import { theme } from '../../shell/theme';
 import type { Chosen } from './selection';
 
-const space = 'http://www.w3.org/2000/svg';
 /** More blocks than this on one picture are a tangle. */
 const mostDrawn = 8;
-
-function svg(tag: string, attributes: Record<string, string | number>, ...children: (SVGElement | string)[]): SVGElement {
-  const element = document.createElementNS(space, tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    element.setAttribute(name, String(value));
-  }
-  element.append(...children);
-  return element;
-}
 
 /** Where each element is on a picture of 600 by 600: cycles of one length share a ring, turned against each other. */
 export function places(symmetry: Symmetry): { x: number; y: number }[] {

@@ -1,4 +1,5 @@
 // Which pairs have met: a square for each pair of elements, drawn on a canvas.
+import { token } from '../../lib/canvas';
 import { h } from '../../lib/dom';
 import type { Steps } from './steps';
 
@@ -17,8 +18,6 @@ export interface Coverage {
 }
 
 function colours(): Record<'ground' | 'met' | 'anew' | 'line' | 'mark', string> {
-  const style = getComputedStyle(document.documentElement);
-  const token = (name: string): string => style.getPropertyValue(name).trim();
   return { ground: token('--sunken'), met: token('--met'), anew: token('--leave'), line: token('--ground'), mark: token('--mark') };
 }
 

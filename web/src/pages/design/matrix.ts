@@ -1,5 +1,6 @@
 // All pairs of elements as a matrix: below the diagonal when they first meet, above it how often they are newly covered. Zoomed and
 // panned; a pair is chosen by a click, and the blocks that are chosen elsewhere stand out.
+import { clear, placeTip, resize, token } from '../../lib/canvas';
 import { scale } from '../../lib/colours';
 import { h } from '../../lib/dom';
 import { number } from '../../lib/words';
@@ -13,10 +14,6 @@ export interface Matrix {
 }
 
 const margin = 40;
-
-function token(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-}
 
 /** Null if there are too many elements to keep their pairs apart. */
 export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, largest = 720): Matrix | null {
@@ -90,9 +87,7 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     if (side === 0) {
       return;
     }
-    const ratio = devicePixelRatio || 1;
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.clearRect(0, 0, side, side);
+    clear(pen, side, side);
     const colours = scale(theme());
     const counts = times();
     const range = chosen.range;
@@ -212,10 +207,7 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     if (pointed) {
       const [x, y] = [rows[pointed.x]!, rows[pointed.y]!];
       const when = meet[x * v + y]!;
-      tip.textContent = `${steps.names[y]} and ${steps.names[x]}: ${when === 0 ? 'never together' : `first together in block ${number(when)}, newly covered ${times()[x * v + y] === 1 ? 'once' : `${times()[x * v + y]} times`}`}`;
-      const box = canvas.getBoundingClientRect();
-      tip.style.left = `${Math.max(4, Math.min(side - tip.offsetWidth - 4, event.clientX - box.left + 14))}px`;
-      tip.style.top = `${Math.max(0, event.clientY - box.top - 36)}px`;
+      placeTip(tip, canvas, event, `${steps.names[y]} and ${steps.names[x]}: ${when === 0 ? 'never together' : `first together in block ${number(when)}, newly covered ${times()[x * v + y] === 1 ? 'once' : `${times()[x * v + y]} times`}`}`);
     }
     later();
   });
@@ -267,8 +259,7 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
       return;
     }
     side = wide;
-    const ratio = devicePixelRatio || 1;
-    canvas.width = canvas.height = Math.round(side * ratio);
+    resize(canvas, side, side);
     canvas.style.width = canvas.style.height = `${side}px`;
     cell = 0;
     clamp();
