@@ -83,6 +83,38 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     return often;
   }
 
+  /** Many small squares: a pixel each, enlarged. */
+  const small = document.createElement('canvas');
+  small.width = small.height = v;
+  function drawSmall(colourOf: (i: number, j: number, when: number, n: number) => string, range: { from: number; to: number } | null, ground: string): void {
+    const counts = times();
+    const top = small.getContext('2d')!;
+    const image = top.createImageData(v, v);
+    const known = new Map<string, number>();
+    const packed = (colour: string): number => {
+      let value = known.get(colour);
+      if (value === undefined) {
+        const [r, g, blue] = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16)) as [number, number, number];
+        value = (blue << 16) | (g << 8) | r;
+        known.set(colour, value);
+      }
+      return value;
+    };
+    const pixels = new Uint32Array(image.data.buffer);
+    const dim = 56 << 24;
+    for (let i = 0; i < v; ++i) {
+      for (let j = 0; j < v; ++j) {
+        const [x, y] = [rows[j]!, rows[i]!];
+        const when = meet[x * v + y]!;
+        const inside = !range || (when >= range.from && when <= range.to);
+        pixels[i * v + j] = (packed(x === y ? ground : colourOf(i, j, when, counts[x * v + y]!)) | (inside ? 0xff << 24 : dim)) >>> 0;
+      }
+    }
+    top.putImageData(image, 0, 0);
+    pen.imageSmoothingEnabled = false;
+    pen.drawImage(small, corner.x, corner.y, room() / cell, room() / cell, margin, margin, room(), room());
+  }
+
   function draw(): void {
     if (side === 0) {
       return;
@@ -93,13 +125,18 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
     const range = chosen.range;
     const lit = chosen.elements;
     const [sunken, faint, mark, text, ground, met, leave] = ['--sunken', '--faint', '--mark', '--text', '--ground', '--met', '--leave'].map(token) as [string, string, string, string, string, string, string];
-    const gap = cell >= 5 ? 1 : 0;
+    const gap = 1;
     pen.save();
     pen.beginPath();
     pen.rect(margin, margin, room(), room());
     pen.clip();
     const last = { x: Math.min(v - 1, Math.ceil(corner.x + room() / cell)), y: Math.min(v - 1, Math.ceil(corner.y + room() / cell)) };
-    for (let i = Math.floor(corner.y); i <= last.y; ++i) {
+    const colourOf = (i: number, j: number, when: number, n: number): string =>
+      when === 0 ? leave : j > i ? (n === 1 ? sunken : n === 0 ? faint : n === 2 ? met : mark) : colours[Math.min(colours.length - 1, Math.floor(((when - 1) / b) * colours.length))]!;
+    if (cell < 5) {
+      drawSmall(colourOf, range, ground);
+    }
+    for (let i = Math.floor(corner.y); cell >= 5 && i <= last.y; ++i) {
       for (let j = Math.floor(corner.x); j <= last.x; ++j) {
         const [x, y] = [rows[j]!, rows[i]!];
         if (x === y) {
@@ -109,7 +146,7 @@ export function matrix(steps: Steps, chosen: Chosen, signal: AbortSignal, larges
         const n = counts[x * v + y]!;
         const inside = !range || (when >= range.from && when <= range.to);
         pen.globalAlpha = inside ? 1 : 0.22;
-        pen.fillStyle = when === 0 ? leave : j > i ? (n === 1 ? sunken : n === 0 ? faint : n === 2 ? met : mark) : colours[Math.min(colours.length - 1, Math.floor(((when - 1) / b) * colours.length))]!;
+        pen.fillStyle = colourOf(i, j, when, n);
         const [px, py] = [margin + (j - corner.x) * cell, margin + (i - corner.y) * cell];
         pen.fillRect(px, py, cell - gap, cell - gap);
         if (cell >= 24 && inside) {
