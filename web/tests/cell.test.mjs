@@ -23,7 +23,7 @@ test('what is known, and why', async () => {
   await page.locator('#theorem-15.chosen').waitFor();
   await page.goBack();
   await settled(page);
-  await page.getByRole('button', { name: /^BibTeX of/ }).first().click();
+  await page.getByRole('button', { name: /^Cite/ }).first().click();
   await page.locator('.bibtex pre', { hasText: '@misc{' }).waitFor();
   await page.close();
 });

@@ -47,7 +47,7 @@ test('catalog, cell, design, theorems', async () => {
   await page.locator('table.cells a', { hasText: /^20$/ }).first().click();
   await page.locator('.known').waitFor();
   await page.locator('.recipe-node').first().waitFor();
-  await page.getByRole('button', { name: /^BibTeX of/ }).first().click();
+  await page.getByRole('button', { name: /^Cite/ }).first().click();
   await page.locator('.bibtex pre', { hasText: '@misc{' }).waitFor();
   await page.getByRole('link', { name: 'Open the design' }).click();
   await page.locator('.block-text', { hasText: 'Block 1 of' }).waitFor();

@@ -88,7 +88,8 @@ test('exact, from base blocks, with locked sets', async () => {
   await page.getByRole('alert').filter({ hasText: 'first, last or expansion_set' }).waitFor();
   await page.getByLabel('In the first block').fill('0, 1');
   await begin(page, 9, 4, { change: '1' });
-  await watched(page).getByText('found with what was to be in its place').waitFor({ timeout: 60_000 });
+  await page.getByRole('heading', { name: /locked sets$/ }).waitFor();
+  await watched(page).getByText(/^Done after .*\d+ blocks/).waitFor({ timeout: 60_000 });
   await page.getByRole('combobox', { name: 'Way' }).selectOption('base-blocks');
   await begin(page, 9, 4, { change: '1', kind: 'circular' });
   await watched(page).getByText(/base blocks$/).waitFor();

@@ -42,8 +42,12 @@ export function hues(count: number, theme: 'light' | 'dark'): readonly string[] 
   return Array.from({ length: count }, (_, i) => (i < 10 ? oklch([theme === 'dark' ? 0.68 : 0.72, 0.125, 20 + i * 36 + (i % 2) * 12]) : theme === 'dark' ? '#55636e' : '#b9c2ca'));
 }
 
-/** Whether black or white is read more easily on `#rrggbb`. */
+/** Black or white, whichever is read more easily on `#rrggbb`: its contrast is 4.5 at least. */
 export function inkOn(colour: string): string {
-  const [r, g, b] = [1, 3, 5].map((i) => (parseInt(colour.slice(i, i + 2), 16) / 255) ** 2.2);
-  return 0.2126 * r! + 0.7152 * g! + 0.0722 * b! > 0.2 ? '#0b1117' : '#ffffff';
+  const [r, g, b] = [1, 3, 5].map((i) => {
+    const x = parseInt(colour.slice(i, i + 2), 16) / 255;
+    return x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
+  });
+  const light = 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
+  return (light + 0.05) ** 2 > 1.05 * 0.05 ? '#000000' : '#ffffff';
 }

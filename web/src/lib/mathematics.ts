@@ -58,5 +58,5 @@ export function displayed(lines: readonly string[]): HTMLElement {
     const [left, condition] = line.includes('*') ? line.split('*', 2) : [line, undefined];
     return condition === undefined ? texOf(left!.trim()) : `${texOf(left!.trim())} & ${texOf(condition.trim())}`;
   });
-  return set(place, rows.length === 1 ? rows[0]! : `\\begin{array}{ll}${rows.join(' \\\\ ')}\\end{array}`, true);
+  return set(place, rows.length === 1 && !rows[0]!.includes(' & ') ? rows[0]! : `\\begin{array}{ll}${rows.join(' \\\\ ')}\\end{array}`, true);
 }

@@ -224,7 +224,7 @@ export const catalog: Page = {
         choice('Numbers', 'number', 'b', writtens),
         field('k, block size', kRange),
         field('v, elements', vRange),
-        h('div', { class: 'zooms', role: 'group', 'aria-label': 'Zoom' }, button('−', 'Zoom out', () => map.zoom(1 / 1.6)), button('+', 'Zoom in', () => map.zoom(1.6)), button('All', 'Show everything', () => map.fit())),
+        h('div', { class: 'zooms', role: 'group', 'aria-label': 'Zoom' }, button('−', 'Zoom out', () => map.zoom(1 / 1.6)), button('+', 'Zoom in', () => map.zoom(1.6)), button('All', 'All cells', () => map.fit())),
       ),
       said,
       h('div', { class: 'map-and-readout' }, h('div', { class: 'map-place' }, map.element, h('div', { class: 'map-foot' }, legend, h('p', { class: 'hint' }, 'Ctrl + wheel or two fingers zoom, dragging pans.'))), readout),

@@ -68,6 +68,8 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   const scale = { x: 8, y: 14 };
   const corner = { x: 0, y: 0 };
   let wanted: Partial<Window> | null = null;
+  /** A window that was asked for and is smaller than what is in sight: the rest is faint. */
+  let limit: Window | null = null;
   let chosen: { v: number; k: number } | null = null;
   let pointed: { v: number; k: number } | null = null;
   let frame = 0;
@@ -124,7 +126,8 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
           continue;
         }
         const colour = paint.of(cell);
-        const passing = passes(cell);
+        const outside = limit !== null && (cell.v < limit.v.from || cell.v > limit.v.to || cell.k < limit.k.from || cell.k > limit.k.to);
+        const passing = !outside && passes(cell);
         pen.globalAlpha = passing ? 1 : 0.12;
         pen.fillStyle = colour;
         const [at, down] = [left(x), top(y)];
@@ -205,6 +208,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
   }
 
   function zoomAt(factor: number, x: number, y: number): void {
+    limit = null;
     const [cx, cy] = [corner.x + (x - margin.left) / scale.x, corner.y + (y - margin.top) / scale.y];
     scale.x *= factor;
     // Rows are high enough sooner than columns are wide.
@@ -225,7 +229,9 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       from: Math.min(most, from + Math.floor(at + 0.001)),
       to: Math.min(most, from + Math.ceil(at + space / per - 0.001) - 1),
     });
-    return { v: to(atlas.v.from, corner.x, room().x, scale.x, atlas.v.to), k: to(atlas.k.from, corner.y, room().y, scale.y, atlas.k.to) };
+    const all = { v: to(atlas.v.from, corner.x, room().x, scale.x, atlas.v.to), k: to(atlas.k.from, corner.y, room().y, scale.y, atlas.k.to) };
+    const within = (a: { from: number; to: number }, b: { from: number; to: number }) => ({ from: Math.max(a.from, b.from), to: Math.min(a.to, b.to) });
+    return limit ? { v: within(all.v, limit.v), k: within(all.k, limit.k) } : all;
   }
 
   function lookAt({ k, v }: Partial<Window>): void {
@@ -234,6 +240,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       return;
     }
     const [kk, vv] = [k ?? atlas.k, v ?? atlas.v];
+    limit = k || v ? { k: kk, v: vv } : null;
     scale.x = room().x / (Math.min(vv.to, atlas.v.to) - Math.max(vv.from, atlas.v.from) + 1);
     scale.y = room().y / (Math.min(kk.to, atlas.k.to) - Math.max(kk.from, atlas.k.from) + 1);
     corner.x = Math.max(vv.from, atlas.v.from) - atlas.v.from;
@@ -246,6 +253,9 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     chosen = { v: cell.v, k: cell.k };
     if (into && atlas) {
       // Into sight.
+      if (limit && (cell.v < limit.v.from || cell.v > limit.v.to || cell.k < limit.k.from || cell.k > limit.k.to)) {
+        limit = null;
+      }
       const [x, y] = [cell.v - atlas.v.from, cell.k - atlas.k.from];
       corner.x = Math.min(x, Math.max(corner.x, x + 1 - room().x / scale.x));
       corner.y = Math.min(y, Math.max(corner.y, y + 1 - room().y / scale.y));
@@ -291,6 +301,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
       const [dx, dy] = [event.clientX - before.x, event.clientY - before.y];
       dragged += Math.abs(dx) + Math.abs(dy);
       if (dragged > 4) {
+        limit = null;
         corner.x -= dx / scale.x;
         corner.y -= dy / scale.y;
         clamp();
@@ -329,6 +340,7 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
         zoomAt(Math.exp(-event.deltaY * 0.0022 * (event.deltaMode === 1 ? 20 : 1)), event.clientX - box.left, event.clientY - box.top);
       } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
         event.preventDefault();
+        limit = null;
         corner.x += (event.deltaX || event.deltaY) / scale.x;
         clamp();
         later();
@@ -408,7 +420,8 @@ export function atlasMap(signal: AbortSignal, listener: Listener): AtlasMap {
     height = high;
     resize(canvas, width, height);
     if (atlas) {
-      lookAt(wanted ?? before ?? {});
+      const whole = before && before.v.to - before.v.from + 1 === atlas.columns && before.k.to - before.k.from + 1 === atlas.rows;
+      lookAt(wanted ?? (whole ? {} : before) ?? {});
       wanted = null;
     }
     draw();

@@ -89,7 +89,7 @@ export function cellTable(view: View): CellTable {
 
   const table = h('table', { class: 'cells' }, h('caption', { class: 'unseen' }, 'The cells that the map shows and the filters leave'), h('thead', {}, h('tr', {}, heads, h('th', { scope: 'col' }, 'label'))), list.body);
   return {
-    element: h('section', { 'aria-label': 'Table of cells' }, scroll('Table of cells', table), list.more),
+    element: h('div', {}, scroll('Table of cells', table), list.more),
     show(cells, withGroups) {
       all = cells;
       table.classList.toggle('with-groups', withGroups);

@@ -12,7 +12,7 @@ import { link, problem } from '../../shell/router';
 function origin(entry: CatalogEntry, best: boolean, signal: AbortSignal): HTMLElement {
   const { who, date, program, command } = entry.credit;
   const shown = h('div', { class: 'bibtex', role: 'status' });
-  const button = h('button', { type: 'button', class: 'plain small', 'aria-label': `BibTeX of ${entry.label}`, 'aria-expanded': 'false', onclick: () => void show() }, 'Cite');
+  const button = h('button', { type: 'button', class: 'plain small', 'aria-label': `Cite ${entry.label}`, 'aria-expanded': 'false', onclick: () => void show() }, 'Cite');
   async function show(): Promise<void> {
     if (shown.childElementCount > 0) {
       fill(shown);
