@@ -1,11 +1,15 @@
 #include "serve/explorer_server.hpp"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <thread>
 #include <utility>
 
+#include "answer/known/known_table.hpp"
+#include "changeover/run/control.hpp"
+#include "serve/api/atlas.hpp"
 #include "serve/api/routes.hpp"
 #include "serve/jobs/search_jobs.hpp"
 
@@ -35,6 +39,25 @@ std::vector<std::string> names_of(const std::string& host, std::uint16_t port) {
   return names;
 }
 
+// What the map of the catalog shows is made while nothing is asked, so that the first who asks does not wait for it. It gives way to
+// all that answers.
+void prepare_tables(Explorer& explorer) {
+  constexpr int gives_way = 10;
+  static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), gives_way));
+  RunControl::Settings settings;
+  settings.memory_bytes = explorer.limits.memory_bytes;
+  settings.interrupted = &explorer.stopping;
+  RunControl control(std::move(settings));
+  const RunScope scope(control);
+  try {
+    for (const std::uint64_t change : {2, 1, 3}) {
+      static_cast<void>(explorer.tables.of(atlas_range(change, 2), explorer.generation()));
+    }
+  } catch (const std::exception&) {
+    // A request for it says what is wrong.
+  }
+}
+
 }  // namespace
 
 struct ExplorerServer::State {
@@ -44,6 +67,7 @@ struct ExplorerServer::State {
   Explorer explorer;
   std::shared_ptr<const Guard> guard = {};
   std::unique_ptr<Server> server = {};
+  std::jthread preparing = {};
   bool stopped = false;
 
   State(const std::string& address, std::uint16_t port, const std::string& assets, Catalog& catalog)
@@ -81,9 +105,13 @@ ExplorerServer::ExplorerServer(ExplorerSettings settings, Catalog& catalog)
   served.log = std::move(settings.log);
   served.complain = std::move(settings.complain);
   state_->server = std::make_unique<Server>(std::move(served));
+  if (settings.prepare) {
+    state_->preparing = std::jthread([&explorer] { prepare_tables(explorer); });
+  }
 }
 
 ExplorerServer::~ExplorerServer() {
+  state_->explorer.stopping = true;
   if (!state_->stopped) {
     static_cast<void>(stop(std::chrono::hours(1)));
   }

@@ -21,9 +21,10 @@ namespace changeover::serve {
 
 struct ExplorerSettings {
   std::string host = "127.0.0.1";
-  std::uint16_t port = 0;   ///< 0: any that is free
-  unsigned threads = 0;     ///< that answer; 0: as many as the machine has, 2 to 16
-  bool may_write = true;    ///< searches, and what they find into the user's catalog
+  std::uint16_t port = 0;  ///< 0: any that is free
+  unsigned threads = 0;    ///< that answer; 0: as many as the machine has, 2 to 16
+  bool may_write = true;   ///< searches, and what they find into the user's catalog
+  bool prepare = false;  ///< the tables of the catalog's map are made before anything asks for them
   std::string assets = {};  ///< a folder of pages instead of those in the program
   Limits limits = {};       ///< memory 0: an eighth of the machine's, 256 MB to 2 GB
   Deadlines::Settings deadlines = {};

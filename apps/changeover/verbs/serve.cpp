@@ -143,6 +143,7 @@ Answer run(const ServeRequest& request) {
   settings.port = static_cast<std::uint16_t>(request.port.value_or(0));
   settings.threads = static_cast<unsigned>(request.threads.value_or(0));
   settings.may_write = !request.no_write;
+  settings.prepare = true;
   settings.assets = request.assets;
   settings.files = read_files(request.files);
   settings.complain = [](const std::string& line) {

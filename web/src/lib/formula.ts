@@ -89,7 +89,7 @@ function tokenAt(text: string, at: number, sure: boolean): Token | null {
       return null;
     }
     const behind = rest.slice(run.length);
-    const named = plain.length === 1 && /^ [=∖∪∩⊂∈] /.test(behind);
+    const named = plain.length === 1 && /^(?:[_^]| [=∖∪∩⊂∈] )/.test(behind);
     if (!sure && !named && (words.has(plain) || (product.length === 2 && !bound && !/[A-Z]/.test(plain) && !/^[_(+−·*/)]/.test(behind)))) {
       return null;
     }

@@ -6,6 +6,7 @@ import { readRange } from '../lib/range';
 import { addGroups, atlasOf, completeness } from '../lib/source';
 import { changes, changeWord, kinds, number, ratio } from '../lib/words';
 import { badge } from '../parts/status';
+import { isCopy } from '../shell/about';
 import { link, problem, type Page, type View } from '../shell/router';
 import { atlasMap, type Written } from './catalog/atlas_map';
 import { cellTable } from './catalog/cells';
@@ -237,7 +238,7 @@ export const catalog: Page = {
     await redraw();
     // The other selections are fetched while nothing else happens, so that choosing one takes no time.
     const idle = window.setTimeout(() => {
-      for (const change of [1, 2, 3]) {
+      for (const change of isCopy() ? [] : [1, 2, 3]) {
         for (const kind of ['circular', 'linear'] as const) {
           atlasOf({ change, kind, strength: 2 }).catch(() => undefined);
         }

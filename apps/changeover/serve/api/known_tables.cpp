@@ -16,7 +16,7 @@ KnownTables::Place KnownTables::find(const std::string& key) {
 
 std::shared_ptr<const cli::KnownTable> KnownTables::of(const cli::TableRange& range,
                                                        const std::string& generation) {
-  constexpr std::size_t most_tables = 4;
+  constexpr std::size_t most_tables = 8;
   constexpr auto between_looks = std::chrono::milliseconds(50);
   const std::string key = fmt::format("{} {} {} {} {} {}", range.k.from, range.k.to, range.v.from,
                                       range.v.to, range.change, generation);
