@@ -50,7 +50,7 @@ void prepare_tables(Explorer& explorer) {
   RunControl control(std::move(settings));
   const RunScope scope(control);
   try {
-    for (const std::uint64_t change : {2, 1, 3}) {
+    for (const std::uint64_t change : {2U, 1U, 3U}) {
       static_cast<void>(explorer.tables.of(atlas_range(change, 2), explorer.generation()));
     }
   } catch (const std::exception&) {
