@@ -126,6 +126,7 @@ export interface Documents {
   benches: Benches;
   design: Design;
   diagnosis: Diagnosis;
+  dossier: Dossier;
   job: Job;
   'load-request': LoadRequest;
   loads: Loads;
@@ -234,6 +235,68 @@ export interface Diagnosis {
     if_it_passes: string[][];
   }[];
   most_cost: number;
+}
+export interface Dossier {
+  format: 'changeover-dossier/1';
+  v: number;
+  k: number;
+  change: number;
+  kind: Kind;
+  strength: number;
+  b: number;
+  /** A sentence: what there is. */
+  statement: string;
+  /** Tight, economical, minimum, and by which bound. */
+  quality: string;
+  /** How the program verified it. */
+  verified: string;
+  status: 'minimum' | 'best-known';
+  /** In the catalog; null if it is not there. */
+  label: string | null;
+  credit: string | null;
+  /** SHA-256 of the blocks: one block per line, elements separated by a blank. */
+  hash: string;
+  /**
+   * Every lower bound, the largest first.
+   *
+   * @minItems 1
+   */
+  bounds: [{lower_bound: number; name: string; reason: string}, ...{lower_bound: number; name: string; reason: string}[]];
+  /** A publication that reports fewer blocks. */
+  reported: {blocks: number; cites: string} | null;
+  /**
+   * The constructions of the recipe, the outermost first.
+   *
+   * @minItems 1
+   */
+  steps: [
+    {
+      /** How many constructions it stands within. */
+      depth: number;
+      design: string;
+      how: string;
+      citation: string;
+    },
+    ...{
+      /** How many constructions it stands within. */
+      depth: number;
+      design: string;
+      how: string;
+      citation: string;
+    }[]
+  ];
+  recipe: Recipe;
+  /** Null where there are more than 600, or more than 6,000 elements in all of them. */
+  blocks: number[][] | null;
+  /**
+   * Commands that write the design and check it, and the proof that there is none with fewer blocks.
+   *
+   * @minItems 2
+   */
+  check: [string, string, ...string[]];
+  /** Keys of docs/references.bib. */
+  cites: string[];
+  bibtex: string;
 }
 /** The first line: the schedule as a whole. */
 export interface Head {
@@ -418,6 +481,8 @@ export interface About {
   write: boolean;
   files: {index: number; name: string}[];
   static: boolean;
+  /** Of files for any web server: the cells that they have. */
+  range?: {k_from: number; k_to: number; v_from: number; v_to: number; changes: number[]};
   limits?: {body_bytes: number; seconds: number; memory: number; searches: number};
 }
 export interface TableCell {
@@ -473,7 +538,7 @@ export interface CellDetail {
   bounds: Bound[];
   best: {b: number; label: string | null; status: Status; construction: string; recipe: Recipe} | null;
   designs: CatalogEntry[];
-  offers: {construction: string; b: number; recipe: Recipe}[];
+  offers: {construction: string; b: number; recipe?: Recipe}[];
   history: {date: string; b: number; label: string; credit: string; how: string}[];
   classified: Classified | null;
   impossible: string | null;

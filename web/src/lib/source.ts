@@ -1,5 +1,5 @@
 // One way to ask for what a page shows: of the server, or of the files of a static export (docs/explorer.md has the rule).
-import { dataFolder, isCopy } from '../shell/about';
+import { about, dataFolder, isCopy } from '../shell/about';
 import type { Theme } from '../shell/theme';
 import { address, ApiError, askFile, get, getFile, getText, postText, type Cell, type CellDetail, type AtlasDocument, type Completeness, type Construction, type Design, type Explanation, type GroupsDocument, type Kind, type Selector, type Theorem } from './api';
 import { Atlas, type Selection } from './atlas';
@@ -161,6 +161,12 @@ async function shelved(label: string): Promise<Design> {
     throw new ApiError(notCopied, 404);
   }
   return found;
+}
+
+/** Whether a static copy has a cell; a server has all. */
+export async function isHeld(cell: Cell): Promise<boolean> {
+  const { range } = isCopy() ? await about() : { range: undefined };
+  return !range || (range.changes.includes(cell.change) && cell.k >= range.k_from && cell.k <= range.k_to && cell.v >= range.v_from && cell.v <= range.v_to);
 }
 
 /** The tree of constructions of a cell's best design, or of a labelled one; null where nothing is known of how it was made. */

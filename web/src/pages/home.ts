@@ -1,6 +1,6 @@
 // The start page: three doors, one for each kind of question.
 import { fill, h, svg, type Child } from '../lib/dom';
-import { atlasOf } from '../lib/source';
+import { atlasOf, isHeld } from '../lib/source';
 import { number } from '../lib/words';
 import { about, isCopy } from '../shell/about';
 import { link, type Page, type View } from '../shell/router';
@@ -55,6 +55,9 @@ function memoryPicture(): SVGElement {
 function mapPicture(view: View): HTMLElement {
   const canvas = h('canvas', { width: 157 * 3, height: 38 * 5, role: 'img', 'aria-label': 'Map of the catalog: dark cells are proved minima' });
   const draw = async (): Promise<void> => {
+    if (!(await isHeld({ v: 20, k: 5, change: 2, kind: 'circular' }))) {
+      return;
+    }
     const atlas = await atlasOf({ change: 2, kind: 'circular', strength: 2 });
     const pen = canvas.getContext('2d');
     if (!pen || view.signal.aborted) {

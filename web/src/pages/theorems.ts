@@ -3,7 +3,7 @@ import type { Cell, Construction, Theorem } from '../lib/api';
 import { cited } from '../lib/citations';
 import { fill, h, type Child } from '../lib/dom';
 import { line, markup } from '../lib/markup';
-import { constructions, designOf, theorems as ask } from '../lib/source';
+import { constructions, designOf, isHeld, theorems as ask } from '../lib/source';
 import { symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { count } from '../lib/words';
@@ -48,6 +48,9 @@ class Gallery {
   private async show(place: Element): Promise<void> {
     try {
       const cell = this.cells.get(place)!;
+      if (!(await isHeld(cell))) {
+        return;
+      }
       const design = await designOf(cell, this.signal);
       const symmetry = symmetryOf(design);
       const turned = symmetry.rotations > 2 && symmetry.shift <= 6 && design.v <= 80;

@@ -53,14 +53,17 @@ std::string static_index(std::string page, const std::string& address) {
   return page;
 }
 
-std::string config_json(const Catalog& catalog) {
+std::string config_json(const Catalog& catalog, const SiteRange& range) {
   const Catalog::Size size = catalog.size();
   JsonWriter json;
   json.begin_object().key("version").value(version);
   json.key("catalog").begin_object().key("designs").value(size.designs);
   json.key("cells").value(size.cells).key("version").value(size.latest).end_object();
   json.key("write").value(false).key("files").begin_array().end_array();
-  json.key("static").value(true).end_object();
+  json.key("static").value(true);
+  json.key("range").begin_object().key("k_from").value(range.k.from).key("k_to").value(range.k.to);
+  json.key("v_from").value(range.v.from).key("v_to").value(range.v.to);
+  json.key("changes").value(range.changes).end_object().end_object();
   return json.take() + "\n";
 }
 
@@ -101,9 +104,8 @@ class Site {
       return cli::Range{std::max(a.from, b.from), std::min(a.to, b.to)};
     };
     const cli::TableRange all = atlas_range(change, strength);
-    const cli::TableRange range{.k = common(all.k, range_.k),
-                                .v = common(all.v, range_.v),
-                                .change = change};
+    const cli::TableRange range{
+        .k = common(all.k, range_.k), .v = common(all.v, range_.v), .change = change};
     if (range.k.from > range.k.to || range.v.from > range.v.to) {
       return;
     }
@@ -244,7 +246,7 @@ SiteSummary export_site(const std::string& folder, const SiteRange& range,
     }
   }
   workshop.write("index.html", static_index(*index->body, address));
-  workshop.write("data/config.json", config_json(catalog));
+  workshop.write("data/config.json", config_json(catalog, range));
   workshop.write("data/constructions.json", constructions_json());
   workshop.write("data/theorems.json", theorems_json());
   workshop.write("data/completeness.json",
