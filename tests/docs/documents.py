@@ -328,7 +328,10 @@ def unpack(shelf):
             return found
 
         if way == "blocks":
-            design["blocks"] = [numbers(k) for _ in range(steps + 1)]
+            design["blocks"], last = [], [0] * k
+            for _ in range(steps + 1):
+                last = [(x + d) % v for x, d in zip(last, numbers(k))]
+                design["blocks"].append(last)
         else:
             memory = numbers(k)
             columns = [(numbers(steps), numbers(steps)) for _ in range(m)]

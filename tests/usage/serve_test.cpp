@@ -79,7 +79,7 @@ TEST(Serve, ExportsWhatItWouldAnswer) {
               std::string::npos);
     EXPECT_NE(unpacked("groups/" + name + ".json.gz").find("\"order\":["), std::string::npos);
     EXPECT_TRUE(unpacked("cell/" + name + ".4.json.gz").starts_with("{\"4\":{"));
-    EXPECT_TRUE(unpacked("design/" + name + ".4.gz").starts_with("[{\"label\":\"4.4.2."));
+    EXPECT_TRUE(unpacked("design/" + name + ".4.gz").starts_with("[{\"label\":\""));
   }
   // Without an address nothing names whole addresses.
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "site" / "sitemap.xml"));

@@ -44,7 +44,8 @@ export class PackedShelf {
     const row = (length: number): number[] => Array.from({ length }, next);
     const b = head.verdict!.b;
     if (way === 'blocks') {
-      return { ...head, blocks: Array.from({ length: b }, () => row(k)) };
+      let last = new Array<number>(k).fill(0);
+      return { ...head, blocks: Array.from({ length: b }, () => (last = row(k).map((step, j) => (last[j]! + step) % v))) };
     }
     const memory = row(k);
     const columns = Array.from({ length: m }, () => ({ places: row(b - 1), elements: row(b - 1) }));

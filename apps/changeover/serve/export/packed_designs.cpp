@@ -76,9 +76,15 @@ std::optional<std::string> by_steps(const Design& design) {
 }
 
 std::string by_blocks(const Design& design) {
-  Bytes all(design.parameters().v);
-  for (const Element x : design.elements()) {
-    all.add(x);
+  const Parameters& p = design.parameters();
+  Bytes all(p.v);
+  std::vector<std::uint64_t> before(static_cast<std::size_t>(p.k), 0);
+  for (std::size_t i = 0; i < design.block_count(); ++i) {
+    const auto block = design.block(i);
+    for (std::size_t j = 0; j < block.size(); ++j) {
+      all.add((block[j] + p.v - before[j]) % p.v);
+      before[j] = block[j];
+    }
   }
   return all.take();
 }
