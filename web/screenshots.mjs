@@ -9,7 +9,9 @@ if (!folder) {
   process.exit(2);
 }
 const pictures = [
-  ['home', 'light', '#/home'],
+  ['home', 'light', '#/home', async (page) => {
+    await page.locator('canvas.drawn').waitFor({ timeout: 60_000 });
+  }],
   ['catalog', 'light', '#/catalog?change=2&kind=circular'],
   ['catalog', 'dark', '#/catalog?change=1&kind=linear&k=3..16&v=8..40&at=26.6'],
   ['cell', 'light', '#/cell?v=40&k=6&change=2&kind=circular'],
@@ -26,7 +28,10 @@ const pictures = [
     await page.getByText('Try an example').click();
     await page.getByText('What if').waitFor({ timeout: 60_000 });
   }],
-  ['loadorder', 'dark', '#/loadorder?items=64&room=16&workers=4'],
+  ['loadorder', 'dark', '#/loadorder?items=64&room=16&workers=4', async (page) => {
+    await page.setViewportSize({ width: 1280, height: 1400 });
+    await page.locator('.timeline-canvas').waitFor({ timeout: 60_000 });
+  }],
   ['search', 'light', '#/search?v=40&k=6&change=2&kind=circular', async (page) => {
     await page.getByRole('button', { name: 'Start' }).click();
     await page.waitForTimeout(8000);

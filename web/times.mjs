@@ -5,7 +5,7 @@
 import { start } from './tests/support/browser.mjs';
 
 const pages = [
-  ['Start', '#/home', '.door-picture canvas'],
+  ['Start', '#/home', '.door-picture canvas.drawn'],
   ['Catalog', '#/catalog', 'table.cells tbody tr'],
   ['Cell', '#/cell?v=40&k=6&change=2&kind=circular', '.recipe-node'],
   ['Design', '#/design?v=40&k=6&change=2&kind=circular', '.block-text'],
@@ -44,8 +44,8 @@ for (const [change, kind] of [['1', 'circular'], ['3', 'circular'], ['3', 'linea
   const began = Date.now();
   await page.getByLabel('Change number').selectOption(change);
   await page.getByLabel('Kind').selectOption(kind);
-  await page.locator('table.cells a').first().waitFor();
-  await page.waitForFunction(([m, k]) => document.querySelector('table.cells a')?.getAttribute('href')?.includes(`change=${m}&kind=${k}`), [change, kind]);
+  await page.locator('table.cells a').first().waitFor({ timeout: 120_000 });
+  await page.waitForFunction(([m, k]) => document.querySelector('table.cells a')?.getAttribute('href')?.includes(`change=${m}&kind=${k}`), [change, kind], { timeout: 120_000 });
   console.log(`selection m = ${change}, ${kind}: ${Date.now() - began}`);
 }
 await page.close();

@@ -71,6 +71,7 @@ function mapPicture(view: View): HTMLElement {
         pen.fillRect((cell.v - atlas.v.from) * 3, (cell.k - atlas.k.from) * 5, 3, 5);
       }
     }
+    canvas.classList.add('drawn');
   };
   const again = (): void => void draw().catch(() => undefined);
   document.addEventListener('themechange', again, { signal: view.signal });
