@@ -263,7 +263,7 @@ def check_designs(server, count):
         fault(f"a design with names is against its schema: {problem}")
 
 
-def check_dossiers():
+def check_dossiers(server):
     """A dossier is what its schema says, and what it tells to run does what it says."""
     cells = [("8", "5", "--circular"), ("9", "5", "--linear"), ("253", "13"), ("26.4.2.circular.65",), ("26", "6", "--change", "1", "--linear")]
     seen = set()
@@ -272,6 +272,10 @@ def check_dossiers():
         problem = fits("changeover-dossier-1", answer)
         if problem:
             fault(f"a dossier is against its schema ({problem}): {cell}")
+        query = f"v={answer['v']}&k={answer['k']}&change={answer['change']}&kind={answer['kind']}"
+        for format in ("json", "latex", "markdown", "html"):
+            if server.text(f"{server.address}api/dossier?{query}&format={format}") != run("dossier", *cell, "--format", format).stdout:
+                fault(f"the server writes another dossier: {cell} {format}")
         seen |= {key for key in ("label", "reported", "blocks") if answer[key] is not None}
         seen.add(f"{len(answer['check'])} commands")
         with tempfile.TemporaryDirectory() as folder:
@@ -471,5 +475,5 @@ with tempfile.TemporaryDirectory() as folder, Server(f"{folder}/own.db") as one:
     check_plans(one, 150)
     check_loads(one, 150)
     check_designs(one, 60)
-    check_dossiers()
+    check_dossiers(one)
 sys.exit(1 if faults else 0)

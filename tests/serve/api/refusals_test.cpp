@@ -57,6 +57,8 @@ TEST_F(Refusals, QuestionsThatCannotBe) {
       {"/api/design?job=1", 404, "there is no search 1"},
       {"/api/design?v=4&k=2", 404, "exists"},
       {"/api/design?v=3001&k=3&kind=circular", 413, "changeover design"},
+      {"/api/dossier?v=8&k=5&format=exe", 400, "write html, json"},
+      {"/api/dossier?v=4&k=2&format=html", 404, "no circular DCCD(4,2) exists"},
       {"/api/download?v=8&k=5&format=exe", 400, "write text, json"},
       {"/api/draw?v=8&k=5&picture=cat", 400, "array"},
       {"/api/draw?v=8&k=5&from=900", 400, "from 900: there are fewer blocks"},

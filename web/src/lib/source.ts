@@ -218,6 +218,11 @@ export function downloadAddress(asked: Selector, format: string): string {
   return address('download', { ...(isCell(asked) ? parameters(asked) : asked), format });
 }
 
+/** One design for a paper: html, latex or markdown. */
+export function dossierAddress(cell: Cell, format: string): string {
+  return address('dossier', { ...parameters(cell), format });
+}
+
 /** `20.5.2.linear…` to its cell; null if it begins otherwise. */
 export function cellOfLabel(label: string): Cell | null {
   const found = /^(\d+)\.(\d+)\.(\d+)\.(circular|linear)(?:\.t(\d+))?(?=\.|$)/.exec(label);

@@ -3,7 +3,7 @@ import type { Cell, CellDetail, Design } from '../lib/api';
 import { work } from '../lib/citations';
 import { fill, h, scroll, type Child } from '../lib/dom';
 import { formula } from '../lib/mathematics';
-import { cellDetail, designOf, explain } from '../lib/source';
+import { cellDetail, designOf, explain, dossierAddress } from '../lib/source';
 import { mostLooked, symmetryOf } from '../lib/symmetry';
 import { waiting } from '../lib/wait';
 import { changeWord, count, nameOf, number, ratio } from '../lib/words';
@@ -207,7 +207,7 @@ export const cell: Page = {
       offers(detail),
       detail.best && [h('h2', {}, 'Download the best design'), files],
       !frozen && h('p', { class: 'hint' }, 'On the command line: ', h('code', {}, command(wanted)), ' ', copyButton('Copy', () => command(wanted))),
-      !frozen && detail.best && h('p', { class: 'hint' }, 'For a paper: ', h('code', {}, dossier(wanted)), ' ', copyButton('Copy', () => dossier(wanted))),
+      !frozen && detail.best && forAPaper(wanted),
     );
     neighbourhood(wanted, view.signal).then((map) => map && fill(around, h('h2', {}, 'Around this cell'), map), () => undefined);
     if (!detail.best) {
@@ -242,6 +242,7 @@ function command(cell: Cell): string {
   return `changeover explain ${cell.v} ${cell.k} --change ${cell.change} --${cell.kind}${(cell.strength ?? 2) > 2 ? ` --strength ${cell.strength}` : ''}`;
 }
 
-function dossier(cell: Cell): string {
-  return `changeover dossier ${cell.v} ${cell.k} --change ${cell.change} --${cell.kind} --format latex`;
+function forAPaper(cell: Cell): HTMLElement {
+  const link = (format: string, words: string): HTMLElement => h('a', { href: dossierAddress(cell, format), target: '_blank', rel: 'noopener' }, words);
+  return h('p', { class: 'hint' }, 'For a paper, bounds, construction, blocks, how to check and what to cite: ', link('html', 'a page'), ', ', link('latex', 'LaTeX'), ', ', link('markdown', 'Markdown'));
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "answer/catalog/entry_words.hpp"
+#include "answer/dossier/dossier.hpp"
 #include "changeover/catalog/entry.hpp"
 #include "core/printable.hpp"
 #include "serve/api/query.hpp"
@@ -50,6 +51,33 @@ Response download(Explorer& explorer, const Request& request) {
   return response;
 }
 
+// One design for a paper. Files and searches have no dossier: what is said rests on the catalog and on constructions.
+Response dossier(Explorer& explorer, const Request& request) {
+  static const std::map<std::string, std::string> types{
+      {"html", "text/html; charset=utf-8"},
+      {"json", "application/json; charset=utf-8"},
+      {"latex", "application/x-tex; charset=utf-8"},
+      {"markdown", "text/markdown; charset=utf-8"}};
+  const std::string format = word_of(request, "format", {"html", "json", "latex", "markdown"});
+  Selection selection = selected(explorer, request);
+  const Parameters p = selection.chosen.source->parameters();
+  const std::uint64_t b = selection.chosen.offer.b;
+  const auto entry =
+      selection.label.empty() ? std::nullopt : explorer.catalog.find(selection.label);
+  const cli::Dossier made = cli::dossier_of(entry ? cli::built(*entry) : selection.chosen, entry);
+  Response response = text_response(format == "html"    ? cli::dossier_html(made)
+                                    : format == "json"  ? cli::dossier_json(made) + "\n"
+                                    : format == "latex" ? cli::dossier_latex(made)
+                                                        : cli::dossier_markdown(made),
+                                    types.at(format));
+  if (format == "latex" || format == "markdown") {
+    response.headers.emplace_back("Content-Disposition",
+                                  fmt::format("attachment; filename=\"dossier.{}.{}.{}\"",
+                                              cell_label(p), b, format == "latex" ? "tex" : "md"));
+  }
+  return response;
+}
+
 Response cite(const Explorer& explorer, const Request& request) {
   constexpr const char* text = "text/plain; charset=utf-8";
   const auto label = request.parameter("label");
@@ -89,6 +117,8 @@ void add_designs(Router& router, Explorer& explorer) {
   with_format.emplace_back("format");
   add("api/download", with_format,
       [&explorer](const Request& request) { return download(explorer, request); });
+  add("api/dossier", {"v", "k", "change", "kind", "strength", "label", "format"},
+      [&explorer](const Request& request) { return dossier(explorer, request); });
   Route cites = question(explorer, "api/cite", {"label"}, Again::while_unchanged,
                          [&explorer](const Request& request) { return cite(explorer, request); });
   cites.lane = [](const Request& request) {
