@@ -289,3 +289,11 @@ test('a repair is shown as what stays, goes and comes', async () => {
   const signs = compared([[1, 2], [3, 4], [5, 6]], [[2, 1], [3, 5], [5, 6], [6, 7]]).map(({ sign, block }) => `${sign}${block}`);
   assert.deepEqual(signs, ['2,1', '−3,4', '+3,5', '5,6', '+6,7']);
 });
+
+test('the glossary of the pages is that of docs/glossary.md', async () => {
+  const { glossary } = await load('lib/terms.ts');
+  const page = readFileSync(join(dirname(fileURLToPath(import.meta.url)), '../../docs/glossary.md'), 'utf8');
+  const rows = page.split('\n').filter((line) => line.startsWith('| ') && line !== '| term | meaning |');
+  assert.deepEqual(rows, glossary.map(([term, meaning]) => `| ${term} | ${meaning} |`));
+  assert.ok(glossary.length > 20);
+});
