@@ -48,8 +48,8 @@ struct Program {
     return true;
   }
 
-  /// Whether `left` elements can have the values low + j, …, low + m with Σ i_x = sum and Σ r_x ≤ r, where
-  /// counts[0], …, counts[j−1] elements have the lower values.
+  /// Whether `left` elements can have the values low + j, …, low + m with Σ i_x = sum and Σ
+  /// r_x ≤ r, where counts[0], …, counts[j−1] elements have the lower values.
   [[nodiscard]] bool possible(Number low, Number j, Number left, Number sum, Number r,
                               Counts& counts) const {
     const Number i = low + j;

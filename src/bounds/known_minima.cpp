@@ -1,7 +1,8 @@
 // Numbers of blocks below which SAT found no design, where no bound above reaches them.
 //
-// Every smaller number from the bound on paper up was excluded by SAT, and each DRAT proof was checked: see
-// docs/trust.md. docs/minima.md says how large the proofs are and whether a design meets the bound.
+// Every smaller number from the bound on paper up was excluded by SAT, and each DRAT proof was
+// checked: see docs/trust.md. docs/minima.md says how large the proofs are and whether a design
+// meets the bound.
 #include "bounds/known_minima.hpp"
 
 #include <algorithm>

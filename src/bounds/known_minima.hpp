@@ -1,4 +1,4 @@
-// What checked proofs excluded and no formula here does.
+// Bounds from checked proofs that exceed every formula here.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace changeover {
 
-/// The number of blocks below which there is no design with exactly these parameters, if it is in the table.
-/// Most of these are the minimum.
+/// The number of blocks below which there is no design with exactly these parameters, if it is in
+/// the table. Most of these are the minimum.
 [[nodiscard]] std::optional<std::uint64_t> excluded_below(const Parameters& p);
 
 }  // namespace changeover

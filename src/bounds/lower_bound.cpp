@@ -63,8 +63,8 @@ struct CircularMinimum {
 };
 
 // The least number of blocks that counting allows, over the number f of elements in every block.
-// `forced` adds the excess that degrees force at the v − f other elements; each of the f fixed elements
-// meets m elements newly in each block, m·b = v − f + e_x in all.
+// `forced` adds the excess that degrees force at the v − f other elements; each of the f fixed
+// elements meets m elements newly in each block, m·b = v − f + e_x in all.
 CircularMinimum circular_minimum(const Parameters& p, const ForcedExcess* forced) {
   // C(v−f,2) / p(k−f,m) grows with f from here on: cross-multiply two neighbours.
   const std::uint64_t growing = 2 * p.k > p.v + p.change + 1 ? 2 * p.k - p.v - p.change - 1 : 0;
@@ -103,8 +103,8 @@ void circular_bounds(const Parameters& p, std::vector<Bound>& bounds) {
   const std::uint64_t most = newly_covered_at_most(p);
   const std::uint64_t all = binomial(p.v, p.strength);
   if (p.strength != 2) {
-    // A t-subset that is in every block is never newly covered: only the pairs' proviso is worked out,
-    // so for t > 2 the first block is granted all its subsets, as in a linear design.
+    // A t-subset that is in every block is never newly covered. This case is worked out for pairs
+    // only, so for t > 2 the first block is granted all its subsets, as in a linear design.
     Bound bound = linear_counting(p);
     bound.reason += " (a circular design is also a linear one)";
     bounds.push_back(std::move(bound));
@@ -166,8 +166,9 @@ Bound stays(const Parameters& p) {
                       weighted_stays(least.s), times, n * p.k, least.s + 1, least.count, b)};
 }
 
-// In p = ceil((v-k)/m) blocks in a row at most k + m(p-1) < v elements are seen. Were there t*p blocks or
-// fewer, cut into t such runs, an element that each run lacks would make t elements that never meet.
+// In p = ceil((v-k)/m) blocks in a row at most k + m(p-1) < v elements occur. If there were at most
+// t*p blocks, cut them into t such runs: one element missing from each run gives t elements that
+// never meet.
 Bound end_to_end(const Parameters& p) {
   const std::uint64_t reach = ceil_div(p.v - p.k, p.change);
   const std::uint64_t b = checked_add(checked_multiply(p.strength, reach), 1);

@@ -24,8 +24,8 @@ Introductions least_introductions(std::uint64_t v, std::uint64_t k, std::uint64_
     const std::uint64_t together = checked_multiply(most_meetings(s, strength), k);
     return Introductions{all > together ? all - together : 0, s};
   };
-  // From s to s + 1 the sum grows by v − k while s + 1 < t, and by v − 2sk from s = t on: the best s is
-  // t − 1, or the first s ≥ t with v ≤ 2sk.
+  // From s to s + 1 the sum grows by v − k while s + 1 < t, and by v − 2sk from s = t on: the best
+  // s is t − 1, or the first s ≥ t with v ≤ 2sk.
   const Introductions few = at(strength - 1);
   const Introductions many = at(std::max(strength, ceil_div(v, checked_multiply(2, k))));
   return many.count > few.count ? many : few;

@@ -42,8 +42,8 @@ inline void or_bits(std::span<std::uint64_t> words, std::uint64_t place,
   }
 }
 
-/// The first place from `place` on whose bit, after an exclusive or with `flip`, is set; beyond all words if there
-/// is none.
+/// The first place from `place` on whose bit is set after an exclusive or with `flip`; a place
+/// beyond all words if there is none.
 [[nodiscard]] inline std::uint64_t next_bit(std::span<const std::uint64_t> words,
                                             std::uint64_t place, std::uint64_t flip) {
   for (auto w = static_cast<std::size_t>(place / 64); w < words.size(); ++w, place = w * 64) {

@@ -1,5 +1,5 @@
-// Counting arithmetic that refuses to overflow: parameters can be large, and a wrapped count would be
-// a false claim.
+// Counting arithmetic that refuses to overflow: parameters can be large, and a wrapped count would
+// be a false claim.
 //
 //     std::uint64_t pairs = binomial(v, 2);                 // throws rather than wraps
 //     std::uint64_t b = ceil_div(pairs, 2 * k - 3);

@@ -129,7 +129,7 @@ std::span<const Element> DesignSource::read(std::span<Element> room) {
 Design read_all(BlockSource& source) {
   Design design(source.parameters());
   if (const auto count = source.block_count()) {
-    // A claim from outside must not make us reserve memory that it does not fill.
+    // A count from outside is only a claim: do not reserve memory that its blocks may not fill.
     design.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(*count, 1U << 20)));
   }
   for_each_block(source, [&](std::span<const Element> block) { design.append(block); });

@@ -5,8 +5,9 @@
 //       lines.number();                             // 1, 2
 //     }
 //
-// A line ends at a line feed, which is not part of it, or where the text ends. Inputs that may have no end are read by
-// io/scan/input_lines.hpp; text, JSON and CSV have scanners of their own, for which lines are not units.
+// A line ends at a line feed, which is not part of it, or where the text ends.
+// io/scan/input_lines.hpp reads inputs that may have no end; text, JSON and CSV have scanners of
+// their own, because a line is not their unit.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +20,7 @@ class Lines {
   /// The text must outlive this.
   explicit Lines(std::string_view text) : rest_(text) {}
 
-  /// False at the end.
+  /// Moves to the next line, the first at the first call; false at the end.
   [[nodiscard]] bool next() {
     if (rest_.empty()) {
       return false;

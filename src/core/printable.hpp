@@ -5,10 +5,10 @@
 //     printable("\xff")              // \xff
 //     is_printable("∞_s")            // true
 //
-// A file name or a label can hold what a terminal obeys: escape sequences, a carriage return that hides
-// what stands before it, marks that turn the direction of writing. Every message of an Error goes
-// through printable(), and a label must be printable; whoever prints other text from outside calls
-// it, too. A backslash stays as it is, so that doing it twice does no harm.
+// A file name or a label can hold characters that a terminal obeys: escape sequences, a carriage
+// return that hides the text before it, marks that turn the direction of writing. Every message of
+// an Error goes through printable(), and a label must be printable; code that prints other text
+// from outside calls it, too. It keeps backslashes, so that calling it twice does no harm.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@
 
 namespace changeover {
 
-/// The text with everything escaped that is no character to show: control characters (U+0000 to U+001F,
-/// U+007F to U+009F), line and paragraph separators (U+2028, U+2029), marks that override the direction of
-/// writing (U+202A to U+202E, U+2066 to U+2069), and bytes that are not UTF-8. \n, \r and \t for
-/// these, \xNN for other bytes, \u{NNNN} above.
+/// Returns the text with all that is not a visible character escaped: control characters (U+0000 to
+/// U+001F, U+007F to U+009F), line and paragraph separators (U+2028, U+2029), marks that override
+/// the direction of writing (U+202A to U+202E, U+2066 to U+2069), and bytes that are not UTF-8. \n,
+/// \r and \t for these, \xNN for other bytes, \u{NNNN} above.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// Whether printable() would leave it as it is.

@@ -19,7 +19,7 @@ struct CodePoint {
 /// above U+10FFFF are not valid; one byte is then skipped.
 [[nodiscard]] CodePoint first_code_point(std::string_view text);
 
-/// Whether it is a character to show, as printable.hpp says: no control, separator or override.
+/// Whether it is a visible character as in printable.hpp: not a control, separator or override.
 [[nodiscard]] bool is_printable(const CodePoint& point);
 
 }  // namespace changeover

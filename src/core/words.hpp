@@ -12,11 +12,11 @@
 
 namespace changeover {
 
-/// A number and the word for what it counts. The plural has an s unless it is given.
+/// A number and the word for what it counts. The plural ends in s unless it is given.
 [[nodiscard]] std::string count_of(std::uint64_t n, std::string_view one,
                                    std::string_view many = {});
 
-/// What a design with m changes is called: single-change, double-change, 3-change.
+/// The name for m changes: single-change, double-change, 3-change.
 [[nodiscard]] std::string change_name(std::uint64_t m);
 
 }  // namespace changeover

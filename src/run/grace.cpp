@@ -5,7 +5,7 @@ namespace changeover {
 RunGrace::RunGrace(RunControl& control, std::optional<std::chrono::duration<double>> time)
     : outer_(control), time_(time), own_(settings(control)), scope_(own_) {}
 
-// As one of several processes hears from another one: that is asked now and then, not every time.
+// The parent may ask another process whether to stop: ask it now and then, not every time.
 RunControl::Settings RunGrace::settings(RunControl& control) {
   RunControl::Settings settings;
   settings.memory_bytes = control.settings().memory_bytes;

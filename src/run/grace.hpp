@@ -1,13 +1,14 @@
-// A little more time than the control allows, for what must not be lost when it stops.
+// A little more time than the control allows, for work that must be finished when it stops.
 //
 //     RunGrace grace(control, std::chrono::seconds(1));
-//     finish(design);                      // stop_if_asked() throws a second after the control wanted to stop
+//     finish(design);  // stop_if_asked() throws one second later
 //
-//     RunGrace answer(control);            // never: while an answer is written, say
+//     RunGrace answer(control);            // never throws: for writing an answer, say
 //
-// A search that is stopped while it verifies a better design should still hand it out, and one whose time was
-// up before it began should still say what is known, if that is quick. Memory limit and progress are those of the
-// control. A second Ctrl-C ends a process as before: that is for whoever owns the signals.
+// A search that is stopped while it verifies a better design should still hand it out, and one
+// whose time was up before it began should still say what is known, if that is quick. Memory limit
+// and progress are those of the control. A second Ctrl-C still ends the process: the code that owns
+// the signals sees to that.
 #pragma once
 
 #include <chrono>
@@ -17,7 +18,7 @@
 
 namespace changeover {
 
-/// For what is known already, or was found: it may still be built, shortened and verified.
+/// Time to build, shorten and verify a design that is already known or found.
 inline constexpr std::chrono::seconds usual_grace{1};
 
 /// The scope of this thread until the end of the block. The control must outlive it.

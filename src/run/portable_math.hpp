@@ -1,7 +1,7 @@
 // Logarithms and powers that are the same on every machine, so that a search with a seed is.
 //
-// Every C library rounds those of its own a little differently. These take only the operations that
-// IEEE 754 rounds in one way.
+// C libraries round their own functions differently. These use only operations that IEEE 754 rounds
+// in one way.
 #pragma once
 
 #include <array>

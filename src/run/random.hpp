@@ -6,7 +6,7 @@
 //     Random other(7, 3);                   // a fourth stream of the same seed, for another thread
 //
 // Integer arithmetic only, no standard distribution: those differ between libraries. Not for
-// secrets. [BlackmanVigna2021] gives the generator.
+// secrets. Source of the generator: [BlackmanVigna2021].
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ class Random {
  public:
   using State = std::array<std::uint64_t, 4>;
 
-  /// Streams of the same seed with different numbers have nothing to do with each other.
+  /// Streams of one seed with different numbers are independent.
   explicit constexpr Random(std::uint64_t seed, std::uint64_t stream = 0) {
     std::uint64_t mixed = seed;
     mixed = splitmix64(mixed) ^ (stream * 0xd1342543de82ef95ULL);
@@ -38,10 +38,10 @@ class Random {
     }
   }
 
-  /// Goes on where state() was taken. At least one word must not be 0.
+  /// Continues from a state() taken before. At least one word must not be 0.
   explicit constexpr Random(const State& state) : state_(state) {}
 
-  /// What the numbers to come depend on.
+  /// The state, which determines all later numbers.
   [[nodiscard]] constexpr const State& state() const { return state_; }
 
   /// 64 random bits.

@@ -3,7 +3,7 @@
 namespace changeover {
 namespace {
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): what a scope is.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): the scope of a thread
 thread_local RunControl* innermost = nullptr;
 
 }  // namespace

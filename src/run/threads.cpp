@@ -63,7 +63,7 @@ class Crew {
   RunControl& control_;
   unsigned count_;
   const std::function<void(unsigned)>& work_;
-  std::latch complete_{1};  // nobody works before all are there
+  std::latch complete_{1};  // no thread works before all have started
   bool too_many_ = false;   // written before the latch opens
   std::mutex mutex_;
   std::exception_ptr fault_;

@@ -43,7 +43,7 @@ DifferenceVerdict verify_differences(const BaseBlocks& base) {
   DifferenceVerdict verdict;
   verdict.b = base.block_count();
 
-  // What stands before B_0 is the last base block of the round before: B_{c−1} − 1.
+  // Before B_0 comes the last base block of the round before: B_{c−1} − 1.
   Block previous = sorted_and_checked(base.blocks.back(), c, p);
   for (Element& x : previous) {
     x = x == 0 ? static_cast<Element>(p.v - 1) : x - 1;
@@ -84,7 +84,8 @@ DifferenceVerdict verify_differences(const BaseBlocks& base) {
   if (p.k == p.v) {  // every block is Z_v: nothing ever changes, everything occurs
     return verdict;
   }
-  // No element is in every translate of a base block, so a pair that occurs is newly covered somewhere.
+  // No element is in every translate of a base block, so a pair that occurs is newly covered
+  // somewhere.
   std::uint64_t distinct = 0;
   for (std::uint64_t d = 1; d <= p.v / 2; ++d) {
     if (seen[static_cast<std::size_t>(d)]) {

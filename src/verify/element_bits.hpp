@@ -12,9 +12,9 @@ namespace changeover {
 /// Sets of elements below v, one bit each.
 class ElementBits {
  public:
-  /// Whether rows of bits are worth it for a block with that many introduced elements: subsets one by one
-  /// take that many steps for each choice of all members but one, a row takes about v / 128. Below 16
-  /// the steps are too few to prepare for.
+  /// Whether rows of bits are worth it for a block with that many introduced elements: subsets one
+  /// by one take that many steps for each choice of all members but one, a row takes about v / 128.
+  /// Below 16 the steps are too few to prepare for.
   [[nodiscard]] static bool pay(std::uint64_t introduced, std::uint64_t v) {
     return introduced >= 16 && introduced > v / 128;
   }
@@ -34,8 +34,8 @@ class ElementBits {
     return (introduced_[x / 64] >> (x % 64) & 1) != 0;
   }
 
-  /// What completes a subset of the block that has, or has not, an introduced element already, so that it
-  /// has one.
+  /// The elements that complete a subset so that it has an introduced element, if it has one
+  /// already or not.
   [[nodiscard]] std::span<const std::uint64_t> completing(bool has_introduced) const {
     return has_introduced ? all_ : introduced_;
   }

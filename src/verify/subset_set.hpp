@@ -72,8 +72,8 @@ class SubsetSet {
     }
   }
 
-  // Chooses `left` − 1 more members from `from`, the largest first, and takes all smallest members below
-  // `above` at once: their places follow each other from `place` on.
+  // Chooses `left` − 1 more members from `from`, the largest first, and takes all smallest members
+  // below `above` at once: their places follow each other from `place` on.
   void insert_rows(std::span<const Element> from, std::uint32_t left, std::uint64_t place,
                    bool has_introduced, std::uint64_t above) {
     if (left == 1) {

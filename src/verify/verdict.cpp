@@ -99,16 +99,16 @@ class Verification {
   }
 
  private:
-  /// Where an element has been. A run of blocks from `first` to `last` counts last − first + 1, so what is
-  /// known of the sum when a run begins is all but its `last`, which last_ tells.
+  /// Where an element has been. A run of blocks from `first` to `last` counts last − first + 1;
+  /// when a run begins, the sum is known but for its `last`, which is in last_.
   struct Track {
     std::uint64_t runs = 0;
     std::uint64_t length =
         0;  ///< Σ(last − first) of the runs, less the last of the latest; may wrap
   };
 
-  // First what changes from block to block, in little memory; then the bits of the pairs, whose waiting for
-  // memory overlaps if nothing else stands between them.
+  // First the changes from block to block, which take little memory; then the bits of all pairs
+  // together, so that the waits for memory overlap.
   void add_batch(std::span<const Element> blocks) {
     Element* arranged = arranged_.data();
     std::size_t* kept = kept_.data();
@@ -120,8 +120,8 @@ class Verification {
     }
   }
 
-  // Writes the kept elements of the block to `arranged`, then the introduced ones, and returns how many are
-  // kept.
+  // Writes the kept elements of the block to `arranged`, then the introduced ones, and returns how
+  // many are kept.
   std::size_t add_block(std::span<const Element> block, Element* arranged) {
     const std::uint64_t number = ++verdict_.b;
     const std::uint64_t now = number + 1;  // so that 0 and 1 stand before every block
@@ -138,8 +138,8 @@ class Verification {
       }
       const std::uint64_t last = last_seen[x];
       last_seen[x] = now;
-      // Both stores are made, from the front and from the back, and one place advances: a branch would be
-      // mispredicted at every change.
+      // Both stores are made, from the front and from the back, and one place advances: a branch
+      // would be mispredicted at every change.
       const bool stays = last + 1 == now;
       arranged[kept] = x;
       arranged[introduced_from - 1] = x;
@@ -252,8 +252,8 @@ class Verification {
     }
   }
 
-  // e_x = covered pairs at x less the distinct ones; the rarer of occurring and missing pairs is listed.
-  // Unsigned differences may wrap on the way; the results do not.
+  // e_x = covered pairs at x less the distinct ones; the rarer of occurring and missing pairs is
+  // listed. Unsigned differences may wrap on the way; the results do not.
   void count_excess() {
     const std::uint64_t occurring = verdict_.subsets - verdict_.uncovered;
     const bool by_missing = verdict_.uncovered <= occurring;
@@ -309,7 +309,7 @@ class Pairs {
  public:
   explicit Pairs(const Parameters& p) : set_(p.v) {}
 
-  // Elements from `introduced_from` on are introduced: mark each with all that stand before it.
+  // Elements from `introduced_from` on are introduced: mark each with all elements before it.
   void insert_new(std::span<const Element> block, std::size_t introduced_from) {
     if (ElementBits::pay(block.size() - introduced_from, set_.v())) {
       bits_.assign(block, introduced_from, set_.v());

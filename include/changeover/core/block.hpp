@@ -5,16 +5,16 @@
 //
 //     std::vector<Element> block(source.parameters().k);
 //     while (source.next(block)) {
-//       std::cout << block.front() << '\n';     // or whatever is to be done with a block
+//       std::cout << block.front() << '\n';     // use the block
 //     }
 //     source.rewind();
-//     for_each_block(source, [](std::span<const Element> each) {     // the same, faster: in batches
+//     for_each_block(source, [](std::span<const Element> each) {   // faster: in batches
 //       std::cout << each.front() << '\n';
 //     });
 //
-// What a source hands out is a claim, not a fact: verification reads blocks and trusts nothing else.
-// A source of your own is a BlockByBlock that writes one block when asked; what must be fast fills
-// batches itself. Bound by: one virtual call a batch, and what it takes to make a block.
+// The blocks of a source are a claim until they are verified: verification trusts nothing else. To
+// write a source, derive from BlockByBlock, which asks for one block at a time; a source that must
+// be fast fills batches itself. Cost: one virtual call per batch, and making the blocks.
 #pragma once
 
 #include <algorithm>
@@ -38,17 +38,17 @@ class BlockSource {
  public:
   virtual ~BlockSource() = default;
 
-  /// What the stream claims to be; v, k and the kind do not change while it is read.
+  /// The parameters that the stream claims; v, k and the kind do not change while it is read.
   [[nodiscard]] virtual const Parameters& parameters() const = 0;
 
   /// The number of blocks of the whole stream, if known beforehand.
   [[nodiscard]] virtual std::optional<std::uint64_t> block_count() const { return std::nullopt; }
 
-  /// The next blocks, one after another: as many as have come and fit in `room`, which has places for one or
-  /// more; none at the end, however often it is asked. They are written to the front of `room`, or are in
-  /// memory of the source's own until the next call.
-  /// @throws BadInput if the stream comes from a file that is malformed. Blocks that stand before the fault
-  /// may be lost if they were asked for in the same call.
+  /// Returns the next blocks, one after another: as many as are ready and fit in `room`, which has
+  /// places for at least one; none at the end and after it. They are at the front of `room`, or in
+  /// the source's own memory, where they stay valid until the next call.
+  /// @throws BadInput if the stream comes from a file that is malformed. Blocks that stand before
+  /// the fault may be lost if they were asked for in the same call.
   virtual std::span<const Element> read(std::span<Element> room) = 0;
 
   /// Writes the next block into `block` (which has k places) and returns true; false at the end.
@@ -71,11 +71,12 @@ class BlockSource {
   BlockSource& operator=(const BlockSource&) = default;
 };
 
-/// A source that makes one block at a time: `class Mine final : public BlockByBlock<Mine>` has a public
+/// A source that makes one block at a time: `class Mine final : public BlockByBlock<Mine>` has this
+/// public function:
 ///
-///     bool make(std::span<Element> block);   // writes the next block; false at the end, and ever after
+///     bool make(std::span<Element> block);  // writes the next block; false from the end on
 ///
-/// DesignInput and the like, which are more than a BlockSource, are named as Base.
+/// Name a subclass of BlockSource, such as DesignInput, as Base to implement that one.
 template <typename Source, typename Base = BlockSource>
 class BlockByBlock : public Base {
  public:
@@ -89,7 +90,8 @@ class BlockByBlock : public Base {
   }
 };
 
-/// Calls take(blocks) with the blocks of a source, some 4096 elements at a time, one block after another.
+/// Calls take(blocks) with the blocks of a source, some 4096 elements at a time, one block after
+/// another.
 template <typename Take>
 void for_each_batch(BlockSource& source, Take&& take) {
   const auto k = static_cast<std::size_t>(source.parameters().k);

@@ -5,8 +5,8 @@
 //     design.block(1);                       // {4, 5, 2, 3}
 //     DesignSource source(design);           // the same as a stream
 //
-// A Design is a list of blocks of the right shape (k distinct elements below v each), no more: whether
-// it is a change covering design is for verify/verdict.hpp to say.
+// A Design is only a list of blocks of the right shape (k distinct elements below v each):
+// verify/verdict.hpp decides whether it is a change covering design.
 #pragma once
 
 #include <cstddef>
@@ -23,9 +23,9 @@
 
 namespace changeover {
 
-/// Why no element can have this name, with how to mend it; nullopt if it can. So that every format can
-/// carry it and every terminal show it, a name is printable UTF-8 (src/core/printable.hpp), is not empty and
-/// has no white space, comma, double quote or '#'.
+/// Returns why no element can have this name, and how to correct it; nullopt if one can. A name is
+/// printable UTF-8 (src/core/printable.hpp), not empty, and has no white space, comma, double quote
+/// or '#', so that every format can carry it and every terminal can show it.
 [[nodiscard]] std::optional<std::string> label_defect(std::string_view label);
 
 /// Blocks in memory: b·k elements in one array.
@@ -51,10 +51,10 @@ class Design {
   /// All blocks, one after another.
   [[nodiscard]] std::span<const Element> elements() const { return elements_; }
 
-  /// A copy of the list of blocks, to be worked on.
+  /// A copy of the list of blocks.
   [[nodiscard]] std::vector<Block> blocks() const;
 
-  /// Adds a block at the end. @throws BadInput if it has not exactly k distinct elements below v;
+  /// Adds a block at the end. @throws BadInput unless it has exactly k distinct elements below v;
   /// the design is then unchanged. O(k).
   void append(std::span<const Element> block);
 
@@ -70,7 +70,8 @@ class Design {
   [[nodiscard]] const std::vector<std::string>& labels() const { return labels_; }
 
   /// Names the elements; an empty list, or one that only says "0", "1", …, removes all names.
-  /// @throws BadInput unless there are exactly v distinct labels, each one that label_defect() lets pass.
+  /// @throws BadInput unless there are exactly v distinct labels, each one that label_defect() lets
+  /// pass.
   void set_labels(std::vector<std::string> labels);
 
   /// How the blocks were made, if known.
@@ -83,8 +84,8 @@ class Design {
   std::vector<std::size_t> last_seen_;  // by element: number of the last block that holds it
 };
 
-/// A design in memory as a stream, which hands out its own memory. Keeps a reference: the design must
-/// outlive it.
+/// A design in memory as a stream. Its blocks are views of the design's memory: the design must
+/// outlive the source.
 class DesignSource final : public BlockSource {
  public:
   explicit DesignSource(const Design& design) : design_(&design) {}
@@ -110,9 +111,10 @@ class DesignSource final : public BlockSource {
 
 // What happens between blocks: introduced and leaving elements, unchanged subsets.
 //
-// An element x of block Bᵢ is *introduced* in it if x is not in the block before, and *leaves* in it if
-// x is not in the block after; all elements are introduced in the first block of a linear design and
-// leave in its last [ChafeeStevens2025, Section 1]. Bᵢ ∩ Bᵢ₊₁ is the i-th *unchanged subset* Uᵢ.
+// An element x of block Bᵢ is *introduced* in it if x is not in the block before, and *leaves* in
+// it if x is not in the block after; all elements are introduced in the first block of a linear
+// design and leave in its last [ChafeeStevens2025, Section 1]. Bᵢ ∩ Bᵢ₊₁ is the i-th *unchanged
+// subset* Uᵢ.
 //
 //     DesignSource source(design);
 //     for (Transitions steps(source); steps.next();) {
@@ -133,8 +135,9 @@ class DesignSource final : public BlockSource {
 /// A stream of blocks with the marks of each, one block of look-ahead.
 class Transitions {
  public:
-  /// Starts on `source`, which must outlive this. A circular source is read once to its end first, to
-  /// learn what precedes its first block. @throws BadInput if it is circular and cannot be rewound.
+  /// Starts on `source`, which must outlive this. Reads a circular source once to its end first,
+  /// because its last block precedes its first. @throws BadInput if it is circular and cannot be
+  /// rewound.
   explicit Transitions(BlockSource& source);
 
   /// Moves to the next block, the first at the first call; false at the end.
@@ -156,8 +159,8 @@ class Transitions {
   std::uint64_t index_ = 0;
 };
 
-/// An unchanged subset and where it stands: position i is between block i and block i+1, blocks
-/// numbered from 1; in a circular design of b blocks position b is between the last and the first.
+/// An unchanged subset and its position: position i is between blocks i and i+1, counted from 1; in
+/// a circular design of b blocks position b is between the last and the first.
 struct UnchangedSubset {
   std::size_t position = 0;
   Block elements;  ///< increasing
@@ -165,9 +168,9 @@ struct UnchangedSubset {
   bool operator==(const UnchangedSubset&) const = default;
 };
 
-/// The unchanged subsets Bᵢ ∩ Bᵢ₊₁ of a design in order of position: b of them if it is circular and
-/// has more than one block, else b − 1. In a linear design any (k−m)-subset of the first and of the
-/// last block may serve as U₀ and U_b too; these are not listed. O(bk log k).
+/// The unchanged subsets Bᵢ ∩ Bᵢ₊₁ of a design in order of position: b of them if it is circular
+/// and has more than one block, else b − 1. In a linear design any (k−m)-subset of the first and of
+/// the last block may serve as U₀ and U_b too; these are not listed. O(bk log k).
 [[nodiscard]] std::vector<UnchangedSubset> unchanged_subsets(const Design& design);
 
 }  // namespace changeover

@@ -1,6 +1,6 @@
 // Base blocks developed into a stream: B₀, …, B_{c−1}, π(B₀), …, π(B_{c−1}), …, π^{n−1}(B_{c−1}).
 //
-//     DevelopedSource source({{.v = 11, .k = 4, .kind = Kind::circular}, {{0, 1, 2, 5}}});   // over Z_v
+//     DevelopedSource source({{.v = 11, .k = 4, .kind = Kind::circular}, {{0, 1, 2, 5}}});
 //
 // Memory is that of the base blocks; the list has cn blocks, over Z_v cv.
 #pragma once
@@ -20,14 +20,14 @@ namespace changeover {
 
 // Permutations that designs are developed under: cycles of one length, and fixed points.
 //
-//     const Automorphism pi{.n = 7, .cycles = 4, .fixed = 1};   // (0 … 6)(7 … 13)(14 … 20)(21 … 27)(28)
+//     const Automorphism pi{.n = 7, .cycles = 4, .fixed = 1};  // (0 … 6)(7 … 13) … (21 … 27)(28)
 //     pi.v();                                                   // 29
 //     pi.image(6, 1);                                           // 0
 //     pi.image(block, 3);                                       // π³ of each element
 //
-// Element on + r is the residue r of cycle o; the last f elements are fixed. π adds 1 to every residue: with one
-// cycle and no fixed point it is x ↦ x + 1 over Z_v. Any permutation with such cycles is π with other names
-// for the elements; π^u, for a unit u of Z_n, with those of renamed().
+// Element on + r is the residue r of cycle o; the last f elements are fixed. π adds 1 to every
+// residue: with one cycle and no fixed point it is x ↦ x + 1 over Z_v. Any permutation with such
+// cycles is π with other names for the elements; π^u, for a unit u of Z_n, with those of renamed().
 
 /// π: v = sn + f, and order n.
 struct Automorphism {
@@ -35,7 +35,8 @@ struct Automorphism {
   std::uint64_t cycles = 0;  ///< s
   std::uint64_t fixed = 0;   ///< f
 
-  /// With n-cycles and so many fixed points on v elements; nullopt unless n ≥ 1 divides v − fixed ≥ 0.
+  /// With n-cycles and so many fixed points on v elements; nullopt unless n ≥ 1 divides
+  /// v − fixed ≥ 0.
   [[nodiscard]] static std::optional<Automorphism> on(std::uint64_t v, std::uint64_t n,
                                                       std::uint64_t fixed = 0) {
     if (n == 0 || fixed > v || (v - fixed) % n != 0) {
@@ -78,7 +79,7 @@ struct Automorphism {
     return result;
   }
 
-  /// Residue r becomes ur, u < n: so called, π is π^u.
+  /// Renames residue r to ur, u < n, which turns π into π^u.
   [[nodiscard]] Element renamed(Element x, std::uint64_t unit) const {
     return moves(x) ? static_cast<Element>(x - residue(x) + residue(x) * unit % n) : x;
   }
@@ -92,7 +93,8 @@ struct Automorphism {
     return cycle(x) == cycle(y) ? std::min(apart, n - apart) : n;
   }
 
-  /// The number of orbits of the pairs of elements. @throws ImpossibleParameters if it exceeds 64 bits.
+  /// The number of orbits of the pairs of elements. @throws ImpossibleParameters if it exceeds 64
+  /// bits.
   [[nodiscard]] std::uint64_t pair_orbits() const;
 
   auto operator<=>(const Automorphism&) const = default;
@@ -115,7 +117,8 @@ class DevelopedSource final : public BlockSource {
   /// @throws BadInput unless there is a base block and each has k elements below v.
   explicit DevelopedSource(BaseBlocks base);
 
-  /// The same under π^shift, shift < n, instead of x ↦ x + 1. pi.v() must be the v of the base blocks.
+  /// The same under π^shift, shift < n, instead of x ↦ x + 1. pi.v() must be the v of the base
+  /// blocks.
   DevelopedSource(BaseBlocks base, const Automorphism& pi, std::uint64_t shift = 1);
 
   [[nodiscard]] const Parameters& parameters() const override { return base_.parameters; }
@@ -139,7 +142,7 @@ class DevelopedSource final : public BlockSource {
   std::uint64_t power_ = 0;  // times · shift, modulo n
 };
 
-// Base blocks over Z_v that have an interval in common, held by their other points only.
+// Base blocks over Z_v that have an interval in common. Only their other points are stored.
 //
 // The base blocks are A ∪ P₀, …, A ∪ P_{c−1} with A = {a, a+1, …, a+n−1} ⊂ Z_v and k − n points in
 // each Pᵢ. The cyclic families are of this shape with n = k − m: A + j is what two blocks of a
@@ -182,8 +185,8 @@ struct IntervalBaseBlocks {
   bool operator==(const IntervalBaseBlocks&) const = default;
 };
 
-/// Checks that start < v, length < k, and that there are k − n points, all below v, for each of one
-/// or more base blocks; not that a base block has distinct elements. @throws BadInput if not;
+/// Checks that start < v, length < k, that there is a base block, and that each has k − n points,
+/// all below v; does not check that its elements are distinct. @throws BadInput if not;
 /// ImpossibleParameters as check().
 void check_shape(const IntervalBaseBlocks& base);
 
@@ -191,12 +194,13 @@ void check_shape(const IntervalBaseBlocks& base);
 /// comes first in each block, then the points.
 class IntervalDevelopedSource final : public BlockSource {
  public:
-  /// Writes the points of base block `which` into `points`. Asked once for every base block and kept if
-  /// all of them have 2¹⁶ points at most, else once for every block, so that base blocks with a formula need
-  /// no memory; the same question must have the same answer.
+  /// Writes the points of base block `which` into `points`, the same ones at every call. If all
+  /// base blocks together have at most 2¹⁶ points, it is called once for each and the points are
+  /// kept; otherwise it is called for every block, so that base blocks given by a formula need no
+  /// memory.
   using Points = std::function<void(std::uint64_t which, std::span<Element> points)>;
 
-  /// `base_blocks` base blocks whose points are told by `points`, which is trusted.
+  /// A design of `base_blocks` base blocks whose points come from `points`, which is trusted.
   /// @throws BadInput unless start < v, length < k and base_blocks ≥ 1; ImpossibleParameters as
   /// check(), or if cv does not fit in 64 bits.
   IntervalDevelopedSource(const Parameters& parameters, std::uint64_t start, std::uint64_t length,

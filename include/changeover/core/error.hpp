@@ -1,12 +1,12 @@
-// Faults, told apart by whose they are.
+// Faults, one class for each party that can be at fault.
 //
-// "No such design", "unknown" and "limit reached" are values and never thrown. What is thrown derives
-// from Error, and its class says whose fault it is:
+// "No such design", "unknown" and "limit reached" are values and never thrown. What is thrown
+// derives from Error, and its class says whose fault it is:
 //
 //     try {
 //       Design design = read_design("mine.txt");
 //     } catch (const BadInput& fault) {              // the file or the number that was given
-//       std::cerr << fault.what() << '\n';           // one line: what, where, how to mend it
+//       std::cerr << fault.what() << '\n';           // one line: what, where, how to correct it
 //     }
 //
 // The library never prints, exits or aborts.
@@ -17,21 +17,22 @@
 
 namespace changeover {
 
-/// Base of every fault; catch it, but throw one of its subclasses. The message is one line that is safe to
-/// show, whatever file names and words from outside went into it (src/core/printable.hpp).
+/// Base of every fault; catch it, but throw one of its subclasses. The message is one line that is
+/// safe to show, even if it quotes file names or words from outside (src/core/printable.hpp).
 class Error : public std::runtime_error {
  protected:
   explicit Error(std::string_view line);
 };
 
-/// What was given (a file, a block list, an argument) is malformed. The message is one line that says
-/// what is wrong, where, and how to mend it.
+/// Input (a file, a block list, an argument) is malformed. The message is one line that says what
+/// is wrong, where, and how to correct it.
 class BadInput : public Error {
  public:
   explicit BadInput(std::string_view line) : Error(line) {}
 };
 
-/// What the caller asks for besides a design or a file cannot be: no fault of that, and no correction of it would help.
+/// An option of the caller is impossible. The design or file that came with it is not at fault, and
+/// correcting it would not help.
 class BadOption : public BadInput {
  public:
   using BadInput::BadInput;
@@ -49,8 +50,8 @@ class MissingResource : public Error {
   explicit MissingResource(std::string_view line) : Error(line) {}
 };
 
-/// Whoever read what was being written went away: a pipe or connection is closed. It is told apart
-/// because for standard output it is often no fault at all: `changeover design 99 4 | head -3`.
+/// The reader of the output closed the pipe or connection. It has a class of its own because on
+/// standard output it is often not a fault: `changeover design 99 4 | head -3`.
 class ReaderGone : public MissingResource {
  public:
   using MissingResource::MissingResource;

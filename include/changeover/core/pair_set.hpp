@@ -3,7 +3,7 @@
 //     PairSet covered(v);
 //     covered.insert(3, 7);
 //     covered.missing();                       // how many of the C(v,2) pairs are not in the set
-//     covered.for_each_missing(20, print);     // twenty of them, those of the smallest elements first
+//     covered.for_each_missing(20, print);  // twenty of them, smallest elements first
 //
 // Memory: C(v,2) bits, 268 MB at v = 65,535.
 #pragma once
@@ -71,8 +71,8 @@ class PairSet {
   /// The number of the C(v,2) pairs that are not in the set. O(v²/64).
   [[nodiscard]] std::uint64_t missing() const;
 
-  /// Calls visit(x, y), x < y, for up to `limit` pairs that are not in the set, ordered by y and then
-  /// by x. O(v²/64 + pairs visited).
+  /// Calls visit(x, y), x < y, for up to `limit` pairs that are not in the set, ordered by y and
+  /// then by x. O(v²/64 + pairs visited).
   template <typename Visit>
   void for_each_missing(std::uint64_t limit, Visit&& visit) const {
     scan(~std::uint64_t{0}, limit, visit);

@@ -1,13 +1,13 @@
-// What is asked of a change covering design.
+// The parameters of a change covering design.
 //
-// An m-change covering design with parameters (v, k) is an ordered list of b blocks, each a k-subset
-// of a v-set, such that every pair of elements lies in some block and consecutive blocks differ in
-// exactly m elements; circular if the last and the first block do so too, linear otherwise. m = 1 is a
-// single-change covering design (SCCD), m = 2 a double-change covering design (DCCD)
-// [ChafeeStevens2025, Section 1]. With strength t, every t-subset lies in some block.
+// An m-change covering design with parameters (v, k) is an ordered list of b blocks, each a
+// k-subset of a v-set, such that every pair of elements lies in some block and consecutive blocks
+// differ in exactly m elements; circular if the last and the first block do so too, linear
+// otherwise. m = 1 is a single-change covering design (SCCD), m = 2 a double-change covering design
+// (DCCD) [ChafeeStevens2025, Section 1]. With strength t, every t-subset lies in some block.
 //
 //     Parameters p{.v = 61, .k = 4, .change = 2, .kind = Kind::circular};
-//     check(p);                              // throws when no such list of blocks could be written down
+//     check(p);  // throws if no such list of blocks can be written down
 //     auto g2 = newly_covered_at_most(p);    // 2k − 3 = 5 pairs a block
 #pragma once
 
@@ -50,17 +50,17 @@ struct Parameters {
 void check(const Parameters& p);
 
 /// Why no design with these parameters exists, in one line, when a short argument shows it; nullopt
-/// otherwise, which claims nothing. v = k needs one block; otherwise a change needs m elements outside
-/// a block, so v ≥ k + m; and with v = 2k and m = k only a block and its complement occur, so no DCCD(4,2)
-/// exists. @throws as check().
+/// otherwise, which claims nothing. v = k needs one block; otherwise a change needs m elements
+/// outside a block, so v ≥ k + m; and with v = 2k and m = k only a block and its complement occur,
+/// so no DCCD(4,2) exists. @throws as check().
 [[nodiscard]] std::optional<std::string> impossibility(const Parameters& p);
 
-/// "DCCD(61,4)", "circular SCCD(9,4)", "linear 3-change covering design (20,6)", with ", t = 3" if the
-/// strength is not 2. The kind is named only if `with_kind`.
+/// "DCCD(61,4)", "circular SCCD(9,4)", "linear 3-change covering design (20,6)", with ", t = 3" if
+/// the strength is not 2. The kind is named only if `with_kind`.
 [[nodiscard]] std::string name(const Parameters& p, bool with_kind = true);
 
-/// The most t-subsets that a block can newly cover after its predecessor: C(k,t) − C(k−m,t); for pairs
-/// C(m,2) + m(k−m), that is k − 1 for m = 1 and 2k − 3 for m = 2 [ChafeeStevens2025, Thm 1].
+/// The most t-subsets that a block can newly cover after its predecessor: C(k,t) − C(k−m,t); for
+/// pairs C(m,2) + m(k−m), that is k − 1 for m = 1 and 2k − 3 for m = 2 [ChafeeStevens2025, Thm 1].
 [[nodiscard]] std::uint64_t newly_covered_at_most(const Parameters& p);
 
 }  // namespace changeover

@@ -1,10 +1,11 @@
 // How a design is made: a small tree of named constructions, data and not code.
 //
-// A recipe is deterministic: whoever builds it gets the same blocks, and can verify them anew.
+// A recipe is deterministic: everyone who builds it gets the same blocks and can verify them again.
 //
 //     // The expansion of a cyclic design on 7 elements by 8 more:
 //     Recipe cyclic{"cyclic-paper", {.v = 7, .k = 3, .kind = Kind::circular}, {{"c", 1}}, {}, {}};
-//     Recipe recipe{"expansion", {.v = 15, .k = 3, .kind = Kind::circular}, {{"w", 8}}, {cyclic}, {}};
+//     const Parameters expanded{.v = 15, .k = 3, .kind = Kind::circular};
+//     Recipe recipe{"expansion", expanded, {{"w", 8}}, {cyclic}, {}};
 //
 // The registry (construct/registry.hpp) turns it into blocks.
 #pragma once
@@ -25,7 +26,7 @@ struct Recipe {
   Parameters parameters;                          ///< of the design that it makes
   std::map<std::string, std::int64_t> arguments;  ///< whole numbers, by name
   std::vector<Recipe> inputs;                     ///< recipes of the designs that it works on
-  std::vector<Block> blocks;  ///< of a literal recipe, or what its construction says
+  std::vector<Block> blocks;  ///< of a literal recipe, or as its construction defines them
   std::string provenance =
       {};  ///< where a literal recipe's blocks come from, one line; may be empty
 

@@ -1,12 +1,12 @@
-// SHA-256, by which texts and results are known again.
+// SHA-256, used to recognise texts and results.
 //
 //     Sha256 hash;
 //     hash.add("ab");
 //     hash.add("c");
-//     to_hex(hash.finish());       // "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
+//     to_hex(hash.finish());       // "ba7816bf8f01cfea414140de5dae2223…", 64 digits
 //
-// Whoever changes results, by accident or on purpose, does not find others with the same checksum.
-// It is no signature: who can write both the results and the checksum can make both fit.
+// Results that are changed, by accident or on purpose, have another checksum. It is not a
+// signature: a person who can write both results and checksum can make them agree.
 //
 // Reference: Secure Hash Standard [FIPS180-4, Sec. 6.2].
 #pragma once
@@ -46,7 +46,7 @@ class Sha256 {
 /// 64 digits.
 [[nodiscard]] std::string to_hex(const Checksum& checksum);
 
-/// Nothing unless the text is 64 digits as to_hex() writes them.
+/// The checksum of 64 digits as to_hex() writes them; nothing for any other text.
 [[nodiscard]] std::optional<Checksum> checksum_from_hex(std::string_view text);
 
 }  // namespace changeover

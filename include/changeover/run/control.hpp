@@ -1,4 +1,4 @@
-// When long work stops, how much memory it may take, and whom it tells how far it is.
+// When long work stops, how much memory it may take, and where it reports its progress.
 //
 //     RunControl control({.time = std::chrono::seconds(60), .threads = 2, .seed = 7,
 //                         .on_progress = [](const Progress& p) { std::cerr << p.phase << '\n'; }});
@@ -7,10 +7,11 @@
 //     }
 //     control.why_stopped();                 // e.g. WhyStopped::time_limit
 //
-// One control is shared by all threads of a search. The inner loop asks stop_wanted() every few thousand
-// steps; a call costs a relaxed load and a look at the clock. Searches never print and never install
-// signal handlers: whoever owns Ctrl-C sets the flag that `interrupted` points to. Work that is deep below
-// a search, or has no search above it, listens through run/control.hpp; threads come from run/threads.hpp.
+// One control is shared by all threads of a search. The inner loop asks stop_wanted() every few
+// thousand steps; a call costs a relaxed load and a look at the clock. Searches never print and
+// never install signal handlers: the program that handles Ctrl-C sets the flag that `interrupted`
+// points to. Work deep below a search, or without one above it, uses a RunScope (below); threads
+// come from run/threads.hpp.
 //
 // With threads = 1 a search is deterministic in its seed as long as no clock stops it.
 #pragma once
@@ -27,14 +28,14 @@
 
 namespace changeover {
 
-// What came of looking for something.
+// The outcome of a search.
 //
 //     to_string(Outcome::none);          // "none"
 
 enum class Outcome : std::uint8_t {
   found,
-  none,     ///< there is none; on whose word, the search says
-  unknown,  ///< stopped before; RunControl::why_stopped() says why
+  none,     ///< there is none; the search says who proved it
+  unknown,  ///< stopped before it was known; RunControl::why_stopped() says why
 };
 
 /// "found", "none", "unknown".
@@ -46,18 +47,18 @@ enum class Outcome : std::uint8_t {
 enum class WhyStopped : std::uint8_t {
   running,      ///< it has not
   found,        ///< what was looked for was found
-  exhausted,    ///< everything was looked at, or a proof was found
+  exhausted,    ///< every case was tried, or a proof was found
   time_limit,   ///< the time was up
-  step_limit,   ///< the number of steps that was allowed was used up
-  interrupted,  ///< the user said stop
-  elsewhere,    ///< another process that searches for the same found it
-  fault,        ///< a thread of it threw; the exception arrives where the work was called
+  step_limit,   ///< the allowed number of steps was used up
+  interrupted,  ///< the user stopped it
+  elsewhere,    ///< another process that shares the search found it
+  fault,        ///< one of its threads threw; the caller gets the exception
 };
 
 /// "time limit", …
 [[nodiscard]] std::string_view to_string(WhyStopped why);
 
-/// What running work tells.
+/// Progress of running work.
 struct Progress {
   std::string phase;                       ///< what it is doing, e.g. "annealing with 40 blocks"
   std::uint64_t steps = 0;                 ///< done so far, over all threads
@@ -65,7 +66,7 @@ struct Progress {
   std::optional<std::uint64_t> best = {};  ///< blocks of the best design so far
   std::optional<std::uint64_t> lower_bound = {};  ///< of the number of blocks
   std::optional<std::uint64_t> missing =
-      {};  ///< what the current attempt lacks, e.g. uncovered pairs
+      {};  ///< what the current attempt still lacks, e.g. uncovered pairs
   std::chrono::duration<double> elapsed{};  ///< set by the control
   std::optional<std::chrono::duration<double>> left =
       {};  ///< of the time limit; set by the control
@@ -90,7 +91,7 @@ class RunControl {
     WorkShare share = {};                            ///< of several processes
     const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler
     std::function<bool()> found_elsewhere =
-        {};  ///< asked now and then, never by two threads at once
+        {};  ///< called now and then, never by two threads at once
     std::function<void(const Progress&)> on_progress = {};  ///< never called by two threads at once
     std::chrono::duration<double> progress_interval{0.5};
   };
@@ -98,12 +99,12 @@ class RunControl {
   /// The clock of the time limit starts now.
   explicit RunControl(Settings settings);
 
-  /// A control for one phase of a longer search: it stops with its parent, or after `time`. It shares the
-  /// parent's settings and callback, and stopping it does not stop the parent.
+  /// A control for one phase of a longer search: it stops with its parent, or after `time`. It
+  /// shares the parent's settings and callback, and stopping it does not stop the parent.
   RunControl(RunControl& parent, std::chrono::duration<double> time);
 
-  /// The same without a time of its own, for `threads` threads, telling nobody: one of several attempts that
-  /// run side by side.
+  /// The same without a time of its own, for `threads` threads and without a callback: one of
+  /// several attempts that run side by side.
   RunControl(RunControl& parent, unsigned threads);
 
   RunControl(const RunControl&) = delete;
@@ -116,8 +117,9 @@ class RunControl {
   /// Whether to stop now. Thread-safe; call it every 10 to 100 microseconds at most.
   [[nodiscard]] bool stop_wanted();
 
-  /// Checks that a table, a formula, … of so many bytes may be made. `what` names it for the message, as in
-  /// "the formula of DCCD(60,5)". @throws MissingResource with one line if it is more than memory_bytes.
+  /// Checks that a table, a formula, … of so many bytes is allowed. `what` names it in the message,
+  /// as in "the formula of DCCD(60,5)". @throws MissingResource with one line if it is more than
+  /// memory_bytes.
   void require_memory(std::uint64_t bytes, std::string_view what) const;
 
   /// Stops the search for this reason, unless it was stopped before. Thread-safe.
@@ -149,18 +151,18 @@ class RunControl {
   std::mutex telling_;
 };
 
-// How work that was handed no control listens to the one above it.
+// A RunScope lets work that has no RunControl argument obey the control of its caller.
 //
 //     RunScope scope(control);                 // for this thread, until the end of the block
-//     const Bound bound = lower_bound(p);      // stops with the control, and tells it where it is
+//     const Bound bound = lower_bound(p);      // stops with the control, and reports to it
 //
-// Bounds, constructions and verification are called by searches that have a limit and by programs that
-// have none, often several calls deep. Their loops call stop_if_asked(); where no scope is open that is a look
-// at one pointer, and nothing happens. Scopes nest: the innermost counts. Threads that run/threads.hpp starts
+// Bounds, constructions and verification are called by searches that have a limit and by programs
+// that have none, often several calls deep. Their loops call stop_if_asked(), which without a scope
+// only looks at one pointer. Scopes nest: the innermost counts. Threads that run/threads.hpp starts
 // have the scope of their control.
 //
-// *Stopping* is an exception, Stopped, and no fault: what was under way is given up, what was found
-// before is kept by whoever opened the scope. Catch it there, and ask the control why it stopped.
+// *Stopping* is an exception, Stopped, but not a fault: it ends the work under way. The code that
+// opened the scope catches it, keeps what was found before, and asks the control why it stopped.
 
 /// Thrown by stop_if_asked(). Not an Error: nothing is wrong.
 class Stopped : public std::exception {
@@ -188,14 +190,14 @@ class RunScope {
   RunControl* outer_;
 };
 
-/// @throws Stopped if the control of this thread's scope wants to stop. Costs a look at the clock, some 30 ns;
-/// nothing without a scope.
+/// @throws Stopped if the control of this thread's scope wants to stop. Costs a look at the clock,
+/// some 30 ns; nothing without a scope.
 void stop_if_asked();
 
 /// RunControl::require_memory() of this thread's scope. @throws MissingResource
 void require_memory(std::uint64_t bytes, std::string_view what);
 
-/// Whether report_progress() would reach anybody now; ask before making a long text.
+/// Whether report_progress() would call a callback now; ask before making a long text.
 [[nodiscard]] bool progress_due();
 
 /// RunControl::tell() of this thread's scope.

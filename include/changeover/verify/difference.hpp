@@ -1,7 +1,8 @@
-// Difference certificates: designs developed from base blocks over Z_v, verified without developing.
+// Difference certificates: designs developed from base blocks over Z_v, verified without
+// developing.
 //
-// Base blocks B₀, …, B_{c−1} over Z_v stand for the circular list B₀, …, B_{c−1}, B₀+1, …, B_{c−1}+1, …,
-// B_{c−1}+(v−1) of cv blocks. It is an m-change covering design if and only if
+// Base blocks B₀, …, B_{c−1} over Z_v stand for the circular list B₀, …, B_{c−1}, B₀+1, …,
+// B_{c−1}+1, …, B_{c−1}+(v−1) of cv blocks. It is an m-change covering design if and only if
 //   - consecutive base blocks, and B_{c−1} and B₀ + 1 (the *link*), differ in exactly m elements;
 //   - every difference 1, …, ⌊v/2⌋ is, up to sign, a difference of two elements of some base block;
 // and it is tight if and only if the differences newly covered in each base block, after its
@@ -10,8 +11,8 @@
 //     DifferenceVerdict verdict = verify_differences({{.v = 11, .k = 4}, {{0, 1, 2, 5}}});
 //     verdict.valid() && verdict.tight;       // the tight circular DCCD(11,4,11)
 //
-// The link condition is the one that is forgotten: without it all pairs are covered and the change
-// property is broken once every c blocks.
+// Do not forget the link: without it all pairs are covered, but the change property is broken once
+// every c blocks.
 //
 // Complexity: O(ck·m) time and v bits of memory, against O(cv·k) for the developed list.
 #pragma once
@@ -24,7 +25,7 @@
 
 namespace changeover {
 
-/// What holds of the developed design.
+/// The verdict on the developed design.
 struct DifferenceVerdict {
   std::uint64_t b = 0;          ///< blocks of the developed design
   std::uint64_t bad_steps = 0;  ///< steps B₀→B₁, …, link, that do not change m elements
@@ -38,8 +39,8 @@ struct DifferenceVerdict {
   [[nodiscard]] bool valid() const { return b > 0 && bad_steps == 0 && uncovered == 0; }
 };
 
-/// Decides the developed design by its differences. @throws BadInput if a base block is not k distinct
-/// elements below v; ImpossibleParameters as check().
+/// Decides the developed design by its differences. @throws BadInput if a base block is not k
+/// distinct elements below v; ImpossibleParameters as check().
 [[nodiscard]] DifferenceVerdict verify_differences(const BaseBlocks& base);
 
 // Difference certificates for base blocks that share an interval, in time that does not depend on
@@ -55,9 +56,8 @@ struct DifferenceVerdict {
 //     DifferenceVerdict verdict = verify_differences(base);
 //     verdict.valid() && verdict.tight;       // the tight circular DCCD(21,4,42)
 //
-// Nothing is assumed beyond that shape: consecutive base blocks may share more than A, or n may
-// differ from k − m; what matters is counted, as verify_differences() of the written-out base
-// blocks would.
+// Only that shape is assumed: consecutive base blocks may share more than A, and n may differ from
+// k − m; the verdict is that of verify_differences() on the written-out base blocks.
 //
 // Complexity: O(cr² log(cr)) time and O(cr²) memory with r = k − n points in a base block (r = m in
 // the cyclic families), against O(ck·m) time, O(ck) memory for the base blocks and v bits.

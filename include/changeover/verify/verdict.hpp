@@ -1,4 +1,4 @@
-// The verdict on a list of blocks: is it an m-change covering design, and how good is it.
+// The verdict on a list of blocks: whether it is an m-change covering design, and its quality.
 //
 //     DesignSource source(design);
 //     Verdict verdict = verify(source);
@@ -7,17 +7,17 @@
 //       verdict.uncovered;            // how many pairs are in no block, and which
 //     }
 //
-// Contract. Blocks are all that is read: nothing that made them is trusted, and nothing here includes a
-// header of constructions, search or files. A pair S is *covered* (newly) in Bᵢ if S ⊂ Bᵢ and
-// S ⊄ Bᵢ₋₁ [ChafeeStevens2025, Section 1]; in the first block of a linear design every pair is. A pair
-// that is in *every* block of a circular design occurs but is never newly covered; the design is valid
-// all the same, for "every pair occurs in some block" is the definition, and such pairs are counted
-// apart. A single block (b = 1, v = k) is valid in both kinds: it has no step, and all its pairs count
-// as newly covered.
+// Contract. The verdict rests on the blocks alone: it trusts nothing that made them, and nothing
+// here includes a header of constructions, search or files. A pair S is *covered* (newly) in Bᵢ if
+// S ⊂ Bᵢ and S ⊄ Bᵢ₋₁ [ChafeeStevens2025, Section 1]; in the first block of a linear design every
+// pair is. A pair that is in *every* block of a circular design occurs but is never newly covered;
+// the design is still valid, because the definition is "every pair occurs in some block", and such
+// pairs are counted apart. A single block (b = 1, v = k) is valid in both kinds: it has no step,
+// and all its pairs count as newly covered.
 //
-// Bound by: one pass over the blocks, O(k) a block plus one bit set per newly covered t-subset, and
-// C(v,t) bits of memory. For large blocks the bits are what takes the time; for k = 4 half of it is
-// looking up what each element did before.
+// Cost: one pass over the blocks, O(k) per block plus one bit set per newly covered t-subset, and
+// C(v,t) bits of memory. For large blocks the bits take most of the time; for k = 4 half of it goes
+// into looking up the last block of each element.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +52,7 @@ struct BadStep {
   bool operator==(const BadStep&) const = default;
 };
 
-/// What the list does to one element.
+/// Counts for one element.
 struct ElementCount {
   std::uint64_t introductions = 0;  ///< i_x: blocks in which it is introduced
   std::uint64_t blocks = 0;         ///< r_x: blocks that contain it
@@ -69,7 +69,7 @@ struct Verdict {
   std::uint64_t bad_steps = 0;
   std::vector<BadStep> bad_step_examples;
 
-  std::uint64_t subsets = 0;    ///< C(v,t): what must occur
+  std::uint64_t subsets = 0;    ///< C(v,t): subsets that must occur
   std::uint64_t uncovered = 0;  ///< t-subsets that are in no block
   std::vector<Block> uncovered_examples;
 
@@ -81,29 +81,29 @@ struct Verdict {
   std::vector<Element> fixed;          ///< elements that are in every block
   std::vector<ElementCount> elements;  ///< by element; `covered` and `excess` for strength 2 only
   /// i_x(k−1) + m(r_x − i_x) = v − 1 + e_x for every x, less the f − 1 pairs that are never newly
-  /// covered at each of f ≥ 2 fixed elements, and Σe_x is twice the excess, which is counted from the
-  /// pairs. Strength 2 only; false for an invalid list.
+  /// covered at each of f ≥ 2 fixed elements, and Σe_x is twice the excess, which is counted from
+  /// the pairs. Strength 2 only; false for an invalid list.
   bool degree_identity = false;
 
   std::optional<std::uint64_t> unchanged_subsets;  ///< distinct unchanged subsets, if asked for
   std::vector<Element> never_unchanged;  ///< elements that are in no unchanged subset Bᵢ ∩ Bᵢ₊₁
 
   /// ⌈g₁⌉ or ⌈g₂⌉ of [ChafeeStevens2025, Theorem 1], for any m and t: linear
-  /// ⌈(C(v,t) − C(k,t)) / p⌉ + 1, circular ⌈C(v,t) / p⌉, p = C(k,t) − C(k−m,t); 1 if v = k. A circular
-  /// design with two or more fixed elements may have fewer blocks.
+  /// ⌈(C(v,t) − C(k,t)) / p⌉ + 1, circular ⌈C(v,t) / p⌉, p = C(k,t) − C(k−m,t); 1 if v = k. A
+  /// circular design with two or more fixed elements may have fewer blocks.
   std::uint64_t counting_bound = 0;
 
-  /// It is a change covering design with these parameters.
+  /// Whether it is a change covering design with these parameters.
   [[nodiscard]] bool valid() const { return b > 0 && bad_steps == 0 && uncovered == 0; }
-  /// Valid, and every t-subset is newly covered exactly once.
+  /// Whether it is valid and every t-subset is newly covered exactly once.
   [[nodiscard]] bool tight() const { return valid() && excess == 0 && never_newly_covered == 0; }
-  /// Valid, with exactly counting_bound blocks.
+  /// Whether it is valid and has exactly counting_bound blocks.
   [[nodiscard]] bool economical() const { return valid() && b == counting_bound; }
 
   bool operator==(const Verdict&) const = default;
 };
 
-/// Reads the stream to its end and says what is true of it.
+/// Reads the stream to its end and returns the verdict on it.
 /// @throws BadInput if a block has a repeated element or one that is not below v;
 /// ImpossibleParameters as check(); MissingResource if v exceeds max_elements_in_memory or C(v,t)
 /// bits exceed 4 GiB.
@@ -112,7 +112,7 @@ struct Verdict {
 /// The same for a design in memory.
 [[nodiscard]] Verdict verify(const Design& design, const VerifyOptions& options = {});
 
-/// The same for blocks that pass by, where whoever has them does something else with them too:
+/// The same for blocks that the caller also uses for something else:
 ///
 ///     RunningVerdict running(parameters);
 ///     for_each_batch(source, [&](std::span<const Element> blocks) {
@@ -128,11 +128,11 @@ class RunningVerdict {
   RunningVerdict(const RunningVerdict&) = delete;
   RunningVerdict& operator=(const RunningVerdict&) = delete;
 
-  /// The next block, or blocks, one after another. @throws BadInput as verify(), and if they have not k
-  /// elements each.
+  /// The next block, or blocks, one after another. @throws BadInput as verify(), and unless they
+  /// have k elements each.
   void add(std::span<const Element> blocks);
 
-  /// What is true of all blocks. Call it once, at the end.
+  /// The verdict on all blocks. Call it once, at the end.
   [[nodiscard]] Verdict finish();
 
  private:
@@ -144,22 +144,23 @@ class RunningVerdict {
   std::unique_ptr<State> state_;
 };
 
-// A design that was verified: whoever is handed one need not do it again.
+// A design that was verified: its type says so, and a function that takes one need not verify
+// again.
 //
 //     if (const auto found = verified(std::move(design))) {
 //       found->block_count();                 // as of the design
 //       found->verdict().tight();
-//       const Design& blocks = *found;        // to read; a copy can be changed, and is no longer verified
+//       const Design& blocks = *found;        // read-only; a copy counts as not verified
 //     }
 //
-// Only the functions below make one, and they read the blocks.
+// Only the functions below make one, and they read every block.
 
 class VerifiedDesign {
  public:
   [[nodiscard]] const Design& design() const { return design_; }
   // NOLINTNEXTLINE(google-explicit-constructor): a verified design is a design
   operator const Design&() const { return design_; }
-  /// To be changed, and no longer verified.
+  /// The design itself, which may be changed and no longer counts as verified.
   [[nodiscard]] Design take() && { return std::move(design_); }
 
   [[nodiscard]] const Verdict& verdict() const { return verdict_; }
@@ -172,7 +173,7 @@ class VerifiedDesign {
   [[nodiscard]] std::vector<Block> blocks() const { return design_.blocks(); }
   [[nodiscard]] const std::vector<std::string>& labels() const { return design_.labels(); }
   [[nodiscard]] const std::optional<Recipe>& recipe() const { return design_.recipe; }
-  /// Says how the blocks were made, which changes none.
+  /// Records how the blocks were made; the blocks stay the same.
   void set_recipe(Recipe recipe) { design_.recipe = std::move(recipe); }
 
  private:
@@ -184,11 +185,11 @@ class VerifiedDesign {
   Verdict verdict_;
 };
 
-/// The design, if its blocks say that it is one. Listens as verify(). @throws as verify().
+/// The design, if verify() finds it valid; nothing otherwise. @throws as verify().
 [[nodiscard]] std::optional<VerifiedDesign> verified(Design design);
 
-/// The same where there is no doubt. `what` names it, as in "a repaired DCCD(60,5)".
-/// @throws InternalError if it is none.
+/// The same for a design that must be valid. `what` names it in the message, as in "a repaired
+/// DCCD(60,5)". @throws InternalError if it is not.
 [[nodiscard]] VerifiedDesign surely_verified(Design design, std::string_view what);
 
 }  // namespace changeover
