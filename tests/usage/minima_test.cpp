@@ -46,7 +46,7 @@ TEST(Minima, IsOfOneProcessAtATimeAndNeverItsOwnInput) {
               small + " --data mine.csv; code=$?; kill $!; wait; exit $code",
           folder.path());
   EXPECT_EQ(second.code, 4);
-  EXPECT_THAT(second.err, HasSubstr("another process works with it"));
+  EXPECT_THAT(second.err, HasSubstr("another process is using it"));
   EXPECT_FALSE(std::filesystem::exists(folder.file("mine.csv.lock")));
 }
 

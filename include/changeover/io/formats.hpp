@@ -5,19 +5,19 @@
 //     4 5 2 3
 //     4 5 0 1
 //
-// One block a line, its elements separated by blanks or tabs; `#` starts a comment. Three comments mean
-// something when they have a line before the first block to themselves:
+// One block per line, its elements separated by blanks or tabs; `#` starts a comment. Three
+// comments have a meaning if each is alone on a line before the first block:
 //   # changeover design v=… k=… change=… kind=… strength=…     parameters, each optional
 //   # labels: a b c …                                          the names of elements 0, 1, 2, …
 //   # recipe: {…}                                              how the blocks were made, as JSON
-// A writer names strength only if it is not 2, and writes the elements of a design with labels by their
-// labels. What is missing is inferred by the rules in io/input.hpp. Lines may end in CR LF, and
-// a byte order mark is skipped. Writing, reading and writing again gives the same bytes; the
-// comments of others are dropped.
+// A writer names strength only if it is not 2, and writes elements by their labels if the design
+// has them. A reader infers missing parameters by the rules in io/input.hpp. Lines may end in CR
+// LF, and a byte order mark is skipped. Writing, reading and writing again gives the same bytes;
+// other comments are dropped.
 //
-// Bound by: memory bandwidth and the system's read and write. Memory: one buffer of 256 KiB, the names
-// of the elements, two blocks. A source that does not declare v is read twice; if it cannot be rewound
-// (standard input) it is kept in memory as text, up to 4 GiB.
+// Speed: that of memory and of the system's read and write. Memory: one buffer of 256 KiB, the
+// names of the elements, two blocks. A source that does not declare v is read twice; if it cannot
+// be rewound (standard input) it is kept in memory as text, up to 4 GiB.
 //
 // Deliberately not done: several designs in one file; a block over several lines.
 #pragma once
@@ -39,9 +39,9 @@
 
 namespace changeover {
 
-/// Opens a stream of blocks. Reads the header and the first two blocks at once, and everything once if
-/// v is not declared. If v is declared but no labels are, the first 256 KiB decide whether elements
-/// are numbers or labels.
+/// Opens a stream of blocks. Reads the header and the first two blocks at once, and everything once
+/// if v is not declared. If v is declared but no labels are, the first 256 KiB decide whether
+/// elements are numbers or labels.
 /// @throws BadInput as io/input.hpp says, from here or from next(); MissingResource if reading
 /// fails.
 [[nodiscard]] std::unique_ptr<DesignInput> open_text(std::unique_ptr<Input> input,
@@ -53,7 +53,7 @@ namespace changeover {
 /// Writes header, labels, recipe and blocks of a design. @throws as Sink::write().
 void write_text(const Design& design, Sink& sink);
 
-/// What a stream of blocks cannot tell about itself.
+/// What a stream of blocks does not carry: labels and recipe.
 struct TextHeader {
   std::vector<std::string> labels = {};  ///< one per element, or empty
   std::optional<Recipe> recipe = {};
@@ -73,19 +73,19 @@ std::uint64_t write_text(BlockSource& source, Sink& sink, const TextHeader& head
 //     2,4,5,2,3,6,2,circular
 //     3,4,5,0,1,6,2,circular
 //
-// One block a row, numbered from 1; the columns after the elements say the same in every row, so rows
-// can be sorted and filtered without losing what the design is. A column `strength` follows if it is
-// not 2, and a column `elements`, which then always says `labels`, if the elements are named by other
-// words than 0 … v−1: its cells are names even where they look like numbers. A name that a spreadsheet
-// would compute, such as =1+1, has an apostrophe in front, which a reader takes back
-// (io/write/csv_cell.hpp). Rows end in LF.
+// One block per row, numbered from 1; the columns after the elements have the same values in every
+// row, so that rows can be sorted and filtered without losing the parameters. A column `strength`
+// follows if it is not 2, and a column `elements`, which then always says `labels`, if the elements
+// are named by other words than 0 … v−1: its cells are names even where they look like numbers. A
+// name that a spreadsheet would compute, such as =1+1, has an apostrophe in front, which a reader
+// removes (io/write/csv_cell.hpp). Rows end in LF.
 //
 // A reader finds the columns by their names, in any order, and ignores others; every column but the
 // elements may be missing, and so may the first row, if all rows hold nothing but elements. The
-// separator is a comma or a semicolon, whichever comes first in the first row; fields may be quoted.
-// The rest is inferred by the rules in io/input.hpp. Rows are blocks in the order in which
-// they stand. Writing, reading and writing again gives the same bytes; a recipe is not kept, and the
-// order of labels is that of their occurrence.
+// separator is a comma or a semicolon, whichever comes first in the first row; fields may be
+// quoted. The reader infers the rest by the rules in io/input.hpp. Rows are blocks in the order of
+// the file. Writing, reading and writing again gives the same bytes; a recipe is not kept, and
+// labels are in the order in which they occur.
 
 /// @throws BadInput as io/input.hpp says; MissingResource if reading fails.
 [[nodiscard]] Design read_csv(Input& input, const ReadOptions& options = {});
@@ -105,17 +105,17 @@ std::uint64_t write_csv(BlockSource& source, Sink& sink,
 //     [4,5,0,1]
 //     ]}
 //
-// Keys come in this order; after `kind` comes "strength" if it is not 2, after `blocks` come "labels"
-// (the names of elements 0, 1, …), "recipe" and "verdict", each if there is one. A block is an array of
-// element *numbers*, on a line of its own. A reader takes keys in any order and ignores those that
-// it does not know; it takes strings for elements as labels, and a bare array of blocks. What is
-// missing is inferred by the rules in io/input.hpp. Writing, reading and writing again gives
-// the same bytes, except that a verdict is never read: it is for the verifier to say.
+// Keys come in this order; after `kind` comes "strength" if it is not 2, after `blocks` come
+// "labels" (the names of elements 0, 1, …), "recipe" and "verdict", each if there is one. A block
+// is an array of element *numbers*, on a line of its own. A reader takes keys in any order and
+// ignores those that it does not know; it takes strings as labels of elements, accepts a bare array
+// of blocks, and infers the rest by the rules in io/input.hpp. Writing, reading and writing again
+// gives the same bytes, except that a reader ignores verdicts: only the verifier gives one.
 //
-// A reader holds the whole text (up to 4 GiB) and the blocks; a writer holds neither. Nesting deeper
-// than 256 levels is refused.
+// A reader holds the whole text (up to 4 GiB) and the blocks; a writer holds neither. Nesting
+// deeper than 256 levels is refused.
 
-/// What a design's file says about its quality: the verdict in short, and what bounds and proofs say.
+/// The quality of a design in its file: the verdict in short, and the lower bound.
 struct DesignVerdict {
   bool valid = false;
   bool tight = false;
@@ -135,24 +135,25 @@ struct DesignVerdict {
 void write_json(const Design& design, Sink& sink,
                 const std::optional<DesignVerdict>& verdict = std::nullopt);
 
-/// The same for a stream, which is read to its end. The verdict is asked for after the last block, as
-/// that is when it is known; it may be empty. Returns the number of blocks.
+/// The same for a stream, which is read to its end. Calls for the verdict after the last block,
+/// when it is known; it may be empty. Returns the number of blocks.
 std::uint64_t write_json(BlockSource& source, Sink& sink, const TextHeader& header = {},
                          const std::function<std::optional<DesignVerdict>()>& verdict = {});
 
 /// {"valid":true,"tight":true,"economical":true,"b":366,"lower_bound":366,"minimum":"proved"}
 [[nodiscard]] std::string verdict_to_json(const DesignVerdict& verdict);
 
-/// Everything that the verifier found, with elements in examples named by `labels` if there are any.
-/// Keys: v, k, change, kind, strength; valid, tight, economical, b, counting_bound; bad_steps,
+/// The whole verdict, with elements in examples named by `labels` if there are any. Keys: v, k,
+/// change, kind, strength; valid, tight, economical, b, counting_bound; bad_steps,
 /// bad_step_examples [{from,to,changes}]; subsets, uncovered, uncovered_examples [[…]]; covered,
 /// never_newly_covered, excess; fixed […]; degree_identity (true, or null for strength ≠ 2);
-/// unchanged_subsets, never_unchanged […]; elements [{element, introductions, blocks, covered, excess}].
+/// unchanged_subsets, never_unchanged […]; elements [{element, introductions, blocks, covered,
+/// excess}].
 [[nodiscard]] std::string verdict_to_json(const Verdict& verdict,
                                           const std::vector<std::string>& labels = {});
 
-/// {"construction":"cyclic","v":7,"k":3,"change":2,"kind":"circular","arguments":{"c":1},"inputs":[]},
-/// with "strength" after kind if it is not 2 and "blocks" last if there are any. One line.
+/// {"construction":"cyclic","v":7,"k":3,"change":2,"kind":"circular","arguments":{"c":1},
+/// "inputs":[]}, with "strength" after kind if it is not 2 and "blocks" last if there are any. One line.
 [[nodiscard]] std::string recipe_to_json(const Recipe& recipe);
 
 /// Reads what recipe_to_json() writes; missing arguments and inputs are empty.
@@ -165,25 +166,26 @@ std::uint64_t write_json(BlockSource& source, Sink& sink, const TextHeader& head
 //     StringSink sink;
 //     write_gap(design, sink);  // D := BlockDesign(6, [ … ]);
 //
-// These formats say v and blocks. Writers put the points of a block in increasing order and keep the order of the
-// blocks; GAP and Sage themselves sort blocks when they make an object of them. What else a design is stands in
-// comments, in the words of text (io/formats.hpp), and a reader takes it from there: our files keep everything but the
-// recipe. Files of others are completed by the rules in io/input.hpp. Writing, reading and writing again
-// gives the same bytes.
+// These formats have v and blocks. Writers put the points of a block in increasing order and keep
+// the order of the blocks; GAP and Sage themselves sort blocks when they make an object of them.
+// The other parameters and the labels are in comments, with the same words as in text (above), and
+// readers take them from there: our files keep everything but the recipe. For other files readers
+// use the rules in io/input.hpp. Writing, reading and writing again gives the same bytes.
 //
-// **GAP** [package DESIGN]: `D := BlockDesign(7, [[1,2,4],[2,3,5]]);`, with points from 1 on; also without name, and the
-// record `rec( isBlockDesign := true, v := 7, blocks := [ [ 1, 2, 4 ] ] )` that GAP prints. Blocks that a group develops
-// are refused.
-// **Sage**: `D = IncidenceStructure(7, [[0,1,3],[1,2,4]])`, with points from 0 on, or BlockDesign. A bare BlockDesign is
-// of GAP if point v occurs and of Sage if point 0 does.
-// **designtheory.org**: XML, `list_of_designs` with one `block_design`, points from 0 on; a processing instruction
-// `<?changeover …?>` in the place of comments. Entities are refused.
-// **La Jolla**: one block a line, points from 1 on, and nothing else. It is text, so the points are labels 1, …, v when it is read.
-// Its JSON, an object of v, k, t and blocks, is read by read_json(): t is the strength.
+// **GAP** [package DESIGN]: `D := BlockDesign(7, [[1,2,4],[2,3,5]]);`, with points from 1 on; also
+// without name, and the record `rec( isBlockDesign := true, v := 7, blocks := [ [ 1, 2, 4 ] ] )`
+// that GAP prints. Blocks to be developed under a group are refused. **Sage**:
+// `D = IncidenceStructure(7, [[0,1,3],[1,2,4]])`, with points from 0 on, or BlockDesign. A bare
+// BlockDesign is of GAP if point v occurs and of Sage if point 0 does. **designtheory.org**: XML,
+// `list_of_designs` with one `block_design`, points from 0 on; a processing instruction
+// `<?changeover …?>` instead of comments. Entities are refused. **La Jolla**: one block per line,
+// points from 1 on, and nothing else. A reader takes it for text, so the points are labels 1, …, v.
+// read_json() reads its JSON, an object of v, k, t and blocks: t is the strength.
 //
-// A reader holds the whole text (up to 1 GiB) and the blocks; one design a file.
+// A reader holds the whole text (up to 1 GiB) and the blocks; one design per file.
 
-/// @throws BadInput as io/input.hpp says; MissingResource if reading fails. The same for the other reader.
+/// @throws BadInput as io/input.hpp says; MissingResource if reading fails. The same for the other
+/// reader.
 [[nodiscard]] Design read_literal(Input& input, const ReadOptions& options = {});
 [[nodiscard]] Design read_designtheory(Input& input, const ReadOptions& options = {});
 

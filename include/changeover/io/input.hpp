@@ -29,14 +29,14 @@ class Input {
  public:
   virtual ~Input() = default;
 
-  /// What messages call it: the path, or "<stdin>".
+  /// Its name in messages: the path, or "<stdin>".
   [[nodiscard]] const std::string& name() const { return name_; }
 
   /// Fills the front of `buffer` and returns how many bytes it got; 0 only at the end.
   /// @throws MissingResource if the system fails to read.
   virtual std::size_t read(std::span<char> buffer) = 0;
 
-  /// Starts over at the first byte; false, and no change, if that is impossible.
+  /// Starts over at the first byte; returns false and changes nothing if that is impossible.
   virtual bool rewind() { return false; }
 
  protected:
@@ -48,45 +48,48 @@ class Input {
   std::string name_;
 };
 
-/// Opens a file, or standard input for "-". A FIFO is waited for until somebody writes to it.
+/// Opens a file, or standard input for "-". For a FIFO it waits until a process writes to it.
 /// @throws MissingResource with one line if it is missing, unreadable or a directory.
 [[nodiscard]] std::unique_ptr<Input> open_input(const std::string& path);
 
-/// Opens a list as open_input() does, or one sheet of a workbook: "parts.xlsx:Costs" is the sheet Costs of parts.xlsx if
-/// there is no file of the whole name. @throws as open_input(); who reads it, if there is no such sheet.
+/// Opens a list as open_input() does, or one sheet of a workbook: "parts.xlsx:Costs" is the sheet
+/// Costs of parts.xlsx if there is no file of the whole name. @throws as open_input(); reading
+/// throws if there is no such sheet.
 [[nodiscard]] std::unique_ptr<Input> open_list(const std::string& path);
-/// The file of it: "parts.xlsx".
+/// The path of the file: "parts.xlsx".
 [[nodiscard]] std::string list_file(const std::string& path);
 
 /// A string as input.
 [[nodiscard]] std::unique_ptr<Input> input_from_text(std::string text, std::string name = "<text>");
 
-/// All bytes to the end. @throws MissingResource as read(), and if there are more than `limit`; the line then ends
-/// with `how_to_mend`.
+/// All bytes to the end. @throws MissingResource as read(), and if there are more than `limit`; the
+/// line then ends with `how_to_mend`.
 [[nodiscard]] std::string read_to_end(
     Input& input, std::size_t limit = std::size_t{1} << 32,
     std::string_view how_to_mend = "write it as text with a first line '# changeover design v=…'");
 
-// What all readers of designs share: the rules by which blocks from outside become a design.
+// The rules of all readers: how blocks from outside become a design.
 //
-// A foreign file seldom says all of its parameters. They come, in this order, from the caller
+// A file from elsewhere seldom has all of its parameters. They come, in this order, from the caller
 // (ReadOptions), from the file, and from these rules:
 //   - k is the number of elements of the first block; every other block must agree.
-//   - change is the number of elements in which the first two blocks differ (2 if there is one block
-//     or they are equal), kind is linear, strength is 2.
+//   - change is the number of elements in which the first two blocks differ (2 if there is one
+//     block or they are equal), kind is linear, strength is 2.
 //   - Elements are *numbers* (plain decimals: digits, no needless leading zero) or *labels*. If the
-//     file lists its labels, each element is looked up there. If it declares v, either all elements are
-//     numbers below v, or all are labels, numbered as they first occur, at most v of them. If it does
-//     not, the elements that occur are the whole set: numbers 0 … n−1 stay as they are, other
-//     numbers become labels in increasing order, anything else labels in the order of occurrence.
-//   - At most 65,535 elements, in a block and altogether; a name has at most 255 bytes and is one that
-//     label_defect() lets pass, in every format: UTF-8 without control characters.
+//     file lists its labels, each element is looked up there. If it declares v, either all elements
+//     are numbers below v, or all are labels, numbered as they first occur, at most v of them. If
+//     it does not, the elements that occur are the whole set: numbers 0 … n−1 stay as they are,
+//     other numbers become labels in increasing order, anything else labels in the order of
+//     occurrence.
+//   - At most 65,535 elements, in a block and altogether; in every format a name has at most 255
+//     bytes and no label_defect(): UTF-8 without control characters.
 //
-// A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to mend it`. Lines and
-// columns count from 1, columns in bytes. If it is the caller's (v or k that no file can
-// have, a change of 0 or of more than k elements, a strength above k) it is BadOption, without a place.
+// A violation is BadInput with one line: `NAME:LINE:COLUMN: what is wrong; how to correct it`.
+// Lines and columns count from 1, columns in bytes. If an option of the caller is at fault (v or k
+// that no file can have, a change of 0 or of more than k elements, a strength above k), it is
+// BadOption without a place.
 
-/// What the caller knows of a design that is about to be read; it wins over what the file says.
+/// Parameters from the caller; they override those of the file.
 struct ReadOptions {
   std::optional<std::uint64_t> v = {};
   std::optional<std::uint64_t> k = {};
@@ -101,26 +104,27 @@ class DesignInput : public BlockSource {
   /// One name per element, or empty if elements are numbers; complete once next() has said false.
   [[nodiscard]] virtual const std::vector<std::string>& labels() const = 0;
 
-  /// The recipe that came with the blocks, if any. A claim: the blocks need not be its blocks.
+  /// The recipe that came with the blocks, if any. It is a claim: it may make other blocks.
   [[nodiscard]] virtual const std::optional<Recipe>& recipe() const = 0;
 };
 
 /// The whole stream with its labels and recipe. @throws as next().
 [[nodiscard]] Design read_all(DesignInput& input);
 
-// A design from a file of any format that is known here.
+// A design from a file of any known format.
 //
 //     Design design = read_design("mine.txt");                      // "-": standard input
 //     auto stream = open_design("huge.txt", {.kind = Kind::circular});
 //     Verdict verdict = verify(*stream);
 //
-// The first byte that is not blank decides: `{` or `[` is JSON, `<` is XML of designtheory.org; otherwise, a design as GAP
-// or Sage write it is one (io/formats.hpp), a first line with a comma or semicolon (before any `#`) is CSV; all else
-// is text. Names of files mean nothing.
+// The first byte that is not blank decides: `{` or `[` is JSON, `<` is XML of designtheory.org.
+// Otherwise, a text that begins like a design of GAP or Sage (io/formats.hpp) is one, a first line
+// with a comma or semicolon (before any `#`) is CSV, and all else is text. File names do not
+// matter.
 
 enum class Format : std::uint8_t { text, json, csv, xml, literal };
 
-/// The format of a file that begins like this; a few hundred bytes are enough.
+/// The format of a file that begins with these bytes; a few hundred are enough.
 [[nodiscard]] Format guess_format(std::string_view beginning);
 
 /// The whole design with labels and recipe.
@@ -129,8 +133,8 @@ enum class Format : std::uint8_t { text, json, csv, xml, literal };
 [[nodiscard]] Design read_design(const std::string& path, const ReadOptions& options = {});
 [[nodiscard]] Design read_design(std::unique_ptr<Input> input, const ReadOptions& options = {});
 
-/// The design as a stream: text is read as it is needed (see io/formats.hpp for when it is kept), all
-/// other formats are held in memory. @throws as read_design(), from here or from next().
+/// The design as a stream: text is read as it is needed (see io/formats.hpp for when it is kept),
+/// all other formats are held in memory. @throws as read_design(), from here or from next().
 [[nodiscard]] std::unique_ptr<DesignInput> open_design(const std::string& path,
                                                        const ReadOptions& options = {});
 [[nodiscard]] std::unique_ptr<DesignInput> open_design(std::unique_ptr<Input> input,

@@ -5,10 +5,10 @@
 //     file.commit();                         // only now does mine.json change
 //
 // The bytes go to a temporary file beside the target, which is renamed onto it by commit(); without
-// commit() the destructor removes the temporary and an old file stays as it was. A new file gets the
-// usual permissions, a replaced one keeps those it had; a symbolic link keeps pointing to its target,
-// and the target is replaced. What is not a regular file (/dev/null, a FIFO, standard output) is
-// written directly, so bytes that left the buffer stay written.
+// commit() the destructor removes the temporary and an old file stays as it was. A new file gets
+// the usual permissions, a replaced one keeps those it had; a symbolic link keeps pointing to its
+// target, and the target is replaced. Anything but a regular file (/dev/null, a FIFO, standard
+// output) is written directly, so bytes that left the buffer stay written.
 //
 // A process that is killed cannot run destructors: call remove_unfinished_outputs() in your own
 // handler, or remove_unfinished_outputs_on_signals() once in main().
@@ -22,13 +22,13 @@
 
 namespace changeover {
 
-// Where writers put their bytes: a file (io/output.hpp), a string, or something of your own.
+// A Sink takes the bytes of writers: a file (above), a string, or a class of your own.
 //
 //     StringSink sink;
 //     write_text(design, sink);
 //     sink.text();
 
-/// A place for bytes. Writers hand over large pieces, so a virtual call costs nothing.
+/// A place for bytes. Writers pass large pieces, so the virtual calls cost nothing.
 class Sink {
  public:
   virtual ~Sink() = default;
@@ -58,27 +58,28 @@ class StringSink final : public Sink {
 class OutputFile final : public Sink {
  public:
   /// Opens `path` for writing; "" and "-" are standard output.
-  /// @throws MissingResource with one line: the path, what the system says, how to mend it.
+  /// @throws MissingResource with one line: the path, the system's error, how to correct it.
   explicit OutputFile(const std::string& path);
   ~OutputFile() override;
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// @throws MissingResource if the disk is full, …; ReaderGone, which is one, if a pipe is closed and
-  /// the process ignores SIGPIPE.
+  /// @throws MissingResource if the disk is full, …; its subclass ReaderGone if a pipe is closed
+  /// and the process ignores SIGPIPE.
   void write(std::string_view bytes) override;
 
-  /// Hands what is buffered to the system. For a regular file it stays invisible until commit().
+  /// Passes the buffer to the system. A regular file stays invisible until commit().
   void flush();
 
-  /// Flushes, makes the bytes and the name durable and puts the file in place; nothing may be written
-  /// afterwards.
-  /// @throws MissingResource as write(), and again if a write() or flush() before failed: a file that is
-  /// not whole is never put in place. The old file is then intact.
+  /// Flushes, makes the bytes and the name durable and puts the file in place; nothing may be
+  /// written afterwards.
+  /// @throws MissingResource as write(), and again if a write() or flush() before failed: a file
+  /// that is not whole is never put in place. The old file is then intact.
   void commit();
 
-  /// The file that holds the bytes until commit(), for reading it back after flush() or for handing it to
-  /// a library that writes files itself; the target if that is written directly, empty for standard output.
+  /// The file that holds the bytes until commit(), for reading it back after flush() or for handing
+  /// it to a library that writes files itself; the target if that is written directly, empty for
+  /// standard output.
   [[nodiscard]] std::string path_until_commit() const;
 
   /// Whether the bytes go to standard output.

@@ -1,10 +1,11 @@
-// A question as a document: what can be asked, under which keys, and which keys exclude or need others.
+// A request as a document: its keys, their kinds, and which keys exclude or need others.
 //
-// One record an option. From it come the option of the command line with its help, the key of the JSON document, the member of
-// the body that the server takes, the argument in Python, and the table docs/doors.md. A request itself is plain data
-// (plan/job_request.hpp, loadorder/load_request.hpp); lists in it are named by a file or stand in it.
+// There is one record per option. It makes the option of the command line with its help, the key of
+// the JSON document and of the server's requests, the argument in Python, and a row of
+// docs/doors.md. A request itself is plain data (plan/job_request.hpp, loadorder/load_request.hpp);
+// its lists are in files or in the request.
 //
-//     RequestList pairs{.rows = {{{.fields = {"Pump A", "Motor"}}}}};      // or .file = "pairs.csv", or .text = "Pump A,Motor"
+//     RequestList pairs{.rows = {{{.fields = {"Pump A", "Motor"}}}}};  // or .file, or .text
 //     pairs.is_given();                                                  // true
 #pragma once
 
@@ -17,13 +18,13 @@
 
 namespace changeover {
 
-/// Through which door a question came: it says how messages spell its keys, "--at-once" or "at_once".
+/// Where a request came from, which decides how messages spell its keys: "--at-once" or "at_once".
 enum class Door { command_line, document };
 
-/// What a key holds.
+/// The kind of a key's value.
 enum class ValueKind {
   number,   ///< a whole number from 0
-  amount,   ///< an exact decimal, as it is written
+  amount,   ///< an exact decimal, as written
   seconds,  ///< a number of seconds
   flag,     ///< true or false
   text,     ///< any text
@@ -32,9 +33,9 @@ enum class ValueKind {
   list      ///< a list: in a file, as text, or here
 };
 
-/// What the rows of a list are, as JSON has them.
+/// The shape of a list's rows in JSON.
 enum class RowShape {
-  none,     ///< this is no list
+  none,     ///< not a list
   parts,    ///< "name" or {"name", "cost", "slot"}
   pairs,    ///< [a, b]
   weights,  ///< [a, b, weight]
@@ -47,7 +48,7 @@ enum class RowShape {
 /// One row of a list.
 struct ListRow {
   std::vector<std::string> fields;
-  /// Of a test: what is written there, perhaps nothing. Without one the test was done.
+  /// The result of a test as written, which may be empty. Without one the test was done.
   std::optional<std::string> result = {};
 
   bool operator==(const ListRow&) const = default;
@@ -56,27 +57,27 @@ struct ListRow {
 /// A list of a request: in a file, as the text of one, or row by row. At most one of them is given.
 struct RequestList {
   std::string file = {};                          ///< its path; "-": standard input
-  std::optional<std::string> text = {};           ///< what a file would hold
-  std::optional<std::vector<ListRow>> rows = {};  ///< each as its shape says
+  std::optional<std::string> text = {};           ///< the text of such a file
+  std::optional<std::vector<ListRow>> rows = {};  ///< each of the list's shape
 
   [[nodiscard]] bool is_given() const { return !file.empty() || text || rows; }
   bool operator==(const RequestList&) const = default;
 };
 
-/// One option: what every door knows of it.
+/// One option, for the command line, documents, the server and Python.
 struct OptionRecord {
   std::string_view key;  ///< in documents and in Python
   std::string_view
       flags;  ///< on the command line: "-k,--at-once"; without hyphens a positional argument
   ValueKind kind = ValueKind::flag;
-  std::string_view value = {};  ///< what the help calls its value: "K", "FILE"
+  std::string_view value = {};  ///< the name of its value in the help: "K", "FILE"
   std::string_view help = {};
   RowShape shape = RowShape::none;
   std::vector<std::string_view> words = {};  ///< of a word
   std::string_view python = {};              ///< the argument there, if it has another name
-  std::string_view not_in_server = {};       ///< why that door does not have it; empty: it does
+  std::string_view not_in_server = {};       ///< why it is not there; empty: it is
   std::string_view not_in_python = {};
-  bool of_every_search = false;  ///< every verb that searches has it on the command line
+  bool of_every_search = false;  ///< on the command line every verb that searches has it
 };
 
 /// Which keys exclude or need others.
@@ -91,7 +92,7 @@ struct OptionRule {
   std::vector<std::string_view> others = {};
 };
 
-/// Where a request keeps the value of a key.
+/// The member of a request that has the value of a key.
 template <typename Request>
 using RequestField =
     std::variant<std::optional<std::uint64_t> Request::*, std::optional<double> Request::*,
@@ -104,7 +105,7 @@ struct RequestOption {
   RequestField<Request> field;
 };
 
-/// All that one kind of question can say.
+/// All keys of one kind of request, and the rules between them.
 template <typename Request>
 struct RequestTable {
   std::string_view format;  ///< "changeover-job/1"
@@ -112,9 +113,10 @@ struct RequestTable {
   std::vector<OptionRule> rules;
 };
 
-/// How a door spells a key: "--at-once", "at_once"; a positional argument by its name in the help.
+/// The spelling of a key there: "--at-once", "at_once"; for a positional argument its name in the
+/// help.
 [[nodiscard]] std::string spelled(const OptionRecord& record, Door door);
-/// The same with its value, where the door has that: "--at-once K".
+/// The same with its value on the command line: "--at-once K".
 [[nodiscard]] std::string spelled_with_value(const OptionRecord& record, Door door);
 
 }  // namespace changeover

@@ -1,7 +1,7 @@
 // How blocks are laid out in columns, for tables on paper and on a terminal.
 //
-// In a table of blocks an element keeps its row while it stays, and an introduced element takes the row
-// of one that left, so that a reader sees what changes. The marks are those of Transitions.
+// In a table of blocks an element keeps its row while it stays, and an introduced element takes the
+// row of one that left, so that a reader sees the changes. The marks are those of Transitions.
 //
 //     for (const AlignedBlock& column : aligned_rows(design)) {
 //       column[0].element;  column[0].introduced;  column[0].leaving;
@@ -33,18 +33,19 @@ struct MarkedElement {
 /// One block, top row first.
 using AlignedBlock = std::vector<MarkedElement>;
 
-/// All blocks of a design in rows. The first block keeps its order; those that enter take the rows of
-/// those that left, both from the top and in the order in which they are written. O(bk log k).
+/// All blocks of a design in rows. The first block keeps its order; those that enter take the rows
+/// of those that left, both from the top and in the order in which they are written. O(bk log k).
 [[nodiscard]] std::vector<AlignedBlock> aligned_rows(const Design& design);
 
-/// Blocks `first` to `last` of a stream, from 0, as far as it has them; the rows begin at the first of them, the marks are those
-/// of the whole. What comes later is not read (but a circular stream is read to its end once, as Transitions say).
+/// Blocks `first` to `last` of a stream, from 0, as far as it has them; the rows begin at the first
+/// of them, the marks are those of the whole. Later blocks are not read (but Transitions read a
+/// circular stream to its end once).
 /// @throws ImpossibleParameters if v exceeds max_elements_in_memory; as Transitions.
 [[nodiscard]] std::vector<AlignedBlock> aligned_rows(
     BlockSource& source, std::uint64_t first,
     std::uint64_t last = std::numeric_limits<std::uint64_t>::max());
 
-/// How the blocks of a table are named.
+/// The names of the blocks of a table.
 struct BlockNames {
   std::uint64_t first = 1;  ///< number of the first block
   std::optional<std::uint64_t> base_blocks =
@@ -53,8 +54,8 @@ struct BlockNames {
   bool operator==(const BlockNames&) const = default;
 };
 
-/// The columns that display `text` on a terminal: UTF-8 decoded, marks above letters 0, East Asian wide
-/// characters 2; a byte that is not UTF-8 counts 1.
+/// The columns that display `text` on a terminal: UTF-8 decoded, marks above letters 0, East Asian
+/// wide characters 2; a byte that is not UTF-8 counts 1.
 [[nodiscard]] std::size_t display_width(std::string_view text);
 
 // A design as a table on a terminal.
@@ -66,9 +67,9 @@ struct BlockNames {
 //     3*  3   1*
 //       ^   ^   ^
 //
-// Blocks are columns, in bands that fit the width; rows as aligned_rows() lays them. `*` follows an
-// element that is introduced, `.` one that leaves (if asked for), and `^` stands beneath the gap after
-// block i for each position i of an expansion set.
+// Blocks are columns, in bands that fit the width; rows are those of aligned_rows(). `*` follows an
+// introduced element, `.` a leaving one (if wanted), and `^` is below the gap after block i for
+// each position i of an expansion set.
 
 struct TableOptions {
   std::size_t width = 80;  ///< columns of the terminal; a band has at least one block
@@ -97,11 +98,11 @@ void write_table(const Design& design, Sink& sink, const TableOptions& options =
 //     \caption{A circular DCCD(6,4,3)}
 //     \end{table}
 //
-// (The % are not written: they stand here because no comment of C++ may end in a backslash.)
-// Blocks are columns; rows are those of aligned_rows(), so an element keeps its row while it stays.
-// $^*$ marks an introduced element and $_*$ a leaving one; $_{\land}$ stands in the last row between
-// blocks i and i+1 for each position i of an expansion set. Long designs go on in bands below each
-// other, separated by \hline. Labels such as ∞_s and 0_l become $\infty_{s}$ and $0_{l}$. No package is
+// (The % are not written: they stand here because no comment of C++ may end in a backslash.) Blocks
+// are columns; rows are those of aligned_rows(), so an element keeps its row while it stays. $^*$
+// marks an introduced element and $_*$ a leaving one; $_{\land}$ is in the last row between blocks
+// i and i+1 for each position i of an expansion set. Long designs go on in bands below each other,
+// separated by \hline. Labels such as ∞_s and 0_l become $\infty_{s}$ and $0_{l}$. No package is
 // needed; a label with other letters than ASCII needs an engine or an encoding that knows them.
 
 struct LatexOptions {
@@ -118,7 +119,7 @@ struct LatexOptions {
 /// Writes the table. @throws as Sink::write().
 void write_latex(const Design& design, Sink& sink, const LatexOptions& options = {});
 
-/// `text` with everything escaped that means something to LaTeX; one line (src/core/printable.hpp).
+/// `text` with all special characters of LaTeX escaped; one line (src/core/printable.hpp).
 [[nodiscard]] std::string latex_escaped(std::string_view text);
 
 /// An element's name in LaTeX, with marks: "0$^*$", "$\infty_{l*}^{*}$".

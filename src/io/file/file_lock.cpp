@@ -31,8 +31,8 @@ FileLock::FileLock(const std::string& path) {
   acquire(path);
 }
 
-// The last one to hold the lock removes its file: whoever has locked a file that is not there any more tries
-// again, with the one that is.
+// The last owner of the lock removes its file: a process that locked a removed file tries again
+// with the new one.
 void FileLock::acquire(const std::string& path) {
   bool made = false;
   while (true) {
@@ -57,7 +57,8 @@ void FileLock::acquire(const std::string& path) {
       }
       throw MissingResource(
           error == EWOULDBLOCK
-              ? fmt::format("{}: another process works with it; wait for its end, or name another "
+              ? fmt::format("{}: another process is using it; wait until it finishes, or name "
+                            "another "
                             "file",
                             path)
               : fmt::format("{}: cannot lock {}: {}; write elsewhere", path, lock_path_,
@@ -71,8 +72,9 @@ void FileLock::acquire(const std::string& path) {
     }
     ::close(descriptor_);
   }
-  // A file of another kind that happens to have this name is left alone; so is one that is empty, for who
-  // knows whose it is: it serves and stays. One that a killed search left says what it is.
+  // A file of another kind that happens to have this name is left alone. An empty one is used as
+  // the lock but not removed, because its owner is unknown. A lock that a killed search left has
+  // our words in it.
   std::array<char, lock_words.size() + 1> content{};
   const ssize_t length = ::pread(descriptor_, content.data(), content.size(), 0);
   if (length == 0 && made) {
@@ -84,8 +86,8 @@ void FileLock::acquire(const std::string& path) {
   } else if (length != 0) {
     ::close(descriptor_);
     throw BadInput(
-        fmt::format("{}: is no lock but a file of somebody's; name another file than the one "
-                    "it would belong to, or move it away",
+        fmt::format("{}: not a lock file; move it away, or name another file than the one it "
+                    "would lock",
                     lock_path_));
   }
 }

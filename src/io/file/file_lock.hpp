@@ -2,9 +2,10 @@
 //
 //     FileLock lock("mine.csv");             // "mine.csv.lock", until the end of the block
 //
-// The file itself cannot carry the lock, for writing replaces it (io/output.hpp). The lock file says what
-// it is and goes away with its owner; one that a killed process left blocks nobody, since the system drops the
-// lock with the process. All names of a file, links included, have the same lock.
+// The file itself cannot carry the lock, for writing replaces it (io/output.hpp). The lock file
+// says what it is, and its owner removes it; one that a killed process left does no harm, because
+// the system drops the lock with the process. All names of a file, links included, have the same
+// lock.
 #pragma once
 
 #include <string>
@@ -13,8 +14,9 @@ namespace changeover {
 
 class FileLock {
  public:
-  /// @throws MissingResource with one line if another process has the lock, or if it cannot be made; BadInput if
-  /// there is a file of another kind that happens to have its name: that stays as it is.
+  /// Takes the lock of `path`. @throws MissingResource with one line if another process has the
+  /// lock, or if it cannot be made; BadInput if a file of another kind has its name: that file
+  /// stays as it is.
   explicit FileLock(const std::string& path);
   ~FileLock();
   FileLock(const FileLock&) = delete;
@@ -25,7 +27,7 @@ class FileLock {
 
   std::string lock_path_;
   int descriptor_ = -1;
-  bool is_ours_ = false;  // to be removed: it says so, or was made here
+  bool is_ours_ = false;  // to be removed: it has our words, or was made here
 };
 
 }  // namespace changeover

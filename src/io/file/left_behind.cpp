@@ -69,7 +69,7 @@ void remove_left_behind(const fs::path& folder, const std::string& name) {
   static std::mutex mutex;
   static std::set<std::string> done;
   constexpr std::size_t most_names =
-      1000;  // Who writes that many files would look at the folder for each of them.
+      1000;  // A process that writes many files would otherwise read the folder for each of them.
   {
     const std::scoped_lock lock(mutex);
     if (done.size() >= most_names || !done.insert((folder / name).string()).second) {
@@ -80,7 +80,8 @@ void remove_left_behind(const fs::path& folder, const std::string& name) {
   for (fs::directory_iterator at(folder.empty() ? "." : folder, fault), end; !fault && at != end;
        at.increment(fault)) {
     const auto process = process_in(at->path().filename().string(), name);
-    // Our own number may be that of another: where each container has a process 1. What is ours is locked.
+    // Another process may have our number, as process 1 of each container has. Our own files are
+    // locked.
     if (process && (*process == ::getpid() || (::kill(*process, 0) != 0 && errno == ESRCH))) {
       remove_if_nobodys(at->path());
     }

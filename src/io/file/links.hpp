@@ -7,7 +7,8 @@
 
 namespace changeover {
 
-/// The path that the links of `path` end in; the file itself may be missing. Nothing if they lead in a circle.
+/// The path that the links of `path` end in; the file itself may be missing. Nothing if they lead
+/// in a circle.
 inline std::optional<std::filesystem::path> behind_links(std::filesystem::path path) {
   constexpr int most_links = 40;  // as the system has it
   std::error_code error;

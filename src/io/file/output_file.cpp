@@ -66,7 +66,7 @@ class Unfinished {
 };
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler reads it");
 
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a handler has no other way.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables): a signal handler needs it
 Unfinished unfinished;
 
 std::string_view how_to_mend(int error) {
@@ -85,7 +85,7 @@ std::string_view how_to_mend(int error) {
       return "name a file in it";
     case EPIPE:
     case ECONNRESET:
-      return "the reader went away; keep it running";
+      return "the reader closed the pipe; keep it running";
     case EFBIG:
       return "raise the limit on the size of files (ulimit -f), or write elsewhere";
     case EBADF:
@@ -123,7 +123,7 @@ struct OutputFile::State {
   int descriptor = -1;
   int lock = -1;          // another descriptor of the same file, which holds its lock
   bool owned = false;     // the descriptor is ours to close
-  bool standard = false;  // standard output: a file can have its number where it was closed
+  bool standard = false;  // standard output, whose number another file can have if it was closed
   int failure = 0;        // the first error of the system; from then on the bytes are not whole
   std::vector<char> buffer;
 
@@ -134,7 +134,7 @@ struct OutputFile::State {
     cannot_write(name, failure);
   }
 
-  // Whoever goes on after a fault must not end with a file that has a hole in it.
+  // A caller that continues after a fault must not end with a file that has a hole in it.
   void require_whole() {
     if (failure != 0) {
       fail(failure);
@@ -147,7 +147,7 @@ struct OutputFile::State {
       const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
       if (count >= 0) {
         bytes.remove_prefix(static_cast<std::size_t>(count));
-      } else if (errno == EAGAIN) {  // a stream shared with a program that does not want to wait
+      } else if (errno == EAGAIN) {  // a stream shared with a program that made it non-blocking
         pollfd ready{.fd = descriptor, .events = POLLOUT, .revents = 0};
         ::poll(&ready, 1, -1);
       } else if (errno != EINTR) {
@@ -172,8 +172,8 @@ struct OutputFile::State {
     }
   }
 
-  // Makes the new name as durable as the bytes are. The file is in place by then and some file systems
-  // cannot do this, so that it fails is no fault.
+  // Makes the new name as durable as the bytes. A failure is ignored: the file is in place by then,
+  // and some file systems cannot do this.
   void sync_folder() const {
     const std::size_t slash = target.rfind('/');
     const std::string folder = slash == std::string::npos ? "." : target.substr(0, slash + 1);
@@ -184,7 +184,7 @@ struct OutputFile::State {
     }
   }
 
-  // Creates the temporary beside the target, with the permissions that the target shall have.
+  // Creates the temporary beside the target, with the permissions that the target will have.
   void create_temporary(const std::filesystem::path& path, const struct stat* old) {
     static std::atomic<unsigned> counter = 0;
     const std::filesystem::path folder = path.parent_path();
@@ -213,7 +213,7 @@ struct OutputFile::State {
     }
     owned = true;
     if (old != nullptr) {
-      // Only root can give files away; without it the owner changes, as with any replaced file.
+      // Only root can change owners; for others the new file is theirs, as with any replaced file.
       if (::fchown(descriptor, old->st_uid, old->st_gid) != 0) {
         errno = 0;
       }
@@ -268,7 +268,7 @@ OutputFile::OutputFile(const std::string& path) : state_(std::make_unique<State>
     s.owned = true;
     return;
   }
-  // Renaming would replace a file that may not be written.
+  // Renaming would replace a file that is write-protected.
   if (exists && ::access(path.c_str(), W_OK) != 0) {
     cannot_write(path, errno);
   }
@@ -293,7 +293,7 @@ void OutputFile::write(std::string_view bytes) {
     s.flush();
   }
   s.require_whole();
-  if (large) {  // whoever gathers this much has a buffer of its own
+  if (large) {  // a caller with this much has a buffer of its own
     s.write_through(bytes);
   } else {
     s.buffer.insert(s.buffer.end(), bytes.begin(), bytes.end());
@@ -312,7 +312,8 @@ void OutputFile::commit() {
   if (::fsync(s.descriptor) != 0 && errno != EINVAL && errno != ENOSYS) {
     s.fail(errno);
   }
-  // Closing tells of errors, but it would give up the lock while the file still has the name of a temporary.
+  // close() would report errors, but it would also drop the lock while the file still has the name
+  // of a temporary.
   s.lock = ::fcntl(s.descriptor, F_DUPFD_CLOEXEC, 0);
   s.close();
   if (::rename(s.temporary.c_str(), s.target.c_str()) != 0) {

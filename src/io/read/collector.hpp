@@ -1,4 +1,4 @@
-// Blocks that are in memory already, as they come from formats that are not streamed, made a design.
+// Makes a design of blocks in memory, for formats that are not streamed.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@
 
 namespace changeover {
 
-/// Collects the words of blocks; what they mean is decided at the end, when all is known.
+/// Collects the words of blocks; their meaning is decided at the end, when all of them are known.
 class Collector {
  public:
-  /// Adds a word to the block; returns what is wrong with it, if anything. A label that is in quotes
-  /// in a format where that makes a difference comes with a '"' in front.
+  /// Adds a word to the block; returns what is wrong with it, if anything. A quoted label has a '"'
+  /// in front in formats where quotes make a difference.
   [[nodiscard]] std::optional<std::string> add(std::string_view word);
 
   /// Ends the block; returns what is wrong with its size, if anything.
@@ -29,7 +29,7 @@ class Collector {
   /// The number of words of the block that is being collected.
   [[nodiscard]] std::size_t block_size() const { return elements_.size() - block_start_; }
 
-  /// What the rest of the file said.
+  /// What the rest of the file declares.
   struct Context {
     std::string name;
     Declared declared;

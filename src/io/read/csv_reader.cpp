@@ -18,7 +18,7 @@
 namespace changeover {
 namespace {
 
-// Bytes in memory, which are read twice if a place in them is to be found.
+// Bytes in memory. They are read twice if a place in them is needed.
 class BytesInput final : public Input {
  public:
   BytesInput(std::string_view bytes, const std::string& name) : Input(name), rest_(bytes) {}
@@ -86,7 +86,9 @@ class Columns {
       }
     }
     if (elements_.empty()) {
-      rows.fail(fields[0], "no columns element_1, element_2, …; name those with elements");
+      rows.fail(fields[0],
+                "no columns element_1, element_2, …; give the columns of elements "
+                "these names");
     }
     named_ = true;
     return true;
@@ -113,7 +115,7 @@ class Columns {
     }
   }
 
-  // Compares what the record says of the whole design with what the first one said.
+  // Compares the record's statements about the whole design with those of the first one.
   void check_constants(const Row& fields, const RowReader& rows, ReadOptions& found, bool& labels,
                        std::optional<Place>& place) {
     for (std::size_t i = 0; i < constants.size(); ++i) {
@@ -134,7 +136,7 @@ class Columns {
       place = place.value_or(place_of_field(field));
       if (constants[i] == "elements") {
         if (field.text != "labels" && field.text != "numbers") {
-          rows.fail(field, "the column elements says neither labels nor numbers");
+          rows.fail(field, "the column elements must say labels or numbers");
         }
         labels = field.text == "labels";
       } else if (const auto defect = declare(found, constants[i], field.text)) {

@@ -55,7 +55,7 @@ std::vector<std::string_view> first_lines(std::string_view text, std::size_t lim
   return lines;
 }
 
-// A header says that what follows is no table, whatever it looks like.
+// After a header comes a design, even if it looks like a table.
 bool has_header(std::string_view beginning) {
   return without_byte_order_mark(beginning).starts_with("# changeover design");
 }
@@ -98,8 +98,10 @@ Declared merged(const std::string& name, const ReadOptions& caller, const ReadOp
   const auto require = [&](std::string_view key, const auto& value, std::uint64_t least,
                            std::uint64_t most) {
     if (value && (*value < least || *value > most)) {
-      throw BadOption(fmt::format("{}: {} = {} cannot be; give a whole number from {} to {}", name,
-                                  key, *value, least, most));
+      throw BadOption(
+          fmt::format("{}: {} = {} is out of range; give a whole number from {} to "
+                      "{}",
+                      name, key, *value, least, most));
     }
   };
   require("v", caller.v, 1, max_elements_in_memory);
@@ -147,7 +149,7 @@ std::optional<std::string> label_count_defect(std::size_t labels, const ReadOpti
     return fmt::format("more than {} labels; use fewer elements", max_elements_in_memory);
   }
   if (labels == 0) {
-    return "no labels; list one for each element, or leave the list away";
+    return "no labels; list one for each element, or leave the list out";
   }
   if (declared.v && *declared.v != labels) {
     return fmt::format("{} labels for v = {} elements; give one each", labels, *declared.v);
@@ -156,7 +158,7 @@ std::optional<std::string> label_count_defect(std::size_t labels, const ReadOpti
 }
 
 std::optional<std::string> table_defect(std::string_view beginning) {
-  // The names of the blocks come first, or below the lines that introduce the table.
+  // The names of the blocks come first, or below the lines above the table.
   constexpr std::size_t most_lines = 12;
   const std::vector<std::string_view> lines = first_lines(beginning, most_lines);
   if (lines.empty() || has_header(beginning)) {
@@ -228,9 +230,9 @@ std::string unknown_label_defect(std::string_view word) {
 
 std::string too_many_defect(std::string_view word, std::optional<std::uint64_t> v) {
   if (v) {
-    return fmt::format("element {} is one more than v = {}; correct it, or v", shown(word), *v);
+    return fmt::format("element {} is one too many for v = {}; correct it, or v", shown(word), *v);
   }
-  return fmt::format("element {} is one more than the {} that can be read; use fewer", shown(word),
+  return fmt::format("element {} is one too many: at most {} can be read; use fewer", shown(word),
                      max_elements_in_memory);
 }
 

@@ -1,4 +1,4 @@
-// Parameters that a file and its reader's caller declare, and what they come to together.
+// Parameters that a file and the caller declare, and their merger.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,23 @@
 
 namespace changeover {
 
-/// Notes that a file says key = text, for the keys v, k, change, kind and strength; other keys mean
-/// nothing. Returns what is wrong with it, if anything.
+/// Records key = text of a file, for the keys v, k, change, kind and strength; ignores other keys.
+/// Returns what is wrong with it, if anything.
 [[nodiscard]] std::optional<std::string> declare(ReadOptions& found, std::string_view key,
                                                  std::string_view text);
 
-/// What is declared, and which part of it by the caller.
+/// The declared parameters, and which of them the caller declared.
 struct Declared : ReadOptions {
   ReadOptions by_caller = {};
 };
 
-/// What the caller says, and else what the file says. @throws BadOption if what the caller says can
-/// be true of no file.
+/// The parameters of the caller, completed by those of the file. @throws BadOption if those of the
+/// caller are impossible for any file.
 [[nodiscard]] Declared merged(const std::string& name, const ReadOptions& caller,
                               const ReadOptions& file);
 
-/// What merged() declares, completed: v and k are known by now, `first_change` is the number of
-/// elements in which the first two blocks differ, 0 if that says nothing.
+/// Completes the parameters of merged(): v and k are known by now, `first_change` is the number of
+/// elements in which the first two blocks differ, 0 if that is not known.
 /// @throws BadInput at `place` if no blocks with these parameters can be written down; BadOption if
 /// that comes from what the caller declared.
 [[nodiscard]] Parameters completed(const std::string& name, Place place, const Declared& declared,
@@ -43,11 +43,11 @@ struct Declared : ReadOptions {
 /// Whether every word outside comments is a plain number; the last one may be cut off.
 [[nodiscard]] bool only_numbers(std::string_view beginning);
 
-/// What to say when there are no blocks.
+/// The message if there are no blocks.
 inline constexpr std::string_view no_blocks =
-    "no blocks; give one block a line, its elements separated by blanks";
+    "no blocks; give one block per line, its elements separated by blanks";
 
-/// Block `number` (from 1) has `size` elements instead of `k`.
+/// The message if block `number` (from 1) has `size` elements instead of `k`.
 [[nodiscard]] std::string size_defect(std::uint64_t number, std::uint64_t size, std::uint64_t k,
                                       bool declared);
 [[nodiscard]] std::string surplus_defect(std::uint64_t number, std::uint64_t k, bool declared);

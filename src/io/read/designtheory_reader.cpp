@@ -10,7 +10,7 @@
 namespace changeover {
 namespace {
 
-// "&#63;" and "&amp;" in an instruction of ours, which must not hold "?>".
+// "&#63;" and "&amp;" in our instruction, which must not contain "?>".
 std::string without_marks(std::string_view text) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
@@ -32,7 +32,7 @@ class DesignTheory final : public XmlHandler {
     reader_.feed(text);
     reader_.finish();
     if (!points_.has_blocks()) {
-      points_.fail(0, "no block_design with blocks; this is no design");
+      points_.fail(0, "no block_design with blocks; add it, or name another file");
     }
     if (!points_.v()) {
       points_.fail(0, "block_design has no attribute v; give the number of points");
@@ -47,7 +47,7 @@ class DesignTheory final : public XmlHandler {
     }
     if (name == "block_design") {
       if (designs_++ > 0) {
-        fail("a second design; give one design a file");
+        fail("a second design; give one design per file");
       }
       design_depth_ = depth_;
       if (const auto v = attributes.find("v")) {
@@ -90,7 +90,7 @@ class DesignTheory final : public XmlHandler {
     }
     constexpr std::size_t longest = 30;
     if (word_.size() > longest) {
-      fail("no point; points are whole numbers");
+      fail("not a point; points are whole numbers");
     }
   }
 
@@ -120,7 +120,7 @@ class DesignTheory final : public XmlHandler {
 
 Design read_designtheory(Input& input, const ReadOptions& options) {
   const std::string text =
-      read_to_end(input, most_foreign_bytes, "write it as text, one block a line");
+      read_to_end(input, most_foreign_bytes, "write it as text, one block per line");
   return DesignTheory(text, input.name()).read(text, options);
 }
 

@@ -88,9 +88,9 @@ class DesignHandler final : public JsonHandler {
 
   Design finish(const ReadOptions& options) {
     if (!has_blocks_) {
-      json_->fail(end_, "no key \"blocks\"; this is no design");
+      json_->fail(end_, "no key \"blocks\"; add it, or name another file");
     }
-    // Others count points from 1: then these are names, and all of them occur.
+    // Other programs count points from 1: then these are names, and all of them occur.
     const auto v = file_.v;
     const bool from_one =
         !is_ours_ && v && !options.v && !labels_ && least_ == 1 && greatest_ == *v;
@@ -269,7 +269,7 @@ class DesignHandler final : public JsonHandler {
       defect = collector_.add(event.text);  // too large for a machine word, not for a name
     } else if (event.type == Type::other_number) {
       defect =
-          fmt::format("element {} is no whole number from 0 on; correct it", shown(event.text));
+          fmt::format("element {} is not a whole number from 0 on; correct it", shown(event.text));
     } else {
       wrong(event, "an element, a number or a label,");
     }
@@ -292,7 +292,7 @@ class DesignHandler final : public JsonHandler {
   Where where_ = Where::start;
   bool bare_ = false;
   bool has_blocks_ = false;
-  std::size_t skipped_ = 0;  // depth within a value that means nothing to us
+  std::size_t skipped_ = 0;  // depth within a value that is ignored
   std::size_t start_ = 0, end_ = 0;
   std::string key_;
   std::size_t key_offset_ = 0;

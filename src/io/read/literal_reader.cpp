@@ -13,7 +13,7 @@ namespace {
 enum class Language : std::uint8_t { unknown, gap, sage };
 
 constexpr std::string_view third_argument =
-    "a third argument, as for blocks that a group develops; write out all blocks";
+    "a third argument, as for blocks developed under a group; write out all blocks";
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || (c >= '0' && c <= '9');
@@ -45,7 +45,7 @@ class LiteralReader {
       read_arguments();
     } else {
       points_.fail(start,
-                   fmt::format("{} is no design; give BlockDesign(v, blocks) of GAP or Sage, "
+                   fmt::format("{} is not a design; give BlockDesign(v, blocks) of GAP or Sage, "
                                "IncidenceStructure(v, blocks) of Sage or rec(v, blocks) of "
                                "GAP",
                                shown(word)));
@@ -55,7 +55,7 @@ class LiteralReader {
     }
     skip_blanks();
     if (at_ < text_.size()) {
-      points_.fail(at_, "text after the design; give one design a file");
+      points_.fail(at_, "text after the design; give one design per file");
     }
     if (!points_.has_blocks()) {
       points_.fail(start, "no blocks; give at least one");
@@ -176,7 +176,7 @@ class LiteralReader {
         const auto from = plain_number(digits);
         const auto to = plain_number(last_digits);
         if (!from || !to || *to <= *from || *to > max_elements_in_memory) {
-          points_.fail(place, "no range that goes up; write out the points");
+          points_.fail(place, "this range does not go up; write out the points");
         }
         for (std::uint64_t x = *from + 1; x <= *to; ++x) {
           points_.add(static_cast<std::uint32_t>(x), place);
@@ -190,7 +190,8 @@ class LiteralReader {
     points_.end_block(start);
   }
 
-  // BlockDesign(7, [[1, 2, 4], …]); Sage may name its arguments, and have others that say how to check.
+  // BlockDesign(7, [[1, 2, 4], …]); Sage may name its arguments, and have others that say how to
+  // check.
   void read_arguments() {
     while (!take(")")) {
       skip_blanks();
@@ -239,7 +240,7 @@ class LiteralReader {
     }
   }
 
-  // Something that says nothing to us, up to the comma or bracket after it.
+  // Skips a value that is ignored, up to the comma or bracket after it.
   void skip_value() {
     std::size_t depth = 0;
     for (skip_blanks(); at_ < text_.size(); ++at_, skip_blanks()) {
@@ -272,7 +273,7 @@ class LiteralReader {
 
 Design read_literal(Input& input, const ReadOptions& options) {
   const std::string text =
-      read_to_end(input, most_foreign_bytes, "write it as text, one block a line");
+      read_to_end(input, most_foreign_bytes, "write it as text, one block per line");
   return LiteralReader(text, input.name()).read(options);
 }
 

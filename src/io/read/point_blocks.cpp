@@ -74,7 +74,7 @@ void PointBlocks::declare_v(std::string_view number, std::size_t offset) {
 void PointBlocks::add(std::string_view number, std::size_t offset) {
   const auto value = plain_number(number);
   if (!value || *value > max_elements_in_memory) {
-    fail(offset, fmt::format("{} is no point; points are whole numbers up to {}", shown(number),
+    fail(offset, fmt::format("{} is not a point; points are whole numbers up to {}", shown(number),
                              max_elements_in_memory));
   }
   add(static_cast<std::uint32_t>(*value), offset);
@@ -105,7 +105,7 @@ Design PointBlocks::finish(const ReadOptions& options, std::uint32_t first) {
       const Point& point = points_[next];
       if (point.number < first || (file_.v && point.number - first >= *file_.v)) {
         fail(point.offset,
-             fmt::format("{} is no point; they are numbered from {} to {}", point.number, first,
+             fmt::format("{} is not a point; they are numbered from {} to {}", point.number, first,
                          file_.v ? std::to_string(*file_.v - 1 + first) : "v"));
       }
       if (const auto defect = collector.add(std::to_string(point.number - first))) {

@@ -1,7 +1,8 @@
-// Blocks whose elements are numbers, as other programs write them, made a design.
+// Makes a design of blocks whose elements are numbers, as other programs write them.
 //
-// Such formats have no place for the change number, the kind, the strength and names; our own files say them in
-// comments, in the words of text (io/formats.hpp): "changeover design v=7 k=3 change=1 kind=circular", "labels: a b c".
+// Such formats have no place for the change number, the kind, the strength and names; our own files
+// have them in comments, with the same words as in text (io/formats.hpp): "changeover design v=7
+// k=3 change=1 kind=circular", "labels: a b c".
 #pragma once
 
 #include <cstdint>
@@ -21,16 +22,18 @@ inline constexpr std::size_t most_foreign_bytes = std::size_t{1} << 30;
 
 class PointBlocks {
  public:
-  /// Messages name places by their offset in the text; both must outlive this.
+  /// Messages name places in this text; text and name must outlive this.
   PointBlocks(std::string_view text, const std::string& name) : text_(text), name_(&name) {}
 
-  /// A comment, which counts if its words are ours. @throws BadInput for ours that are malformed.
+  /// Reads a comment; ignores it unless it begins with our words. @throws BadInput if it does and
+  /// is malformed.
   void comment(std::string_view words, std::size_t offset);
 
-  /// The design itself says how many points it has. @throws BadInput if it is none, or said twice.
+  /// Sets the number of points that the design declares. @throws BadInput if it is not one, or
+  /// declared twice.
   void declare_v(std::string_view number, std::size_t offset);
 
-  /// A point of the block. @throws BadInput if it is no number.
+  /// Adds a point to the block. @throws BadInput if it is not a number.
   void add(std::string_view number, std::size_t offset);
   void add(std::uint32_t number, std::size_t offset);
   void end_block(std::size_t offset);
@@ -61,7 +64,7 @@ class PointBlocks {
   std::size_t header_ = 0;
   std::optional<std::vector<std::string>> labels_;
   std::size_t labels_offset_ = 0;
-  std::optional<std::uint64_t> v_;  // as the design says
+  std::optional<std::uint64_t> v_;  // as the design declares
   std::size_t v_offset_ = 0;
   std::vector<Point> points_;
   std::vector<Point> ends_;  // of each block: how many points there are up to it, and where

@@ -12,7 +12,7 @@
 namespace changeover {
 namespace {
 
-// A design in memory as something that was read.
+// A design in memory as a DesignInput.
 class MemoryInput final : public DesignInput {
  public:
   explicit MemoryInput(Design design) : design_(std::move(design)), source_(design_) {}
@@ -36,8 +36,8 @@ struct Opened {
   Format format;
 };
 
-// All but text is read whole before they are understood, which would take long for a device or for what
-// only happens to begin like them.
+// All formats but text are read whole first, which would take long for a device or a large file of
+// another kind.
 void refuse_binary(const PeekedInput& input) {
   const std::string_view beginning = input.beginning();
   const auto control = std::find_if(beginning.begin(), beginning.end(), [](char c) {

@@ -161,7 +161,8 @@ void RecipeHandler::on_argument(Frame& frame, const JsonEvent& event) {
   }
   const auto result = std::from_chars(event.text.data(), end, value);
   if (result.ec != std::errc() || result.ptr != end) {
-    json_->fail(event.offset, fmt::format("argument {} = {} is no whole number of 64 bits; correct "
+    json_->fail(event.offset, fmt::format("argument {} = {} is not a whole number of 64 bits; "
+                                          "correct "
                                           "the recipe",
                                           shown(frame.argument), shown(event.text)));
   }
@@ -176,7 +177,7 @@ void RecipeHandler::finish_frame(const JsonEvent& event) {
   frames_.pop_back();
   for (const std::string_view needed : {"construction", "v", "k", "change", "kind"}) {
     if (std::find(frame.seen.begin(), frame.seen.end(), needed) == frame.seen.end()) {
-      json_->fail(event.offset, fmt::format("the recipe does not say {}; add it", needed));
+      json_->fail(event.offset, fmt::format("the recipe lacks {}; add it", needed));
     }
   }
   if (frames_.empty()) {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t recipe_bytes = std::size_t{64} << 20;
 constexpr std::size_t kept_bytes = std::size_t{4} << 30;
 
-// An input that cannot be rewound, made so that it can: what was read is kept.
+// Makes an input rewindable by keeping the bytes that were read.
 class KeptInput final : public Input {
  public:
   explicit KeptInput(std::unique_ptr<Input> inner)
@@ -38,7 +38,7 @@ class KeptInput final : public Input {
     position_ += count;
     if (text_.size() > kept_bytes) {
       throw MissingResource(
-          fmt::format("{}: more than {} MiB that do not say v; begin them with a line "
+          fmt::format("{}: more than {} MiB without a declared v; begin with a line "
                       "'# changeover design v=…', or read a file",
                       name(), kept_bytes >> 20));
     }
@@ -52,7 +52,7 @@ class KeptInput final : public Input {
     return keeping_;
   }
 
-  // Nobody will rewind: all of it was read so far, and what follows need not be kept.
+  // There will be no rewind: all bytes so far were read, and later ones need not be kept.
   void stop_keeping() {
     keeping_ = false;
     text_ = std::string();
@@ -122,7 +122,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
     numbers,  // v is declared: elements are numbers below it
     listed,   // labels are listed
     named,    // v is declared: names as they occur
-    survey,   // v is not declared: everything is read once to see what occurs
+    survey,   // v is not declared: everything is read once to see which elements occur
     surveyed  // … and all is known
   };
 
@@ -192,7 +192,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
     const Place place = scanner_.here();
     const std::string text = scanner_.rest_of_comment(recipe_bytes);
     if (recipe_) {
-      scanner_.fail(place, "a second recipe; leave one");
+      scanner_.fail(place, "a second recipe; remove one");
     }
     recipe_ = recipe_at(text, input_->name(), place);
   }
@@ -219,7 +219,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
   }
 
   void set_labels(std::vector<std::string> labels) {
-    // Names that say no more than numbers are no names.
+    // Labels that are the elements' own numbers are dropped.
     const ElementSet set = element_set(labels);
     const bool plain =
         set.labels.empty() && std::is_sorted(set.element_of.begin(), set.element_of.end());
@@ -228,8 +228,8 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
 
   // ---- the blocks ----
 
-  // Reads a block into `out`, which has room for `room` elements, and returns their number; 0 at the
-  // end. Once k is known the block has k elements.
+  // Reads a block into `out`, which has room for `room` elements, and returns their number; 0 at
+  // the end. Once k is known the block has k elements.
   std::size_t read_block(Element* out, std::size_t room) {
     if (++stamp_ == 0) {  // after 2³² blocks old marks could be taken for new ones
       std::fill(seen_.begin(), seen_.end(), 0);
@@ -281,7 +281,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
     } else if (rule_ == Rule::numbers) {
       fail(plain_number(word)
                ? above_v_defect(word, v_)
-               : fmt::format("element {} is no number, but those before are; list all names "
+               : fmt::format("element {} is not a number, but those before are; list all names "
                              "in a line '# labels: …'",
                              shown(word)));
     } else if (rule_ == Rule::surveyed) {
@@ -300,8 +300,9 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
       const Place place = word.place;
       if (word.text == "labels:" ||
           (word.text == "changeover" && scanner_.comment_word(word) && word.text == "design")) {
-        scanner_.fail(place, fmt::format("{} after the first block; move it to the top, one design "
-                                         "a file",
+        scanner_.fail(place, fmt::format("{} after the first block; move it to the top, one "
+                                         "design "
+                                         "per file",
                                          word.text == "labels:" ? "labels" : "a header"));
       }
     }
@@ -339,7 +340,7 @@ class TextSource final : public BlockByBlock<TextSource, DesignInput> {
                             v_, k_, first_change);
   }
 
-  // Reads everything to learn which elements there are, and starts over.
+  // Reads everything to find the elements, and starts over.
   void survey() {
     read_front();
     std::vector<Element> block(k_);

@@ -15,14 +15,14 @@
 namespace changeover {
 namespace {
 
-// A field of a row: a text, or a number as it is written; null says nothing.
+// A field of a row: a text, or a number as written; null stands for an empty field.
 std::optional<std::string> field_of(const JsonNode& node) {
   return node.is_text() || node.is_number() ? std::optional(node.text)
          : node.is_null()                   ? std::optional(std::string())
                                             : std::nullopt;
 }
 
-// What each shape is called when it is asked for.
+// The name of each shape in messages.
 std::string_view wanted(RowShape shape) {
   switch (shape) {
     case RowShape::parts:
@@ -129,7 +129,7 @@ std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
   }
 }
 
-// A number as a number, where it is one as JSON writes it; else as a text.
+// Writes a number as one if it has JSON's form; else as a text.
 void write_field(JsonWriter& json, const std::string& field) {
   const bool plain = !field.empty() && field.find_first_not_of("0123456789") == std::string::npos &&
                      (field.front() != '0' || field.size() == 1) && field.size() < 19;
@@ -171,7 +171,7 @@ void RequestDocument::rename(std::string_view from, std::string_view to) {
   for (auto& [key, node] : object_.members) {
     if (key == from) {
       if (const JsonNode* const other = find(to)) {
-        fail(*other, to, fmt::format("{} says the same; give one of them", from));
+        fail(*other, to, fmt::format("{} means the same; give one of them", from));
       }
       key = to;
       return;

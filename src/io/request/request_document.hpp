@@ -18,23 +18,23 @@
 
 namespace changeover {
 
-/// A JSON object that says a request, and where what is wrong with it stands.
+/// A request as a JSON object, with the places of its parts for messages.
 class RequestDocument {
  public:
-  /// `name` is that of the file; empty if it is none, and faults then have no place. @throws BadInput if it is no JSON, no object, or says
-  /// another format than this one.
+  /// Parses `text`. `name` is that of the file; if it is empty, messages have no place. @throws
+  /// BadInput unless it is a JSON object, of this format if it names one.
   RequestDocument(std::string_view format, std::string text, std::string name);
 
   [[nodiscard]] const JsonNode& object() const { return object_; }
-  /// Nothing if it is not there or null.
+  /// The value of a key; nothing if it is missing or null.
   [[nodiscard]] const JsonNode* find(std::string_view key) const;
-  /// Another name of the same key.
+  /// Takes `from` as another name of the key `to`.
   void rename(std::string_view from, std::string_view to);
-  /// A number under a key that is none of the request; it is then no more in the document.
+  /// Takes a number out of the document, whose key does not belong to the request.
   std::optional<std::uint64_t> take_number(const OptionRecord& record);
   [[noreturn]] void fail(const JsonNode& at, std::string_view key, std::string_view what) const;
 
-  /// @throws BadInput for a member that is none of these.
+  /// @throws BadInput for a member that is not one of these.
   void require_known(const std::vector<std::string_view>& keys) const;
 
   [[nodiscard]] std::uint64_t number(const OptionRecord& record, const JsonNode& node) const;
@@ -55,19 +55,21 @@ class RequestDocument {
 /// The value as JSON.
 void write_list(JsonWriter& json, const OptionRecord& record, const RequestList& list);
 
-/// A list as an input that readers of its file read: `spelled` names it in faults where it has no file. @throws as open_list()
+/// A list as an input for the readers of its file: `spelled` names it in messages if it has no
+/// file. @throws as open_list()
 [[nodiscard]] std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
                                           const std::string& spelled);
 
-/// The names of parts in a text with commas between them; they may be quoted. @throws BadInput (without a place)
+/// The names in a text with commas between them; they may be quoted. @throws BadInput (without a
+/// place)
 [[nodiscard]] std::vector<std::string> names_in(std::string_view text);
 
-/// @throws BadOption for the first rule that is broken. `given` says which keys are.
+/// @throws BadOption for the first rule that is broken. `given` tells which keys are given.
 template <typename Given, typename Spell, typename SpellInFull>
 void check_rules(const std::vector<OptionRule>& rules, Given&& given, Spell&& spell,
                  SpellInFull&& spell_in_full);
 
-/// Whether a key of a request says anything.
+/// Whether a key of a request is given.
 template <typename Request>
 bool is_given(const Request& request, const RequestOption<Request>& option) {
   return std::visit(
@@ -97,7 +99,7 @@ const RequestOption<Request>& option_of(const RequestTable<Request>& table, std:
   throw InternalError("no option has the key " + std::string(key));
 }
 
-/// @throws BadInput for members that are none of the table or no values of it.
+/// Reads a request. @throws BadInput for keys that are not in the table, or values of another kind.
 template <typename Request>
 Request read_request(const RequestTable<Request>& table, const RequestDocument& document) {
   Request request;
@@ -133,7 +135,7 @@ Request read_request(const RequestTable<Request>& table, const RequestDocument& 
   return request;
 }
 
-/// What was given, with the format first; read_request() reads it back.
+/// The given keys as JSON, with the format first; read_request() reads it back.
 template <typename Request>
 std::string request_as_json(const RequestTable<Request>& table, const Request& request) {
   JsonWriter json;
@@ -158,7 +160,7 @@ std::string request_as_json(const RequestTable<Request>& table, const Request& r
   return json.end_object().take() + "\n";
 }
 
-/// @throws BadOption in the words of the door for the first rule that the request breaks.
+/// @throws BadOption for the first rule that the request breaks, spelled as at `door`.
 template <typename Request>
 void check_rules(const RequestTable<Request>& table, const Request& request, Door door) {
   check_rules(
@@ -167,7 +169,7 @@ void check_rules(const RequestTable<Request>& table, const Request& request, Doo
       [&](std::string_view key) { return spelled_with_value(option_of(table, key).record, door); });
 }
 
-/// Takes from `other` what `request` does not say.
+/// Takes the keys that `request` does not give from `other`.
 template <typename Request>
 void complete(const RequestTable<Request>& table, Request& request, Request other) {
   for (const auto& option : table.options) {

@@ -79,7 +79,7 @@ std::string type_of(const OptionRecord& record) {
   return "{}";
 }
 
-// That a key says something.
+// The condition that a key is given.
 std::string given(std::string_view key, const std::vector<OptionRecord>& records) {
   const auto record = std::find_if(records.begin(), records.end(),
                                    [&](const OptionRecord& each) { return each.key == key; });
@@ -138,7 +138,7 @@ std::string request_schema(std::string_view format, std::string_view title,
 
 std::string doors_table(const std::vector<OptionRecord>& records) {
   std::string text =
-      "| key | command line | server | Python | what it says |\n|:---|:---|:---|:---|:---|\n";
+      "| key | command line | server | Python | meaning |\n|:---|:---|:---|:---|:---|\n";
   std::string reasons;
   for (const OptionRecord& record : records) {
     const std::string key(record.key);
@@ -152,10 +152,11 @@ std::string doors_table(const std::vector<OptionRecord>& records) {
                         record.not_in_server.empty() ? "yes" : "no",
                         record.not_in_python.empty() ? "`" + python + "`" : "no", help);
     if (!record.not_in_server.empty()) {
-      reasons += fmt::format("- `{}` is not asked of the server: {}.\n", key, record.not_in_server);
+      reasons += fmt::format("- The server does not take `{}`: {}.\n", key, record.not_in_server);
     }
     if (!record.not_in_python.empty()) {
-      reasons += fmt::format("- `{}` is no argument in Python: {}.\n", key, record.not_in_python);
+      reasons +=
+          fmt::format("- `{}` is not an argument in Python: {}.\n", key, record.not_in_python);
     }
   }
   return text + (reasons.empty() ? "" : "\n") + reasons;

@@ -1,4 +1,4 @@
-// What the records of a request are made into for other programs and for readers: a JSON Schema, and a table of doors.
+// Makes a JSON Schema and the table of docs/doors.md from the records of a request.
 #pragma once
 
 #include <string>
@@ -19,12 +19,14 @@ std::vector<OptionRecord> records_of(const RequestTable<Request>& table) {
   return records;
 }
 
-/// A JSON Schema (draft 2020-12) of the documents of this format: types, words, and every rule between two keys.
+/// A JSON Schema (draft 2020-12) of the documents of this format: types, words, and every rule
+/// between two keys.
 [[nodiscard]] std::string request_schema(std::string_view format, std::string_view title,
                                          const std::vector<OptionRecord>& records,
                                          const std::vector<OptionRule>& rules);
 
-/// A table in Markdown: a row for each key, with what it is called at each door; then why a door lacks one.
+/// A table in Markdown: a row for each key, with its names on the command line, at the server and
+/// in Python; then why it is missing where it is.
 [[nodiscard]] std::string doors_table(const std::vector<OptionRecord>& records);
 
 }  // namespace changeover

@@ -1,4 +1,4 @@
-// The options that every request shares whose answer is searched for.
+// The options of every request that starts a search.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace changeover {
 
-/// Adds them. @param how_long  of its time, by what is searched for
+/// Adds them. @param how_long  help of the time
 /// @param no_time_in_server  why the server does not take a time; empty: it does
 template <typename Request>
 [[nodiscard]] std::vector<RequestOption<Request>> with_search_options(
@@ -32,15 +32,14 @@ template <typename Request>
                       .not_in_server = "the server gives each request its share",
                       .of_every_search = true},
                      &Request::threads});
-  options.push_back(
-      {{.key = "seed",
-        .flags = "--seed",
-        .kind = ValueKind::number,
-        .value = "N",
-        .help = "of the random numbers (default 1)",
-        .not_in_server = "the same question has the same answer for everybody",
-        .of_every_search = true},
-       &Request::seed});
+  options.push_back({{.key = "seed",
+                      .flags = "--seed",
+                      .kind = ValueKind::number,
+                      .value = "N",
+                      .help = "seed of the random numbers (default 1)",
+                      .not_in_server = "the same request has the same answer for every caller",
+                      .of_every_search = true},
+                     &Request::seed});
   return options;
 }
 

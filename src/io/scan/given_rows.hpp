@@ -1,4 +1,4 @@
-// Rows that nobody has to parse: whoever has them as data hands them to the reader of rows.
+// Rows from memory, which need no parsing, for the reader of rows.
 #pragma once
 
 #include <span>
@@ -10,8 +10,9 @@
 
 namespace changeover {
 
-/// Rows of fields as an input of RowReader. A field says what it says, as a cell of a workbook does: no row is a comment, no
-/// quotes are taken off. Only what is given as `header` is one. To others it is empty.
+/// Rows of fields as an input of RowReader. Fields are taken as they are, as cells of a workbook
+/// are: no row is a comment, and no quotes are removed. Only `header` is a header. Other readers
+/// see an empty input.
 class GivenRows final : public Input {
  public:
   using Fields = std::vector<std::string>;
@@ -19,7 +20,7 @@ class GivenRows final : public Input {
   GivenRows(std::string name, Fields header, std::vector<Fields> rows)
       : Input(std::move(name)), header_(std::move(header)), rows_(std::move(rows)) {}
 
-  /// Nothing if no row is a header.
+  /// The header; nothing if there is none.
   [[nodiscard]] const Fields& header() const { return header_; }
   [[nodiscard]] const std::vector<Fields>& rows() const { return rows_; }
   std::size_t read(std::span<char> /*buffer*/) override { return 0; }

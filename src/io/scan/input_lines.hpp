@@ -1,8 +1,8 @@
-// The lines of an input, one after another, whatever its length: the next line and one piece are in memory.
+// The lines of an input of any length, one after another: one line and one piece are in memory.
 //
 //     InputLines lines(input, 65'536);
 //     while (lines.next() == InputLines::Next::line) {
-//       lines.line();                               // without its end and, the first one, a byte order mark
+//       lines.line();                               // without line end and byte order mark
 //       lines.number();                             // from 1
 //     }
 //
@@ -25,11 +25,12 @@ class InputLines {
   /// The input must outlive this.
   InputLines(Input& input, std::size_t longest) : input_(&input), longest_(longest) {}
 
-  /// Goes to the next line. If it is longer than the longest, what was read of it is the line, and there is no
-  /// way on. @throws MissingResource if reading fails; Stopped if the scope of this thread wants to stop.
+  /// Goes to the next line. If it is too long, line() is the part that was read, and reading cannot
+  /// go on. @throws MissingResource if reading fails; Stopped if the scope of this thread wants to
+  /// stop.
   [[nodiscard]] Next next();
 
-  /// Lives until the next call of next().
+  /// The line, valid until the next call of next().
   [[nodiscard]] std::string_view line() const { return line_; }
   [[nodiscard]] std::uint64_t number() const { return number_; }
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }  ///< that were read so far

@@ -7,13 +7,13 @@
 namespace changeover {
 namespace {
 
-// Follows the parser through the text: it reports events without saying where they begin, but between
-// two of them there is nothing but blanks, commas and colons.
+// Follows the parser through the text: it reports events without saying where they begin, but
+// between two of them there is nothing but blanks, commas and colons.
 class Adapter {
  public:
   using json = nlohmann::json;
 
-  // The parser passes over a byte order mark without a word.
+  // The parser skips a byte order mark silently.
   Adapter(const JsonText& source, JsonHandler& handler)
       : source_(source),
         handler_(&handler),
@@ -70,9 +70,8 @@ class Adapter {
     start_token();
     ++cursor_;
     if (++depth_ > max_json_depth) {
-      source_.fail(
-          start_, fmt::format("JSON nested more than {} deep; nothing that is read here is as deep",
-                              max_json_depth));
+      source_.fail(start_,
+                   fmt::format("JSON nested more than {} deep; use fewer levels", max_json_depth));
     }
     return emit(type, {});
   }

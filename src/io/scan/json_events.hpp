@@ -24,7 +24,7 @@ struct JsonEvent {
     null
   };
   Type type = Type::null;
-  std::string_view text;      ///< of a key or string, decoded; of a number as it is written
+  std::string_view text;      ///< of a key or string, decoded; of a number as written
   std::uint64_t natural = 0;  ///< value of a whole number that is not negative and fits
   std::size_t offset = 0;     ///< of its first byte
 };
@@ -32,7 +32,7 @@ struct JsonEvent {
 /// "an object", "a string", …
 [[nodiscard]] std::string_view to_string(JsonEvent::Type type);
 
-/// Receives the events of one document. What it throws passes through parse_json().
+/// Receives the events of one document. Its exceptions pass through parse_json().
 class JsonHandler {
  public:
   virtual ~JsonHandler() = default;
@@ -59,7 +59,7 @@ struct JsonText {
 };
 
 /// Parses one JSON value and nothing after it. Needs no stack for nesting.
-/// @throws BadInput with line and column if it is no JSON or nests deeper than max_json_depth.
+/// @throws BadInput with line and column if it is not JSON or nests deeper than max_json_depth.
 void parse_json(const JsonText& json, JsonHandler& handler);
 
 /// The recipe in a piece of JSON. @throws BadInput

@@ -22,8 +22,7 @@ class Builder final : public JsonHandler {
     if (event.type == Type::key) {
       key_ = event.text;
       if (!keys_.back().insert(key_).second) {
-        json_.fail(event.offset,
-                   fmt::format("the key {} stands here twice; remove one", shown(key_)));
+        json_.fail(event.offset, fmt::format("the key {} is given twice; remove one", shown(key_)));
       }
       return;
     }
@@ -41,7 +40,7 @@ class Builder final : public JsonHandler {
       root_ = std::move(node);
     }
     if (place->is_object() || place->is_array()) {
-      // Only the last member of each open node grows, so these stay where they are.
+      // Only the last member of each open node grows, so these pointers stay valid.
       open_.push_back(place);
       keys_.emplace_back();
     }

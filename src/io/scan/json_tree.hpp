@@ -1,4 +1,4 @@
-// A small JSON document in memory, with the place of everything in it and numbers as they are written.
+// A small JSON document in memory, with places, and with numbers as written.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace changeover {
 
 struct JsonNode {
   JsonEvent::Type type = JsonEvent::Type::null;  ///< begin_object and begin_array for these
-  std::string text;  ///< of a string, decoded; of a number or true and false as it is written
+  std::string text;           ///< of a string, decoded; of a number or true and false as written
   std::uint64_t natural = 0;  ///< of a whole number
   std::size_t offset = 0;     ///< of its first byte
   std::vector<std::pair<std::string, JsonNode>>
@@ -31,7 +31,8 @@ struct JsonNode {
   [[nodiscard]] const JsonNode* find(std::string_view key) const;
 };
 
-/// @throws BadInput with line and column for what is no JSON, nests deeper than max_json_depth, or has a key twice.
+/// Parses JSON. @throws BadInput with line and column if it is not JSON, nests deeper than
+/// max_json_depth, or has a key twice.
 [[nodiscard]] JsonNode json_tree(const JsonText& json);
 
 }  // namespace changeover

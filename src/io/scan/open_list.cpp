@@ -11,8 +11,8 @@
 namespace changeover {
 namespace {
 
-// Where "parts.xlsx:Costs" splits into a file and a sheet: at the last colon, which no name of a sheet has, if there
-// is no such file, but one by the name before it.
+// Where "parts.xlsx:Costs" splits into a file and a sheet: at the last colon (names of sheets have
+// none), if there is no file of the whole name, but one of the name before the colon.
 std::optional<std::size_t> end_of_file(const std::string& path) {
   std::error_code ignored;
   const std::size_t colon = path.rfind(':');

@@ -1,4 +1,4 @@
-// An input of which some bytes were read to look at them: they are handed out again first.
+// An input whose first bytes can be looked at before they are read.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace changeover {
 
 class PeekedInput final : public Input {
  public:
-  /// Looks at so many bytes, or all there are. @throws MissingResource if reading fails.
+  /// Peeks at so many bytes, or all there are. @throws MissingResource if reading fails.
   explicit PeekedInput(std::unique_ptr<Input> inner, std::size_t bytes = 4096)
       : PeekedInput(*inner, bytes) {
     owned_ = std::move(inner);

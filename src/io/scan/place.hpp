@@ -1,4 +1,4 @@
-// Places in a file and the one line that a malformed one gets.
+// Places in a file, and the message for a malformed one.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,13 @@ struct Place {
 /// @throws BadInput "name:line:column: what".
 [[noreturn]] void fail(const std::string& name, Place place, std::string_view what);
 
-/// A text without the mark that some programs put before UTF-8.
+/// A text without the byte order mark that some programs put before UTF-8.
 [[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
 
-/// What to say of a control byte.
+/// The message for a control byte.
 [[nodiscard]] std::string control_byte_defect(char byte);
 
-/// A word of the input as it can stand in a message: in quotes, on one line, not too long.
+/// A word of the input for a message: in quotes, on one line, not too long.
 [[nodiscard]] std::string shown(std::string_view word);
 
 }  // namespace changeover

@@ -11,12 +11,13 @@
 namespace changeover {
 namespace {
 
-// A name with one of these is shown in another order than that of its letters.
+// A terminal shows a name with one of these in another order than that of its letters.
 bool turns_around(char32_t c) {
   return (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
 }
 
-// Zero-width characters, joiners, marks of direction, soft hyphens, and what chooses between shapes.
+// Zero-width characters, joiners, marks of direction, soft hyphens, and what chooses between
+// shapes.
 bool takes_no_room(char32_t c) {
   return c == 0xad || c == 0x34f || c == 0x61c || c == 0x180e || (c >= 0x200b && c <= 0x200f) ||
          (c >= 0x2060 && c <= 0x2064) || (c >= 0xfe00 && c <= 0xfe0f) || c == 0xfeff;
@@ -33,7 +34,7 @@ bool ends_a_line(char32_t c) { return c == 0x2028 || c == 0x2029; }
 std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
   for (std::size_t at = 0; at < text.size();) {
     const auto byte = static_cast<unsigned char>(text[at]);
-    if (byte >= 0x20 && byte < 0x7f) {  // almost all of them
+    if (byte >= 0x20 && byte < 0x7f) {  // almost all texts
       ++at;
       continue;
     }
@@ -63,8 +64,7 @@ std::optional<TextDefect> first_defect(std::string_view text, bool allow_tabs) {
     }
     if (turns_around(point.value)) {
       return TextDefect{
-          at,
-          fmt::format("U+{:04X}, which turns the direction of writing around; remove it", number)};
+          at, fmt::format("U+{:04X}, which reverses the direction of writing; remove it", number)};
     }
     if (ends_a_line(point.value)) {
       return TextDefect{at, fmt::format("U+{:04X}, which ends a line; remove it", number)};

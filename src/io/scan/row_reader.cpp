@@ -15,8 +15,8 @@ namespace changeover {
 namespace {
 
 constexpr std::size_t most_workbook_bytes = std::size_t{1} << 26;
-constexpr std::size_t mark_bytes = 8;        // by which a workbook is known
-constexpr std::size_t most_columns = 2'048;  // of a sheet: a part in each, and what else is said
+constexpr std::size_t mark_bytes = 8;        // how a workbook begins
+constexpr std::size_t most_columns = 2'048;  // of a sheet: a part in each, and what else is there
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
@@ -33,8 +33,8 @@ std::size_t end_of_quotes(std::string_view line, std::size_t at) {
   return line.size();
 }
 
-// The first separator of a line outside quotes, which open it or, if blanks may separate, follow one; none if it is a
-// single field.
+// The first separator of a line outside quotes, which open it or, if blanks may separate, follow
+// one; none if it is a single field.
 std::optional<char> first_separator(std::string_view line, bool blanks) {
   const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
   std::size_t at = begin;
@@ -87,7 +87,8 @@ Found look(std::string_view line, Separates separates) {
   return found;
 }
 
-// Reads the fields of one line into a row, whose fields are used again; a defect if they are malformed.
+// Reads the fields of one line into a row, whose fields are used again; a defect if they are
+// malformed.
 template <typename Separates>
 std::optional<TextDefect> split_at(std::string_view line, Separates separates, Row& row,
                                    std::uint64_t number = 1) {

@@ -27,7 +27,7 @@ struct Field {
 };
 using Row = std::vector<Field>;
 
-/// One sheet of a workbook as an input. To whoever does not know this type, it is the file.
+/// One sheet of a workbook as an input. Other readers see the bytes of the file.
 class SheetInput final : public Input {
  public:
   SheetInput(std::unique_ptr<Input> file, std::string sheet)
@@ -42,18 +42,18 @@ class SheetInput final : public Input {
   std::string sheet_;
 };
 
-/// How the rows of a list are told apart.
+/// How rows are split into fields.
 struct RowOptions {
-  bool any_separator = false;  ///< commas, semicolons and tabs all separate, in every row anew
-  bool blanks = false;         ///< a row without any of them may be one at_blanks()
+  bool any_separator = false;  ///< commas, semicolons and tabs all separate, in each row on its own
+  bool blanks = false;         ///< a row without any of them may be split by at_blanks()
   bool percent_too =
       false;  ///< a row that begins with % is a comment, too, and blanks may come before it
   std::size_t longest_line = std::size_t{1} << 24;
-  std::string_view too_long = "a line of more than 16 MiB; this is no list";
+  std::string_view too_long = "a line of more than 16 MiB; split it, or name another file";
   std::uint64_t most_rows = std::uint64_t{1} << 22;
   std::uint64_t most_bytes = std::uint64_t{1} << 30;
 
-  /// No limits of rows and bytes: for what is not held in memory as rows.
+  /// No limits of rows and bytes: for callers that do not hold the rows in memory.
   [[nodiscard]] static RowOptions of_any_length() {
     RowOptions options;
     options.most_rows = options.most_bytes = ~std::uint64_t{0};
@@ -61,31 +61,34 @@ struct RowOptions {
   }
 };
 
-/// Reads an input row by row: the only reader of CSV, for lists and for designs. It holds a line at a time, so that endless
-/// inputs end with a fault. An input that begins like a workbook is one: its first sheet is read, or that of a
-/// SheetInput. GivenRows are taken as they are. Every row of a sheet has at least as many fields as the first one, and no row of it is a comment.
+/// Reads an input row by row: the only reader of CSV, for lists and for designs. It holds a line at
+/// a time, so that endless inputs end with a fault. An input that begins like a workbook is one:
+/// its first sheet is read, or that of a SheetInput. GivenRows are taken as they are. Every row of
+/// a sheet has at least as many fields as the first one, and no row of it is a comment.
 ///
 ///     RowReader rows(input);
 ///     while (rows.next_line()) {
-///       if (quick(rows.line())) continue;   // what needs no fields
+///       if (quick(rows.line())) continue;   // a line whose fields are not needed
 ///       if (rows.split(row)) …              // the fields of this line
 ///     }
 class RowReader {
  public:
-  /// The input must outlive this. @throws MissingResource if reading fails; BadInput for a workbook that cannot be
-  /// read.
+  /// The input must outlive this. @throws MissingResource if reading fails; BadInput for a workbook
+  /// that cannot be read.
   explicit RowReader(Input& input, const RowOptions& options = {});
 
-  /// The next row but comments and blank ones; nothing at the end. Rows are split at what comes first outside
-  /// quotes in the first row that has it: a comma, a semicolon, or a tab with text on both sides; otherwise as the options
-  /// say. @throws BadInput with a place for what is no plain text, quotes that do not match and lines or lists
-  /// beyond all measure; MissingResource if reading fails; Stopped if the scope of this thread
-  /// (run/control.hpp) wants to stop.
+  /// The next row but comments and blank ones; nothing at the end. Rows are split at the separator
+  /// that comes first outside quotes in the first row that has one: a comma, a semicolon, or a tab
+  /// with text on both sides; otherwise as the options say. @throws BadInput with a place for text
+  /// that is not plain, quotes that do not match, and lines or lists that are too long;
+  /// MissingResource if reading fails; Stopped if the scope of this thread (run/control.hpp) wants
+  /// to stop.
   [[nodiscard]] std::optional<Row> next();
 
-  /// The same in two steps, into a row that is used again. Goes to the next line, or row of the sheet; false at the end.
+  /// The same in two steps, into a row that is reused. Goes to the next line, or row of the sheet;
+  /// false at the end.
   [[nodiscard]] bool next_line();
-  /// The line as it stands there; empty in a workbook.
+  /// The line as it is in the file; empty in a workbook.
   [[nodiscard]] std::string_view line() const {
     return is_workbook() ? std::string_view() : lines_.line();
   }
@@ -94,19 +97,20 @@ class RowReader {
 
   /// @throws BadInput with the place of this offset in the line of the last row.
   [[noreturn]] void fail(std::size_t offset, std::string_view what) const;
-  /// @throws BadInput with the place of this field, of whatever row.
+  /// @throws BadInput with the place of this field, of any row.
   [[noreturn]] void fail(const Field& field, std::string_view what) const;
 
-  /// Where this field stands, of whatever row: "list.csv:3:7", "book.xlsx:Run!D3".
+  /// The place of this field, of any row: "list.csv:3:7", "book.xlsx:Run!D3".
   [[nodiscard]] std::string place(const Field& field) const;
 
-  /// What splits the rows: ',', ';' or a tab; a comma as long as no row needs any.
+  /// The separator of the rows: ',', ';' or a tab; a comma as long as no row has one.
   [[nodiscard]] char separator() const { return separator_ == '\0' ? ',' : separator_; }
 
-  /// The cells of a workbook say what they say; those of a text may have the apostrophe of csv_cell().
+  /// Whether rows come from a workbook or GivenRows, whose cells are taken as they are; those of a
+  /// text may have the apostrophe of csv_cell().
   [[nodiscard]] bool is_workbook() const { return sheet_.has_value() || given_ != nullptr; }
 
-  /// The rows came as data: the first one is a header if that was said, and never guessed to be one.
+  /// Whether the rows are GivenRows, whose header is given and never guessed.
   [[nodiscard]] bool is_given() const { return given_ != nullptr; }
 
  private:
@@ -127,15 +131,15 @@ class RowReader {
   char separator_ = '\0';  // not known yet
 };
 
-/// A row that came as one field, split at blanks instead; quotes hold a field with blanks together. Without empty fields.
-/// @throws BadInput through the reader.
+/// Splits a row of one field at blanks; quotes hold a field with blanks together, and empty fields
+/// are dropped. @throws BadInput through the reader.
 [[nodiscard]] Row at_blanks(const Field& field, const RowReader& reader);
 
-/// One row at commas. @throws BadInput without a place.
+/// Splits one row at commas. @throws BadInput without a place.
 [[nodiscard]] Row split_row(std::string_view line);
 
-/// A field as it must be written so that it is read as it is: quoted if it holds commas, semicolons,
-/// quotes or outer blanks, or begins with #.
+/// A field written so that it reads back the same: quoted if it has commas, semicolons, quotes or
+/// outer blanks, or begins with #.
 [[nodiscard]] std::string quoted(std::string_view field);
 
 /// The same for a field among blanks: quoted if it holds a blank, too, or begins with %.

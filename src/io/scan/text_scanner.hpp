@@ -12,19 +12,19 @@
 
 namespace changeover {
 
-/// Scans an input through one buffer. A word never straddles the buffer's end: when one begins, either
-/// more bytes than a word may have are there, or the input has ended. A NUL follows the last byte, so
-/// inner loops need no bounds.
+/// Scans an input through one buffer. A word never straddles the buffer's end: when one begins,
+/// either more bytes than a word may have are there, or the input has ended. A NUL follows the last
+/// byte, so inner loops need no bounds.
 class TextScanner {
  public:
   enum class Item : std::uint8_t { word, line_end, comment, end };
 
   explicit TextScanner(Input& input);
 
-  /// The input was rewound.
+  /// Starts over: the input was rewound.
   void restart();
 
-  /// What is in the buffer before anything was taken from it: the input's first 256 KiB, or all.
+  /// The input's first 256 KiB, or all of it, before anything was taken.
   [[nodiscard]] std::string_view beginning() const {
     return {p_, static_cast<std::size_t>(end_ - p_)};
   }
@@ -42,7 +42,7 @@ class TextScanner {
   /// Of the last line end.
   [[nodiscard]] Place line_end_place() const { return line_end_; }
 
-  /// Where the next byte stands.
+  /// The place of the next byte.
   [[nodiscard]] Place here() const { return place_of_byte(p_); }
 
   /// The next word of the comment, cut to `longest` bytes, with its true length; false at its end.
@@ -53,7 +53,7 @@ class TextScanner {
   };
   bool comment_word(CommentWord& word, std::size_t longest = max_token_bytes);
 
-  /// Takes what is left of the comment. @throws BadInput if it exceeds `longest` bytes.
+  /// Takes the rest of the comment. @throws BadInput if it exceeds `longest` bytes.
   std::string rest_of_comment(std::size_t longest);
   void skip_comment();
 

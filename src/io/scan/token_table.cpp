@@ -82,7 +82,8 @@ ElementSet element_set(std::span<const std::string> words) {
     }
     numbers.emplace_back(*n, static_cast<Element>(i));
   }
-  // By value: there are no leading zeros, so a longer number is larger, also where a value does not fit.
+  // By value: there are no leading zeros, so a longer number is larger, also where a value does not
+  // fit.
   std::sort(numbers.begin(), numbers.end(), [&](const auto& a, const auto& b) {
     const std::string& x = words[a.second];
     const std::string& y = words[b.second];

@@ -22,24 +22,25 @@ inline constexpr std::size_t max_token_bytes = 255;
 /// ones give the largest value. nullopt for any other word.
 [[nodiscard]] std::optional<std::uint64_t> plain_number(std::string_view word);
 
-/// Why no element that is read can have this name: label_defect(), and it must not be too long.
+/// Why an element of a file cannot have this name: label_defect(), or it is too long.
 [[nodiscard]] std::optional<std::string> word_defect(std::string_view label);
 
 /// Numbers each new word as it comes: 0, 1, 2, … Small plain numbers are found by one array access.
 class TokenTable {
  public:
   static constexpr Element none = 0xFFFFFFFF;
-  static constexpr std::uint32_t not_small = 65'535;  ///< no small number: number() is none
+  /// not a small number: number() does not take it
+  static constexpr std::uint32_t not_small = 65'535;
 
-  /// What the plain number n ≤ not_small stands for.
+  /// The element that the plain number n ≤ not_small stands for.
   [[nodiscard]] Element number(std::uint32_t n) const {
     return n < by_number_.size() ? by_number_[n] : none;
   }
 
-  /// What `word` stands for, or none.
+  /// The element that `word` stands for, or none.
   [[nodiscard]] Element find(std::string_view word) const;
 
-  /// Gives a word that is not here yet the next element.
+  /// Gives a new word the next element.
   Element add(std::string_view word);
 
   /// Lets 0, …, v−1 stand for themselves.
@@ -64,13 +65,13 @@ class TokenTable {
   std::vector<std::string> words_;
 };
 
-/// The element set that words make when nobody declares it.
+/// The element set that words make if it is not declared.
 struct ElementSet {
   std::vector<Element> element_of;  ///< by position among the words
   std::vector<std::string> labels;  ///< empty if the words are exactly 0, …, n−1
 };
 
-/// Distinct words: all numbers, then in increasing order; otherwise as they stand.
+/// Makes it from distinct words: in increasing order if all are numbers, otherwise in their order.
 [[nodiscard]] ElementSet element_set(std::span<const std::string> words);
 
 /// Completes labels to v of them, with numbers from v upwards.

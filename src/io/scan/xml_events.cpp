@@ -33,7 +33,8 @@ std::optional<std::string_view> XmlAttributes::find(std::string_view name) const
   return std::nullopt;
 }
 
-// The parser is C: no exception may pass through it, so the first one is kept and the parser stopped.
+// The parser is C: no exception may pass through it, so the first one is kept and the parser
+// stopped.
 struct XmlReader::State {
   State(std::string called, XmlHandler& who)
       : name(std::move(called)),
@@ -70,12 +71,12 @@ struct XmlReader::State {
         });
     XML_SetEntityDeclHandler(parser, [](void* self, const char*, int, const char*, int, const char*,
                                         const char*, const char*, const char*) {
-      of(self).guarded([&] { of(self).fail("an entity is declared; write out what it says"); });
+      of(self).guarded([&] { of(self).fail("an entity is declared; write out its text"); });
     });
     XML_SetSkippedEntityHandler(parser, [](void* self, const char* entity, int) {
       of(self).guarded([&] {
         of(self).fail(
-            fmt::format("the entity {} is not declared; write out what it says", shown(entity)));
+            fmt::format("the entity {} is not declared; write out its text", shown(entity)));
       });
     });
   }
@@ -121,7 +122,7 @@ struct XmlReader::State {
         fail(fmt::format("not XML: {}; correct it", XML_ErrorString(error)));
       }
       fed += part.size();
-      // What is not finished is looked at again with each piece.
+      // The parser looks at an unfinished tag again with each piece.
       const XML_Index done = XML_GetCurrentByteIndex(parser);
       if (done >= 0 && fed - static_cast<std::uint64_t>(done) > longest_tag) {
         fail(fmt::format("a tag of more than {} MiB", longest_tag >> 20));

@@ -1,11 +1,11 @@
-// XML as a sequence of events, read a piece at a time, so that its length does not matter.
+// XML as a sequence of events, read one piece at a time, so that its length does not matter.
 //
 //     XmlReader reader(name, handler);
 //     while (more) reader.feed(piece);
 //     reader.finish();
 //
-// Names come without their name space. Documents that declare entities, or use one that is not XML's own, are
-// refused: what a reader sees is what stands in the file.
+// Names come without their name space. Documents that declare entities, or use one that is not
+// XML's own, are refused, so that events show only text of the file.
 #pragma once
 
 #include <cstdint>
@@ -23,14 +23,14 @@ class XmlAttributes {
  public:
   explicit XmlAttributes(const char* const* pairs) : pairs_(pairs) {}
 
-  /// Its value. A name within a name space is looked up without it.
+  /// The value of an attribute. Name it without its name space.
   [[nodiscard]] std::optional<std::string_view> find(std::string_view name) const;
 
  private:
   const char* const* pairs_;
 };
 
-/// Receives the events of one document. What it throws passes through XmlReader.
+/// Receives the events of one document. Its exceptions pass through XmlReader.
 class XmlHandler {
  public:
   virtual ~XmlHandler() = default;
@@ -49,20 +49,20 @@ class XmlHandler {
 
 class XmlReader {
  public:
-  /// What messages call the document, and who listens; the handler must outlive this.
+  /// `name` is the document's name in messages; the handler must outlive this.
   XmlReader(std::string name, XmlHandler& handler);
   ~XmlReader();
   XmlReader(const XmlReader&) = delete;
   XmlReader& operator=(const XmlReader&) = delete;
 
-  /// @throws BadInput with line and column for what is no XML, declares entities, nests deeper than 256 levels
-  /// or has a tag of more than 1 MiB; what the handler throws.
+  /// Reads one piece. @throws BadInput with line and column if it is not XML, declares entities,
+  /// nests deeper than 256 levels or has a tag of more than 1 MiB; exceptions of the handler.
   void feed(std::string_view piece);
 
-  /// The document is complete. @throws BadInput if it is not.
+  /// Ends the document. @throws BadInput if it is not complete.
   void finish();
 
-  /// Where the event stands that the handler is looking at.
+  /// The place of the current event.
   [[nodiscard]] Place place() const;
   /// The same, in bytes.
   [[nodiscard]] std::size_t offset() const;

@@ -8,7 +8,8 @@
 namespace changeover {
 namespace {
 
-// The last four are the wide forms of = + - @, which spreadsheets in East Asia take for the narrow ones.
+// The last four are the wide forms of = + - @, which East Asian spreadsheets treat like the narrow
+// ones.
 constexpr std::array<std::string_view, 11> formula_beginnings = {
     "=",           "+", "-", "@", "\t", "\r", "\n", "\xEF\xBC\x9D", "\xEF\xBC\x8B", "\xEF\xBC\x8D",
     "\xEF\xBC\xA0"};
@@ -41,7 +42,7 @@ bool is_decimal(std::string_view text) {
   return text.empty();
 }
 
-// Programs differ in whether blanks before a formula are passed over, so they are here.
+// Some programs skip blanks before a formula, so this does, too.
 bool is_formula(std::string_view text) {
   const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
   const std::string_view rest = text.substr(blanks);
@@ -50,7 +51,7 @@ bool is_formula(std::string_view text) {
          !is_decimal(rest);
 }
 
-// Whether it would be a formula without the apostrophes in front, if there are any.
+// Whether the text would be a formula without apostrophes in front.
 bool is_formula_behind_apostrophes(std::string_view text) {
   return is_formula(text.substr(std::min(text.find_first_not_of('\''), text.size())));
 }

@@ -6,14 +6,14 @@
 //     csv_cell("-1.5")         // -1.5: a number stays one
 //     csv_text("'=1+1")        // =1+1
 //
-// A spreadsheet takes a cell for a formula if it begins with = + - @ or with some control characters,
-// and quotes do not help: a name from a stranger's file could then compute, or fetch, something.
-// Such a text gets an apostrophe in front, the spreadsheets' own mark for "this is text". So that it can
-// be taken back, a text that is an apostrophe or several before such a beginning gets one more;
-// any other text with an apostrophe in front, and every decimal number, stays as it is.
-// Whatever the text, csv_text() of the cell without its quotes is the text again.
+// A spreadsheet takes a cell for a formula if it begins with = + - @ or with some control
+// characters, and quotes do not help: a name from an untrusted file could then compute, or fetch,
+// something. Such a text gets an apostrophe in front, the spreadsheets' own mark for "this is
+// text". To make this reversible, a text of one or more apostrophes before such a beginning gets
+// one more; any other text with an apostrophe in front, and every decimal number, stays as it is.
+// For every text, csv_text() of the cell without its quotes is the text again.
 //
-// Not done: a number that is meant as a name (007, 1e5) is a number to a spreadsheet.
+// Not done: a spreadsheet takes a name that looks like a number (007, 1e5) for one.
 #pragma once
 
 #include <concepts>
@@ -22,11 +22,11 @@
 
 namespace changeover {
 
-/// A text as one cell: the apostrophe where it must be, and quotes if there is a comma, a semicolon, a
-/// quote or a control character in it, or a blank at an end.
+/// A text as one cell: the apostrophe where it must be, and quotes if there is a comma, a
+/// semicolon, a quote or a control character in it, or a blank at an end.
 [[nodiscard]] std::string csv_cell(std::string_view text);
 
-/// What a cell that was read says, its quotes already taken off: without the apostrophe of csv_cell().
+/// The text of a cell without its quotes: removes the apostrophe of csv_cell().
 [[nodiscard]] std::string_view csv_text(std::string_view cell);
 
 /// A number as a cell: decimal, with a point, never quoted and never escaped.
@@ -35,8 +35,8 @@ template <std::integral Number>
   return std::to_string(number);
 }
 
-/// The same, with no more digits than tell the number from all others; infinite and undefined values are
-/// an empty cell.
+/// The same, with as few digits as identify the number; infinite and undefined values are an empty
+/// cell.
 [[nodiscard]] std::string csv_number(double number);
 
 }  // namespace changeover

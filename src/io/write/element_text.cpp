@@ -50,8 +50,8 @@ void ElementText::flush() {
   p_ = buffer_.data();
 }
 
-// The buffer grows to a size that the system writes fast, and is then emptied, but of whole pages only:
-// those are stored faster, too.
+// The buffer grows to a size that the system writes fast and then gives up its whole pages, which
+// are stored faster, too.
 void ElementText::make_room_slowly(std::size_t bytes) {
   constexpr std::size_t page = std::size_t{1} << 16;
   constexpr std::size_t usual = std::size_t{1} << 20;

@@ -56,7 +56,7 @@ class ElementText {
     p_ = p;
   }
 
-  /// Hands all text to the sink.
+  /// Passes all text to the sink.
   void flush();
 
  private:

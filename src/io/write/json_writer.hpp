@@ -1,12 +1,12 @@
-// JSON text, key by key, in the order in which it is said.
+// JSON text, key by key, in the order of the calls.
 //
 //     JsonWriter json;
 //     json.begin_object().key("b").value(366).key("kind").value("circular").end_object();
 //     json.text();                               // {"b":366,"kind":"circular"}
 //
 // Compact, one line. Strings are escaped, so that nothing in them is a command to a terminal
-// (core/printable.hpp); bytes that are not UTF-8 become U+FFFD. Commas and colons
-// come by themselves; that keys and ends are balanced is the caller's part.
+// (core/printable.hpp); bytes that are not UTF-8 become U+FFFD. It adds commas and colons; the
+// caller balances keys and ends.
 #pragma once
 
 #include <concepts>
@@ -61,11 +61,11 @@ class JsonWriter {
     return end_array();
   }
 
-  /// Text that is JSON already.
+  /// Appends text that is JSON already.
   JsonWriter& raw(std::string_view json);
 
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// Hands over what was written so far: a long document can be written in pieces.
+  /// Returns the text so far and continues after it: a long document can be written in pieces.
   [[nodiscard]] std::string take();
 
  private:
@@ -76,7 +76,7 @@ class JsonWriter {
   void separate();
 
   std::string text_;
-  bool first_ = true;  // nothing has been said at this level yet, or a key was just said
+  bool first_ = true;  // nothing was written at this level yet, or a key was written last
 };
 
 }  // namespace changeover

@@ -16,7 +16,7 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// Signs that the program's sentences have, as mathematics; the empty one is left out.
+// Signs in the program's sentences, as mathematics; the empty one is left out.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 43> signs{{
     {">=", "\\geq"},     {"<=", "\\leq"},     {"≥", "\\geq"},    {"≤", "\\leq"},
     {"≠", "\\neq"},      {"≡", "\\equiv"},    {"−", "-"},        {"±", "\\pm"},
@@ -46,7 +46,8 @@ class Prose {
   }
 
  private:
-  // Text that is no mathematics is escaped in one piece: an ellipsis or a letter of several bytes is one.
+  // Text outside mathematics is escaped in one piece: an ellipsis or a letter may have several
+  // bytes.
   void letter() {
     if (rest_.front() == ')' && !ceilings_.empty() && depth_ == ceilings_.back()) {
       ceilings_.pop_back();
@@ -68,7 +69,7 @@ class Prose {
   void math(std::string_view what, std::size_t length) {
     flush();
     if (!what.empty()) {
-      // Marks belong to the formula before them.
+      // Primes and stars belong to the formula before them.
       const bool mark = what.front() == '_' || what.front() == '^' || what == "'";
       if (mark && after_math_) {
         result_.pop_back();

@@ -23,7 +23,7 @@ bool in_ranges(char32_t value, const std::array<Range, N>& ranges) {
                      [=](Range r) { return r.first <= value && value <= r.last; });
 }
 
-// The blocks of combining marks and joiners, and those that terminals draw over two columns.
+// Ranges of combining marks and joiners, and of characters that terminals draw over two columns.
 constexpr std::array<Range, 7> no_width = {{{0x300, 0x36F},
                                             {0x483, 0x489},
                                             {0x1AB0, 0x1AFF},

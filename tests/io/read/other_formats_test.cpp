@@ -119,9 +119,9 @@ TEST(OtherFormats, OneLineForEachFault) {
   EXPECT_EQ(fault("BlockDesign(7, [[1,2],\n[2,x]])"),
             "f:2:4: a number belongs here; points are numbers");
   EXPECT_EQ(fault("D := BlockDesign(3, [[0,1],[1,2]]);"),
-            "f:1:23: 0 is no point; they are numbered from 1 to 3");
+            "f:1:23: 0 is not a point; they are numbered from 1 to 3");
   EXPECT_EQ(fault("D = BlockDesign(3, [[0,1],[1,3]])"),
-            "f:1:30: 3 is no point; they are numbered from 0 to 2");
+            "f:1:30: 3 is not a point; they are numbered from 0 to 2");
   EXPECT_THAT(fault("BlockDesign(9, [[1,2],[2,3]])"), HasSubstr("of GAP, with points from 1 on"));
   EXPECT_THAT(fault("BlockDesign(3, [[0,1],[2,3]])"), HasSubstr("of GAP, with points from 1 on"));
   EXPECT_THAT(fault("BlockDesign(7, [[1,2,4]], Group((1,2,3,4,5,6,7)));"),
@@ -131,13 +131,14 @@ TEST(OtherFormats, OneLineForEachFault) {
   EXPECT_THAT(fault("rec( v := 3, v := 3 )"), HasSubstr("given twice"));
   EXPECT_THAT(fault("BlockDesign(3, [[1,2],[2,3]"), HasSubstr("it is cut off"));
   EXPECT_THAT(fault("BlockDesign(3, [[1,2],[2,3]]); BlockDesign(3, [[1,2]]);"),
-              HasSubstr("one design a file"));
+              HasSubstr("one design per file"));
   EXPECT_THAT(fault("BlockDesign(3, [[1,2],[2,3,1]]);"), HasSubstr("block 2"));
   EXPECT_THAT(fault("BlockDesign(3, [[1,2],[]]);"), HasSubstr("block 2 is empty"));
   EXPECT_THAT(fault("BlockDesign(3, [[1,1],[2,3]]);"), HasSubstr("f:1:20: "));
   EXPECT_THAT(fault("BlockDesign(99999999999999999999, [[1,2]]);"), HasSubstr("from 1 to 65535"));
-  EXPECT_THAT(fault("BlockDesign(3, [[1 .. 99999999999]]);"), HasSubstr("no range"));
-  EXPECT_THAT(fault("BlockDesign(3, [[3 .. 1]]);"), HasSubstr("no range"));
+  EXPECT_THAT(fault("BlockDesign(3, [[1 .. 99999999999]]);"),
+              HasSubstr("this range does not go up"));
+  EXPECT_THAT(fault("BlockDesign(3, [[3 .. 1]]);"), HasSubstr("this range does not go up"));
   EXPECT_THAT(fault("# changeover design v=4\nBlockDesign(3, [[1,2],[2,3]]);"),
               HasSubstr("f:2:13: 3 points, but a comment says v=4"));
   EXPECT_THAT(fault("# labels: a b\nBlockDesign(3, [[1,2],[2,3]]);"), HasSubstr("f:1:1: "));

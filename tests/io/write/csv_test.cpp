@@ -92,7 +92,8 @@ TEST(CsvTest, EachFaultHasItsLineColumnAndRemedy) {
   const std::vector<Case> cases = {
       {"", "f:1:1: no blocks; give at least one"},
       {"block,element_1\n", "f:1:1: no blocks; give at least one"},
-      {"block,x\n1,2\n", "f:1:1: no columns element_1, element_2, …; name those with elements"},
+      {"block,x\n1,2\n",
+       "f:1:1: no columns element_1, element_2, …; give the columns of elements these names"},
       {"0,1,2\n0,1\n",
        "f:2:3: block 2 has 2 elements, the blocks before have 3; correct one of them"},
       {"0,1\n0,1,2\n",
@@ -107,7 +108,7 @@ TEST(CsvTest, EachFaultHasItsLineColumnAndRemedy) {
       {"element_1,element_2,k\n0,1,3\n",
        "f:2:1: block 1 has 2 elements, not k = 3; correct it, or k"},
       {"element_1,v,v\n", "f:1:13: two columns v; remove one"},
-      {"element_1,elements\n0,x\n", "f:2:3: the column elements says neither labels nor numbers"},
+      {"element_1,elements\n0,x\n", "f:2:3: the column elements must say labels or numbers"},
       {"0,\"1\n", "f:1:3: a quote is opened and not closed on this line; close it"},
       {"0,\"1", "f:1:3: a quote is opened and not closed on this line; close it"},
       {"0,\"1\"2\n", "f:1:6: text after a closing quote; double each quote within quotes"},

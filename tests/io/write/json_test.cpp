@@ -105,7 +105,7 @@ struct Case {
 
 TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
   const std::vector<Case> cases = {
-      {"{}", "f:1:2: no key \"blocks\"; this is no design"},
+      {"{}", "f:1:2: no key \"blocks\"; add it, or name another file"},
       {"{\"blocks\":[]}", "f:1:1: no blocks; give at least one"},
       {"3",
        "f:1:1: a number where a design, an object with the key \"blocks\", belongs; correct it"},
@@ -120,9 +120,11 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:3:5: element '2' is twice in block 2; remove or correct one"},
       {"{\"blocks\":[\n[0,1],\n[2, 7]\n],\"v\":3}",
        "f:3:5: element '7' is not below v = 3; count from 0, or correct v"},
-      {"{\"blocks\":[[0,-1]]}", "f:1:15: element '-1' is no whole number from 0 on; correct it"},
-      {"{\"blocks\":[[0,1.5]]}", "f:1:15: element '1.5' is no whole number from 0 on; correct it"},
-      {"{\"blocks\":[[0,1e3]]}", "f:1:15: element '1e3' is no whole number from 0 on; correct it"},
+      {"{\"blocks\":[[0,-1]]}", "f:1:15: element '-1' is not a whole number from 0 on; correct it"},
+      {"{\"blocks\":[[0,1.5]]}",
+       "f:1:15: element '1.5' is not a whole number from 0 on; correct it"},
+      {"{\"blocks\":[[0,1e3]]}",
+       "f:1:15: element '1e3' is not a whole number from 0 on; correct it"},
       {"{\"blocks\":[[0,true]]}",
        "f:1:15: true or false where an element, a number or a label, belongs; correct it"},
       {"{\"blocks\":[[0,[1]]]}",
@@ -151,11 +153,11 @@ TEST(JsonTest, EachFaultHasItsLineColumnAndRemedy) {
       {"{\"labels\":[\"a\",\"b\"],\"blocks\":[[\"a\",\"c\"]]}",
        "f:1:36: element 'c' is not in the list of labels; correct one of them"},
       {"{\"v\":2,\"blocks\":[[\"a\",\"b\"],\n[\"a\",\"c\"]]}",
-       "f:2:6: element 'c' is one more than v = 2; correct it, or v"},
+       "f:2:6: element 'c' is one too many for v = 2; correct it, or v"},
       {"{\"change\":3,\"blocks\":[[0,1]]}",
        "f:1:1: change = 3: consecutive blocks must differ in 1 to k = 2 elements"},
       {"{\"recipe\":3}", "f:1:11: a number where the recipe, an object, belongs; correct it"},
-      {"{\"recipe\":{\n}}", "f:2:1: the recipe does not say construction; add it"},
+      {"{\"recipe\":{\n}}", "f:2:1: the recipe lacks construction; add it"},
       {"[[0,1]] x",
        "f:1:9: not JSON: syntax error while parsing value - invalid literal; correct "
        "it"},
@@ -181,7 +183,7 @@ TEST(JsonTest, DeepNestingIsRefusedWithoutStack) {
   EXPECT_EQ(complaint(std::string(10'000'000, '[')),
             "f:1:3: an array where an element, a number or a label, belongs; correct it");
   EXPECT_EQ(complaint("{\"x\":" + std::string(10'000'000, '[')),
-            "f:1:261: JSON nested more than 256 deep; nothing that is read here is as deep");
+            "f:1:261: JSON nested more than 256 deep; use fewer levels");
   std::string recipe = "{\"recipe\":";
   for (int i = 0; i < 1'000'000; ++i) {
     recipe += "{\"inputs\":[";
@@ -202,7 +204,7 @@ TEST(JsonTest, RecipesAreReadBackAndTheirFaultsPlaced) {
             "<recipe>:2:5: a number where the number v, at most 4294967295, belongs; correct the "
             "recipe");
   EXPECT_EQ(message_of([] { (void)recipe_from_json("{\"arguments\":{\"c\":1.5}}", "g"); }),
-            "g:1:19: argument 'c' = '1.5' is no whole number of 64 bits; correct the recipe");
+            "g:1:19: argument 'c' = '1.5' is not a whole number of 64 bits; correct the recipe");
   EXPECT_NE(message_of([] { (void)recipe_from_json("[]"); }), "");
   EXPECT_NE(message_of([] { (void)recipe_from_json(""); }), "");
   const Recipe minimal =

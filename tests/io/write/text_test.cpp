@@ -139,9 +139,9 @@ struct Case {
 TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
   const std::string long_word(256, 'x');
   const std::vector<Case> cases = {
-      {"", "f:1:1: no blocks; give one block a line, its elements separated by blanks"},
+      {"", "f:1:1: no blocks; give one block per line, its elements separated by blanks"},
       {"# only\n\n# comments\n",
-       "f:4:1: no blocks; give one block a line, its elements separated "
+       "f:4:1: no blocks; give one block per line, its elements separated "
        "by blanks"},
       {"0 1 2\n0 1\n",
        "f:2:4: block 2 has 2 elements, the blocks before have 3; correct one of them"},
@@ -183,7 +183,7 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
        "f:1:14: strength = 3 exceeds k = 2: no block holds that many elements"},
       {"7\n", "f:1:1: strength = 2 exceeds k = 1: no block holds that many elements"},
       {"# labels: a b a\na b\n", "f:1:15: label 'a' is listed twice; remove or correct one"},
-      {"# labels:\na b\n", "f:1:3: no labels; list one for each element, or leave the list away"},
+      {"# labels:\na b\n", "f:1:3: no labels; list one for each element, or leave the list out"},
       {"# labels: a b\n# labels: c\na b\n", "f:2:3: labels are listed twice; list them once"},
       {"# changeover design v=3\n# labels: a b\na b\n",
        "f:2:3: 2 labels for v = 3 elements; give one each"},
@@ -193,14 +193,14 @@ TEST(TextTest, EachFaultHasItsLineColumnAndRemedy) {
       {"# labels: a b\na c\n",
        "f:2:3: element 'c' is not in the list of labels; correct one of them"},
       {"# changeover design v=3\na b\nc d\n",
-       "f:3:3: element 'd' is one more than v = 3; correct it, or v"},
+       "f:3:3: element 'd' is one too many for v = 3; correct it, or v"},
       {"a \"b\"\n",
        "f:1:3: a name with a double quote, which not every format can carry; use "
        "another character"},
       {"0 1\n# changeover design v=4\n1 2\n",
-       "f:2:3: a header after the first block; move it to the top, one design a file"},
+       "f:2:3: a header after the first block; move it to the top, one design per file"},
       {"0 1\n# labels: a b\n1 2\n",
-       "f:2:3: labels after the first block; move it to the top, one design a file"},
+       "f:2:3: labels after the first block; move it to the top, one design per file"},
       {"B1  B2\n0   4*\n1   5*\n",
        "f:1:1: this looks like a table for people: write it with "
        "--format text or --json"},
@@ -229,9 +229,10 @@ TEST(TextTest, AWordAmongDeclaredNumbersIsTakenAsANameIfItComesEarlyAndRefusedIf
   for (int i = 0; i < 100'000; ++i) {
     text += "0 1 2\n";
   }
-  EXPECT_EQ(complaint(text + "0 x 2\n"),
-            "f:100002:3: element 'x' is no number, but those before are; list all names in a line "
-            "'# labels: …'");
+  EXPECT_EQ(
+      complaint(text + "0 x 2\n"),
+      "f:100002:3: element 'x' is not a number, but those before are; list all names in a line "
+      "'# labels: …'");
 }
 
 TEST(TextTest, BlocksNamedLikeColumnsAreStillBlocks) {
@@ -240,9 +241,9 @@ TEST(TextTest, BlocksNamedLikeColumnsAreStillBlocks) {
 
 TEST(TextTest, TheCallersParametersAreCheckedToo) {
   EXPECT_EQ(complaint("0 1\n", {.v = 70'000}),
-            "f: v = 70000 cannot be; give a whole number from 1 to 65535");
+            "f: v = 70000 is out of range; give a whole number from 1 to 65535");
   EXPECT_EQ(complaint("0 1\n", {.k = 0}),
-            "f: k = 0 cannot be; give a whole number from 1 to 65535");
+            "f: k = 0 is out of range; give a whole number from 1 to 65535");
   EXPECT_EQ(complaint("0 1\n", {.k = 3}),
             "f:1:4: block 1 has 2 elements, not k = 3; correct it, or k");
   EXPECT_EQ(complaint("0 1\n", {.v = 1}),
@@ -254,9 +255,9 @@ TEST(TextTest, WhatOnlyTheCallerSaysWrongIsToldApart) {
     return message_of<BadOption>([&] { (void)read(text, options); });
   };
   EXPECT_EQ(blame("0 1\n", {.change = 0}),
-            "f: change = 0 cannot be; give a whole number from 1 to 65535");
+            "f: change = 0 is out of range; give a whole number from 1 to 65535");
   EXPECT_EQ(blame("0 1\n", {.strength = 5}),
-            "f: strength = 5 cannot be; give a whole number from 2 to 4");
+            "f: strength = 5 is out of range; give a whole number from 2 to 4");
   EXPECT_EQ(blame("0 1\n", {.change = 3}),
             "f: change = 3: consecutive blocks must differ in 1 to k = 2 elements");
   EXPECT_EQ(blame("# changeover design change=2\n0 1\n", {.strength = 3}),
@@ -298,10 +299,10 @@ TEST(TextTest, HugeLinesAreRefusedEarlyAndHugeBlanksSkipped) {
   EXPECT_EQ(endless("1 "), "endless:1:3: element '1' is twice in block 1; remove or correct one");
   EXPECT_LT(taken, 1'000'000U);
   EXPECT_EQ(endless(" "),
-            "endless:1:100000001: no blocks; give one block a line, its elements "
+            "endless:1:100000001: no blocks; give one block per line, its elements "
             "separated by blanks");
   EXPECT_EQ(endless("#"),
-            "endless:1:100000001: no blocks; give one block a line, its elements "
+            "endless:1:100000001: no blocks; give one block per line, its elements "
             "separated by blanks");
   EXPECT_EQ(endless(std::string(1, '\0')),
             "endless:1:1: control byte 0x00; the input must be plain text");
@@ -311,8 +312,8 @@ TEST(TextTest, HugeLinesAreRefusedEarlyAndHugeBlanksSkipped) {
     line += "x" + std::to_string(i) + " ";
   }
   EXPECT_EQ(complaint(line + "\n"),
-            "f:1:447636: element 'x65535' is one more than the 65535 that "
-            "can be read; use fewer");
+            "f:1:447636: element 'x65535' is one too many: at most 65535 can "
+            "be read; use fewer");
 }
 
 TEST(TextTest, PiecesOfAnySizeGiveTheSameDesign) {

@@ -134,7 +134,7 @@ TEST(ReadParts, RefusesWhatIsNoPlainTextWithOneLine) {
   EXPECT_THAT(says("A,1\nB\x1b[2J,1\n"), StartsWith("parts.csv:2:2: control byte 0x1b"));
   EXPECT_THAT(says("caf\xe9,1\n"), StartsWith("parts.csv:1:4: byte 0xe9 is not UTF-8; save"));
   EXPECT_THAT(says("A\xc2\x85,1\n"), StartsWith("parts.csv:1:2: control character U+0085"));
-  EXPECT_THAT(says("A\xe2\x80\xae,1\n"), StartsWith("parts.csv:1:2: U+202E, which turns"));
+  EXPECT_THAT(says("A\xe2\x80\xae,1\n"), StartsWith("parts.csv:1:2: U+202E, which reverses"));
   EXPECT_THAT(says("\"A\tB\",1\n"), HasSubstr("a tab"));
   EXPECT_THAT(says(std::string(1000, '\0')), StartsWith("parts.csv:1:1: control byte 0x00"));
   EXPECT_THAT(says("\xff\xfe" + std::string("A\0\n\0", 4)), HasSubstr("save the text as UTF-8"));

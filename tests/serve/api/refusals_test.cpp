@@ -210,7 +210,7 @@ TEST_F(Refusals, JsonThatIsNotWhatWasAsked) {
       {"{", 422, "not JSON"},
       {"{}", 422, "missing"},
       {std::string(100'000, '['), 422,
-       "JSON nested more than 256 deep; nothing that is read here is as deep"},
+       "JSON nested more than 256 deep; use fewer levels"},
       {"{\"parts\":" + std::string(300, '[') + std::string(300, ']') + "}", 422, "256"},
       {R"({"parts":9,"at_once":3,"colour":1})", 422, "no member 'colour'"},
       {R"({"parts":["b",{"name":"a","cost":1,"slot":"CPU"}],"at_once":2})", 422,
