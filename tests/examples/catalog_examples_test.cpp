@@ -30,6 +30,12 @@ TEST_F(CatalogExamples, Reported) {
   EXPECT_FALSE(reported_below(p, 63).has_value());
 }
 
+TEST_F(CatalogExamples, Classified) {
+  const auto all = classified({.v = 9, .k = 4, .change = 1, .kind = Kind::circular}, 12);
+  EXPECT_EQ(all->classes, 2U);
+  EXPECT_EQ(all->groups, "1:1 3:1");
+}
+
 TEST_F(CatalogExamples, Entry) {
   // clang-format off
   CatalogEntry entry = entry_from_line(

@@ -127,7 +127,8 @@ TEST(CoreExamples, Parameters) {
 
 TEST(CoreExamples, Recipe) {
   Recipe cyclic{"cyclic-paper", {.v = 7, .k = 3, .kind = Kind::circular}, {{"c", 1}}, {}, {}};
-  Recipe recipe{"expansion", {.v = 15, .k = 3, .kind = Kind::circular}, {{"w", 8}}, {cyclic}, {}};
+  const Parameters expanded{.v = 15, .k = 3, .kind = Kind::circular};
+  Recipe recipe{"expansion", expanded, {{"w", 8}}, {cyclic}, {}};
   EXPECT_TRUE(verify(*Registry::standard().build(recipe)).tight());
 }
 

@@ -87,13 +87,14 @@ restore() {
   prepare
 }
 
-# Words after -o, --output, --proof, --checkpoint, --data, --figures, --export and --into may appear or change.
+# Words after -o, --output, --proof, --checkpoint, --resume, --data, --figures, --export and --into may
+# appear or change.
 named() {
   local wanted=$1 previous='' word
   shift
   for word in "$@"; do
     case $previous in
-      -o | --output | --proof | --checkpoint | --data | --figures | --export | --into)
+      -o | --output | --proof | --checkpoint | --resume | --data | --figures | --export | --into)
         word=${word#../ground/}
         [[ ${word%%/*} != "$wanted" ]] || return 0
         ;;

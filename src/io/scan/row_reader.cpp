@@ -354,14 +354,14 @@ Row split_row(std::string_view line) {
 }
 
 std::string quoted(std::string_view field) {
-  const bool plain = !field.empty() && field.find_first_of(",;\"") == std::string_view::npos &&
+  const bool plain = !field.empty() && field.find_first_of(",;\t\"") == std::string_view::npos &&
                      !is_blank(field.front()) && !is_blank(field.back()) && field.front() != '#';
   return plain ? std::string(field) : in_quotes(field);
 }
 
 std::string quoted_among_blanks(std::string_view field) {
-  return field.find(' ') != std::string_view::npos || field.starts_with('%') ? in_quotes(field)
-                                                                             : quoted(field);
+  return std::ranges::any_of(field, is_blank) || field.starts_with('%') ? in_quotes(field)
+                                                                        : quoted(field);
 }
 
 }  // namespace changeover

@@ -138,8 +138,8 @@ class RowReader {
 /// Splits one row at commas. @throws BadInput without a place.
 [[nodiscard]] Row split_row(std::string_view line);
 
-/// A field written so that it reads back the same: quoted if it has commas, semicolons, quotes or
-/// outer blanks, or begins with #.
+/// A field written so that it reads back the same: quoted if it has commas, semicolons, tabs,
+/// quotes or outer blanks, or begins with #.
 [[nodiscard]] std::string quoted(std::string_view field);
 
 /// The same for a field among blanks: quoted if it holds a blank, too, or begins with %.

@@ -89,7 +89,7 @@ TEST(RowReader, SaysLineAndColumn) {
 
 TEST(RowReader, ReadsWhatIsWrittenInQuotes) {
   for (const std::string text :
-       {"a", "a b", "a,b", "a;b", "\"", " a", "#a", "%a", "5\" disk", "é,"}) {
+       {"a", "a b", "a\tb", "a,b", "a;b", "\"", " a", "#a", "%a", "5\" disk", "é,"}) {
     EXPECT_EQ(rows_of(changeover::quoted(text) + "," + changeover::quoted("x") + "\n"),
               (Texts{{text, "x"}}))
         << text;
