@@ -273,9 +273,7 @@ class Journal(unittest.TestCase):
             with open(self.path, "wb") as file:
                 file.write(whole[:end])
             done = self.read()
-            self.assertEqual(done, pairs[:len(done)])
-            self.assertEqual(len(done), whole[head:end].count(b"\n") - whole[head:end].count(b"= "
-                             ) + (whole[head:end].rpartition(b"\n")[2].startswith(b"= ")))
+            self.assertEqual(done, pairs[:whole[head:end].count(b"\n")])
 
     def test_what_was_damaged_does_not_count(self):
         pairs = list(itertools.combinations(range(9), 2))
@@ -292,8 +290,7 @@ class Journal(unittest.TestCase):
             with warnings.catch_warnings(record=True) as said:
                 warnings.simplefilter("always")
                 done = self.read()
-            self.assertEqual(done, pairs[:len(done)])
-            self.assertLessEqual(len(done), 4 * (whole[head:place].count(b"= ")))
+            self.assertEqual(done, pairs[:whole[head:place].count(b"\n")])
             self.assertEqual(len(said), 1)
             self.assertIn("damaged at byte", str(said[0].message))
 
@@ -329,13 +326,14 @@ class Journal(unittest.TestCase):
             self.assertEqual(pairs.count, 3)
 
 
-def play(items, room, workers, pairs, seed, sink, retries=0, faulty=None, **cluster_named):
+def play(items, room, workers, pairs, seed, sink, retries=0, faulty=None, cost=None,
+         **cluster_named):
     """A run with a simulated engine whose workers really compute."""
     named = {"item_bytes": lambda x: 1, "mean_bytes": 1.0, "pair_seconds": 1.0, "bandwidth": 1.0,
              "store": 3.0, "latency": 0.0, "overhead": 0.1, "failures": 0.0, "restart": 20.0,
              "stragglers": 0.3, "slowness": 5.0, "overlap": False, **cluster_named}
     setting = _simulation._Cluster(**named)
-    work = _job.Work(wanted(items, room, pairs), sink, retries, "", "")
+    work = _job.Work(wanted(items, room, pairs, cost=cost), sink, retries, "", "")
     memories = {}
 
     def compute(i, j, a, b):

@@ -6,11 +6,13 @@ import fcntl
 import hashlib
 import json
 import os
+import stat
 import warnings
 import zlib
 from array import array
 from typing import Any, Dict, Iterator, List, Optional, Tuple
 
+from .. import _core
 from ..errors import BadInput, MissingResource
 
 _format = "changeover-cluster-journal/1"
@@ -64,37 +66,54 @@ def name_of_job(items: int, listed: Optional[List[Tuple[int, int]]], kind: str,
 
 
 class Journal:
-    """A line a pair, written when sink() has returned, and a checksum after each stretch.
+    """A line a pair, written when sink() has returned: `i j checksum`. Its checksum is of all that
+    stands before it too, the head included, so a line counts only where it was written.
 
     A process that is killed leaves every whole line in the file. Machines that lose power may leave
-    anything after the last checksum: from the first line that is none on nothing counts.
+    anything after the last checkpoint: from the first line whose checksum is wrong on nothing
+    counts.
     """
 
     def __init__(self, path: str, job: Dict[str, Any]) -> None:
         self._path = path
-        self._lines: List[bytes] = []
+        self._changed = False
         try:
-            self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND, 0o666)
+            self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_NONBLOCK, 0o666)
+        except ValueError as fault:
+            raise BadInput(f"journal: {_core.quoted(path)} is no name of a file") from fault
         except OSError as fault:
             raise MissingResource(f"{path}: cannot open the journal: {fault.strerror}") from fault
         try:
+            if not stat.S_ISREG(os.fstat(self._file).st_mode):
+                raise BadInput(f"{path}: a journal is a file, and this is none")
             self._lock()
-            with open(path, "rb") as file:
-                text = file.read()
-            end = text.find(b"\n") + 1
-            if end == 0:
-                os.ftruncate(self._file, 0)
-                self._write(json.dumps(job, sort_keys=True).encode() + b"\n")
-                self._done: List[Tuple[int, int]] = []
-            else:
-                self._check_job(text[:end], job)
-                self._done, whole = self._read(text, end, job["items"])
-                if whole < len(text):
-                    os.ftruncate(self._file, whole)
-                self.checkpoint()
+            self._begin(json.dumps(job, sort_keys=True).encode() + b"\n", job)
         except BaseException:
             os.close(self._file)
             raise
+
+    def _begin(self, head: bytes, job: Dict[str, Any]) -> None:
+        try:
+            with open(os.dup(self._file), "rb") as file:
+                text = file.read()
+        except OSError as fault:
+            raise MissingResource(
+                f"{self._path}: cannot read the journal: {fault.strerror}") from fault
+        self._done: List[Tuple[int, int]] = []
+        end = text.find(b"\n") + 1
+        if end == 0 and head.startswith(text):  # It is empty, or its first run got no further.
+            whole = 0
+        else:
+            self._check_job(text[:end] or text, job)
+            whole = self._read(text, end, job["items"])
+        if whole < len(text):
+            try:
+                os.ftruncate(self._file, whole)
+            except OSError as fault:
+                raise self._unwritten(fault) from fault
+        if whole == 0:
+            self._checksum = zlib.crc32(head)
+            self._write(head)
 
     def _lock(self) -> None:
         try:
@@ -107,7 +126,7 @@ class Journal:
     def _check_job(self, line: bytes, job: Dict[str, Any]) -> None:
         try:
             said = json.loads(line)
-        except ValueError:
+        except (ValueError, RecursionError):
             said = None
         if not isinstance(said, dict) or said.get("format") != _format:
             raise BadInput(f"{self._path}: this file is no journal of a run on a cluster")
@@ -117,57 +136,56 @@ class Journal:
                     f"{self._path}: the journal is of another job, whose {key} differs; name "
                     "another journal, or remove this one")
 
-    def _read(self, text: bytes, begin: int, items: int) -> Tuple[List[Tuple[int, int]], int]:
-        """The pairs, and where what counts ends."""
-        done: List[Tuple[int, int]] = []
-        block = begin  # where the lines after the last checksum begin
-        counted = 0
+    def _read(self, text: bytes, begin: int, items: int) -> int:
+        """Where what counts ends."""
+        self._checksum = zlib.crc32(text[:begin])
         place = begin
-        while True:
-            end = text.find(b"\n", place)
-            if end < 0:
-                break
-            words = text[place:end].split(b" ")
+        while (end := text.find(b"\n", place)) >= 0:
+            pair, _, checksum = text[place:end].rpartition(b" ")
+            sum_here = zlib.crc32(pair, self._checksum)
             try:
-                if words[0] == b"=":
-                    if text[place:end] != b"= %08x" % zlib.crc32(text[block:place]):
-                        raise ValueError
-                    block, counted = end + 1, len(done)
-                else:
-                    i, j = map(int, words)
-                    if not 0 <= i <= j < items:
-                        raise ValueError
-                    done.append((i, j))
-            except (ValueError, IndexError):
-                # What stands before it since the last checksum may be as wrong.
-                warnings.warn(f"{self._path}: damaged at byte {place}; pairs recorded after byte "
-                              f"{block} are computed again", stacklevel=6)
-                return done[:counted], block
+                if checksum != b"%08x" % sum_here:
+                    raise ValueError
+                i, j = map(int, pair.split(b" "))
+                if not 0 <= i <= j < items:
+                    raise ValueError
+            except ValueError:
+                warnings.warn(f"{self._path}: damaged at byte {place}; pairs that were recorded "
+                              "from there on are computed again", stacklevel=8)
+                return place
+            self._done.append((i, j))
+            self._checksum = sum_here
             place = end + 1
-        self._lines = [text[block:place]] if place > block else []
-        return done, place
+        return place
 
     def _write(self, line: bytes) -> None:
+        self._changed = True
         try:
             while line:
                 line = line[os.write(self._file, line):]
         except OSError as fault:
-            raise MissingResource(
-                f"{self._path}: cannot write the journal: {fault.strerror}") from fault
+            raise self._unwritten(fault) from fault
+
+    def _unwritten(self, fault: OSError) -> MissingResource:
+        return MissingResource(f"{self._path}: cannot write the journal: {fault.strerror}")
 
     def done(self) -> Iterator[Tuple[int, int]]:
         return iter(self._done)
 
     def record(self, i: int, j: int) -> None:
-        line = b"%d %d\n" % (i, j)
-        self._write(line)
-        self._lines.append(line)
+        pair = b"%d %d" % (i, j)
+        checksum = zlib.crc32(pair, self._checksum)
+        self._write(b"%s %08x\n" % (pair, checksum))
+        self._checksum = checksum
 
     def checkpoint(self) -> None:
-        if self._lines:
-            self._write(b"= %08x\n" % zlib.crc32(b"".join(self._lines)))
-            self._lines = []
-            os.fsync(self._file)
+        """What was recorded outlasts a loss of power."""
+        if self._changed:
+            try:
+                os.fsync(self._file)
+            except OSError as fault:
+                raise self._unwritten(fault) from fault
+            self._changed = False
 
     def close(self) -> None:
         try:
