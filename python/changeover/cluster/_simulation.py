@@ -23,6 +23,13 @@ from ._worker import Memory, Outcome
 
 _exact_pairs = 2_000_000  # up to so many pairs the stretches are those that workers would get
 _most_workers = 65_536
+_most_number = 1e60  # seconds, bytes, bytes a second
+_most_failures = 10  # of each worker, on average, while none of them finishes a stretch
+_least_failures = 300  # in all, before that is looked at
+_most_exponent = 30.0  # a stretch is finished with probability exp(-30): never
+
+
+_too_short = "workers fail before they are done with a stretch"
 
 
 class Simulation(Made):
@@ -149,6 +156,8 @@ class _Simulated:
         self._away: Dict[str, float] = {}
         self._up: List[str] = []
         self.bytes = self.computing = self.loading = self.waiting = self.wasted = 0.0
+        self._failures = 0  # since the last stretch was done
+        self._most_failures = max(_least_failures, _most_failures * workers)
         for number in range(workers):
             self._up.append(str(number))
             self._start(str(number))
@@ -229,6 +238,7 @@ class _Simulated:
         self._push(end, "ends", task.worker, task.number)
 
     def _ends(self, task: _Task) -> List[Event]:
+        self._failures = 0
         del self._tasks[task.number]
         self._at.pop(task.worker, None)
         self._done[task.number] = task
@@ -242,6 +252,9 @@ class _Simulated:
         return [Event("done", task.worker, task.number)]
 
     def _fails(self, worker: str) -> List[Event]:
+        self._failures += 1
+        if self._failures > self._most_failures:
+            raise NoWorkers(_too_short)
         task = self._at.pop(worker, None)
         if task is not None:
             del self._tasks[task.number]
@@ -373,15 +386,18 @@ def simulate(
                "bandwidth": bandwidth, "store": math.inf if store is None else store,
                "restart": restart or 0.0}
     for argument, number in numbers.items():
-        if not number >= 0 or (number == 0 and argument in ("bandwidth", "store", "slowness")):
-            raise BadInput(f"{argument} is a number that is not negative, and bandwidth, store and "
-                           "slowness are not 0")
+        if not 0 <= number <= (math.inf if argument == "store" else _most_number) or (
+                number < 1e-60 and argument in ("bandwidth", "store", "slowness")):
+            raise BadInput(f"{argument} is a number from 0 to {_most_number:g}, and bandwidth, "
+                           "store and slowness are not 0")
     if stragglers > 1:
         raise BadInput("stragglers is a share of the workers, from 0 to 1")
     if not 1 <= workers <= _most_workers:
         raise BadInput(f"workers is a number from 1 to {_most_workers}")
     if not 1 <= stretches <= 10_000:
         raise BadInput("stretches is a number from 1 to 10000")
+    if overlap and room < 3:
+        raise BadInput("overlap keeps one place for what is loading; give room 3 or more")
     planned_room = room - (1 if overlap else 0)
     exact = pairs is not None or items * (items - 1) // 2 <= _exact_pairs
     wanted = Wanted(items, planned_room, pairs, None, None, False, cost, any_count=not exact)
@@ -391,10 +407,16 @@ def simulate(
     assert size is not None
     mean = (size(0) if isinstance(item_bytes, int) else
             sum(map(size, range(wanted.items))) / wanted.items)
+    if failures / 3600 * (overhead + (pair_seconds if cost is None else 0.0)) > _most_exponent:
+        raise _endless(_too_short)
     cluster = _Cluster(size, mean, pair_seconds, bandwidth, numbers["store"], latency, overhead,
                        failures / 3600, restart, stragglers, slowness, overlap)
     return made(Simulation, (_exactly if exact else _in_bulk)(
         cluster, wanted, room, workers, stretches, seed, tell_of(progress)))
+
+
+def _endless(why: object) -> BadInput:
+    return BadInput(f"the simulated run does not end: {why}")
 
 
 def _exactly(cluster: _Cluster, wanted: Wanted, room: int, workers: int, stretches: int, seed: int,
@@ -468,7 +490,7 @@ def _run(cluster: _Cluster, engine: _Simulated, team: Team, shares: List[List[An
     try:
         team.run(shares, is_over)
     except NoWorkers as fault:
-        raise BadInput(f"the simulated run does not end: {fault}") from fault
+        raise _endless(fault) from fault
     seconds = engine.now()
     time_of_all = max(seconds * workers, 1e-300)
     spent = engine.computing + engine.loading + engine.waiting + engine.wasted
