@@ -87,6 +87,7 @@ class Team:
         self._target = 1.0
         self._load_seconds, self._loads_timed = 0.0, 0
         self._rate_seconds, self._rate_cost = 0.0, 0.0
+        self._any_done = False
         self._alone_since: Optional[float] = None
         self.loads = self.planned_loads = 0
         self.retried = self.lost = self.stolen = self.copied = self.sent = 0
@@ -118,7 +119,7 @@ class Team:
         self._tell("computing" if self.members else "waiting for workers")
         if not self.members:
             self._wait_for_workers()
-        elif not self._flights and not any(each.left for each in self.members.values()):
+        elif not self._flights and not any(each.queue for each in self.members.values()):
             raise RuntimeError("pairs are left that no stretch has: this is a bug")
         for event in self.engine.wait(_patience):
             if event.kind == "joined":
@@ -196,7 +197,8 @@ class Team:
         cost = sum(run.cost for run in runs)
         # Each part loads a memory anew, and should load as much again.
         loads = sum(run.loads for run in runs)
-        parts = max(1, min(len(self.members), int(2 * cost / self._target),
+        most = len(self.members)
+        parts = max(1, min(most, int(min(most, 2 * cost / self._target)) if self._target else most,
                            loads // max(1, self.most_held)))
         shares = self._replan(runs, parts) if parts > 1 else [runs]
         some = itertools.islice(self.members, max(len(shares), _some_workers))
@@ -296,6 +298,7 @@ class Team:
                 self._give(other)
 
     def _learn(self, member: _Member, flight: Flight, outcome: Outcome) -> None:
+        self._any_done = True
         self.loads += outcome.loads
         member.loads += outcome.loads
         member.busy += outcome.seconds
@@ -336,7 +339,9 @@ class Team:
 
     def _steal_from(self, victim: _Member, thief: _Member) -> bool:
         rate, own = self._rate(victim), self._rate(thief)
-        if rate == 0.0:  # Nothing is known yet.
+        if self._is_stuck(victim):
+            part = math.inf
+        elif rate == 0.0:  # Nothing is known yet.
             part = victim.left / 2
         else:
             a_load = self._load_seconds / self._loads_timed if self._loads_timed else 0.0
@@ -372,6 +377,17 @@ class Team:
         self.stolen += 1
         return True
 
+    def _is_stuck(self, member: _Member) -> bool:
+        """Whether its stretch was given to another, too: it may not come back to the rest."""
+        flight = self._flights.get(member.flight)
+        return flight is not None and flight.twin != _no_twin and self._is_late(flight)
+
+    def _is_late(self, flight: Flight) -> bool:
+        return self.engine.now() - flight.began > max(1.0, 3 * self._usual(flight))
+
+    def _usual(self, flight: Flight) -> float:
+        return flight.stretch.cost * self._rate_seconds / (self._rate_cost or 1.0)
+
     def _worth(self, loads: int) -> float:
         if self.lost:
             return _worth_after_losses
@@ -383,12 +399,10 @@ class Team:
             self._give(worker)
             if worker in self._idle:
                 break  # What is not worth its loads for one is not for others.
-        now = self.engine.now()
         late = []
-        for each in self._flights.values() if self._idle and self._rate_cost else ():
-            usual = each.stretch.cost * self._rate_seconds / self._rate_cost
-            if each.twin == _no_twin and now - each.began > max(1.0, 3 * usual):
-                late.append((each.began + usual - now, each.stretch.number))
+        for each in self._flights.values() if self._idle and self._any_done else ():
+            if each.twin == _no_twin and self._is_late(each):
+                late.append((each.began + self._usual(each), each.stretch.number))
         for (_, number), worker in zip(sorted(late), list(self._idle)):
             self._copy(number, worker)
 
