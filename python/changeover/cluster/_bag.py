@@ -166,11 +166,14 @@ class Bag:
         except Lost:
             self._again(number)
             return
-        arguments, worker, _ = self._flights.pop(number)
+        arguments, worker, losses = self._flights.pop(number)
         self._idle.append(worker)
         if outcome.failure is not None:
             raise failed(outcome.failure, worker)
-        if outcome.results:
+        if outcome.stopped:  # Its process had no function, or was told to end it.
+            self.retried += 1
+            self._waiting.appendleft((arguments, losses))
+        else:
             self._take(arguments, outcome.results[0])
 
 
