@@ -43,6 +43,15 @@ def slow_compute(i, j, first, second):
     return compute(i, j, first, second)
 
 
+def odd():
+    raise RuntimeError("odd")
+
+
+class Unreadable:
+    def __reduce__(self):
+        return odd, ()
+
+
 class Sink:
     def __init__(self, test):
         self.test, self.got = test, {}
@@ -70,7 +79,8 @@ class Dask(unittest.TestCase):
         cls.cluster.close()
 
     def setUp(self):
-        self.client.wait_for_workers(2)
+        while len(self.client.nthreads()) != 2:  # A test before may have started or killed some.
+            time.sleep(0.05)
         self.sink = Sink(self)
 
     def run_job(self, **named):
@@ -133,6 +143,14 @@ class Dask(unittest.TestCase):
                 raise ZeroDivisionError("by nothing")
             return compute(i, j, first, second)
 
+        def leave(i, j, first, second):
+            if (i, j) == (3, 21):
+                sys.exit(4)
+            return compute(i, j, first, second)
+
+        def unreadable(i, j, first, second):
+            return Unreadable() if (i, j) == (3, 21) else compute(i, j, first, second)
+
         def bad_sink(i, j, result):
             if i == 5:
                 raise LookupError("no place for it")
@@ -146,6 +164,9 @@ class Dask(unittest.TestCase):
         for named, kind, says in (
             ({"load": bad_load}, OSError, r"load\(17\) raised OSError: disk on fire \(on tcp:"),
             ({"compute": bad_compute}, ZeroDivisionError, r"compute\(3, 21\) raised ZeroDiv"),
+            ({"compute": leave}, cluster.Failed, r"compute\(3, 21\) raised SystemExit: 4"),
+            ({"compute": unreadable}, RuntimeError,
+             r"unpickling the result of compute\(3, 21\) raised RuntimeError: odd \(on tcp:"),
             ({"sink": bad_sink}, LookupError, r"sink\(5, \d+\) raised LookupError: no place"),
             ({"progress": enough}, Own, ""),
         ):
@@ -259,6 +280,61 @@ class Dask(unittest.TestCase):
                 self.assertEqual((again.pairs, again.resumed, again.loads), (0, 496, 0))
                 with self.assertRaisesRegex(changeover.BadInput, "journal is of another job"):
                     cluster.all_pairs(client, **{**self.job, "items": 33}, journal=journal)
+
+    def test_a_worker_that_hangs_does_not_hold_up_the_others(self):
+        hanging = next(iter(self.client.nthreads()))
+        for when in ("at once", "later"):
+            with tempfile.TemporaryDirectory() as folder, self.subTest(when=when):
+                hold = os.path.join(folder, "hold")
+                open(hold, "w").close()
+
+                def hang(i, j, first, second, when=when):
+                    from distributed import get_worker
+                    if get_worker().address == hanging and (when == "at once" or i > 20):
+                        while os.path.exists(hold):
+                            time.sleep(0.01)
+                    return compute(i, j, first, second)
+
+                self.sink.got.clear()
+                report = self.run_job(compute=hang)
+                self.sink.check(self.every)
+                self.assertEqual(report.lost, 0)
+                self.assertGreater(report.copied, 0)
+        self.sink.got.clear()
+        self.run_job()
+        self.sink.check(self.every)
+
+    def test_several_clients_at_once(self):
+        sinks = [Sink(self) for _ in range(3)]
+        faults = []
+
+        def run(sink):
+            try:
+                with Client(self.cluster.scheduler_address) as client:
+                    for _ in range(3):
+                        sink.got.clear()
+                        cluster.all_pairs(client, **self.job, sink=sink, threads=2)
+                        sink.check(self.every)
+            except BaseException as fault:
+                faults.append(fault)
+
+        threads = [threading.Thread(target=run, args=(each,)) for each in sinks]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(faults, [])
+
+    def test_a_closed_client_is_refused(self):
+        client = Client(self.cluster.scheduler_address)
+        client.close()
+        with self.assertRaisesRegex(changeover.BadInput, "client is closed; give one that"):
+            cluster.all_pairs(client, **self.job)
+
+        client = Client(self.cluster.scheduler_address)
+        with self.assertRaisesRegex(changeover.MissingResource, "or the client was closed"):
+            cluster.all_pairs(client, **{**self.job, "compute": slow_compute},
+                              sink=lambda *_: client.close())
 
     def test_ctrl_c_ends_it(self):
         timer = threading.Timer(1.0, lambda: os.kill(os.getpid(), signal.SIGINT))

@@ -94,6 +94,28 @@ class Mpi(unittest.TestCase):
                          r"OSError: gone; room 1: .*; sink\(\d+, \d+\) raised ZeroDivisionError: "
                          r"division by zero; /no/such/place: cannot open the journal: ")
 
+    def test_what_is_no_exception_ends_it_everywhere(self):
+        """Ctrl-C, and sys.exit() in a function: no process waits for another for ever."""
+        for rank in (0, 2):
+            for what, says in (("sys.exit(5)", r"raised SystemExit: 5 \(on process"),
+                               ("raise Own('x')", r"raised Own: x \(on process"),
+                               ("os.kill(os.getpid(), signal.SIGINT); time.sleep(0.1)",
+                                "KeyboardInterrupt")):
+                with self.subTest(rank=rank, what=what):
+                    said, _ = self.run_program(
+                        "import os, signal\n"
+                        "class Own(BaseException): pass\n"
+                        "def bad_compute(i, j, a, b):\n"
+                        f"    if comm.rank == {rank} and i + j > 8:\n"
+                        f"        {what}\n"
+                        "    return compute(i, j, a, b)\n"
+                        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+                        "try: job(compute=bad_compute)\n"
+                        "except BaseException as fault: say(type(fault).__name__, fault)\n", 3)
+                    self.assertEqual(len(said), 3)
+                    for each in said.values():
+                        self.assertRegex(each, says)
+
     def test_a_killed_job_goes_on_with_other_processes(self):
         with tempfile.TemporaryDirectory() as folder:
             journal = os.path.join(folder, "journal")

@@ -7,15 +7,19 @@ import queue
 import threading
 import time
 import uuid
-from typing import Any, Callable, Dict, List
+from typing import Any, Callable, Dict, List, Optional
 
-from ..errors import MissingResource
+from ..errors import BadInput, MissingResource
 from ._engine import Event, Lost, RealTime, Task, packed
 from ._worker import Outcome, Part, forget_job, perform
 
 
-def _same(value: bytes) -> bytes:
-    return value
+def _clients(dask_scheduler: Any) -> List[str]:
+    return [str(client) for client in dask_scheduler.clients]
+
+
+def _gone() -> MissingResource:
+    return MissingResource("the scheduler of Dask is gone, or the client was closed or restarted")
 
 
 class DaskEngine(RealTime):
@@ -25,23 +29,30 @@ class DaskEngine(RealTime):
     def __init__(self, client: Any, task: Task) -> None:
         if getattr(client, "asynchronous", False):
             raise TypeError("client is asynchronous; give one that is not: Client(address)")
+        if client.status != "running":
+            raise BadInput(f"client is {client.status}; give one that is connected")
         self._client = client
         self._task = task
-        self._job = f"changeover-{uuid.uuid4().hex}"
+        self._job = (str(client.id), f"changeover-{uuid.uuid4().hex}")
+        try:
+            self._clients: Optional[List[str]] = client.run_on_scheduler(_clients)
+        except Exception:  # It does not say.
+            self._clients = None
         self._done: queue.SimpleQueue[int] = queue.SimpleQueue()
         self._futures: Dict[int, Any] = {}
         self._worker_of: Dict[int, str] = {}
         self._known: Dict[str, int] = self._nthreads()
         self._looked = time.monotonic()
-        maker = packed(task.maker, importlib.import_module("cloudpickle"))
-        # A task and not data: if the workers that have it are lost the scheduler makes it again.
-        self._maker = client.submit(_same, maker, key=f"{self._job}-functions", pure=False)
+        # Sent with the first parts of each worker, and no task of its own: such a task may get to
+        # a worker that hangs, and then all would wait for it.
+        self._maker = packed(task.maker, importlib.import_module("cloudpickle"))
+        self._have_maker: set[str] = set()
 
     def _nthreads(self) -> Dict[str, int]:
         try:
             answer: Dict[str, int] = dict(self._client.nthreads())
-        except (OSError, ValueError, RuntimeError) as fault:
-            raise MissingResource(f"the scheduler of Dask cannot be reached: {fault}") from fault
+        except Exception as fault:  # Of which class depends on how it went.
+            raise _gone() from fault
         return answer
 
     def workers(self) -> List[str]:
@@ -50,9 +61,17 @@ class DaskEngine(RealTime):
     def submit(self, worker: str, part: Part) -> None:
         threads = self._task.threads or self._known.get(worker, 1)
         number = part.number
-        future = self._client.submit(
-            perform, self._job, worker, self._maker, {**self._task.settings, "threads": threads}, part,
-            workers=[worker], allow_other_workers=False, pure=False, key=f"{self._job}-{number}")
+        try:
+            future = self._client.submit(
+                perform, self._job, worker,
+                None if worker in self._have_maker else self._maker,
+                {**self._task.settings, "threads": threads}, self._clients, part,
+                workers=[worker], allow_other_workers=False, pure=False,
+                key=f"{self._job[1]}-{number}")
+        except Exception as fault:
+            if self._client.status == "running":
+                raise
+            raise _gone() from fault
         self._futures[number] = future
         self._worker_of[number] = worker
         future.add_done_callback(lambda _: self._done.put(number))
@@ -94,21 +113,25 @@ class DaskEngine(RealTime):
                 outcome: Outcome = future.result(timeout=2)
                 break
             except Exception as fault:
-                kind = type(fault).__name__
-                if "Timeout" in kind and future.status in ("pending", "finished"):
+                kinds = {kind.__name__ for kind in type(fault).__mro__}
+                if "TimeoutError" in kinds and future.status in ("pending", "finished"):
                     # Its data are on their way, or went with the worker.
                     if worker in self._nthreads():
                         continue
-                elif kind not in ("KilledWorker", "CancelledError", "TimeoutError"):
+                elif not kinds & {"KilledWorker", "CancelledError", "TimeoutError"}:
                     self.drop(number)
                     raise MissingResource(
                         f"worker {worker} cannot do its part: {type(fault).__name__}: "
                         f"{' '.join(str(fault).split())}") from fault
                 if self._client.status != "running":
-                    raise MissingResource("the scheduler of Dask is gone") from fault
+                    raise _gone() from fault
                 self.drop(number)
                 raise Lost from fault
         self.drop(number)
+        if outcome.stopped:  # Perhaps it is another process by now, which has no functions.
+            self._have_maker.discard(worker)
+        else:
+            self._have_maker.add(worker)
         return outcome
 
     def drop(self, number: int) -> None:
@@ -120,7 +143,6 @@ class DaskEngine(RealTime):
     def close(self) -> None:
         for number in list(self._futures):
             self.drop(number)
-        self._quietly(self._maker.release)
         workers = list(self._known)
 
         def forget() -> None:

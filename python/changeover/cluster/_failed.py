@@ -12,7 +12,7 @@ class Failed(Error):
     """load(), compute() or sink() raised: the message names the item or the pair. It is of the
     class of what was raised, too, where that class can be had here: `except KeyError` works."""
 
-    what: str = ""  # 'load', 'compute' or 'sink'
+    what: str = ""  # 'load', 'compute', 'sink', 'cost', 'sizes'; 'result': it cannot be unpickled
     items: Tuple[int, ...] = ()  # the item, or both items of the pair
     trace: str = ""  # of the worker
     _made_of: Optional[Tuple[Failure, str]] = None  # from which other processes make it, too
@@ -20,11 +20,15 @@ class Failed(Error):
     def __str__(self) -> str:
         return str(self.args[0]) if self.args else ""
 
+    def __reduce__(self) -> Any:  # Its class is made when it is raised, and has no name to find.
+        return super().__reduce__() if self._made_of is None else (failed, self._made_of)
+
 
 def failed(failure: Failure, where: str) -> Failed:
     """The exception for it; its cause is what was raised, if it could be sent."""
     cause = failure.exception()
-    call = f"{failure.what}({', '.join(map(str, failure.items))})"
+    what = "unpickling the result of compute" if failure.what == "result" else failure.what
+    call = f"{what}({', '.join(map(str, failure.items))})"
     says = " ".join(failure.says.split())
     message = f"{call} raised {failure.raised}" + (f": {says}" if says else "")
     if where:

@@ -16,12 +16,13 @@ from ..orders import _ends
 from ._failed import failed
 from ._journal import Journal, PairSet, ends_of, name_of_job
 from ._stretches import Run, Step, Stretch, loads_in_turn, step_of, trimmed, without
-from ._worker import Failure, Outcome
+from ._worker import Failure, Outcome, unpacked_result
 
 Pair = Tuple[int, int]
 _most_pairs = 1 << 28
 _few_pairs = 20_000  # a list of so many is planned in less time than its order is worth
 _replan_seconds = 0.1
+_most_cost = 1e60  # so that sums of them, and products with seconds, are numbers
 
 
 class Wanted:
@@ -151,19 +152,22 @@ def _number(value: Any) -> float:
         number = float(value)
     except Exception:
         number = math.nan
-    if not 0 <= number < math.inf:
-        raise BadInput(f"cost has numbers, 0 or more, not {_core.quoted(str(value))}")
+    if not 0 <= number <= _most_cost:
+        raise BadInput(f"cost has numbers from 0 to {_most_cost:g}, not {_core.quoted(str(value))}")
     return number
 
 
 def _checked_cost(cost: Callable[[int, int], Any]) -> Callable[[int, int], float]:
     def call(i: int, j: int) -> float:
-        try:
-            value = cost(i, j)
-        except Exception as fault:
-            raise failed(Failure.of("cost", (i, j), fault), "") from fault
-        return _number(value)
+        return _number(_called("cost", cost, i, j))
     return call
+
+
+def _called(name: str, function: Callable[..., Any], *items: int) -> Any:
+    try:
+        return function(*items)
+    except Exception as fault:
+        raise failed(Failure.of(name, items, fault), "") from fault
 
 
 def sizes_of(sizes: Any, items: int) -> Optional[Callable[[int], int]]:
@@ -171,7 +175,7 @@ def sizes_of(sizes: Any, items: int) -> Optional[Callable[[int], int]]:
     if sizes is None:
         return None
     if callable(sizes):
-        return lambda x: _size(sizes(x))
+        return lambda x: _size(_called("sizes", sizes, x))
     if hasattr(type(sizes), "__index__") and not hasattr(type(sizes), "__iter__"):
         size = _size(sizes)
         return lambda x: size
@@ -265,10 +269,14 @@ class Work:
     def deliver(self, stretch: Stretch, worker: str, outcome: Outcome) -> int:
         """Hands each result to the sink once, and says how many pairs are settled."""
         begin = time.perf_counter()
-        for (i, j), result in zip(stretch.each_pair(), outcome.results):
+        for (i, j), sent in zip(stretch.each_pair(), outcome.results):
             if not self.done.add(i, j):
                 continue  # Of a copy that was ready first.
             if self._sink is not None:
+                try:
+                    result = unpacked_result(sent)
+                except Exception as fault:
+                    raise failed(Failure.of("result", (i, j), fault), worker) from fault
                 try:
                     self._sink(i, j, result)
                 except Exception as fault:

@@ -7,7 +7,7 @@ import pickle
 import queue
 import threading
 import time
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Optional, Union
 
 from ._engine import Event, RealTime, Task
 from ._failed import Failed, failed
@@ -57,7 +57,7 @@ class MpiEngine(RealTime):
         self._outcomes: Dict[int, Outcome] = {}
         self._worker_of: Dict[int, str] = {}
         self._own: queue.SimpleQueue[Optional[Part]] = queue.SimpleQueue()
-        self._own_done: queue.SimpleQueue[Outcome] = queue.SimpleQueue()
+        self._own_done: queue.SimpleQueue[Union[Outcome, BaseException]] = queue.SimpleQueue()
         self._performer = task.performer()
         self._thread = threading.Thread(target=self._work, daemon=True)
         self._report: Optional[Dict[str, Any]] = None
@@ -71,7 +71,10 @@ class MpiEngine(RealTime):
             part = self._own.get()
             if part is None:
                 return
-            self._own_done.put(self._performer.run(part))
+            try:
+                self._own_done.put(self._performer.run(part))
+            except BaseException as fault:  # Otherwise process 0 would wait for it.
+                self._own_done.put(fault)
 
     def workers(self) -> List[str]:
         return [_name(rank) for rank in range(self._mail.comm.size)]
@@ -95,16 +98,19 @@ class MpiEngine(RealTime):
             idle += 1
 
     def _take(self) -> List[Event]:
-        found: List[Outcome] = []
+        events: List[Event] = []
+
+        def take(came: Union[Outcome, BaseException]) -> None:
+            if isinstance(came, BaseException):
+                raise came
+            self._outcomes[came.number] = came
+            events.append(Event("done", self._worker_of[came.number], came.number))
+
         while not self._own_done.empty():
-            found.append(self._own_done.get())
+            take(self._own_done.get())
         while (mail := self._mail.receive(_to_leader)) is not None:
-            if isinstance(mail[1], BaseException):
-                raise mail[1]
-            found.append(mail[1])
-        for outcome in found:
-            self._outcomes[outcome.number] = outcome
-        return [Event("done", self._worker_of[each.number], each.number) for each in found]
+            take(mail[1])
+        return events
 
     def outcome(self, number: int) -> Outcome:
         del self._worker_of[number]
@@ -170,25 +176,30 @@ def serve(comm: Any, task: Task) -> Dict[str, Any]:
         return last is not None
 
     idle = 0
+    interrupted = False
     while last is None or last[0] not in ("over", "fault"):
-        found = ((0, last) if last is not None else mail.receive(_to_worker))
-        last = None
-        if found is None:
-            _pause(idle)
-            idle += 1
-            continue
-        idle = 0
-        what, content = found[1]
-        if what == "part":
-            try:
+        try:
+            found = ((0, last) if last is not None else mail.receive(_to_worker))
+            last = None
+            if found is None:
+                _pause(idle)
+                idle += 1
+                continue
+            idle = 0
+            what, content = found[1]
+            if what != "part":
+                last = found[1]
+            elif not interrupted:
                 mail.send(performer.run(content, over), 0, _to_leader)
-            except BaseException as fault:
-                mail.send(RuntimeError(f"process {comm.rank} cannot send what it computed: "
-                                       f"{fault}"), 0, _to_leader)
-                if not isinstance(fault, Exception):
-                    raise
-        else:
-            last = found[1]
+        except KeyboardInterrupt as fault:
+            # Process 0 ends the run for all; without it the others would wait for this one.
+            if interrupted:
+                raise
+            interrupted = True
+            mail.send(fault, 0, _to_leader)
+        except Exception as fault:
+            mail.send(RuntimeError(f"process {comm.rank} cannot send what it computed: {fault}"),
+                      0, _to_leader)
     performer.close()
     mail.send(None, 0, _to_leader)
     idle = 0

@@ -98,25 +98,60 @@ class _Stopped(Exception):
 
 def size_of(item: Any) -> Optional[int]:
     """The bytes of an item that says how many it has."""
-    if isinstance(item, (bytes, bytearray)):
-        return len(item)
-    size = getattr(item, "nbytes", None)
     try:
-        return None if size is None else operator.index(size)
-    except TypeError:
+        if isinstance(item, (bytes, bytearray)):
+            return len(item)
+        said: Any = getattr(item, "nbytes", None)
+        size = operator.index(said)
+    except Exception:  # It has none, or what it has is no number.
         return None
+    return size if size >= 0 else None
 
 
-def check_sendable(result: Any) -> None:
-    """Raises what pickling raises, for a result that cannot leave the worker."""
+def is_interrupt(fault: BaseException) -> bool:
+    """Ctrl-C, which comes to main threads, and not what a function raised of its own."""
+    return (isinstance(fault, KeyboardInterrupt)
+            and threading.current_thread() is threading.main_thread())
+
+
+@dataclasses.dataclass(frozen=True)
+class Packed:
+    """A result on its way, pickled alone: one that cannot be is known by its pair."""
+
+    pickled: bytes
+
+
+_plain = (type(None), bool, int, float, complex, str, bytes)
+
+
+def _is_plain(result: Any, depth: int = 2) -> bool:
+    """Whether it can be sent for certain, and needs no pickle of its own."""
+    kind = type(result)
+    if kind in _plain:
+        return True
+    if kind is tuple:
+        return depth > 0 and len(result) <= 16 and all(_is_plain(x, depth - 1) for x in result)
+    dtype = getattr(result, "dtype", None) if kind.__module__ == "numpy" else None
+    return getattr(dtype, "kind", "O") not in "OV"  # an array or a number of NumPy's
+
+
+def packed_result(result: Any) -> Any:
+    """What is sent of a result. Raises what pickling raises."""
+    if _is_plain(result):
+        return result
     try:
-        pickle.dumps(result)
+        return Packed(pickle.dumps(result, pickle.HIGHEST_PROTOCOL))
     except Exception:
         try:
-            pickler: Any = importlib.import_module("cloudpickle")  # Dask's and Ray's last resort.
+            pickler: Any = importlib.import_module("cloudpickle")  # Functions of a script, ...
         except ImportError:
             pickler = pickle
-        pickler.dumps(result)
+        return Packed(pickler.dumps(result))
+
+
+def unpacked_result(sent: Any) -> Any:
+    """The result. Raises what unpickling raises."""
+    return pickle.loads(sent.pickled) if isinstance(sent, Packed) else sent
 
 
 class Memory:
@@ -136,7 +171,6 @@ class Memory:
         if threads > 1 or overlap:
             self._pool = concurrent.futures.ThreadPoolExecutor(
                 threads + (1 if overlap else 0), thread_name_prefix="changeover")
-        self._sent = False
         self.over = False  # set from outside: no more of this job
 
     def is_busy(self) -> bool:
@@ -160,6 +194,8 @@ class Memory:
             outcome = Outcome(stretch.number)
             begin = time.perf_counter()
             try:
+                if self.over:  # What it would need is gone.
+                    raise _Stopped
                 self._run(stretch, outcome, lambda: self.over or stopped())
             except _Failed as fault:
                 outcome.failure = fault.failure
@@ -208,11 +244,14 @@ class Memory:
                 self._coming[x] = self._pool.submit(self._load_timed, x)
 
     def _load_timed(self, x: int) -> Tuple[Any, float]:
+        """The item, or the failure; an exception in a future would keep items of its frames."""
         begin = time.perf_counter()
         try:
             return self._load(x), time.perf_counter() - begin
-        except Exception as fault:
-            raise _Failed(Failure.of("load", (x,), fault)) from fault
+        except BaseException as fault:
+            if is_interrupt(fault):
+                raise
+            return _failure("load", (x,), fault), 0.0
 
     def _bring(self, load: Tuple[int, ...], held: set[int], next_load: Dict[int, int],
                outcome: Outcome, stopped: Callable[[], bool]) -> None:
@@ -223,7 +262,9 @@ class Memory:
         if not missing:
             return
         for x in [x for x in self._coming if x not in held]:  # Of a stretch that was given up.
-            self._coming.pop(x).cancel()
+            coming = self._coming.pop(x)
+            if not coming.cancel() and not isinstance(coming.result()[0], Failure):
+                self._take(x, coming.result(), outcome)
         if not self._drop(held, next_load, len(missing)):
             raise RuntimeError("a stretch needs more room than there is: this is a bug")
         if self._pool is None or len(missing) == 1:
@@ -247,6 +288,8 @@ class Memory:
 
     def _take(self, x: int, loaded: Tuple[Any, float], outcome: Outcome) -> None:
         item, seconds = loaded
+        if isinstance(item, Failure):
+            raise _Failed(item)
         self._items[x] = item
         size = size_of(item)
         outcome.loads += 1
@@ -259,7 +302,12 @@ class Memory:
                        stopped: Callable[[], bool]) -> None:
         pairs = list(zip(ends[::2], ends[1::2]))
         if self._threads == 1 or len(pairs) < 2:
-            self._compute_some(pairs, outcome.results, stopped)
+            before = len(outcome.results)
+            failure = self._compute_some(pairs, outcome.results, stopped)
+            if failure is not None:
+                raise _Failed(failure)
+            if len(outcome.results) < before + len(pairs):
+                raise _Stopped
             return
         assert self._pool is not None
         pieces: List[Tuple[List[Tuple[int, int]], List[Any]]] = [
@@ -267,24 +315,35 @@ class Memory:
         futures = [self._pool.submit(self._compute_some, some, results, stopped)
                    for some, results in pieces]
         concurrent.futures.wait(futures)
-        for future, (_, results) in zip(futures, pieces):
+        for future, (some, results) in zip(futures, pieces):
             outcome.results += results  # Up to the first that is missing.
-            future.result()
+            failure = future.result()
+            if failure is not None:
+                raise _Failed(failure)
+            if len(results) < len(some):
+                raise _Stopped
 
     def _compute_some(self, pairs: List[Tuple[int, int]], results: List[Any],
-                      stopped: Callable[[], bool]) -> None:
+                      stopped: Callable[[], bool]) -> Optional[Failure]:
+        """Ends early if it is stopped, or with what failed."""
         for i, j in pairs:
             if stopped():
-                raise _Stopped
-            first, second = self._items[i], self._items[j]
+                return None
             try:
-                result = self._compute(i, j, first, second)
-                if not self._sent:
-                    check_sendable(result)  # The others will be alike.
-                    self._sent = True
-            except Exception as fault:
-                raise _Failed(Failure.of("compute", (i, j), fault)) from fault
-            results.append(result)
+                results.append(packed_result(
+                    self._compute(i, j, self._items[i], self._items[j])))
+            except BaseException as fault:
+                if is_interrupt(fault):
+                    raise
+                return _failure("compute", (i, j), fault)
+        return None
+
+
+def _failure(what: str, items: Tuple[int, ...], fault: BaseException) -> Failure:
+    failure = Failure.of(what, items, fault)
+    # The items that these functions had in hand go now, not at the next collection of garbage.
+    traceback.clear_frames(fault.__traceback__)
+    return failure
 
 
 def _pieces(count: int, parts: int) -> Iterator[Tuple[int, int]]:
@@ -294,27 +353,32 @@ def _pieces(count: int, parts: int) -> Iterator[Tuple[int, int]]:
 
 
 # Of this process, which may be several workers: who performs the jobs, by job and worker.
-_performers: Dict[Tuple[str, str], Performer] = {}
-_over: List[str] = []
+_performers: Dict[Tuple[Tuple[str, str], str], Performer] = {}
+_over: List[Tuple[str, str]] = []
 _guard = threading.Lock()
 
 
-def perform(job: str, worker: str, maker: bytes, settings: Dict[str, Any], part: Part) -> Outcome:
-    """Where engines send parts to processes that stay, such as those of Dask."""
+def perform(job: Tuple[str, str], worker: str, maker: Optional[bytes], settings: Dict[str, Any],
+            clients: Optional[List[str]], part: Part) -> Outcome:
+    """Where engines send parts to processes that stay, such as those of Dask. A job has the name of
+    its client first; those whose client is not among `clients` have been left by it. Without a
+    maker, and where nothing was made before, the part is not done: its outcome is stopped."""
     with _guard:
         if job in _over:
             return Outcome(part.number, stopped=True)
         performer = _performers.get((job, worker))
         if performer is None:
+            if maker is None:
+                return Outcome(part.number, stopped=True)
             for key, other in list(_performers.items()):
-                # The client of the other job may have been killed.
-                if key[0] != job and key[1] == worker and not other.is_busy():
+                if key[1] == worker and (not other.is_busy() if clients is None
+                                         else key[0][0] not in clients):
                     _performers.pop(key).close()
             performer = _performers[job, worker] = pickle.loads(maker)(**settings)
     return performer.run(part)
 
 
-def forget_job(job: str) -> None:
+def forget_job(job: Tuple[str, str]) -> None:
     """Ends what still runs of it, and lets its items go."""
     with _guard:
         _over.append(job)
