@@ -7,13 +7,16 @@ import collections.abc
 import functools
 import inspect
 import operator
+import pickle
 import reprlib
 import types
 import typing
+import zlib
 from typing import Any, Callable, Dict, Literal, Optional, Type, TypeVar, Union
 
 from . import _core
 from ._progress import Bar
+from .errors import BadInput
 
 Kind = Literal["linear", "circular"]
 Progress = Union[Callable[[Dict[str, Any]], object], bool, None]
@@ -27,6 +30,11 @@ class _Closed(type):
         return super().__new__(cls, name, bases, {"__slots__": (), **space})
 
 
+def _not_pickled(self: Any, _protocol: Any = 2) -> Any:
+    name = type(self).__name__
+    raise TypeError(f"{'an' if name[0] in 'AEIO' else 'a'} {name} cannot be pickled or copied")
+
+
 class Made(metaclass=_Closed):
     """What functions return: it is not made by hand, and has either facts, or what the compiled
     module keeps of it."""
@@ -34,6 +42,7 @@ class Made(metaclass=_Closed):
     __slots__ = ("_core", "_facts", "__weakref__")
     _core: Any
     _facts: dict[str, Any]
+    _hidden: tuple[str, ...] = ()  # facts that are no properties
 
     def __new__(cls, *_args: Any, **_named: Any) -> Any:
         raise TypeError(
@@ -41,8 +50,9 @@ class Made(metaclass=_Closed):
 
     def __reduce_ex__(self, _protocol: Any = 2) -> Any:
         if self._core is not None and not isinstance(self._core, str):
-            raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
-        return _made_again, (type(self), self._facts, self._core)
+            return _not_pickled(self)
+        state = pickle.dumps((self._facts, self._core), 4)
+        return _made_again, (type(self), state, zlib.crc32(state))
 
     __reduce__ = __reduce_ex__
 
@@ -53,10 +63,6 @@ class Made(metaclass=_Closed):
                 raise TypeError(
                     "this object was made without its constructor, and there is nothing in it")
             raise AttributeError(f"'{type(self).__name__}' object has no attribute '{name}'")
-
-
-def _not_pickled(self: Any, _protocol: Any = 2) -> Any:
-    raise TypeError(f"a {type(self).__name__} cannot be pickled or copied")
 
 
 # Nor is what the compiled module has made by hand: pybind11 would hand out what is empty.
@@ -73,11 +79,21 @@ def made(kind: Type[T], facts: dict[str, Any], core: Any = None) -> T:
     return typing.cast(T, one)
 
 
-def _made_again(kind: Any, facts: Any, core: Any) -> Any:
-    """What pickle has of an object."""
-    if not (isinstance(kind, type) and issubclass(kind, Made) and isinstance(facts, dict)
-            and (core is None or isinstance(core, str))):
+def _made_again(kind: Any, *state: Any) -> Any:
+    """What pickle has of an object: facts and core as bytes, and their checksum. Raises BadInput for
+    what is damaged or misses facts that this version has."""
+    if not (isinstance(kind, type) and issubclass(kind, Made)):
         raise TypeError("this is not what pickle made of an object of changeover")
+    if len(state) != 2 or not isinstance(state[0], bytes):
+        raise BadInput(f"another version of changeover pickled this {kind.__name__}; make it anew")
+    if zlib.crc32(state[0]) != state[1]:
+        raise BadInput(f"this pickle of a {kind.__name__} is damaged; make it anew")
+    facts, core = pickle.loads(state[0])
+    for name in (*kind._hidden, *(name for owner in kind.__mro__ for name, each in
+                                  vars(owner).items() if isinstance(each, _Fact))):
+        if name not in facts:
+            raise BadInput(f"another version of changeover pickled this {kind.__name__}, which has "
+                           f"no {name}; make it anew")
     return made(kind, facts, core)
 
 

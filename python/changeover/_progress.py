@@ -8,24 +8,40 @@ from typing import Any, Dict
 
 
 class Bar:
-    """Called with what a search says of itself, and closed when the call ends."""
+    """Called with what a search says of itself, and closed when the call ends. What cannot be shown
+    is not, without standard error, say: a search does not lose its result to that."""
 
     def __init__(self) -> None:
-        try:
-            bars: Any = importlib.import_module("tqdm.auto")
-            self._bar: Any = bars.tqdm(unit=" steps", unit_scale=True, leave=False)
-        except ImportError:
-            self._bar = None
+        self._show: Any = None
+        self._bar: Any = None
         self._width = 0
 
     def __call__(self, said: Dict[str, Any]) -> None:
-        words = [str(said["phase"])] if said.get("phase") else []
-        if said.get("best") is not None:
-            words.append(f"best {said['best']}")
-        if self._bar is not None:
-            self._bar.n = int(said.get("steps") or 0)
-            self._bar.set_description(", ".join(words), refresh=True)
-            return
+        try:
+            if self._show is None:
+                self._show = self._begin(said)
+            self._show(said)
+        except Exception:  # A closed stream, a full disk, what tqdm raises.
+            self._show = lambda _: None
+
+    def _begin(self, said: Dict[str, Any]) -> Any:
+        try:
+            bars: Any = importlib.import_module("tqdm.auto")
+            self._bar = bars.tqdm(unit=f" {said.get('unit') or 'steps'}", unit_scale=True,
+                                  leave=False)
+        except Exception:
+            return self._show_line
+        return self._show_bar
+
+    def _show_bar(self, said: Dict[str, Any]) -> None:
+        self._bar.total = said.get("of")
+        self._bar.n = int(said.get("steps") or 0)
+        self._bar.set_description(", ".join(_words(said)), refresh=True)
+
+    def _show_line(self, said: Dict[str, Any]) -> None:
+        words = _words(said)
+        if said.get("of"):
+            words.append(f"{said.get('steps') or 0} of {said['of']} {said.get('unit') or 'steps'}")
         words.append(f"{float(said.get('elapsed') or 0):.0f} s")
         line = ", ".join(words)
         sys.stderr.write("\r" + line.ljust(self._width))
@@ -33,8 +49,18 @@ class Bar:
         self._width = len(line)
 
     def close(self) -> None:
-        if self._bar is not None:
-            self._bar.close()
-        elif self._width:
-            sys.stderr.write("\r" + " " * self._width + "\r")
-            sys.stderr.flush()
+        try:
+            if self._bar is not None:
+                self._bar.close()
+            elif self._width:
+                sys.stderr.write("\r" + " " * self._width + "\r")
+                sys.stderr.flush()
+        except Exception:
+            pass
+
+
+def _words(said: Dict[str, Any]) -> list[str]:
+    words = [str(said["phase"])] if said.get("phase") else []
+    if said.get("best") is not None:
+        words.append(f"best {said['best']}")
+    return words

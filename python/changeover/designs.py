@@ -79,6 +79,7 @@ class Blocks(_core.Memory):
 class Verdict(Made):
     """What is true of a list of blocks; a true value if it is a design."""
 
+    _hidden = ("name",)
     valid: bool = fact("It is a change covering design with these parameters.")
     tight: bool = fact("Every pair is newly covered exactly once.")
     economical: bool = fact("It has as many blocks as the counting bound.")

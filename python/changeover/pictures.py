@@ -16,6 +16,7 @@ Theme = Literal["light", "dark"]
 class Picture(Made):
     """A picture; what Design.draw() returns."""
 
+    _hidden = ("tikz", "defect")
     svg: str = fact("A whole SVG file.")
     title: str = fact()
 

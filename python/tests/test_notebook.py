@@ -6,11 +6,15 @@ import multiprocessing
 import os
 import pathlib
 import pickle
+import sys
 import tempfile
+import types
 import unittest
 import xml.etree.ElementTree as tree
+import zlib
 
 import changeover
+from changeover import _progress
 
 try:
     import pandas
@@ -164,6 +168,35 @@ class Pickles(unittest.TestCase):
         with self.assertRaises(TypeError):
             pickle.loads(_tampered())
 
+    def test_what_was_damaged_is_refused(self):
+        bounds = changeover.bounds(9, 4)
+        rebuild, (kind, state, checksum) = bounds.__reduce_ex__(4)
+        self.assertEqual(repr(rebuild(kind, state, checksum)), repr(bounds))
+        for place in range(len(state)):
+            wrong = state[:place] + bytes([state[place] ^ 1 << place % 8]) + state[place + 1:]
+            with self.assertRaisesRegex(changeover.BadInput, "this pickle of a Bounds is damaged"):
+                rebuild(kind, wrong, checksum)
+
+    def test_what_another_version_pickled_is_read_or_refused(self):
+        design = changeover.design(9, 4)
+        for each in (design.verdict, changeover.bounds(9, 4), changeover.table(4, 9)[0], design.draw()):
+            rebuild, (kind, state, _) = each.__reduce_ex__(4)
+            facts, core = pickle.loads(state)
+
+            def again(facts):
+                text = pickle.dumps((facts, core), 4)
+                return rebuild(kind, text, zlib.crc32(text))
+
+            self.assertEqual(repr(again({**facts, "of_a_later_version": 1})), repr(each))
+            names = [name for name in dir(kind) if type(getattr(kind, name)).__name__ == "_Fact"]
+            self.assertGreater(len(names), 1)
+            names += kind._hidden
+            for name in names:
+                with self.assertRaisesRegex(changeover.BadInput, f"another version .* has no {name}; make it"):
+                    again({key: value for key, value in facts.items() if key != name})
+            with self.assertRaisesRegex(changeover.BadInput, "another version of changeover pickled this"):
+                rebuild(kind, facts, core)  # As 0.1 did.
+
     def test_processes_exchange_them(self):
         with multiprocessing.get_context("spawn").Pool(1) as pool:
             self.assertEqual([each.best_known for each in pool.map(minimum_of, [8, 9])],
@@ -180,6 +213,52 @@ def _tampered():
     return pickle.dumps(Wrong())
 
 
+@contextlib.contextmanager
+def modules(**named):
+    before = {name: sys.modules.get(name) for name in named}
+    sys.modules.update(named)
+    try:
+        yield
+    finally:
+        for name, module in before.items():
+            sys.modules.pop(name)
+            if module is not None:
+                sys.modules[name] = module
+
+
+def without_tqdm():
+    return modules(**{"tqdm": None, "tqdm.auto": None})
+
+
+@contextlib.contextmanager
+def with_tqdm(faulty=""):
+    """What the package uses of tqdm, and raises where it is told."""
+    bars = []
+
+    class Bar:
+        def __init__(self, **named):
+            bars.append(self)
+            self.named, self.closed = named, False
+            self.check("begin")
+
+        def check(self, what):
+            if what == faulty:
+                raise RuntimeError("no widgets here")
+
+        def set_description(self, words, refresh):
+            self.words = words
+            self.check("show")
+
+        def close(self):
+            self.closed = True
+            self.check("close")
+
+    auto = types.ModuleType("tqdm.auto")
+    auto.tqdm = Bar
+    with modules(**{"tqdm": types.ModuleType("tqdm"), "tqdm.auto": auto}):
+        yield bars
+
+
 class Progress(unittest.TestCase):
     def test_true_shows_a_line_and_takes_it_away(self):
         said = io.StringIO()
@@ -191,6 +270,40 @@ class Progress(unittest.TestCase):
             with contextlib.redirect_stderr(io.StringIO()) as said:
                 changeover.search(9, 4, change=1, time=1, progress=nothing)
             self.assertEqual(said.getvalue(), "")
+
+    def test_a_run_with_an_end_says_how_far_it_is(self):
+        bar = _progress.Bar()
+        with contextlib.redirect_stderr(io.StringIO()) as said, without_tqdm():
+            bar({"phase": "computing", "steps": 7, "of": 28, "unit": "pairs", "elapsed": 3.2})
+            bar.close()
+        self.assertEqual(said.getvalue().split("\r")[1], "computing, 7 of 28 pairs, 3 s")
+
+    def test_what_cannot_be_shown_costs_no_result(self):
+        class Full(io.StringIO):
+            def write(self, _text):
+                raise OSError(28, "No space left on device")
+
+        closed = io.StringIO()
+        closed.close()
+        for stream in (None, closed, Full()):
+            with contextlib.redirect_stderr(stream), without_tqdm():
+                found = changeover.search(40, 6, time=0.6, progress=True)
+            self.assertIsNotNone(found.design)
+        for faulty in ("begin", "show", "close"):
+            with with_tqdm(faulty) as bars, contextlib.redirect_stderr(io.StringIO()):
+                self.assertIsNotNone(changeover.search(40, 6, time=0.6, progress=True).design)
+            self.assertTrue(bars)
+
+    def test_bars_of_tqdm(self):
+        bar = _progress.Bar()
+        with with_tqdm() as bars:
+            self.assertEqual(bars, [], "a process that shows nothing has no bar")
+            bar({"phase": "computing", "steps": 7, "of": 28, "unit": "pairs"})
+            bar({"phase": "computing", "best": 3, "steps": 9, "of": 28, "unit": "pairs"})
+            bar.close()
+            (made,) = bars
+            self.assertEqual((made.named["unit"], made.total, made.n, made.words, made.closed),
+                             (" pairs", 28, 9, "computing, best 3", True))
 
     def test_what_is_no_function_is_refused(self):
         with self.assertRaisesRegex(TypeError, "progress is a function, True, False or None, not 3"):
