@@ -15,7 +15,8 @@ import warnings
 
 import changeover
 from changeover import cluster
-from changeover.cluster import _bag, _failed, _job, _journal, _simulation, _team, _worker
+from changeover.cluster import (
+    _bag, _failed, _job, _journal, _searches, _simulation, _worker)
 from test_cluster import Bags, RayStandIn, play, shares_of
 
 
@@ -439,6 +440,45 @@ class Workers(unittest.TestCase):
         bag.run(Stops(lambda each, over, threads: each, ["a", "b"]), lambda _: None)
         self.assertEqual(sorted(got), list(range(6)))
         self.assertEqual((bag.retried, bag.parts), (2, 8))
+
+
+class Searches(unittest.TestCase):
+    def setUp(self):
+        self.before = sys.modules.get("ray")
+        sys.modules["ray"] = self.ray = RayStandIn()
+
+    def tearDown(self):
+        sys.modules.pop("ray")
+        if self.before is not None:
+            sys.modules["ray"] = self.before
+
+    def test_wrong_ones_are_refused(self):
+        for named in ({"v": range(10**12)}, {"v": "9"}, {"v": [9.5]}, {"k": 4.0}, {"v": None},
+                      {"time": 0}, {"time": math.nan}, {"each": -1}, {"threads": 0},
+                      {"workers": 0}, {"workers": 10**9}, {"threads": 10**6}):
+            with self.subTest(**named), self.assertRaises((changeover.BadInput, TypeError)):
+                cluster.improve(self.ray, **{"v": 9, "k": 4, "time": 1, **named})
+        for named in ({"threads": 0}, {"workers": 0}):
+            with self.subTest(**named), self.assertRaises(changeover.BadInput):
+                cluster.all_pairs(self.ray, items=5, room=3, load=abs, compute=_first, **named)
+
+    def test_a_find_that_the_catalog_refuses_is_not_lost(self):
+        before = _searches.design
+        _searches.design = lambda v, k, change, kind, strength: changeover.design(
+            v, k, change, kind, strength, construction="hold-and-stream")
+        try:
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                finds = cluster.improve(self.ray, 14, 4, change=1, kind="linear", time=20, each=0.5,
+                                        who="a name\nof two lines")
+        finally:
+            _searches.design = before
+        (find,) = finds
+        self.assertTrue(find.design.verdict.valid)
+        self.assertLess(find.b, find.before)
+        self.assertIsNone(find.label)
+        self.assertEqual([each.filename for each in said], [__file__])
+        self.assertIn("and not in the catalog: ", str(said[0].message))
 
 
 class Simulations(unittest.TestCase):

@@ -9,7 +9,7 @@ import time
 from typing import Any, Callable, Deque, Dict, List, Optional, Tuple
 
 from ..errors import MissingResource
-from ._engine import Engine, Lost, Task, Tell, engine_for, kind_of
+from ._engine import Engine, Lost, Task, Tell, check_team, engine_for, kind_of
 from ._failed import failed
 from ._worker import Failure, Outcome
 
@@ -183,6 +183,7 @@ def run_bag(client: Any, function: Callable[..., Any], begin: Callable[[], Bag],
     """The same on every engine: where the caller leads, `begin` makes the bag, and `finish` its
     answer, which all processes of MPI return. Ctrl-C ends it with what is known by then."""
     import functools
+    check_team(threads, workers)
     task = Task(functools.partial(Caller, function), {}, threads)
     kind = kind_of(client)
     if kind == "mpi" and client.rank != 0:

@@ -9,8 +9,10 @@ import time
 from typing import Any, Callable, Dict, List, NamedTuple, Optional, Protocol
 
 from .._made import Progress
+from ..errors import BadInput
 from ._worker import Outcome, Part, Performer
 
+_most_threads, _most_workers = 4096, 65_536
 
 Tell = Optional[Callable[[Dict[str, Any]], object]]  # where progress goes
 
@@ -94,6 +96,13 @@ class Task:
 
     def performer(self, threads: int = 1) -> Performer:
         return self.maker(**self.settings, threads=self.threads or threads)
+
+
+def check_team(threads: Optional[int], workers: Optional[int]) -> None:
+    if threads is not None and not 1 <= threads <= _most_threads:
+        raise BadInput(f"threads is a number from 1 to {_most_threads}")
+    if workers is not None and not 1 <= workers <= _most_workers:
+        raise BadInput(f"workers is a number from 1 to {_most_workers}")
 
 
 def engine_for(client: Any, task: Task, workers: Optional[int]) -> Engine:

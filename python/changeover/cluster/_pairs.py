@@ -8,7 +8,7 @@ from typing import Any, Callable, Dict, Iterable, List, Optional, SupportsIndex,
 
 from .._made import Made, Progress, check_calls, fact, made
 from ..errors import BadInput, MissingResource
-from ._engine import Engine, Task, Tell, engine_for, kind_of, tell_of
+from ._engine import Engine, Task, Tell, check_team, engine_for, kind_of, tell_of
 from ._job import Wanted, Work, planned_bytes, sizes_of
 from ._team import NoWorkers, Team
 from ._worker import Memory
@@ -162,8 +162,7 @@ def all_pairs(
     engine_kind = kind_of(client)
     if not 1 <= stretches <= _most_stretches:
         raise BadInput(f"stretches is a number from 1 to {_most_stretches}")
-    if threads is not None and not 1 <= threads <= 4096:
-        raise BadInput("threads is a number from 1 to 4096")
+    check_team(threads, workers)
     if overlap and room < 3:
         raise BadInput("overlap keeps one place for what is loading; give room 3 or more")
     task = Task(functools.partial(Memory, load, compute), {"room": room, "overlap": overlap},

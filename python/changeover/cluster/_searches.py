@@ -5,13 +5,15 @@ from __future__ import annotations
 
 import datetime
 import itertools
+import operator
 import time
+import warnings
 from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, Union
 
 from .. import _core, catalog
 from .._made import Kind, Made, Progress, check_calls, fact, made
 from ..designs import Design, design, design_of
-from ..errors import BadInput
+from ..errors import BadInput, Error
 from ..known import bounds
 from ..searches import Classification, SearchResult
 from ..searches import classify as classify_here
@@ -21,6 +23,7 @@ from ._engine import tell_of
 from ._exact import Cell, Tree, Walk, received
 
 _most_cubes = 4096
+_most_numbers = 10_000  # of v, and of k
 
 
 class Improvement(Made):
@@ -146,11 +149,15 @@ class _Cells:
 
 
 def _each_number(argument: str, value: Any) -> List[int]:
-    if hasattr(type(value), "__index__"):
-        return [int(value)]
-    if isinstance(value, str) or not hasattr(type(value), "__iter__"):
-        raise BadInput(f"{argument} is a number, or several of them")
-    return [int(each) for each in value]
+    try:
+        some = [value] if hasattr(type(value), "__index__") else itertools.islice(
+            value, _most_numbers + 1)
+        numbers = [operator.index(each) for each in some]
+    except TypeError as fault:
+        raise BadInput(f"{argument} is a whole number, or several of them") from fault
+    if len(numbers) > _most_numbers:
+        raise BadInput(f"{argument} has more than {_most_numbers} numbers; give fewer")
+    return numbers
 
 
 def _limits(time_limit: float, each: float) -> None:
@@ -170,13 +177,15 @@ def improve(
     client: as of all_pairs(). v and k: numbers, or several of each, such as range(20, 41); kind:
     both if None. each: seconds of a part, a cell with a seed of its own, from the best design so
     far; a lost worker loses no more. who: your name: each find is put into the user's catalog where
-    this call is made, verified, and credited to it. Ctrl-C ends it and keeps what was found.
+    this call is made, verified, and credited to it; what cannot be put there is in the answer, with
+    a warning. Ctrl-C ends it and keeps what was found.
     """
     _limits(time, each)
     kinds: List[Kind] = ["linear", "circular"] if kind is None else [kind]
     cells = [(a, b, change, c, strength) for a in _each_number("v", v)
              for b in _each_number("k", k) for c in kinds if b <= a]
     labels: Dict[Cell, str] = {}
+    faults: Dict[Cell, Error] = {}
 
     def begin() -> Bag:
         state.append(_Cells(cells, each, seed, _now() + time, None, None))
@@ -187,7 +196,13 @@ def improve(
         found = state[0].best[cell]
         if who and found is not None:
             today = datetime.date.today().isoformat()
-            labels[cell] = catalog.add(found, who=who, date=today)
+            try:
+                labels[cell] = catalog.add(found, who=who, date=today)
+            except Error as fault:  # The search is worth more than the entry.
+                labels.pop(cell, None)
+                faults[cell] = fault
+            else:
+                faults.pop(cell, None)
 
     def finish(_: Bag) -> Dict[str, Any]:
         run = state[0]
@@ -205,6 +220,8 @@ def improve(
         finds.append(made(Improvement, {
             **dict(zip(names, cell)), "before": before, "b": found.b, "lower_bound": bound,
             "label": label, "how": how, "design": found}))
+    for fault in dict.fromkeys(map(str, faults.values())):
+        warnings.warn(f"finds are in the answer, and not in the catalog: {fault}", stacklevel=3)
     return finds
 
 
