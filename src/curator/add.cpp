@@ -34,7 +34,7 @@ std::string defect_of(const Verdict& verdict) {
                      fmt::join(verdict.uncovered_examples.front(), ","));
 }
 
-// Whether it can be built wherever the program is.
+// Whether every copy of the program can build it.
 bool names_only_shipped(const Recipe& recipe) {
   if (recipe.construction == "found" && recipe.inputs.empty() &&
       !standard_catalog().is_shipped(recipe.provenance)) {
@@ -43,7 +43,7 @@ bool names_only_shipped(const Recipe& recipe) {
   return std::ranges::all_of(recipe.inputs, names_only_shipped);
 }
 
-// Whether a recipe makes these blocks; it is asked for no more of them.
+// Whether a recipe makes these blocks; reads no more blocks than these from it.
 bool makes(const Recipe& recipe, const Design& design) {
   if (recipe.parameters != design.parameters()) {
     return false;
@@ -60,7 +60,7 @@ bool makes(const Recipe& recipe, const Design& design) {
   } catch (const InternalError&) {
     throw;
   } catch (const Error&) {
-    return false;  // Of a program that knows more, or of nobody.
+    return false;  // A recipe of a newer program, or of none.
   }
 }
 
@@ -76,7 +76,7 @@ void credit_provenance(const std::string& provenance, Credit& credit) {
   }
 }
 
-// The same for all designs that are the same.
+// Equal for all designs that are the same.
 Checksum form_of(const CatalogEntry& entry) {
   const Design design = Registry::standard().build_design(entry.recipe);
   const CanonicalForm form = canonical_form(design, {.rotation = true, .reversal = true});
@@ -97,7 +97,7 @@ Newcomer newcomer_of(const Design& design, const Introduction& introduction) {
   }
   const Bound bound = lower_bound(design.parameters());
   if (bound.blocks > verdict.b) {
-    throw InternalError(fmt::format("a valid {} has {} blocks, where the bound says {}: {}",
+    throw InternalError(fmt::format("a valid {} has {} blocks, fewer than the bound {}: {}",
                                     name(design.parameters()), verdict.b, bound.blocks,
                                     bound.reason));
   }
@@ -118,16 +118,16 @@ Newcomer newcomer_of(const Design& design, const Introduction& introduction) {
       names_only_shipped(*design.recipe) && makes(*design.recipe, design)) {
     entry.recipe = *design.recipe;
     if (entry.carries_blocks()) {
-      entry.recipe.provenance.clear();  // The credit says it.
+      entry.recipe.provenance.clear();  // The credit has it.
     }
   } else {
     entry.recipe = literal_recipe(design);
   }
-  // What cannot be read again is not written.
+  // Refuses entries that could not be read again.
   const std::string line = line_of(entry, {});
   if (entry_from_line(line, "the design", 1, {}) != entry) {
     throw BadInput(
-        "what is said of the design has characters that are no text; write one plain line");
+        "the credit or note of the design has unprintable characters; write one plain line");
   }
   return {std::move(entry), ""};
 }
@@ -169,7 +169,7 @@ std::optional<std::string> SameDesigns::find(const CatalogEntry& entry) {
     } catch (const InternalError&) {
       throw;
     } catch (const Error&) {
-      continue;  // A damaged entry is the same as nothing.
+      continue;  // A damaged entry is the same as no design.
     }
   }
 }
@@ -181,7 +181,7 @@ void SameDesigns::remember(const CatalogEntry& entry) {
 }
 
 void SameDesigns::put(Class& known, const CatalogEntry& entry) {
-  // One of two labels is not that of the design that is asked for.
+  // Of two labels at least one is not that of the given design.
   if (auto& labels = known.by_form[form_of(entry)]; labels.size() < 2) {
     labels.push_back(entry.label());
   }
@@ -203,7 +203,7 @@ std::vector<Gain> gains_of(const CatalogEntry& entry) {
     const auto blocks = registry.build(recipe);
     const Verdict verdict = verify(*blocks);
     if (!verdict.valid()) {
-      throw InternalError(fmt::format("{} of {} is no design", rule, entry.label()));
+      throw InternalError(fmt::format("{} of {} is not a design", rule, entry.label()));
     }
     if (!offer || verdict.b < offer->b) {
       gains.push_back(
@@ -223,7 +223,7 @@ std::vector<Gain> gains_of(const CatalogEntry& entry) {
     const std::size_t before = gains.size();
     weigh("truncate", literal_recipe(*fewer));
     if (gains.size() == before) {
-      break;  // Others are better from here on.
+      break;  // Later cells have better designs already.
     }
   }
   for (const std::uint64_t s : {2U, 3U}) {

@@ -36,12 +36,12 @@ std::string fault_of_entry(const CatalogEntry& entry) {
   }
   const Bound bound = lower_bound(entry.parameters);
   if (bound.blocks > entry.b) {
-    return fmt::format("it is valid with {} blocks, where the bound says {}: {}", entry.b,
+    return fmt::format("it is valid with {} blocks, fewer than the bound {}: {}", entry.b,
                        bound.blocks, bound.reason);
   }
   if (entry.lower_bound > bound.blocks) {
-    return fmt::format("it claims the lower bound {}, and no more than {} is known: {}",
-                       entry.lower_bound, bound.blocks, bound.reason);
+    return fmt::format("it claims the lower bound {}, but only {} is known: {}", entry.lower_bound,
+                       bound.blocks, bound.reason);
   }
   return "";
 }
@@ -62,7 +62,7 @@ Audit audit_entries(const Catalog& catalog, const AuditScope& scope, RunControl&
       return;
     }
     const auto entry = catalog.find(labels[i]);
-    const std::string fault = entry ? fault_of_entry(*entry) : "it is not there any more";
+    const std::string fault = entry ? fault_of_entry(*entry) : "it was removed meanwhile";
     const std::uint64_t count = ++checked;
     {
       const std::lock_guard lock(mutex);

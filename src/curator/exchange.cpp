@@ -22,22 +22,23 @@ class EntryLines {
   EntryLines(Input& input, std::size_t longest) : lines_(input, longest) {
     if (lines_.next() != InputLines::Next::line) {
       throw BadInput(
-          fmt::format("{}: no catalog: it has no first line that says so", input.name()));
+          fmt::format("{}: not a catalog: its first line does not say so", input.name()));
     }
     shared_ = shared_from_header(lines_.line(), input.name());
   }
 
-  // False at the end. @throws BadInput if a line has no end, after which there is no way on.
+  // Goes to the next line; false at the end. @throws BadInput if a line is too long, after which
+  // reading cannot go on.
   bool next() {
     for (;;) {
       const InputLines::Next found = lines_.next();
       if (found == InputLines::Next::too_long) {
-        throw BadInput(where() + "the line is too long for an entry; take it out");
+        throw BadInput(where() + "the line is too long for an entry; remove it");
       }
       if (found == InputLines::Next::end) {
         return false;
       }
-      // Files that were put together have byte order marks on their way.
+      // Concatenated files have byte order marks inside.
       if (!without_byte_order_mark(lines_.line()).empty()) {
         return true;
       }
@@ -61,14 +62,13 @@ class EntryLines {
 std::string refusal(CatalogEntry& entry, const ForeignLimits& limits) {
   const Parameters& p = entry.parameters;
   if (p.v > limits.v || entry.b > limits.b) {
-    return fmt::format("more than {} elements or {} blocks, which are not taken from a file",
-                       limits.v, limits.b);
+    return fmt::format("more than {} elements or {} blocks, too many for an import", limits.v,
+                       limits.b);
   }
   const Bound bound = lower_bound(p);
   if (entry.lower_bound > bound.blocks) {
-    return fmt::format(
-        "it says that there are no fewer than {} blocks, and no more than {} is known",
-        entry.lower_bound, bound.blocks);
+    return fmt::format("it claims the lower bound {}, but only {} is known", entry.lower_bound,
+                       bound.blocks);
   }
   RunControl* const above = RunScope::current();
   RunControl::Settings settings;
@@ -97,7 +97,7 @@ std::string refusal(CatalogEntry& entry, const ForeignLimits& limits) {
   return "";
 }
 
-// Hands each entry that is good and not in the catalog to take(). Gives what is left to say.
+// Passes each good entry that is not in the catalog to take(). Returns the other results.
 template <typename Take>
 Foreign each_foreign(Input& input, const Catalog& catalog, const ForeignLimits& limits,
                      Take&& take) {

@@ -40,7 +40,7 @@ std::vector<CatalogFind> improve_catalog(Catalog& catalog, const CatalogFilter& 
   const double fiftieth = control.time_left().value_or(Seconds(3000)).count() / 50;
   Seconds each = search.each.value_or(Seconds(std::clamp(fiftieth, 1.0, 60.0)));
   for (std::uint64_t pass = 0; !control.stop_wanted(); ++pass, each *= 2) {
-    // Other random numbers in each pass: those of the last led nowhere.
+    // Other random numbers in each pass: those of the last pass found nothing.
     RunControl::Settings settings = control.settings();
     settings.seed += pass;
     settings.time = control.time_left();
@@ -58,13 +58,13 @@ std::vector<CatalogFind> improve_catalog(Catalog& catalog, const CatalogFilter& 
         RunControl here(control_of_pass, each);
         result = improve(p, {}, here);
       } catch (const Stopped&) {
-        continue;  // Before it had a design to start from.
+        continue;  // It stopped before it had a design to start from.
       }
       const auto before = catalog.fewest(p);
       if (!result.design || !before || result.design->block_count() >= before->b) {
         continue;
       }
-      // What was found is verified and kept, however little time is left.
+      // A find is verified and kept even if the time is up.
       const RunGrace to_the_end(control);
       Design design = result.design->design();
       cells.improved(p, design.block_count());
@@ -80,12 +80,11 @@ std::vector<CatalogFind> improve_catalog(Catalog& catalog, const CatalogFilter& 
       introduction.credit.program = fmt::format("changeover {}", version);
       const Newcomer newcomer = newcomer_of(design, introduction);
       if (!newcomer.entry) {
-        throw InternalError("a search handed out a list of blocks that is no design: " +
-                            newcomer.refused);
+        throw InternalError("a search returned blocks that are not a design: " + newcomer.refused);
       }
       const CatalogEntry& entry = *newcomer.entry;
       if (!is_found && entry.recipe != design.recipe) {
-        continue;  // The closure rules make it of what the user has.
+        continue;  // The closure rules make it from the user's designs.
       }
       catalog.add(entry);
       finds.push_back({entry.label(), p, before->b, entry.b, result.how});

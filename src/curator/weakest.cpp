@@ -8,10 +8,11 @@
 namespace changeover {
 namespace {
 
-// Change numbers that blowing up leads from one to another of.
+// Change numbers that blowing up connects.
 constexpr std::uint64_t most_copies = 3;
 
-// Calls take(q) for the cells that a design of p makes one of without looking at its blocks, or can as a rule.
+// Calls take(q) for the cells for which a design of p gives one, always or usually, without looking
+// at its blocks.
 template <typename Take>
 void each_neighbour(const Parameters& p, Take&& take) {
   if (p.strength != 2) {
@@ -39,7 +40,7 @@ void each_neighbour(const Parameters& p, Take&& take) {
 WeakestFirst::WeakestFirst(const Catalog& catalog, CatalogFilter filter) {
   RunControl* const control = RunScope::current();
   const auto goes_on = [control] { return control == nullptr || !control->stop_wanted(); };
-  // Only what the cells can lead to: reading all takes a second.
+  // Only cells that these can lead to: reading all takes a second.
   CatalogFilter around{.change = filter.change, .strength = filter.strength};
   for (std::uint64_t s = 1; s <= (filter.change ? most_copies : 1); ++s) {
     if (filter.change) {
@@ -104,7 +105,7 @@ std::optional<Parameters> WeakestFirst::next() {
     if (stands_.at(p).b <= stands_.at(p).lower_bound) {
       continue;
     }
-    // What was found since then makes cells worth less, as a rule.
+    // Finds since then usually make cells worth less.
     const double today = worth(p);
     if (open_.empty() || today >= open_.top().first) {
       return p;

@@ -4,12 +4,13 @@
 //     cells.begin_pass();
 //     while (const auto p = cells.next()) {
 //       ...                                      // a search for fewer than cells.known(*p) blocks
-//       cells.improved(*p, b);                   // it found b: its neighbours are better, too
+//       cells.improved(*p, b);                   // it found b: its neighbours improve, too
 //     }
 //
-// A design with b blocks of one cell is the beginning of others with no more: read as linear, with elements that are in every block, with
-// elements truncated, blown up. A cell is worth the share of its blocks that is over its bound, times the blocks that all cells gain
-// if it comes down by one. Which of them truncation reaches is estimated, for that depends on the blocks.
+// A design with b blocks of one cell gives designs of others with no more blocks: read as linear,
+// with elements added to every block, truncated, blown up. A cell is worth the share of its blocks
+// above its bound, times the blocks that all cells gain if it loses one. The gain by truncation
+// depends on the blocks and is estimated.
 #pragma once
 
 #include <cstdint>
@@ -26,20 +27,22 @@ namespace changeover {
 
 class WeakestFirst {
  public:
-  /// The cells that the filter lets through and whose best design has more blocks than its bound. Reads them and what they lead to.
-  /// Fewer cells, and less of what they lead to, if the scope of this thread (run/control.hpp) wants to stop.
+  /// Reads the cells that the filter lets through and whose best design has more blocks than its
+  /// bound, and the cells that they lead to. Reads fewer of both if the scope of this thread
+  /// (run/control.hpp) wants to stop.
   WeakestFirst(const Catalog& catalog, CatalogFilter filter);
 
-  /// All cells that still have something to gain are to be searched again.
+  /// Starts a new pass over all cells that can still gain.
   void begin_pass();
 
-  /// The one that is worth most of those that next() did not name in this pass; nullopt if there is none.
+  /// The cell that is worth most among those that next() did not return in this pass; nullopt if
+  /// there is none.
   [[nodiscard]] std::optional<Parameters> next();
 
-  /// Blocks of the best design that is known of a cell, or estimated after improved().
+  /// Blocks of the best known design of a cell, or an estimate after improved().
   [[nodiscard]] std::uint64_t known(const Parameters& p) const { return stands_.at(p).b; }
 
-  /// A design with so many blocks is known from now on.
+  /// Records that a design with so many blocks is known from now on.
   void improved(const Parameters& p, std::uint64_t b);
 
  private:

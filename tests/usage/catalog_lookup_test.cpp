@@ -89,9 +89,9 @@ TEST(CatalogVerbs, SayThatTheUsersFileIsNoCatalogAndGoOn) {
   const Outcome verified =
       run("$changeover catalog verify --users --quiet --catalog mine.db", folder.path());
   EXPECT_EQ(verified.code, 1);
-  EXPECT_EQ(verified.out.rfind("WRONG: your own catalog: mine.db: damaged, or no catalog", 0), 0U);
+  EXPECT_EQ(verified.out.rfind("WRONG: your own catalog: mine.db: damaged, or not a catalog", 0), 0U);
   // Where the answer is that there is nothing, the file that was left out may be why.
-  const std::string left_out = "your own catalog was left out: mine.db: damaged, or no catalog";
+  const std::string left_out = "your own catalog was left out: mine.db: damaged, or not a catalog";
   for (const std::string words :
        {"show 7.3.2.circular.7.00000000", "show 7.3.2.circular.7.00000000 --json", "show 9 5 -m 4",
         "submit", "retract 7.3.2.circular.7.00000000 --why wrong",

@@ -131,7 +131,7 @@ TEST_F(CatalogUsage, NamesOfTheCatalogArePaths) {
       EXPECT_THAT(outcome.code, testing::AnyOf(4)) << name << " " << command;
       EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
-    expect({{named(name, "add three.txt"), 4, "and not a file; name another file by --catalog"},
+    expect({{named(name, "add three.txt"), 4, "not a file; name another file with --catalog"},
             {named(name, "list --users 2>&1"), 0, "your own catalog was left out: " + name}},
            folder);
   }

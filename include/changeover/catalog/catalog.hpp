@@ -1,20 +1,22 @@
-// The catalog: designs that are known, those that come with the program and those of its user, looked up as one.
+// The catalog of known designs: those that come with the program and those of its user, looked up
+// together.
 //
 //     Catalog catalog({.shipped = {}, .user = "mine.db"});     // only what is in a file, here
 //     catalog.add(entry);
 //     catalog.best(entry.parameters)->b;                       // fewest blocks
-//     catalog.find(entry.label());                             // by label, or by the beginning of one
+//     catalog.find(entry.label());  // by label, or by the beginning of one
 //
-// What comes with the program is a database in memory that nobody can write; construct/standard_catalog.hpp has it. What users add goes to
-// a file of theirs, an SQLite database of version `catalog_schema_version`: opened when it is first needed, made when
-// it is first written. Looking up an entry costs a few microseconds; a row is read when it is asked for and not before.
+// The designs of the program are a read-only database in memory (construct/standard_catalog.hpp).
+// The designs of a user are in a file, an SQLite database of version `catalog_schema_version`,
+// which is opened when it is first needed and made when it is first written. Looking up an entry
+// costs a few microseconds; rows are read only when they are needed.
 //
-// A file that is damaged, of another version or of another program is never written to; what it is, and how to mend it, is
-// said in one line. Before a file of an older version is brought to this one, a copy of it is kept beside it.
-// Writing is all or nothing, whatever happens to the process, the disk or the machine in between; several
-// processes may write at once, each waits for the others.
+// A file that is damaged, of a newer version or of another program is never written to; one line
+// says what it is and how to correct it. Before a file of an older version is converted, a copy of
+// it is kept beside it. Writing is all or nothing, even if the process, the disk or the machine
+// fails; several processes may write at once, each waits for the others.
 //
-// Thread-safe. Bound by: SQLite's look-up and the parsing of a line.
+// Thread-safe. The time goes into SQLite's look-up and the parsing of a line.
 #pragma once
 
 #include <cstddef>
@@ -32,15 +34,14 @@
 
 namespace changeover {
 
-// What the literature reports: numbers of blocks of designs that are said to exist.
+// Reported designs: numbers of blocks that publications state without blocks.
 //
 //     const Parameters p{.v = 26, .k = 6, .change = 1, .kind = Kind::linear};
 //     reported_below(p, 64)->blocks;                // 63 [Bean2026]
-//     reported_below(p, 63).has_value();            // false: it is no better than what is held
+//     reported_below(p, 63).has_value();            // false: it is not better
 //
-// Reported is not verified. A catalog holds blocks, which are verified; here is a number and who
-// says it, for the caller who asks what is known of some parameters. It is no bound, and no other
-// answer depends on it.
+// Reported is not verified. A catalog holds blocks, which are verified; a report is only a number
+// and its source. It is not a bound, and no other answer depends on it.
 
 /// A design that a publication counts.
 struct Reported {
@@ -65,10 +66,11 @@ struct Improvement {
   std::string label;  ///< of the design
   std::uint64_t b = 0;
   std::string date;  ///< when it came in
-  std::string how;   ///< what it cites, or the command that found it, and its credit, in one line
+  /// its source: citation, or the command that found it, and its credit, in one line
+  std::string how;
 };
 
-/// Which entries are asked for; everything if nothing is said.
+/// A filter of entries; an empty one lets everything through.
 struct CatalogFilter {
   std::optional<std::uint64_t> v_from = {}, v_to = {}, k_from = {}, k_to = {}, change = {};
   std::optional<Kind> kind = {};
@@ -77,12 +79,12 @@ struct CatalogFilter {
       {};  ///< "minimum", "best-known" or "retracted"; any that is not retracted if empty
   std::string construction = {};          ///< the name at the root of the recipe
   std::string since = {};                 ///< credited on this day or later
-  std::optional<std::uint64_t> gap = {};  ///< so many blocks over the bound, or more
-  bool best_only = true;                  ///< of each cell the best only
-  bool users_only = false;                ///< not those that come with the program
+  std::optional<std::uint64_t> gap = {};  ///< at least so many blocks over the bound
+  bool best_only = true;                  ///< only the best of each cell
+  bool users_only = false;                ///< only those of the user
 };
 
-/// What came of adding an entry.
+/// The result of adding an entry.
 enum class Added : std::uint8_t { improved, added, already_there };
 
 class Catalog {
@@ -98,33 +100,36 @@ class Catalog {
   Catalog(const Catalog&) = delete;
   Catalog& operator=(const Catalog&) = delete;
 
-  /// The design with the fewest blocks that is known for p and not retracted; ties go to the one that comes with the program, then to
-  /// one that does not carry its blocks, then to the smaller label. @throws BadInput if the entry is damaged.
+  /// The known design for p with the fewest blocks that is not retracted; ties go to the one that
+  /// comes with the program, then to one that does not carry its blocks, then to the smaller label.
+  /// @throws BadInput if the entry is damaged.
   [[nodiscard]] std::optional<CatalogEntry> best(const Parameters& p) const;
 
-  /// What best() would give, without reading it; `carries_blocks`: among the entries that do.
+  /// The size of what best() returns, without reading it; `carries_blocks`: only among entries that
+  /// carry their blocks.
   struct Known {
     std::string label;
     std::uint64_t b = 0;
   };
   [[nodiscard]] std::optional<Known> fewest(const Parameters& p, bool carries_blocks = false) const;
 
-  /// The entry of that label, of an alias, or whose label alone begins with this text and goes on after at least a whole cell.
-  /// @throws BadInput if several begin so.
+  /// The entry of a label or an alias, or the only entry whose label begins with this text, which
+  /// must have at least a whole cell. @throws BadInput if several labels begin so.
   [[nodiscard]] std::optional<CatalogEntry> find(std::string_view label) const;
 
   /// All entries of a cell, retracted ones too, fewest blocks first.
   [[nodiscard]] std::vector<CatalogEntry> cell(const Parameters& p) const;
 
-  /// Calls take(entry) with what the filter lets through, by change number, strength, kind, k, v, and as best() has it; until take()
-  /// says false.
+  /// Calls take(entry) for each entry that the filter lets through, by change number, strength,
+  /// kind, k, v, and within a cell in the order of best(), until take() returns false.
   void each(const CatalogFilter& filter,
             const std::function<bool(const CatalogEntry&)>& take) const;
 
   /// How the best of a cell became better, oldest first.
   [[nodiscard]] std::vector<Improvement> history(const Parameters& p) const;
 
-  /// How many designs and cells there are, retracted ones too, and the last day on which one was credited. Without reading the entries.
+  /// How many designs and cells there are, retracted ones too, and the last day on which one was
+  /// credited. Without reading the entries.
   struct Size {
     std::uint64_t designs = 0;
     std::uint64_t cells = 0;
@@ -135,46 +140,49 @@ class Catalog {
   /// Whether there are entries of the user's own, and the greatest v among them.
   [[nodiscard]] std::optional<std::uint64_t> largest_users_v() const;
 
-  /// Why the user's file could not be read; empty if it could, or is not there. Looking up then goes on without it.
+  /// Why the user's file could not be read; empty if it could, or if there is none. Look-ups then
+  /// go on without it.
   [[nodiscard]] std::string problem() const;
 
-  /// What else is to be said of the user's file: an alias that was asked for and not used, because
-  /// it reads as a label. Empty if nothing is.
+  /// A warning about the user's file, empty if there is none: an alias that was looked up but not
+  /// used, because it reads as a label.
   [[nodiscard]] std::string remark() const;
 
-  /// Leaves an entry out of account from now on, in this process: it is not what it says. problem() says so.
+  /// Ignores an entry from now on, in this process, because it is not the design that it claims.
+  /// problem() reports it.
   void distrust(const std::string& label, const std::string& why) const;
 
   /// Whether the entry comes with the program.
   [[nodiscard]] bool is_shipped(std::string_view label) const;
 
-  /// Puts entries into the user's file: all of them or, if it throws, none. The entries are trusted: see
-  /// curator/curator.hpp for those of strangers. Returns what came of each.
+  /// Adds entries to the user's file: all of them or, if it throws, none. It trusts them: for
+  /// entries from elsewhere see curator/curator.hpp. Returns the result of each.
   /// @throws MissingResource if there is no user's file or it cannot be written.
   std::vector<Added> add(std::span<const CatalogEntry> entries);
   Added add(const CatalogEntry& entry) { return add(std::span(&entry, 1)).front(); }
 
-  /// As add(), a transaction for each list that next() gives until one is empty; between two lists
-  /// other processes write. The file is checked once. Calls done() after each. What was added stays
-  /// if a later list is refused. O(n log s) for n entries and a file of s.
+  /// As add(), with one transaction for each list of next() until one is empty; between two lists
+  /// other processes can write. The file is checked once. Calls done() after each. What was added
+  /// stays if a later list is refused. O(n log s) for n entries and a file of s.
   void add_lists(const std::function<std::vector<CatalogEntry>()>& next,
                  const std::function<void(std::span<const Added>)>& done);
 
-  /// Marks an entry as no longer vouched for; it stays, and says why. In the user's file, also for one that comes with the program.
-  /// @throws BadInput if there is none of that label; as add().
+  /// Marks an entry as retracted, with the reason; it stays in the catalog. The mark is in the
+  /// user's file, also for an entry that comes with the program. @throws BadInput if no entry has
+  /// that label; as add().
   void retract(std::string_view label, std::string_view why);
 
-  /// Lets `alias` lead to the entry of that label. @throws BadInput if the alias reads as a label
-  /// (catalog/entry.hpp) or leads to another design; as add().
+  /// Makes `alias` a name of the entry with that label. @throws BadInput if the alias reads as a
+  /// label (catalog/entry.hpp) or leads to another design; as add().
   void alias(std::string_view alias, std::string_view label);
 
-  /// Takes an alias of the user's out, whatever it leads to, and returns that. @throws BadInput if
-  /// there is none; as add().
+  /// Removes an alias of the user and returns the label that it led to. @throws BadInput if there
+  /// is no such alias; as add().
   std::string remove_alias(std::string_view alias);
 
-  /// What is wrong in the user's file itself: rows that contradict their lines, aliases that lead
-  /// nowhere or read as labels, an index that misses rows. That entries are designs is for
-  /// curator/curator.hpp. Empty if there is no file. Reads it all.
+  /// The faults of the user's file itself: rows that contradict their lines, aliases that lead
+  /// nowhere or read as labels, an index that misses rows. (curator/curator.hpp checks that entries
+  /// are designs.) Empty if there is no file. Reads all of it.
   struct Fault {
     std::string label;  ///< or the alias, or "your own catalog"
     std::string what;
@@ -189,7 +197,7 @@ class Catalog {
   std::unique_ptr<Store> store_;
 };
 
-/// The image of a database with these entries: what Catalog::Files takes as shipped. Deterministic.
+/// The image of a database with these entries, for Catalog::Files::shipped. Deterministic.
 [[nodiscard]] std::vector<std::byte> make_catalog(std::span<const CatalogEntry> entries);
 
 }  // namespace changeover

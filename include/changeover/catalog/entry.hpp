@@ -1,22 +1,25 @@
 // One design in the catalog: a line of text.
 //
 //     CatalogEntry entry = entry_from_line(
-//         R"({"label":"4.3.1.linear.3.fdc879cf","b":3,"lower_bound":3,"reason":"counting","recipe":)"
-//         R"({"construction":"literal","v":4,"k":3,"change":1,"kind":"linear","arguments":{},"inputs":[],)"
-//         R"("blocks":[[0,1,2],[0,1,3],[0,2,3]]},)"
+//         R"({"label":"4.3.1.linear.3.fdc879cf","b":3,"lower_bound":3,"reason":"counting",)"
+//         R"("recipe":{"construction":"literal","v":4,"k":3,"change":1,"kind":"linear",)"
+//         R"("arguments":{},"inputs":[],"blocks":[[0,1,2],[0,1,3],[0,2,3]]},)"
 //         R"("sha256":"fdc879cf58d819b2f1550061bf579ec55c0ec7cd10f723344cd6bba2b4e4cf12"})",
 //         "mine.jsonl", 1, {});
-//     entry.status();                        // "minimum": as many blocks as the bound says
+//     entry.status();                        // "minimum": as many blocks as the bound
 //     line_of(entry, {});                    // the same line
 //
-// A file is such lines, one JSON object each, after a first line that says what it is and what its lines share:
+// A file consists of such lines, one JSON object each, after a first line with its format and what
+// its lines share:
 //
-//     {"format":"changeover-catalog/1","credit":{"who":"A. Researcher","date":"2026-11-22","program":"changeover 0.1.0"}}
+//     {"format":"changeover-catalog/1","credit":{"who":"A. Researcher","date":"2026-11-22",
+//      "program":"changeover 0.1.0"}}
 //
-// Keys come in this order; those in brackets may be missing: label, b, lower_bound, reason, recipe, sha256, [cites], [note],
-// [credit], [retracted]. The label says the parameters. A recipe is data (core/recipe.hpp): blocks ("literal"), base
-// blocks ("developed"), or a tree of constructions whose leaf "found" names a design of the catalog by its label.
-// Lines are written the same way whoever writes them, so that files can be compared line by line.
+// Keys come in this order; those in brackets may be missing: label, b, lower_bound, reason, recipe,
+// sha256, [cites], [note], [credit], [retracted]. The label has the parameters. A recipe is data
+// (core/recipe.hpp): blocks ("literal"), base blocks ("developed"), or a tree of constructions
+// whose leaf "found" names a design of the catalog by its label. Every program writes the same
+// bytes for an entry, so that files can be compared line by line.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +36,7 @@
 
 namespace changeover {
 
-/// Who or what a design comes from. Any of these may be empty.
+/// The source of a design. Any of these may be empty.
 struct Credit {
   std::string who;      ///< a person, a group, a paper's authors
   std::string date;     ///< "2026-11-22"
@@ -43,26 +46,26 @@ struct Credit {
   bool operator==(const Credit&) const = default;
 };
 
-/// A design with all that is said of it.
+/// A design with its bound, credit and notes.
 struct CatalogEntry {
   Parameters parameters;
   std::uint64_t b = 0;            ///< number of blocks
-  std::uint64_t lower_bound = 0;  ///< that was known when the entry was written
+  std::uint64_t lower_bound = 0;  ///< the one known when the entry was written
   std::string reason;             ///< of the bound, one line
   Recipe recipe;
   Checksum checksum = {};  ///< of the blocks; see design_digest()
   std::vector<std::string>
-      cites;         ///< keys of docs/references.bib, where the design is from the literature
+      cites;         ///< keys of docs/references.bib, if the design is from the literature
   std::string note;  ///< one line
   Credit credit;
-  std::string retracted;  ///< why the entry is no longer vouched for; empty if it is
+  std::string retracted;  ///< why the entry is retracted; empty if it is not
 
   [[nodiscard]] std::string label() const;
 
   /// "minimum" if b is the bound, "best-known" if not; "retracted".
   [[nodiscard]] std::string_view status() const;
 
-  /// Whether it carries its blocks, or base blocks, and is no tree of constructions.
+  /// Whether it carries its blocks or base blocks, instead of a tree of constructions.
   [[nodiscard]] bool carries_blocks() const;
 
   bool operator==(const CatalogEntry&) const = default;
@@ -71,21 +74,23 @@ struct CatalogEntry {
 /// The line of an entry, without a line feed. A credit that is `shared` is left out.
 [[nodiscard]] std::string line_of(const CatalogEntry& entry, const Credit& shared);
 
-/// The longest line that is read.
+/// The longest line that can be read.
 inline constexpr std::size_t longest_catalog_line = std::size_t{64} << 20;
 
-/// An entry from its line. What is not said in it: credit is `shared`. Nothing is built: that the blocks have this checksum and are a
-/// design is for whoever takes the entry in.
+/// Reads an entry from its line; a missing credit is `shared`. Builds nothing: the caller checks
+/// that the blocks are a design and have this checksum.
 /// @param name of the file, and the line's number, for messages.
-/// @throws BadInput with file and line if it is malformed, a key is unknown or twice there, label and recipe do not agree, there are no
-/// blocks or fewer than the bound, or a text has characters that are no text.
+/// @throws BadInput with file and line if it is malformed, a key is unknown or given twice, label
+/// and recipe disagree, there are no blocks or fewer than the bound, or a text has unprintable
+/// characters.
 [[nodiscard]] CatalogEntry entry_from_line(std::string_view line, const std::string& name,
                                            std::uint64_t number, const Credit& shared);
 
 /// A file's first line.
 [[nodiscard]] std::string header_line(const Credit& shared);
 
-/// What lines share, from the first line. @throws BadInput if it is none of a catalog, or of a version that is not known here.
+/// The credit that lines share, from the first line. @throws BadInput if it is not the first line
+/// of a catalog, or of an unknown version.
 [[nodiscard]] Credit shared_from_header(std::string_view line, const std::string& name);
 
 /// Reads a catalog's text in memory.
@@ -95,22 +100,23 @@ struct CatalogText {
 };
 [[nodiscard]] CatalogText read_catalog(std::string_view text, const std::string& name);
 
-// Labels: names of cells and of designs that last.
+// Labels: permanent names of cells and of designs.
 //
 //     const Parameters p{.v = 20, .k = 5, .change = 2, .kind = Kind::linear};
 //     cell_label(p);                                             // "20.5.2.linear"
 //     DesignLabel label = parse_design_label("20.5.2.linear.39.3fa9c1d2").value();
 //     label.b;                                                   // 39
 //
-// A *cell* is v.k.m.kind, with .t3 behind it if the strength is 3 and not 2. A *design* is named by its cell, its number of
-// blocks, and the first eight digits of the SHA-256 of its blocks: a line a block, elements as numbers separated by a
-// blank, in the order in which they are written. That is what is left of a design's text without its comments:
+// A *cell* is v.k.m.kind, followed by .t3 if the strength is 3 instead of 2. The label of a
+// *design* is its cell, its number of blocks, and the first eight digits of the SHA-256 of its
+// blocks: one line per block, elements as numbers separated by one blank, in the order in which
+// they are written. That is a design's text without its comments:
 //
 //   changeover catalog show 26.4.2.circular.65 --format text | grep -v '^#' | sha256sum
 //
-// So a label is made of nothing but the design: two people who publish the same list of blocks give it the same label, two
-// databases never give one label to two designs, and nothing has to be counted. The same design in another order of blocks or with
-// other names has another label.
+// So a label depends on the design only: two people who publish the same list of blocks give it the
+// same label, two databases do not give one label to two designs, and there is no counter. The same
+// design in another order of blocks or with other names has another label.
 
 /// "61.4.2.circular", "6.4.1.linear.t3".
 [[nodiscard]] std::string cell_label(const Parameters& p);
@@ -118,10 +124,10 @@ struct CatalogText {
 /// The parameters of a cell; nullopt if the text is not what cell_label() writes.
 [[nodiscard]] std::optional<Parameters> parse_cell_label(std::string_view text);
 
-/// How many digits of a checksum a label shows.
+/// The number of digits of a checksum in a label.
 inline constexpr std::size_t label_digits = 8;
 
-/// What the label of a design says.
+/// The parts of a design's label.
 struct DesignLabel {
   Parameters parameters;
   std::uint64_t b = 0;
@@ -138,11 +144,11 @@ struct DesignLabel {
 [[nodiscard]] std::optional<DesignLabel> parse_design_label(std::string_view text);
 
 /// Whether a reader could take the text for a label or the beginning of one, of a cell or of a
-/// design: "20", "20.5.2.linear.29". Small letters, large ones and blanks make no difference. No
-/// alias is such a text.
+/// design: "20", "20.5.2.linear.29". Upper and lower case and blanks make no difference. An alias
+/// cannot be such a text.
 [[nodiscard]] bool reads_as_label(std::string_view text);
 
-/// The checksum of a list of blocks as it is read, and how many there were.
+/// Computes the checksum of blocks as they are read, and their number.
 struct DesignDigest {
   Checksum checksum = {};
   std::uint64_t b = 0;

@@ -26,11 +26,12 @@ namespace changeover {
 //       catalog.add(*newcomer.entry);
 //     }
 //
-// Nothing is believed: the blocks are verified, the lower bound is computed. The recipe that came with the blocks is kept if it
-// makes the same blocks and names no design that only this user has; if not, the blocks are.
-// Where its provenance says which program made them and how, the credit does too. Names of elements are not kept.
+// Nothing is trusted: newcomer_of() verifies the blocks and computes the lower bound. It keeps the
+// recipe that came with the blocks if it makes the same blocks and names no design that only this
+// user has; otherwise it keeps the blocks. If the provenance names the program and command that
+// made them, so does the credit. Names of elements are not kept.
 
-/// What is said of a design by whoever brings it.
+/// Statements about a new design by the person who adds it.
 struct Introduction {
   Credit credit = {};
   std::vector<std::string> cites = {};
@@ -44,29 +45,30 @@ struct Newcomer {
       refused;  ///< "3 steps do not change exactly 2 elements, the first from block 4 to block 5"
 };
 
-/// Verifies a design, with recipe or without. @throws BadInput if what is said of it is no plain line of text, or the entry is longer
-/// than a line of a catalog may be; InternalError if a valid design has fewer blocks than a bound allows.
+/// Verifies a design and makes its entry. @throws BadInput if a statement is not a plain line of
+/// text, or the entry is too long for a line of a catalog; InternalError if a valid design has
+/// fewer blocks than a bound allows.
 [[nodiscard]] Newcomer newcomer_of(const Design& design, const Introduction& introduction);
 
-/// Which designs are the same up to names of elements, rotation and reversal. Each entry of the
-/// catalog is built and brought into canonical form (isomorphism/isomorphism.hpp) at most once, and
-/// not before it is needed: many designs held against a large cell cost as much as both together,
-/// and not as much as all pairs. The catalog must outlive this.
+/// Finds designs that are the same up to names of elements, rotation and reversal. It builds each
+/// entry of the catalog and its canonical form (isomorphism/isomorphism.hpp) at most once, when
+/// needed: comparing many designs with a large cell costs time for their sum, not their product.
+/// The catalog must outlive this.
 class SameDesigns {
  public:
   explicit SameDesigns(const Catalog& catalog) : catalog_(&catalog) {}
 
   /// The label of an entry of the same cell with as many blocks that is the same design and has
-  /// another label; nullopt if v or b exceed `largest_compared`. Retracted ones count. Knows the
-  /// catalog as it was when a design of that cell was first asked for.
+  /// another label; nullopt if v or b exceed `largest_compared`. Retracted entries count. It uses
+  /// the state of the catalog at the first call for a design of that cell.
   [[nodiscard]] std::optional<std::string> find(const CatalogEntry& entry);
 
-  /// An entry that is to be in the catalog soon, and counts from now on.
+  /// Counts an entry that will be added soon as one of the catalog.
   void remember(const CatalogEntry& entry);
 
  private:
   struct Class {
-    std::vector<CatalogEntry> waiting;                     // not yet looked at, the last first
+    std::vector<CatalogEntry> waiting;                     // not yet compared, last first
     std::map<Checksum, std::vector<std::string>> by_form;  // of each canonical form two labels
   };
   Class& class_of(const CatalogEntry& entry);
@@ -86,14 +88,15 @@ struct Gain {
   std::string rule;  ///< "cut", "fix", "truncate", "blow-up": of construct/closure.hpp
   Parameters parameters;
   std::uint64_t b = 0;
-  std::optional<std::uint64_t> before;  ///< what the registry offered; nothing if there was none
+  /// number of blocks that the registry offered; nothing if it had none
+  std::optional<std::uint64_t> before;
 };
 
-/// What one closure rule makes of an entry, where that is better than what the registry offers: to be asked before it is added. Built and
-/// verified. Not looked for if v or b exceed `largest_compared`.
+/// The cells that become better by one closure rule applied to an entry; call it before the entry
+/// is added. The designs are built and verified. Empty if v or b exceed `largest_compared`.
 [[nodiscard]] std::vector<Gain> gains_of(const CatalogEntry& entry);
 
-// Catalogs on their way: written to a file, read from a stranger's, and compared.
+// Exchange of catalogs: writing files, reading files from elsewhere, and comparing them.
 //
 //     OutputFile file("all.jsonl");
 //     write_entries(catalog, {.best_only = false}, file);
@@ -102,16 +105,17 @@ struct Gain {
 //     const auto input = open_input("theirs.jsonl");
 //     import_foreign(*input, catalog).added;           // how many; each was built and verified
 //
-// A file is as catalog/entry.hpp says. What a stranger's file says of a design is not believed: its recipe is built, its blocks are
-// verified, its lower bound and the reason are computed anew.
+// catalog/entry.hpp describes files. Claims of a file from elsewhere are not trusted: reading
+// builds the recipe, verifies the blocks, and computes the lower bound and its reason again.
 //
-// Bound by: building and verifying, about a millisecond an entry for v ≤ 100.
+// Cost: building and verifying, about a millisecond per entry for v ≤ 100.
 
-/// Writes a first line and what the filter lets through, a line each, by change number, strength, kind, k, v, b; those that are
-/// retracted after all others, unless the filter names a status. Returns the number of entries. @throws as Sink::write().
+/// Writes a first line and one line for each entry that the filter lets through, by change number,
+/// strength, kind, k, v, b; retracted ones after all others, unless the filter names a status.
+/// Returns the number of entries. @throws as Sink::write().
 std::uint64_t write_entries(const Catalog& catalog, const CatalogFilter& filter, Sink& sink);
 
-/// What is taken from a stranger.
+/// Limits on what is read from a file.
 struct ForeignLimits {
   std::size_t line = std::size_t{8} << 20;  ///< bytes
   std::uint64_t entries = 1'000'000;
@@ -120,37 +124,38 @@ struct ForeignLimits {
   std::chrono::duration<double> time_each{30};  ///< for building and verifying one design
   std::uint64_t memory_each = std::uint64_t{128}
                               << 20;  ///< for the blocks of a design that is looked at as a whole
-  bool skip_bad = false;  ///< leave out entries that are not what they say, and name them
+  bool skip_bad = false;              ///< leave out entries with false claims, and report them
 };
 
-/// What came of a stranger's file.
+/// The result of reading a file.
 struct Foreign {
   std::vector<CatalogEntry> entries;       ///< not in the catalog yet, in the order of the file
-  std::uint64_t known = 0;                 ///< are in the catalog already
-  std::vector<std::string> left_out = {};  ///< a line each: where, which, why
+  std::uint64_t known = 0;                 ///< number of those in the catalog already
+  std::vector<std::string> left_out = {};  ///< one line each: where, which, why
 };
 
-/// Reads and verifies. Listens to the scope of this thread (run/control.hpp), and tells it.
-/// @throws BadInput with file and line for the first entry that is not what it says, or beyond the limits, unless `skip_bad`; for a
-/// file that is no catalog in any case. Stopped.
+/// Reads and verifies. Stops with the scope of this thread (run/control.hpp), and reports progress
+/// to it. @throws BadInput with file and line for the first entry with a false claim or beyond the
+/// limits, unless `skip_bad`; for a file that is not a catalog in any case. Stopped.
 [[nodiscard]] Foreign read_foreign(Input& input, const Catalog& catalog,
                                    const ForeignLimits& limits = {});
 
-/// What came of a file that was imported.
+/// The result of importing a file.
 struct Imported {
   std::uint64_t added = 0;
-  std::uint64_t improved = 0;   ///< of those: better than all that was known of their cells
-  std::uint64_t known = 0;      ///< are in the catalog already, or twice in the file
-  std::uint64_t not_added = 0;  ///< were verified, but the control said stop; import the file again
+  std::uint64_t improved = 0;  ///< of those: better than all that was known of their cells
+  std::uint64_t known = 0;     ///< number of those in the catalog already, or twice in the file
+  /// verified but not added because the control stopped; import the file again
+  std::uint64_t not_added = 0;
   std::vector<std::string> left_out = {};  ///< as Foreign
 };
 
-/// read_foreign() and Catalog::add() for files of any length. Entries that were verified wait on
-/// the disk, so nothing is added before the whole file is known to be good (but for what `skip_bad`
-/// leaves out); then they are added `batch` at a time, and other processes write in between. A
-/// process that is killed leaves whole entries; importing the file again adds the rest. O(n log s)
-/// for n entries and a catalog of s, besides building and verifying; memory for one batch. @throws
-/// as read_foreign(), Catalog::add(); Stopped before anything is added.
+/// read_foreign() and Catalog::add() for files of any length. Verified entries wait on the disk, so
+/// nothing is added before the whole file is known to be good (except for what `skip_bad` leaves
+/// out); then they are added `batch` at a time, and other processes can write in between. A process
+/// that is killed leaves whole entries; importing the file again adds the rest. O(n log s) for n
+/// entries and a catalog of s, besides building and verifying; memory for one batch. @throws as
+/// read_foreign(), Catalog::add(); Stopped before anything is added.
 [[nodiscard]] Imported import_foreign(Input& input, Catalog& catalog,
                                       const ForeignLimits& limits = {}, std::size_t batch = 1000);
 
@@ -164,7 +169,7 @@ struct Imported {
 /// Fewest blocks of each cell, retracted entries left out.
 using BestOfCells = std::map<Parameters, std::uint64_t>;
 
-/// Of a file, which is read and not verified. @throws BadInput as entry_from_line().
+/// The same for a file, which is read but not verified. @throws BadInput as entry_from_line().
 [[nodiscard]] BestOfCells best_of_cells(Input& input);
 [[nodiscard]] BestOfCells best_of_cells(const Catalog& catalog);
 
@@ -182,21 +187,20 @@ struct CellChange {
 [[nodiscard]] std::vector<CellChange> compare_cells(const BestOfCells& before,
                                                     const BestOfCells& after);
 
-// Everything that the catalog says, held to what is built.
+// Audit: builds every entry of the catalog and compares it with its claims.
 //
 //     RunControl control({.threads = 2});
 //     const Audit audit = audit_catalog(catalog, {.v_to = 20, .best_only = false}, control);
 //     audit.faults.empty();                                 // or what is wrong, entry by entry
 //
-// The user's file is read as a whole: rows that contradict their lines and aliases that lead
-// nowhere are faults.
-// Of each entry the recipe is built, the blocks are verified and their checksum is compared, and the lower bound is computed anew:
-// an entry that claims a larger one says more than is known.
+// It reads the whole user's file: rows that contradict their lines and aliases that lead nowhere
+// are faults. For each entry it builds the recipe, verifies the blocks, compares their checksum,
+// and computes the lower bound again: an entry that claims a larger one claims more than is known.
 //
-// Bound by: SHA-256 (a fifth), building, verifying, bounds and the reading of lines: 3,700 entries a second and thread of what comes
-// with the program.
+// Cost: SHA-256 (a fifth), building, verifying, bounds and reading lines: 3,700 entries per second
+// and thread of those that come with the program.
 
-/// What came of looking.
+/// The result of an audit.
 struct Audit {
   std::uint64_t entries = 0;  ///< that the filter lets through
   std::uint64_t checked = 0;  ///< this time
@@ -206,14 +210,14 @@ struct Audit {
   };
   std::vector<Fault> faults;  ///< by label
 
-  /// Whether nothing is left to check.
+  /// Whether everything was checked.
   [[nodiscard]] bool complete(std::uint64_t done_before = 0) const {
     return checked + done_before == entries;
   }
 };
 
-/// The labels that a filter lets through, and a checksum of all that their entries say; what is
-/// wrong in the user's file itself (Catalog::faults()), whatever the filter.
+/// The labels that a filter lets through, and a checksum of all claims of their entries; the faults
+/// of the user's file itself (Catalog::faults()), for every filter.
 struct AuditScope {
   std::vector<std::string> labels;
   std::vector<Audit::Fault> faults;
@@ -221,37 +225,39 @@ struct AuditScope {
 };
 [[nodiscard]] AuditScope audit_scope(const Catalog& catalog, const CatalogFilter& filter);
 
-/// Checks the entries of a scope on the control's threads, but for those in `done`; calls good(label) for each that is what it says,
-/// never twice at once. Stops with the control: Audit::complete() is then false.
+/// Checks the entries of a scope on the control's threads, except for those in `done`; calls
+/// good(label) for each entry whose claims are true, never twice at once. Stops with the control:
+/// Audit::complete() is then false.
 [[nodiscard]] Audit audit_entries(const Catalog& catalog, const AuditScope& scope,
                                   RunControl& control, const std::set<std::string>& done = {},
                                   const std::function<void(const std::string&)>& good = {});
-/// The same for all that a filter lets through.
+/// The same for all entries that a filter lets through.
 [[nodiscard]] inline Audit audit_catalog(const Catalog& catalog, const CatalogFilter& filter,
                                          RunControl& control) {
   return audit_entries(catalog, audit_scope(catalog, filter), control);
 }
 
-/// What is wrong with one entry; empty if nothing. Listens to the scope of this thread.
+/// What is wrong with one entry; empty if nothing. Stops with the scope of this thread.
 [[nodiscard]] std::string fault_of_entry(const CatalogEntry& entry);
 
-// Searches where the catalog is weakest, and what of the user's is better than what comes with the program.
+// Searches where the catalog is weakest, and submission of the user's designs that are better than
+// those of the program.
 //
 //     RunControl control({.time = std::chrono::seconds(2)});
 //     const auto finds = improve_catalog(catalog, {.v_to = 9, .k_to = 4}, control);
-//     const Submission submission = write_submission(catalog, sink);   // lines for those who keep the catalog
+//     const Submission submission = write_submission(catalog, sink);   // lines for the maintainers
 //
-// Every find is verified and in the user's file before the next cell is looked at: whatever ends the search, no more is lost than what is
-// under way.
+// Every find is verified and in the user's file before the search goes to the next cell: if the
+// search is killed, only the current cell is lost.
 //
-// Bound by: the local search (search/local_search.hpp); a cell costs up to a second before its first move, in which the closure rules
-// look for its best recipe.
+// Cost: that of the local search (search/local_search.hpp), and up to a second per cell, in which
+// the closure rules find its best recipe.
 
 struct CatalogSearch {
-  /// For a cell in the first pass over all of them, twice as long in each pass after it; nothing: a fiftieth of the time that is left, but
-  /// 1 to 60 s.
+  /// The time for a cell in the first pass over all of them, doubled in each pass after it;
+  /// nothing: a fiftieth of the remaining time, but 1 to 60 s.
   std::optional<std::chrono::duration<double>> each = {};
-  Introduction introduction = {};  ///< of what is found; program and command are filled in
+  Introduction introduction = {};  ///< of the finds; program and command are filled in
 };
 
 /// A cell that became better.
@@ -263,21 +269,24 @@ struct CatalogFind {
   std::string how;  ///< one line
 };
 
-/// Looks for better designs of the cells that the filter lets through and whose best is above its bound, again and again until the
-/// control says stop: those whose gap is largest against their number of blocks first, of equal ones the smaller, whose designs are the
-/// beginning of more others. Calls found() for each find once it is in the user's file. @throws as Catalog::add(); BadInput as newcomer_of().
+/// Searches for better designs of the cells that the filter lets through and whose best is above
+/// its bound, again and again until the control stops. It begins with the cells whose gap is
+/// largest relative to their number of blocks, and among equals with the smaller, because more
+/// designs are made from those. Calls found() for each find after it is in the user's file. @throws
+/// as Catalog::add(); BadInput as newcomer_of().
 [[nodiscard]] std::vector<CatalogFind> improve_catalog(
     Catalog& catalog, const CatalogFilter& filter, RunControl& control,
     const CatalogSearch& search = {}, const std::function<void(const CatalogFind&)>& found = {});
 
-/// What the user has that is better than all that comes with the program, the best of each cell.
+/// The user's designs that are better than all that come with the program, the best of each cell.
 struct Submission {
   std::vector<std::string> labels;    ///< of the entries, in order
-  std::vector<std::string> left_out;  ///< not as they say: label and why, a line each
+  std::vector<std::string> left_out;  ///< entries with false claims: label and why, one line each
 };
 
-/// Writes it as write_entries() does, each entry built and verified before. An entry is better if it has fewer blocks than
-/// any of its cell that comes with the program and than a construction that needs no catalog. @throws as Sink::write().
+/// Writes them as write_entries() does, after building and verifying each. An entry is better if it
+/// has fewer blocks than every design of its cell that comes with the program and than
+/// constructions that need no catalog. @throws as Sink::write().
 [[nodiscard]] Submission write_submission(const Catalog& catalog, Sink& sink);
 
 }  // namespace changeover

@@ -1,4 +1,5 @@
-// How many designs there are: written by docs/tools/classified.py, checked by tests/search/enumerate.
+// The counts of all designs: written by docs/tools/classified.py, checked by
+// tests/search/enumerate.
 #include <array>
 
 #include "changeover/catalog/classified.hpp"
@@ -9,7 +10,8 @@ namespace {
 constexpr Kind in_line = Kind::linear;
 constexpr Kind in_circle = Kind::circular;
 
-// Parameters, blocks, standard forms, classes, tight classes; then for each order of a group how many classes have it.
+// Parameters, blocks, standard forms, classes, tight classes; then for each order of a group how
+// many classes have it.
 constexpr std::array classified_counts{
     Classified{{4, 3, 1, in_circle}, 3, 1, 1, 1, "3:1"},
     Classified{{5, 3, 1, in_circle}, 5, 1, 1, 1, "5:1"},
@@ -206,7 +208,8 @@ constexpr std::array classified_counts{
         3194,
         537,
         0,
-        "2:1 4:24 6:1 8:126 12:22 16:76 24:109 32:8 36:4 48:71 72:29 96:13 144:30 216:1 288:11 432:4 648:1 864:3 1296:1 2592:1 7776:1"},
+        "2:1 4:24 6:1 8:126 12:22 16:76 24:109 32:8 36:4 48:71 72:29 96:13 144:30 216:1 288:11 "
+        "432:4 648:1 864:3 1296:1 2592:1 7776:1"},
     Classified{{15, 8, 3, in_circle},
                7,
                3285,
@@ -247,26 +250,28 @@ constexpr std::array classified_counts{
         3626,
         3626,
         0,
-        "1:2 2:44 4:424 6:32 8:906 12:408 16:558 24:664 32:118 36:66 48:238 72:130 144:30 216:2 432:4"},
+        "1:2 2:44 4:424 6:32 8:906 12:408 16:558 24:664 32:118 36:66 48:238 72:130 144:30 216:2 "
+        "432:4"},
     Classified{{11, 8, 3, in_line}, 3, 1, 1, 0, "432:1"},
     Classified{
         {12, 8, 3, in_line}, 5, 412, 412, 0, "1:30 2:79 4:151 6:4 8:88 12:24 24:28 36:4 72:4"},
     Classified{
         {13, 8, 3, in_line}, 5, 101, 101, 0, "4:1 8:22 16:38 24:3 32:20 48:8 96:5 144:2 288:2"},
-    Classified{
-        {14, 8, 3, in_line},
-        6,
-        11790,
-        11790,
-        0,
-        "2:76 4:1058 6:54 8:3002 12:738 16:1638 24:2224 32:126 36:76 48:1506 72:396 96:186 144:482 216:16 288:112 432:56 864:34 2592:10"},
+    Classified{{14, 8, 3, in_line},
+               6,
+               11790,
+               11790,
+               0,
+               "2:76 4:1058 6:54 8:3002 12:738 16:1638 24:2224 32:126 36:76 48:1506 72:396 96:186 "
+               "144:482 216:16 288:112 432:56 864:34 2592:10"},
     Classified{
         {15, 8, 3, in_line},
         7,
         287350,
         287350,
         0,
-        "1:432 2:10122 4:48584 6:8980 8:66660 12:48101 16:29840 24:46564 32:4864 36:4668 48:12162 64:62 72:4576 96:845 144:842 216:22 288:16 432:10"},
+        "1:432 2:10122 4:48584 6:8980 8:66660 12:48101 16:29840 24:46564 32:4864 36:4668 48:12162 "
+        "64:62 72:4576 96:845 144:842 216:22 288:16 432:10"},
     Classified{{16, 8, 3, in_line},
                7,
                138,

@@ -22,7 +22,7 @@ using Type = JsonEvent::Type;
 
 constexpr std::string_view format = "changeover-catalog/1";
 
-// What a text may be at most, in bytes: a reason, a note, a name.
+// The most bytes of a text: a reason, a note, a name.
 constexpr std::size_t longest_text = 2000;
 constexpr std::size_t most_cites = 32;
 
@@ -41,7 +41,7 @@ void write_credit(JsonWriter& json, const Credit& credit) {
   json.end_object();
 }
 
-// Whether all words of a recipe may be shown.
+// Whether all words of a recipe are printable.
 bool words_are_printable(const Recipe& recipe) {
   return is_printable(recipe.construction) && is_printable(recipe.provenance) &&
          std::ranges::all_of(recipe.arguments,
@@ -104,7 +104,7 @@ class LineHandler final : public JsonHandler {
         where_ = Where::credit;
         break;
       case Where::end:
-        break;  // Nothing follows: parse_json() sees to it.
+        break;  // Nothing follows: parse_json() ensures that.
     }
   }
 
@@ -126,7 +126,7 @@ class LineHandler final : public JsonHandler {
   }
 
   void once(const JsonEvent& event) {
-    // Keys of the credit are told from those of the entry.
+    // Distinguishes the keys of the credit from those of the entry.
     std::string name = (where_ == Where::credit ? "credit." : "") + std::string(event.text);
     if (has(name)) {
       json_.fail(event.offset, fmt::format("{} is given twice; give it once", shown(event.text)));
@@ -147,8 +147,11 @@ class LineHandler final : public JsonHandler {
     }
     if (event.text.size() > longest_text || !is_printable(event.text)) {
       json_.fail(event.offset,
-                 fmt::format("{} is longer than {} bytes or has characters that are no text; "
-                             "write one plain line",
+                 fmt::format("{} is longer than {} bytes or has unprintable characters; "
+                             "write "
+                             "one "
+                             "plain "
+                             "line",
                              key_, longest_text));
     }
     return std::string(event.text);
@@ -195,8 +198,7 @@ class LineHandler final : public JsonHandler {
       where_ = Where::credit;
     } else {
       json_.fail(key_offset_,
-                 fmt::format("{} is no key of an entry; take it out, or use a newer program",
-                             shown(key_)));
+                 fmt::format("unknown key {}; remove it, or use a newer program", shown(key_)));
     }
   }
 
@@ -205,13 +207,13 @@ class LineHandler final : public JsonHandler {
         std::find_if(credit_fields.begin(), credit_fields.end(),
                      [&](const CreditField& each) { return each.first == key_; });
     if (field == credit_fields.end()) {
-      json_.fail(key_offset_, fmt::format("{} is no key of a credit; there are who, date, "
-                                          "program and command",
+      json_.fail(key_offset_, fmt::format("unknown key {} in the credit; use who, date, "
+                                          "program or command",
                                           shown(key_)));
     }
     entry.credit.*field->second = text(event);
     if (key_ == "date" && !is_day(event.text)) {
-      json_.fail(event.offset, "the date is no day like 2026-11-22; correct it");
+      json_.fail(event.offset, "the date is not a day like 2026-11-22; correct it");
     }
   }
 
@@ -263,11 +265,11 @@ CatalogEntry entry_from_line(std::string_view line, const std::string& name, std
   for (const std::string_view needed :
        {"label", "b", "lower_bound", "reason", "recipe", "sha256"}) {
     if (!handler.has(needed)) {
-      json.fail(0, fmt::format("the entry does not say {}; add it", needed));
+      json.fail(0, fmt::format("the entry lacks {}; add it", needed));
     }
   }
   if (handler.has("format")) {
-    json.fail(0, "a format belongs into the first line only; take it out");
+    json.fail(0, "only the first line has a format; remove it");
   }
   entry.parameters = entry.recipe.parameters;
   try {
@@ -276,7 +278,7 @@ CatalogEntry entry_from_line(std::string_view line, const std::string& name, std
     json.fail(0, std::string(fault.what()) + "; correct the recipe");
   }
   if (!words_are_printable(entry.recipe)) {
-    json.fail(0, "the recipe has characters that are no text; take them out");
+    json.fail(0, "the recipe has unprintable characters; remove them");
   }
   if (entry.b == 0 || entry.b < entry.lower_bound) {
     json.fail(0, fmt::format("{} blocks, where the lower bound is {}; correct the line", entry.b,
@@ -305,17 +307,18 @@ Credit shared_from_header(std::string_view line, const std::string& name) {
   LineHandler handler(json);
   parse_json(json, handler);
   if (!handler.format_name.starts_with("changeover-catalog/")) {
-    json.fail(0, fmt::format("no catalog: the first line must be {{\"format\":\"{}\"}}", format));
+    json.fail(0, fmt::format("not a catalog: the first line must be {{\"format\":\"{}\"}}", format));
   }
   if (handler.format_name != format) {
-    json.fail(0, fmt::format("a catalog of the form {}, which this program does not know; "
-                             "use a newer one",
+    json.fail(0, fmt::format("a catalog of the unknown format {}; "
+                             "use a newer program",
                              shown(handler.format_name)));
   }
   for (const std::string& key : handler.seen()) {
     if (key != "format" && !key.starts_with("credit")) {
-      json.fail(0,
-                fmt::format("the first line says {}; it has format and credit only", shown(key)));
+      json.fail(0, fmt::format("the first line has the key {}; remove it: there are format and "
+                               "credit only",
+                               shown(key)));
     }
   }
   return handler.entry.credit;
@@ -326,7 +329,7 @@ CatalogText read_catalog(std::string_view text, const std::string& name) {
   Lines lines(text);
   if (!lines.next()) {
     throw BadInput(fmt::format(
-        "{}: empty, and no catalog: the first line must be {{\"format\":\"{}\"}}", name, format));
+        "{}: empty, not a catalog: the first line must be {{\"format\":\"{}\"}}", name, format));
   }
   catalog.shared = shared_from_header(lines.line(), name);
   while (lines.next()) {

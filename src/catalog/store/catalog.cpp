@@ -130,7 +130,7 @@ std::vector<CatalogEntry> Catalog::cell(const Parameters& p) const {
 
 void Catalog::each(const CatalogFilter& filter,
                    const std::function<bool(const CatalogEntry&)>& take) const {
-  // Labels in order first, entries one by one: what is listed may be much.
+  // First the labels in order, then the entries one by one, because the list may be long.
   std::vector<Row> rows;
   {
     const std::lock_guard lock(store_->mutex);
@@ -171,7 +171,7 @@ void Catalog::each(const CatalogFilter& filter,
   rows.erase(twins.begin(), twins.end());
   std::ranges::sort(rows, {}, &Row::rank);
   const bool wants_retracted = filter.status == "retracted";
-  const decltype(Row::cell)* taken = nullptr;  // the cell whose best was handed out
+  const decltype(Row::cell)* taken = nullptr;  // the cell whose best was passed on
   for (const Row& row : rows) {
     if (filter.best_only && !wants_retracted && taken != nullptr && *taken == row.cell) {
       continue;
@@ -199,7 +199,7 @@ void Catalog::each(const CatalogFilter& filter,
 std::vector<Improvement> Catalog::history(const Parameters& p) const {
   std::vector<CatalogEntry> entries = cell(p);
   std::erase_if(entries, [](const CatalogEntry& entry) { return !entry.retracted.empty(); });
-  // Of one day the better ones last.
+  // Entries of one day: the better ones last.
   std::ranges::stable_sort(entries, [](const CatalogEntry& a, const CatalogEntry& b) {
     return std::tuple(a.credit.date, b.b) < std::tuple(b.credit.date, a.b);
   });

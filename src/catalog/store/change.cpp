@@ -41,7 +41,7 @@ void require(bool is_there, std::string_view label) {
   }
 }
 
-// The fewest blocks that are known of each cell that was added to; 0 if there is no design.
+// The fewest known blocks of each cell that was added to; 0 if there is no design.
 using FewestOfCells = std::map<Parameters, std::uint64_t>;
 
 }  // namespace
@@ -49,7 +49,7 @@ using FewestOfCells = std::map<Parameters, std::uint64_t>;
 Shelf& Catalog::Store::to_write() {
   if (user_path.empty()) {
     throw MissingResource(
-        "there is no file for a catalog of your own: name one by --catalog or CHANGEOVER_CATALOG");
+        "there is no file for your own catalog: name one with --catalog or CHANGEOVER_CATALOG");
   }
   problem.clear();
   user.reset();
@@ -58,7 +58,7 @@ Shelf& Catalog::Store::to_write() {
     std::error_code error;
     std::filesystem::create_directories(path.parent_path(), error);
     if (error) {
-      throw MissingResource(fmt::format("{}: cannot be made: {}; name another file by --catalog",
+      throw MissingResource(fmt::format("{}: cannot be made: {}; name another file with --catalog",
                                         path.parent_path().string(), error.message()));
     }
   }
@@ -76,7 +76,7 @@ Shelf& Catalog::Store::to_write() {
   if (!health.step() || health.view(0) != "ok") {
     throw BadInput(
         fmt::format("{}: damaged ({}); it stays as it is: put it aside and restore a "
-                    "copy, or name another file by --catalog",
+                    "copy, or name another file with --catalog",
                     user_path, health.view(0)));
   }
   checked_ = file_behind(user_path);
@@ -98,7 +98,7 @@ void Catalog::Store::open_user() {
   try {
     static_cast<void>(is_blank(database));  // Reads the first page.
   } catch (const MissingResource&) {
-    // Where not even the folder can be written, nobody writes.
+    // If not even the folder can be written, no process writes.
     if (writable) {
       throw;
     }
@@ -196,7 +196,7 @@ void Catalog::alias(std::string_view alias, std::string_view label) {
   const WhileWriting mark(store_->writing);
   Transaction transaction(own.database());
   const std::string there = store_->behind_alias(alias);
-  // One that leads nowhere may be given away anew.
+  // An alias that leads nowhere may be used again.
   if (!there.empty() && there != label && store_->exact(there)) {
     throw BadInput(fmt::format("{} leads to {} already; choose another word", alias, there));
   }

@@ -34,12 +34,12 @@ bool is_regular(const std::string& path) {
     if (errno == ENOENT) {
       return false;
     }
-    throw MissingResource(fmt::format("{}: cannot be opened: {}; name another file by --catalog",
+    throw MissingResource(fmt::format("{}: cannot be opened: {}; name another file with --catalog",
                                       path, std::strerror(errno)));
   }
   if (!S_ISREG(status.st_mode)) {
-    throw MissingResource(fmt::format("{}: {}, and not a file; name another file by --catalog",
-                                      path, kind_of(status.st_mode)));
+    throw MissingResource(fmt::format("{}: {}, not a file; name another file with --catalog", path,
+                                      kind_of(status.st_mode)));
   }
   return true;
 }
@@ -61,15 +61,15 @@ bool is_regular(const std::string& path) {
     case SQLITE_PERM:
     case SQLITE_AUTH:
       throw MissingResource(fmt::format(
-          "{}: {}; give leave to write there, or name another file by --catalog", name, what));
+          "{}: {}; allow writing there, or name another file with --catalog", name, what));
     case SQLITE_NOMEM:
       throw MissingResource(fmt::format("{}: not enough memory", name));
     case SQLITE_PROTOCOL:
     case SQLITE_NOLFS:
       throw MissingResource(
-          fmt::format("{}: {}; name a file on another file system by --catalog", name, what));
-    case SQLITE_CONSTRAINT:  // What is written agrees with itself, so what is there does not.
-    case SQLITE_ERROR:       // Our questions are understood where the file is what it should be.
+          fmt::format("{}: {}; name a file on another file system with --catalog", name, what));
+    case SQLITE_CONSTRAINT:  // We write consistent rows only, so the file is damaged.
+    case SQLITE_ERROR:       // Our statements are correct, so the file is not a catalog.
     case SQLITE_SCHEMA:
     case SQLITE_MISMATCH:
     case SQLITE_TOOBIG:
@@ -77,8 +77,9 @@ bool is_regular(const std::string& path) {
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
       throw BadInput(
-          fmt::format("{}: damaged, or no catalog ({}); it stays as it is: put it aside "
-                      "and restore a copy, or name another file by --catalog",
+          fmt::format("{}: damaged, or not a catalog ({}); it stays as it is: put it aside "
+                      "and "
+                      "restore a copy, or name another file with --catalog",
                       name, what));
     default:
       throw InternalError(fmt::format("{}: SQLite says {} ({})", name, what, code));
@@ -100,7 +101,7 @@ Statement::Statement(sqlite3* database, std::string_view sql, const std::string&
 
 void Statement::bind(int index, std::uint64_t value) {
   if (value > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
-    throw BadInput(fmt::format("{}: {} is too large a number for a catalog", name_, value));
+    throw BadInput(fmt::format("{}: {} is too large for a catalog", name_, value));
   }
   sqlite3_bind_int64(statement_.get(), index, static_cast<sqlite3_int64>(value));
 }
@@ -119,7 +120,7 @@ bool Statement::step() {
 }
 
 void Statement::reset() {
-  sqlite3_reset(statement_.get());  // What went wrong was said by step().
+  sqlite3_reset(statement_.get());  // step() has reported the error.
 }
 
 std::uint64_t Statement::work() const {
@@ -146,7 +147,7 @@ std::string as_path(const std::string& name) { return name.starts_with('/') ? na
 
 bool is_file(const std::string& name) {
   if (name.empty() || name.find('\0') != std::string::npos) {
-    throw MissingResource("no path of a file; name a file by --catalog");
+    throw MissingResource("not a path of a file; name a file with --catalog");
   }
   const bool is_there = is_regular(name);
   for (const char* const beside : {"-wal", "-shm", "-journal"}) {
@@ -157,7 +158,7 @@ bool is_file(const std::string& name) {
   if (!ignored && whole.native().size() > longest_path) {
     throw MissingResource(
         fmt::format("{}: a path of {} bytes, and SQLite takes {}; name a file with a shorter "
-                    "path by --catalog",
+                    "path with --catalog",
                     name, whole.native().size(), longest_path));
   }
   return is_there;
@@ -186,7 +187,7 @@ Database Database::open(const std::string& path, Access access) {
   }
   std::string uri = path.starts_with('/') ? "file://" : "file:";  // with no host before the path
   for (const char byte : as_path(path)) {
-    // What has a meaning in an address.
+    // Characters with a meaning in an address.
     uri += byte == '?' || byte == '#' || byte == '%'
                ? fmt::format("%{:02x}", static_cast<unsigned char>(byte))
                : std::string(1, byte);
@@ -205,8 +206,8 @@ Database Database::in_memory() {
 }
 
 Database Database::of_image(std::span<const std::byte> image) {
-  Database result = opened(":memory:", SQLITE_OPEN_READWRITE, "the catalog of the program");
-  // SQLite takes it as writable memory and, being told so, does not write to it.
+  Database result = opened(":memory:", SQLITE_OPEN_READWRITE, "the program's catalog");
+  // SQLite takes it as writable memory, but with READONLY does not write to it.
   auto* const bytes =
       reinterpret_cast<unsigned char*>(const_cast<std::byte*>(image.data()));  // NOLINT
   const auto size = static_cast<sqlite3_int64>(image.size());

@@ -1,4 +1,4 @@
-// SQLite, as far as the catalog needs it.
+// The part of SQLite that the catalog needs.
 //
 //     Database database = Database::open("mine.db", Access::read_write);
 //     Statement select = database.prepare("SELECT b FROM design WHERE label = ?");
@@ -7,8 +7,9 @@
 //       select.integer(0);
 //     }
 //
-// What SQLite reports becomes one of our faults: a full disk, a lock that lasts, a file that may not be written are
-// MissingResource; a file that is damaged or no database is BadInput; all else is InternalError. Each names the file.
+// Errors of SQLite become our faults: a full disk, a lock that lasts and a write-protected file are
+// MissingResource; a file that is damaged or not a database is BadInput; all else is InternalError.
+// Each message names the file.
 #pragma once
 
 #include <sqlite3.h>
@@ -28,7 +29,7 @@ class Statement {
   void bind(int index, std::uint64_t value);
   void bind(int index, std::string_view value);  ///< must live until the next reset()
 
-  /// Whether there is a row; false at the end.
+  /// Goes to the next row; false at the end.
   bool step();
   void reset();
 
@@ -41,7 +42,8 @@ class Statement {
     return *this;
   }
 
-  /// How many steps SQLite's machine took for it so far: work that does not depend on the clock.
+  /// The number of steps of SQLite's machine so far: a measure of work that does not depend on the
+  /// clock.
   [[nodiscard]] std::uint64_t work() const;
 
   [[nodiscard]] std::uint64_t integer(int column) const;
@@ -60,7 +62,8 @@ class Statement {
   std::string name_;
 };
 
-/// Resets a statement at the end of a block: one that stopped at a row keeps the whole connection looking at the database as it was then.
+/// Resets a statement at the end of a block: a statement that stopped at a row keeps its connection
+/// at the state of the database of that time.
 class ResetLater {
  public:
   explicit ResetLater(Statement& statement) : statement_(&statement) {}
@@ -72,19 +75,19 @@ class ResetLater {
   Statement* statement_;
 };
 
-/// A name as SQLite takes it for a path, whatever it looks like: ":memory:" and
-/// "file:mine.db?mode=memory" are files, too.
+/// Spells a name so that SQLite takes it for a path: ":memory:" and "file:mine.db?mode=memory" are
+/// files, too.
 [[nodiscard]] std::string as_path(const std::string& name);
 
-/// Whether a file is there for SQLite to open. @throws MissingResource in one line if something
-/// else is there (a folder, a FIFO, a device, a socket), or where its journals belong, or nothing
-/// can be there: a folder on the way is none or may not be searched, the path is longer than SQLite
-/// takes.
+/// Whether there is a file for SQLite to open. @throws MissingResource in one line if there is
+/// something else (a folder, a FIFO, a device, a socket) in its place or that of its journals, or
+/// if there cannot be a file: a folder of the path is not one or may not be searched, the path is
+/// too long for SQLite.
 [[nodiscard]] bool is_file(const std::string& name);
 
 enum class Access : std::uint8_t {
   read,
-  read_unchanging,  ///< the file and its folder cannot be written by anybody, as SQLite is told
+  read_unchanging,  ///< promises SQLite that no process can write the file and its folder
   read_write,
   create
 };
@@ -94,11 +97,11 @@ class Database {
   /// The name is a path, always. @throws as the summary says; as is_file().
   [[nodiscard]] static Database open(const std::string& path, Access access);
 
-  /// An empty one in a file that has no name and goes away with this; beyond some 16 MB it takes
-  /// room on the disk and no memory.
+  /// An empty one in a file without a name that ends with this; beyond some 16 MB it takes space on
+  /// the disk instead of memory.
   [[nodiscard]] static Database temporary();
 
-  /// An empty one in memory, or the image of one, which nobody can write and which must outlive this.
+  /// An empty one in memory, or the image of one, which is read-only and must outlive this.
   [[nodiscard]] static Database in_memory();
   [[nodiscard]] static Database of_image(std::span<const std::byte> image);
 
@@ -124,7 +127,8 @@ class Database {
   std::string name_;
 };
 
-/// All that is written between its beginning and commit(), or nothing of it. Waits for other writers.
+/// A transaction: everything written between its beginning and commit(), or nothing. Waits for
+/// other writers.
 class Transaction {
  public:
   explicit Transaction(const Database& database) : database_(&database) {

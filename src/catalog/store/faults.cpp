@@ -1,4 +1,4 @@
-// What contradicts itself in a user's file.
+// Contradictions in a user's file.
 #include <fmt/format.h>
 
 #include "catalog/store/store.hpp"
@@ -20,7 +20,7 @@ void check_rows(const Shelf& shelf, Faults& faults) {
   }
 }
 
-// What SQLite finds: an index that misses a row makes a design disappear.
+// The faults that SQLite finds: an index that misses a row hides a design.
 void check_structure(const Database& database, Faults& faults) {
   for (Statement rows = database.prepare("PRAGMA integrity_check(20)"); rows.step();) {
     if (rows.view(0) != "ok") {
@@ -45,7 +45,7 @@ std::vector<Catalog::Fault> Catalog::faults() const {
          rows.step();) {
       const std::string alias = printable(rows.view(0));
       const std::string mend =
-          fmt::format("take it out by changeover catalog alias --remove '{}'", alias);
+          fmt::format("remove it with changeover catalog alias --remove '{}'", alias);
       if (reads_as_label(rows.view(0))) {
         faults.push_back({alias, "an alias that reads as a label, and is not used; " + mend});
       } else if (!is_there(rows.view(1))) {

@@ -14,7 +14,8 @@
 namespace changeover {
 namespace {
 
-// An entry is kept as its line, without its credit; the columns are what is asked for. Kinds are 0 and 1, as in Kind.
+// An entry is kept as its line, without its credit; the columns are for look-ups. Kinds are 0 and
+// 1, as in Kind.
 constexpr std::string_view tables = R"(
 CREATE TABLE credit(
   id INTEGER PRIMARY KEY,
@@ -45,7 +46,7 @@ int version_of(const Database& database) {
   return static_cast<int>(database.integer("PRAGMA user_version"));
 }
 
-// What the tables and the index are, as SQLite keeps it.
+// The definitions of the tables and the index, as SQLite keeps them.
 std::string shape_of(const Database& database) {
   Statement rows = database.prepare("SELECT name, sql FROM sqlite_schema ORDER BY name");
   std::string shape;
@@ -72,7 +73,7 @@ std::string name_of_copy(const std::string& path, int version) {
   return copy;
 }
 
-// The copy has its name when it is whole and on the disk, not before.
+// The copy gets its name only when it is complete and on the disk.
 void keep_copy(const Database& database, int version) {
   const std::string path = name_of_copy(database.name(), version);
   const std::string unfinished = fmt::format("{}.unfinished-{}", path, ::getpid());
@@ -92,7 +93,7 @@ void keep_copy(const Database& database, int version) {
   }
   if (!is_safe || error) {
     throw MissingResource(
-        fmt::format("{}: a copy cannot be kept beside it before it is brought to this version; "
+        fmt::format("{}: no copy could be made beside it before it is converted to this version; "
                     "make room on the disk, nothing was changed",
                     database.name()));
   }
@@ -113,19 +114,19 @@ void check_catalog(const Database& database, int version, std::span<const Migrat
   const std::string& name = database.name();
   if (database.integer("PRAGMA application_id") != catalog_application_id) {
     throw BadInput(fmt::format(
-        "{}: a database, but no catalog of changeover; name another file by --catalog", name));
+        "{}: a database, but not a catalog of changeover; name another file with --catalog", name));
   }
   const int found = version_of(database);
   if (found > version) {
     throw BadInput(fmt::format(
         "{}: written by a newer program (version {} of a catalog, here {}); use that one, "
-        "or name another file by --catalog",
+        "or name another file with --catalog",
         name, found, version));
   }
   if (found == catalog_schema_version && shape_of(database) != shape_as_made()) {
     throw BadInput(
         fmt::format("{}: damaged (its tables are not those of a catalog); it stays as it is: put "
-                    "it aside and restore a copy, or name another file by --catalog",
+                    "it aside and restore a copy, or name another file with --catalog",
                     name));
   }
   if (found < version &&
@@ -154,7 +155,7 @@ void migrate(const Database& database, int version, std::span<const Migration> m
   for (int at = version_of(database); at < version; ++at) {
     const auto step = std::ranges::find(migrations, at, &Migration::from);
     if (step == migrations.end()) {
-      throw InternalError(fmt::format("{}: nothing leads from version {}", database.name(), at));
+      throw InternalError(fmt::format("{}: no migration from version {}", database.name(), at));
     }
     database.run(step->sql);
     database.run(fmt::format("PRAGMA user_version = {}", at + 1));

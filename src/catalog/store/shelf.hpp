@@ -28,7 +28,7 @@ inline constexpr std::string_view entry_columns =
     "credit.id = design.credit ";
 inline constexpr std::string_view of_cell =
     "WHERE k = ? AND v = ? AND change = ? AND kind = ? AND strength = ? ";
-// Fewest blocks first; of equal ones those that say how they are made.
+// Fewest blocks first; among equals those with a recipe.
 inline constexpr std::string_view as_ranked = "ORDER BY b, carries_blocks, label";
 
 // The statements that look entries up in one database, prepared once.
@@ -63,7 +63,8 @@ class Shelf {
     return word(retraction_, label);
   }
 
-  /// The entry of a row of entry_columns. @throws BadInput if it is damaged, or the row says otherwise.
+  /// The entry of a row of entry_columns. @throws BadInput if it is damaged, or contradicts its
+  /// row.
   [[nodiscard]] CatalogEntry read(const Statement& row) const {
     const std::string& name = database_.name();
     try {
@@ -76,12 +77,12 @@ class Shelf {
       if (std::array{p.v, p.k, p.change, code_of(p.kind), std::uint64_t{p.strength}, entry.b} !=
           std::array{row.integer(3), row.integer(4), row.integer(5), row.integer(6), row.integer(7),
                      row.integer(8)}) {
-        throw BadInput("it stands where a design of other parameters or blocks belongs");
+        throw BadInput("it is in the place of a design with other parameters or blocks");
       }
       if (std::array{entry.lower_bound, std::uint64_t{entry.carries_blocks() ? 1U : 0U}} !=
               std::array{row.integer(9), row.integer(10)} ||
           entry.recipe.construction != row.view(11) || entry.credit.date != row.view(12)) {
-        throw BadInput("its row says another bound, construction or day than its line");
+        throw BadInput("its row has another bound, construction or day than its line");
       }
       return entry;
     } catch (const BadInput& fault) {

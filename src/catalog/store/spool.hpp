@@ -1,4 +1,4 @@
-// Entries that wait, in a file without a name, until it is known that all of them may be added.
+// Entries that wait in a file without a name until it is known that all of them may be added.
 //
 //     Spool spool;
 //     spool.put(entry);
@@ -23,16 +23,15 @@ class Spool {
   Spool(const Spool&) = delete;
   Spool& operator=(const Spool&) = delete;
 
-  /// Takes an entry unless there is one with its label: that design, or another one. @throws
+  /// Stores an entry unless there is one with its label: that design, or another one. @throws
   /// MissingResource if the disk is full.
   enum class Put : std::uint8_t { taken, there_already, label_of_another };
   Put put(const CatalogEntry& entry);
 
-  /// The next entries in the order in which they were put; none at the end. Nothing may be put
-  /// afterwards.
+  /// The next entries in the order of put(); none at the end. Do not call put() afterwards.
   [[nodiscard]] std::vector<CatalogEntry> take(std::size_t most);
 
-  /// How many were put and not taken.
+  /// The number of stored entries that were not taken.
   [[nodiscard]] std::uint64_t waiting() const;
 
  private:

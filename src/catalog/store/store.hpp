@@ -1,5 +1,4 @@
-// What a Catalog is inside: the shelf of the program, the shelf of the user, and what was found out
-// about them.
+// The inside of a Catalog: the program's shelf, the user's shelf, and what is known about them.
 #pragma once
 
 #include <fmt/format.h>
@@ -44,8 +43,7 @@ class Catalog::Store {
     return user && problem.empty() ? &*user : nullptr;
   }
 
-  // Reads from the user's file, which may turn out to be damaged: then it is as if it were not
-  // there.
+  // Reads from the user's file; if it is damaged, goes on as if it were not there.
   template <typename Result, typename Read>
   Result from_users(Result otherwise, Read&& read) {
     if (Shelf* const shelf = users()) {
@@ -57,13 +55,13 @@ class Catalog::Store {
         if (writing) {
           throw;
         }
-        problem = fault.what();  // It stays open: whoever called may be reading from it, too.
+        problem = fault.what();  // It stays open: a caller further up may be reading from it.
       }
     }
     return otherwise;
   }
 
-  // Why an entry is retracted, wherever that is said; empty if it is not.
+  // Why an entry is retracted, in either database; empty if it is not.
   std::string retraction(std::string_view label) {
     if (const auto place = distrusted.find(label); place != distrusted.end()) {
       return place->second;
@@ -85,7 +83,7 @@ class Catalog::Store {
 
   // As Catalog::best().
   std::optional<CatalogEntry> best(const Parameters& p) {
-    // An entry that turns out to be damaged shuts the user's file; then the next try is without it.
+    // A damaged entry shuts the user's file; the next try is without it.
     for (int tries = 0; tries < 3; ++tries) {
       const auto known = fewest(p, false);
       auto entry = known ? exact(known->label) : std::nullopt;
@@ -118,7 +116,7 @@ class Catalog::Store {
         }
         best = Known{rows.text(0), label->b};
         if (carries == carries_blocks) {
-          break;  // No other goes before it.
+          break;  // No other entry precedes it.
         }
       }
       return best;
@@ -142,8 +140,8 @@ class Catalog::Store {
     return from_users(std::optional<CatalogEntry>(), read_it);
   }
 
-  // The label that an alias leads to; empty if it is none. One that reads as a label is not used:
-  // an older program let it be made.
+  // The label that an alias leads to; empty if there is no such alias. An alias that reads as a
+  // label, which an older program allowed, is not used.
   std::string behind_alias(std::string_view text) {
     const auto look = [&](Shelf& shelf) { return shelf.alias(text).value_or(""); };
     std::string label = shipped ? look(*shipped) : "";
@@ -152,21 +150,21 @@ class Catalog::Store {
       return label;
     }
     remark = fmt::format(
-        "{}: the alias {} is not used, because it reads as a label; take it out by changeover "
+        "{}: the alias {} is not used, because it reads as a label; remove it with changeover "
         "catalog alias --remove {}",
         user_path, text, text);
     return "";
   }
 
-  // The user's file, checked and open to be written; made if it is not there.
+  // The user's file, checked and open for writing; made if it is not there.
   Shelf& to_write();
 
   // The same within one task, for which it was checked before. @throws MissingResource if another
   // file has its name by now.
   Shelf& still_to_write();
 
-  // Adds entries in one transaction. What was known of their cells before is looked up once and
-  // kept in `fewest_of`.
+  // Adds entries in one transaction. The best of their cells before is looked up once and kept in
+  // `fewest_of`.
   std::vector<Added> put(Shelf& own, std::span<const CatalogEntry> entries,
                          std::map<Parameters, std::uint64_t>& fewest_of);
 
@@ -175,15 +173,15 @@ class Catalog::Store {
   std::string user_path;
   std::string problem;
   std::string remark;
-  bool writing = false;  // What cannot be read then is a fault of the writing.
+  bool writing = false;  // A failure to read then is reported as one of writing.
   std::map<std::string, std::string, std::less<>> distrusted;  // label, why
   std::mutex mutex;
 
  private:
   void open_user();
 
-  // Whether a file that was not there may be there by now. To look takes eight questions to the
-  // system, and a table asks thousands of times.
+  // Whether a missing file may exist by now. A check takes eight system calls, and a table asks
+  // thousands of times.
   bool time_to_look() {
     constexpr auto pause = std::chrono::milliseconds(10);
     const auto now = std::chrono::steady_clock::now();

@@ -96,7 +96,7 @@ TEST(Entry, EveryKeyMissingOrTwice) {
     Fields fields = good;
     fields.erase(fields.begin() + static_cast<std::ptrdiff_t>(i));
     const std::string said = refusal(line_of_fields(fields));
-    EXPECT_EQ(said, i < 6 ? fmt::format("mine.jsonl:7:1: the entry does not say {}; add it",
+    EXPECT_EQ(said, i < 6 ? fmt::format("mine.jsonl:7:1: the entry lacks {}; add it",
                                         good[i].first)
                           : "");
     fields = good;
@@ -135,7 +135,7 @@ TEST(Entry, WhatIsNoEntry) {
   }
   Fields fields = good_fields();
   fields.emplace_back("colour", "\"red\"");
-  EXPECT_THAT(refusal(line_of_fields(fields)), HasSubstr("'colour' is no key of an entry"));
+  EXPECT_THAT(refusal(line_of_fields(fields)), HasSubstr("unknown key 'colour'; remove it"));
   fields.back() = {"format", "\"changeover-catalog/1\""};
   EXPECT_THAT(refusal(line_of_fields(fields)), HasSubstr("first line only"));
 }
@@ -188,10 +188,10 @@ TEST(Entry, WhatCannotBe) {
   for (const std::string date :
        {"2026-02-29", "2026-13-01", "2026-00-10", "2026-1-1", "26-01-01", "2026/01/01", "today"}) {
     EXPECT_THAT(refusal(with("credit", "{\"date\":\"" + date + "\"}")),
-                HasSubstr("the date is no day like"));
+                HasSubstr("the date is not a day like"));
   }
   EXPECT_EQ(refusal(with("credit", R"({"date":"2024-02-29"})")), "");
-  EXPECT_THAT(refusal(with("credit", R"({"age":"1"})")), HasSubstr("is no key of a credit"));
+  EXPECT_THAT(refusal(with("credit", R"({"age":"1"})")), HasSubstr("unknown key 'age' in the credit"));
 }
 
 TEST(Header, SaysWhatItIs) {
@@ -203,7 +203,7 @@ TEST(Header, SaysWhatItIs) {
   };
   EXPECT_THAT(said("{}"), HasSubstr("no catalog"));
   EXPECT_THAT(said(R"({"format":"changeover-design/1"})"), HasSubstr("no catalog"));
-  EXPECT_THAT(said(R"({"format":"changeover-catalog/2"})"), HasSubstr("use a newer one"));
+  EXPECT_THAT(said(R"({"format":"changeover-catalog/2"})"), HasSubstr("use a newer program"));
   EXPECT_THAT(said(R"({"format":"changeover-catalog/1","b":1})"),
               HasSubstr("format and credit only"));
   EXPECT_NE(said(R"({"format":"changeover-catalog/1","x":1})"), "");

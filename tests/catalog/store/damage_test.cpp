@@ -54,7 +54,7 @@ TEST(CatalogFile, OfAnotherProgram) {
   const TemporaryFolder folder;
   const std::string path = folder.file("mine.db");
   Database::open(path, Access::create).run("CREATE TABLE recipes(pancakes)");
-  expect_unusable(path, "no catalog of changeover");
+  expect_unusable(path, "not a catalog of changeover");
 }
 
 TEST(CatalogFile, OfANewerProgram) {
@@ -83,7 +83,7 @@ TEST(CatalogFile, ThatIsText) {
 TEST(CatalogFile, ThatIsAFolder) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "mine.db");
-  expect_unusable(folder.file("mine.db"), "name another file by --catalog");
+  expect_unusable(folder.file("mine.db"), "name another file with --catalog");
 }
 
 TEST(CatalogFile, OfNoBytes) {
@@ -121,7 +121,7 @@ TEST(CatalogFile, ReadOnly) {
     EXPECT_EQ(catalog.problem(), "");
     if (::geteuid() != 0) {  // Who may do anything is refused nothing.
       EXPECT_THAT(fault_of([&] { catalog.add(some_entry(4, 3)); }),
-                  HasSubstr("name another file by --catalog"));
+                  HasSubstr("name another file with --catalog"));
       EXPECT_EQ(slurp(path), before);
       EXPECT_EQ(catalog.best(cell), some_entry());
     }
@@ -211,7 +211,7 @@ TEST(CatalogFile, WithARowInTheCellOfAnother) {
     }
     Catalog catalog({.user = path});
     EXPECT_FALSE(catalog.find(some_entry().label()));
-    EXPECT_THAT(catalog.problem(), HasSubstr("is damaged: it stands where a design of other"));
+    EXPECT_THAT(catalog.problem(), HasSubstr("is damaged: it is in the place of a design"));
   }
 }
 

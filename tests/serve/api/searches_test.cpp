@@ -146,7 +146,7 @@ TEST(CatalogAdd, TellsADamagedCatalogFromABodyThatIsNoDesign) {
   spit(own.folder.file("mine.db"), "my diary, and no catalog of designs at all");
   const Reply reply = act(own, "/api/catalog/add?kind=circular", "0 1 2 3\n4 5 2 3\n4 5 0 1\n");
   EXPECT_EQ(reply.status, 503) << reply.body;
-  EXPECT_THAT(message_of(reply), HasSubstr("mine.db: damaged, or no catalog"));
+  EXPECT_THAT(message_of(reply), HasSubstr("mine.db: damaged, or not a catalog"));
   EXPECT_EQ(act(own, "/api/catalog/add?kind=circular", "0 1 2\n4 5\n").status, 422);
   EXPECT_EQ(slurp(own.folder.file("mine.db")), "my diary, and no catalog of designs at all");
 }
