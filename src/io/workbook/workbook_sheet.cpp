@@ -253,6 +253,17 @@ bool begins_like_a_workbook(std::string_view beginning) {
          beginning.starts_with(old_mark);
 }
 
+std::vector<SheetName> workbook_sheets(std::string bytes, const std::string& file) {
+  std::vector<SheetName> names;
+  for (const WorkbookParts::Sheet& sheet :
+       workbook_parts(open_archive(std::move(bytes), file), file).sheets) {
+    if (!sheet.member.empty()) {
+      names.push_back({sheet.name, sheet.hidden});
+    }
+  }
+  return names;
+}
+
 struct WorkbookSheet::State {
   State(std::string bytes, const std::string& file, const std::optional<std::string>& wanted)
       : archive(open_archive(std::move(bytes), file)),

@@ -35,6 +35,17 @@ struct SheetRow {
 /// enough.
 [[nodiscard]] bool begins_like_a_workbook(std::string_view beginning);
 
+/// A sheet of a workbook, in the order of the tabs.
+struct SheetName {
+  std::string name;
+  bool hidden = false;
+
+  bool operator==(const SheetName&) const = default;
+};
+
+/// The sheets that have cells. @throws BadInput as WorkbookSheet.
+[[nodiscard]] std::vector<SheetName> workbook_sheets(std::string bytes, const std::string& file);
+
 class WorkbookSheet {
  public:
   /// The sheet of this name, compared without regard to the case of ASCII letters, or the first visible one.
