@@ -5,6 +5,7 @@
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/run/control.hpp"
+#include "plan/sheet/places.hpp"
 #include "support/promises.hpp"
 
 namespace changeover::fuzz::sheet_fuzz {
@@ -32,6 +33,8 @@ void plan_again(const Job& job, RunControl& control) {
         changeover::written(document, "markdown")}) {
     must(is_plain(text), "a run sheet is plain text");
   }
+  must(place_faults(job, {&plan.sheet}, placed(job, {&plan.sheet})).empty(),
+       "a part that stays keeps its place");
   if (plan.sheet.steps.empty()) {
     return;
   }
@@ -54,6 +57,9 @@ void diagnosed(const Job& job, const DoneList& done) {
   }
   const Diagnosis found = diagnose(job, tests);
   must(found.passed + found.failed == tests.size(), "every result counts");
+  if (found.next) {
+    must(run_sheet(job, {found.next->setup}).faults.empty(), "the next test can be mounted");
+  }
   for (const Suspect& suspect : found.suspects) {
     for (const TestedSetup& test : tests) {
       const auto has = [&](Element x) {

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "changeover/plan/job.hpp"
+#include "changeover/plan/job_request.hpp"
 #include "io/workbook/cell_text.hpp"
 #include "io/workbook/workbook_sheet.hpp"
 #include "support/promises.hpp"
@@ -12,6 +12,8 @@
 
 namespace changeover::fuzz::workbook_fuzz {
 namespace {
+
+constexpr std::uint64_t most_parts_here = 40;
 
 std::string packed(const std::string& text) {
   constexpr std::string_view mark = "==== ";
@@ -57,13 +59,36 @@ const Target target("workbook", [](const std::string& bytes) {
       }
     });
   }
-  if (begins_like_a_workbook(workbook)) {
-    accepts([&] {
-      const PartList list = read_parts(*input_from_text(workbook, "parts.xlsx"));
-      must(!list.names.empty() && list.change_costs.size() == list.names.size(),
-           "a list has parts");
-    });
+  if (!begins_like_a_workbook(workbook)) {
+    return;
   }
+  accepts([&] {
+    const PartList list = read_parts(*input_from_text(workbook, "parts.xlsx"));
+    must(!list.names.empty() && list.change_costs.size() == list.names.size(), "a list has parts");
+  });
+  // What its other sheets say, or the question that it was made for: the job is what the question
+  // that is kept of it asks for.
+  accepts([&] {
+    JobRequest request;
+    request.parts.workbook = workbook;
+    OpenedRequest opened = open_workbook(request);
+    opened.request.test_cost = opened.request.test_cost.empty() ? "1" : opened.request.test_cost;
+    opened.request.change_cost =
+        opened.request.change_cost.empty() ? "1" : opened.request.change_cost;
+    opened.request.at_once = opened.request.at_once.value_or(3);
+    if (opened.request.items.value_or(0) > most_parts_here) {
+      return;
+    }
+    const AskedJob asked = checked_job(opened, Door::document);
+    for (const std::string& note : asked.notes) {
+      must(is_one_plain_line(note), "a note is one line");
+    }
+    must(!asked.question.parts.workbook && asked.question.parts.file.empty(),
+         "the question stands by itself");
+    const AskedJob again = checked_job(job_request(to_json(asked.question)), Door::document);
+    must(again.job->names == asked.job->names && again.job->never.size() == asked.job->never.size(),
+         "the question asks for the same job");
+  });
 });
 
 }  // namespace

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import operator
+import os
 from typing import Any, Iterable, Iterator, NoReturn, Optional
 
 from . import _core
@@ -36,6 +37,16 @@ def names_in(argument: str, parts: Any) -> list[str]:
     return names
 
 
+def _in_places(setup: Any) -> list[Optional[str]]:
+    """A set-up that was done: parts in the order of their places, None where nothing was."""
+    parts: list[Optional[str]] = []
+    for part in listed("done", "parts", setup):
+        if len(parts) > _most_parts:
+            raise BadInput("done names more parts than there are")
+        parts.append(None if is_missing(part) else words_of(part))
+    return parts
+
+
 def _rows(argument: str, rows: Iterable[Any]) -> Iterator[Any]:
     for number, row in enumerate(rows):
         if number == _most_rows:
@@ -53,6 +64,17 @@ def _pair(argument: str, pair: Any) -> list[str]:
 def _pairs(argument: str, pairs: Any) -> list[list[str]]:
     return [_pair(argument, pair)
             for pair in _rows(argument, rows_of(argument, "pairs of parts", pairs))]
+
+
+def _forbidden(pairs: Any) -> list[list[str]]:
+    """Pairs, or (a, b, why)."""
+    forbidden = []
+    for row in _rows("never", rows_of("never", "pairs of parts", pairs)):
+        names = names_in("never", row)
+        if len(names) not in (2, 3) or names[0] == names[1]:
+            raise BadInput("never is pairs of two parts, each alone or with why as (a, b, why)")
+        forbidden.append(names)
+    return forbidden
 
 
 def _items(argument: str, value: Any) -> list[tuple[Any, Any]]:
@@ -76,17 +98,17 @@ def _test(test: Any) -> Any:
         if not {"parts"} <= test.keys() <= {"parts", "result"}:
             raise BadInput('done has dicts with "parts" and "result" only')
         if "result" not in test:
-            return names_in("done", test["parts"])
+            return _in_places(test["parts"])
         setup, result = test["parts"], test["result"]
     elif (isinstance(test, tuple) and len(test) == 2 and hasattr(type(test[0]), "__iter__")
           and not is_text(test[0])):
         setup, result = test
     else:
-        return names_in("done", test)
+        return _in_places(test)
     said = result_of(result)
     if said is None:
         raise BadInput(_wanted_of_done)
-    return {"parts": names_in("done", setup), "result": said}
+    return {"parts": _in_places(setup), "result": said}
 
 
 def _slot(name: str, room: Any) -> dict[str, Any]:
@@ -128,7 +150,7 @@ def _check_columns(columns: list[Any]) -> None:
     headings = [words_of(column) for column in columns]
     if len(columns) <= 2 and all(hasattr(type(column), "__index__") for column in columns):
         return  # names and costs, without a heading
-    of: dict[str, list[str]] = {"name": [], "slot": [], "cost": [], "": []}
+    of: dict[str, list[str]] = {"name": [], "slot": [], "cost": [], "quantity": [], "": []}
     for heading in headings:
         of[_core.heads(heading)].append(heading)
     others = of[""]
@@ -136,10 +158,10 @@ def _check_columns(columns: list[Any]) -> None:
         of["name"].append(others.pop(0))
     if not of["name"]:
         raise BadInput("parts: no column has the names; call one of them name")
-    others += [heading for key in ("name", "slot", "cost") for heading in of[key][1:]]
+    others += [heading for key in ("name", "slot", "cost", "quantity") for heading in of[key][1:]]
     if others:
         raise BadInput(f"parts: the column {_core.quoted(others[0])} is not read; leave it out, or "
-                       "have one column each called name, cost and slot")
+                       "have one column each called name, cost, slot and quantity")
 
 
 def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
@@ -162,7 +184,7 @@ def _parts_in_columns(frame: Any) -> list[dict[str, str]]:
             for row in frame.itertuples(index=False, name=None)]
     writer.writerows(rows)
     parts: list[dict[str, str]] = _core.read_parts(words_of(text.getvalue()))
-    if len(parts) != len(rows):
+    if any(all(words_of(field) == "" for field in row) for row in rows):
         raise BadInput("parts: a row without a name; name the part")
     return parts
 
@@ -199,7 +221,11 @@ def _parts_one_by_one(given: Any) -> list[dict[str, str]]:
 
 
 def _parts(given: Any, slots: Any, slot_of: Any, needs_costs: bool) -> Any:
-    """The parts by number, by name, or by name with their costs and slots."""
+    """The parts by number, by name, or by name with their costs and slots; or the file of them."""
+    if isinstance(given, os.PathLike):
+        if slot_of is not None:
+            raise BadInput("parts is a file, which says in a column slot what slot_of would")
+        return {"file": words_of(os.fsdecode(given))}
     if hasattr(type(given), "__index__") and not hasattr(type(given), "__iter__"):
         count = operator.index(given)
         if not 2 <= count <= _most_parts:
@@ -236,9 +262,8 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
     change_cost, change_costs = given["change_cost"], given["change_costs"]
     document: dict[str, Any] = {
         "parts": _parts(given["parts"], given["slots"], given["slot_of"],
-                        change_cost is None and change_costs is None),
-        "test_cost": _amount("test_cost", given["test_cost"])}
-    for argument in ("change_cost", "budget"):
+                        change_cost is None and change_costs is None)}
+    for argument in ("test_cost", "change_cost", "budget"):
         if given[argument] is not None:
             document[argument] = _amount(argument, given[argument])
     if change_costs is not None:
@@ -248,7 +273,7 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
                              room in _items("slots", given["slots"])]
     if given["pairs"] is not None:
         document["pairs"] = _pairs("pairs", given["pairs"])
-    lists = {"never": _pairs("never", given["never"]),
+    lists = {"never": _forbidden(given["never"]),
              "mounted": names_in("mounted", given["mounted"]),
              "start": names_in("start", given["start"]),
              "first": [names_in("first", setup)

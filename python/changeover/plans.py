@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import json
+import os
 from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Dict, Iterable, List, Literal, Mapping, Optional, Tuple, Union, overload
@@ -17,11 +18,12 @@ from .errors import BadInput
 Cost = Union[int, float, str, Decimal]
 Part = Union[str, int]
 Pair = Tuple[Part, Part]
-Parts = Union[int, Iterable[Part], Mapping[Any, Cost]]
+Parts = Union[int, Iterable[Part], Mapping[Any, Cost], "os.PathLike[str]"]
 Pairs = Optional[Iterable[Iterable[Part]]]
 Room = Union[int, Tuple[Optional[int], Optional[int]]]
 Result = Union[bool, str, None]
-Done = Union[Iterable[Part], Tuple[Iterable[Part], Result], Dict[str, Any]]
+Done = Union[Iterable[Optional[Part]], Tuple[Iterable[Optional[Part]], Result], Dict[str, Any]]
+CostUnit = Literal["money", "seconds", "minutes", "hours"]
 Objective = Literal["makespan", "cost"]
 
 
@@ -36,7 +38,7 @@ def _decimal(amount: Any) -> Decimal:
 
 def _step(step: Dict[str, Any]) -> Dict[str, Any]:
     return {"number": step["step"], "take_out": step["take_out"], "put_in": step["put_in"],
-            "setup": step["set_up"],
+            "setup": step["set_up"], "places": step["places"],
             "cost": _decimal(step["cost"]), "cost_so_far": _decimal(step["cost_so_far"])}
 
 
@@ -115,7 +117,11 @@ class RunSheet(_Sheets):
     """A run sheet, counted by code that shares nothing with what made it."""
 
     steps: List[Dict[str, Any]] = fact(
-        "A dict for each test: number, take_out, put_in, setup (names), cost, cost_so_far.")
+        "A dict for each test: number, take_out, put_in, setup (names), places, cost, cost_so_far. "
+        "places is what is mounted in each of RunSheet.places, None where nothing is: a part that "
+        "stays keeps its place, also if these are given as done, (places, result).")
+    places: List[Dict[str, Any]] = fact(
+        "The places of the bench: dicts with number and slot (None if it is of no slot).")
     met_only_in_failed: int = fact(
         "Pairs (triples with strength 3) that met only in tests that failed or whose result is "
         "not understood.")
@@ -147,18 +153,24 @@ class RunSheet(_Sheets):
     def diagnose(self,
         results: Iterable[Union[Result,
                                 Tuple[Iterable[Part], Union[bool, str]]]]) -> Dict[str, Any]:
-        """Which one fault explains the results, and which tests tell apart what is left.
+        """Which faults explain the results, and the one test to run next.
 
         results: for each of the first tests of the sheet True if it passed, False if it failed,
         None if nothing is known, or a text such as 'FAILED - hang'; or tuples (set-up, result) for
         tests of other set-ups.
 
         A dict: passed, failed; unread, the texts that are not understood, each with its place in
-        results; suspects, each a tuple of one part or of two that do not work together; two, pairs
-        of suspects that explain all together where none does alone; contradictions, (what failed,
-        what passed though it had all of it); tests, a tree of dicts with after (results so far,
-        True for passed), setup, take_out, put_in, cost, if_it_fails and if_it_passes (suspects);
-        most_cost, of the tests that are made. Raises BadInput for other results.
+        results; faults, which are proven, each a tuple of one part or of two that do not work
+        together; suspects, each of which explains all by itself; at_least, how many faults are
+        needed; explanations, sets of so many that explain all together, tuples of faults, at most
+        100 of explanations_known, which are all if all_explanations; looked_at, the failed test
+        whose suspects these are where more faults are needed than are looked for together (else
+        None); contradictions, (what failed, what passed though it had all of it, or None); next,
+        the test to run next (None: none tells more), a dict with setup, take_out, put_in, places
+        (numbers to parts or None), cost, proves (the fault that it proves if it fails, or None),
+        why, if_it_fails and if_it_passes (left, their number, and explanations); least_tests, so
+        many may be needed whatever is asked. Run it, add its result, and ask again. Raises
+        BadInput for other results.
         """
         wanted = ("results has True (passed), False (failed), None or a text for each of the first "
                   "tests, or (set-up, result)")
@@ -194,21 +206,27 @@ class RunSheet(_Sheets):
         def suspects(all_of_them: List[List[str]]) -> List[Tuple[str, ...]]:
             return [tuple(each) for each in all_of_them]
 
+        def sets(all_of_them: List[List[List[str]]]) -> List[Tuple[Tuple[str, ...], ...]]:
+            return [tuple(suspects(each)) for each in all_of_them]
+
+        def after(result: Dict[str, Any]) -> Dict[str, Any]:
+            return {"left": result["left"], "explanations": sets(result["explanations"])}
+
+        then: Optional[Dict[str, Any]] = found["next"]
         return {
-            "passed": found["passed"], "failed": found["failed"],
-            "suspects": suspects(found["suspects"]),
-            "two": [tuple(suspects(both)) for both in found["two"]],
+            **{key: found[key] for key in ("passed", "failed", "at_least", "explanations_known",
+                                           "all_explanations", "looked_at", "least_tests")},
+            "faults": suspects(found["faults"]), "suspects": suspects(found["suspects"]),
+            "explanations": sets(found["explanations"]),
             "contradictions": [(each["failed"], each["passed"])
                                for each in found["contradictions"]],
-            "tests": [{
-                "after": tuple(result == "pass"
-                               for result in each["after"]), "setup": each["set_up"],
-                "take_out": each["take_out"], "put_in": each["put_in"],
-                "cost": _decimal(each["cost"]),
-                "if_it_fails": suspects(each["if_it_fails"]),
-                "if_it_passes": suspects(each["if_it_passes"]),
-            } for each in found["tests"]],
-            "most_cost": _decimal(found["most_cost"]), "unread": unread}
+            "next": then and {
+                "setup": then["set_up"], "take_out": then["take_out"], "put_in": then["put_in"],
+                "places": {each["number"]: each["part"] for each in then["places"]},
+                "cost": _decimal(then["cost"]), "why": then["why"],
+                "proves": then["proves"] and tuple(then["proves"]),
+                "if_it_fails": after(then["if_it_fails"]),
+                "if_it_passes": after(then["if_it_passes"])}, "unread": unread}
 
     def _rows(self) -> List[Dict[str, Any]]:
         return self.steps
@@ -264,9 +282,10 @@ def _facts(core: Any) -> Dict[str, Any]:
 
 @overload
 def plan(
-    parts: Parts, at_once: int, *, test_cost: Cost, change_cost: Optional[Cost] = None,
-    change_costs: Optional[Mapping[Pair, Cost]] = None, strength: int = 2, pairs: Pairs = None,
-    never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
+    parts: Parts, at_once: Optional[int] = None, *, test_cost: Optional[Cost] = None,
+    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Pair, Cost]] = None,
+    cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
+    pairs: Pairs = None, never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
     slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
     start: Iterable[Part] = (), first: Iterable[Iterable[Part]] = (),
     weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
@@ -278,9 +297,10 @@ def plan(
 ) -> RunSheet: ...
 @overload
 def plan(
-    parts: Parts, at_once: int, *, test_cost: Cost, change_cost: Optional[Cost] = None,
-    change_costs: Optional[Mapping[Pair, Cost]] = None, strength: int = 2, pairs: Pairs = None,
-    never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
+    parts: Parts, at_once: Optional[int] = None, *, test_cost: Optional[Cost] = None,
+    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Pair, Cost]] = None,
+    cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
+    pairs: Pairs = None, never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
     slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
     start: Iterable[Part] = (), first: Iterable[Iterable[Part]] = (),
     weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
@@ -293,9 +313,10 @@ def plan(
 
 
 def plan(
-    parts: Parts, at_once: int, *, test_cost: Cost, change_cost: Optional[Cost] = None,
-    change_costs: Optional[Mapping[Pair, Cost]] = None, strength: int = 2, pairs: Any = None,
-    never: Any = (), slots: Optional[Mapping[str, Room]] = None,
+    parts: Parts, at_once: Optional[int] = None, *, test_cost: Optional[Cost] = None,
+    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Pair, Cost]] = None,
+    cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
+    pairs: Any = None, never: Any = (), slots: Optional[Mapping[str, Room]] = None,
     slot_of: Optional[Mapping[Any, str]] = None, mounted: Any = (), start: Any = (),
     first: Any = (), weights: Optional[Mapping[Pair, Cost]] = None, done: Any = (),
     trust_failed: bool = False, budget: Optional[Cost] = None, benches: Optional[int] = None,
@@ -308,14 +329,20 @@ def plan(
     least once.
 
     parts: how many, a list of names, or a dict from names to what it costs to mount them; at_once
-    of them fit. Costs are numbers, Decimals or strings, and exact.
+    of them fit (None: as many as the slots hold). Costs are numbers, Decimals or strings, and
+    exact. Or parts is the path of a parts list or a workbook, as the command line reads it: a
+    workbook may have slots, forbidden pairs and the like on sheets of these names, and one that
+    was made as a run sheet has the question that it was made for, which is then planned anew with
+    the results that were filled in; notes say what was taken from where.
 
     change_cost: of a part whose cost is not given. change_costs: a dict from (out, in) to the cost
-    of putting in one part where the other was taken out, for every two parts. strength: 2, every
-    two parts must meet, or 3, every three. pairs: only these must; never: these must not. slots: a
-    dict from the name of a slot to how many of its parts a set-up has, a number or
-    (least, most), None for no limit, with slot_of, a dict from parts to their slots; parts that
-    cannot meet then need not.
+    of putting in one part where the other was taken out, for every two parts. cost_column: the head
+    of the column of a file that has the change costs, '-' for none (None: found by its words).
+    cost_unit: 'minutes' and the like if all costs are times, for a clock on the sheets. strength:
+    2, every two parts must meet, or 3, every three. pairs: only these must; never: these must not,
+    (a, b) or (a, b, why). slots: a dict from the name of a slot to how many of its parts a set-up
+    has, a number or (least, most), None for no limit, with slot_of, a dict from parts to their
+    slots; parts that cannot meet then need not.
     mounted: parts that stay; start: parts that are mounted before the first test; first: set-ups
     that must be run first; weights: a dict from pairs to what testing them is worth (others 1);
     done: tests that were done, lists of names, each alone or as (names, result), where result is
@@ -334,16 +361,15 @@ def plan(
     if objective not in (None, "makespan", "cost"):
         raise BadInput("objective is 'makespan', what the bench costs that costs most, or 'cost', "
                        "of all benches")
-    for argument in ("at_once", "strength", "benches", "objective", "done_first", "shuffle",
-                     "steps"):
+    for argument in ("at_once", "cost_column", "cost_unit", "strength", "benches", "objective",
+                     "done_first", "shuffle", "steps"):
         if given[argument] is not None:
             document[argument] = given[argument]
     document.update({key: value for key,
         value in (("trust_failed", trust_failed), ("compact", compact), ("title", title)) if value})
     core = _core.plan(json.dumps(document), time, threads, seed, progress)
-    if benches is None:
-        return made(RunSheet, _facts(core), core)
-    return made(BenchSheets, _facts(core), core)
+    facts = _facts(core)  # What a workbook asks for may be of several benches.
+    return made(BenchSheets, facts, core) if "sheets" in facts else made(RunSheet, facts, core)
 
 
 check_calls(globals())

@@ -6,7 +6,7 @@
 #include "changeover/plan/job_request.hpp"
 #include "core/printable.hpp"
 #include "long_work.hpp"
-#include "plan/job/part_columns.hpp"
+#include "plan/job/parts/heading_words.hpp"
 
 namespace changeover::python {
 namespace {
@@ -24,9 +24,11 @@ std::unique_ptr<Planned> plan(const std::string& document, std::optional<double>
                               std::uint64_t threads, std::uint64_t seed, py::object progress) {
   auto planned = std::make_unique<Planned>();
   planned->asked = stoppable([&] {
-    planned->request = job_request(document);
-    planned->request.seconds = time;
-    return checked_job(planned->request, Door::document);
+    JobRequest request = job_request(document);
+    request.seconds = time;
+    const OpenedRequest opened = open_workbook(std::move(request));
+    planned->request = opened.request;
+    return checked_job(opened, Door::document);
   });
   LongWork work(limits(time, threads, seed, std::move(progress)));
   work.run([&](RunControl& control) {
@@ -81,6 +83,7 @@ std::string diagnosis_of(const Planned& self,
     }
     if (!tested.empty()) {
       job.start = tested.back().setup;  // it is on the bench
+      job.places.clear();
     }
     return written(self.job(), diagnose(job, tested), "json");
   });
@@ -97,6 +100,9 @@ py::list parts_in(const std::string& text) {
     }
     if (!list.slots.empty()) {
       part["slot"] = list.slots[i];
+    }
+    if (!list.quantities.empty()) {
+      part["quantity"] = std::to_string(list.quantities[i]);
     }
     parts.append(part);
   }
@@ -135,10 +141,11 @@ const char* read_result(const std::string& result) {
 }
 
 const char* headed_by(const std::string& heading) {
-  return heads_parts(heading)   ? "name"
-         : heads_slots(heading) ? "slot"
-         : heads_costs(heading) ? "cost"
-                                : "";
+  return heads_parts(heading)                           ? "name"
+         : heads_slots(heading)                         ? "slot"
+         : heads_quantities(heading)                    ? "quantity"
+         : heads_costs(heading) || heads_times(heading) ? "cost"
+                                                        : "";
 }
 
 }  // namespace

@@ -2,7 +2,9 @@
 
 import collections
 import itertools
+import pathlib
 import signal
+import tempfile
 import unittest
 from decimal import Decimal
 from fractions import Fraction
@@ -438,7 +440,7 @@ class Ratios(unittest.TestCase):
 
 
 class Diagnoses(unittest.TestCase):
-    def test_the_tree_leads_to_what_is_wrong(self):
+    def test_asking_again_and_again_leads_to_what_is_wrong(self):
         names = list("abcdefgh")
         sheet = changeover.plan(names, 3, test_cost=1, change_cost=1)
         faults = [(x,) for x in names] + list(itertools.combinations(names, 2))
@@ -448,15 +450,18 @@ class Diagnoses(unittest.TestCase):
             found = sheet.diagnose([passes(step["setup"]) for step in sheet.steps])
             self.assertIn(fault, found["suspects"])
             self.assertEqual(found["passed"] + found["failed"], sheet.tests)
-            left, after, cost = found["suspects"], (), 0
-            tests = {each["after"]: each for each in found["tests"]}
-            while after in tests:
-                passed = passes(tests[after]["setup"])
-                left = tests[after]["if_it_passes" if passed else "if_it_fails"]
-                cost += tests[after]["cost"]
-                after += (passed,)
-            self.assertIn(fault, left)
-            self.assertLessEqual(cost, found["most_cost"])
+            results = [passes(step["setup"]) for step in sheet.steps]
+            while found["next"]:
+                then = found["next"]
+                after = then["if_it_passes" if passes(then["setup"]) else "if_it_fails"]
+                self.assertTrue(then["proves"] or (fault,) in after["explanations"])
+                self.assertEqual([part for _, part in sorted(then["places"].items()) if part], list(filter(None, then["places"].values())))
+                self.assertEqual(set(filter(None, then["places"].values())), set(then["setup"]))
+                results.append((then["setup"], passes(then["setup"])))
+                self.assertLess(len(results), 40)
+                found = sheet.diagnose(results)
+            self.assertEqual(found["suspects"], [fault])
+            self.assertEqual(found["faults"], [fault])
 
     def test_results_of_other_setups_count_and_wrong_ones_are_refused(self):
         sheet = changeover.plan(list("abcdef"), 3, test_cost=1, change_cost=1)
@@ -499,7 +504,7 @@ class Diagnoses(unittest.TestCase):
     def test_the_first_test_comes_after_the_last_that_was_made(self):
         for more in ({}, {"start": ["1", "2", "3"]}, {"done": [["1", "2", "3"]]}):
             sheet = changeover.plan(9, 3, test_cost=1, change_cost=5, **more)
-            first = sheet.diagnose([True, True, False])["tests"][0]
+            first = sheet.diagnose([True, True, False])["next"]
             there = set(sheet.steps[2]["setup"])
             self.assertEqual(set(first["take_out"]), there - set(first["setup"]))
             self.assertEqual(set(first["put_in"]), set(first["setup"]) - there)
@@ -507,9 +512,48 @@ class Diagnoses(unittest.TestCase):
 
     def test_two_faults_are_said_once(self):
         sheet = changeover.plan(5, 3, test_cost=1, change_cost=1)
-        two = sheet.diagnose([False, False, False, True])["two"]
+        found = sheet.diagnose([False, False, False, True])
+        two = found["explanations"]
+        self.assertEqual(found["at_least"], 2)
         self.assertGreater(len(two), 0)
-        self.assertEqual(len({frozenset(both) for both in two}), len(two))
+        self.assertEqual(len({frozenset(both) for both in two}), found["explanations_known"])
+        self.assertTrue(all(len(both) == 2 for both in two))
+
+    def test_parts_keep_their_places_from_sheet_to_sheet(self):
+        sheet = changeover.plan(list("abcdefgh"), 3, test_cost=1, change_cost=1)
+        for before, step in zip(sheet.steps, sheet.steps[1:]):
+            for part in set(before["setup"]) & set(step["setup"]):
+                self.assertEqual(before["places"].index(part), step["places"].index(part))
+        done = [(step["places"], True) for step in sheet.steps[:2]]
+        rest = changeover.plan(list("abcdefgh"), 3, test_cost=1, change_cost=1, done=done)
+        last = sheet.steps[1]["places"]
+        for part in set(last) & set(rest.steps[0]["setup"]):
+            self.assertEqual(last.index(part), rest.steps[0]["places"].index(part))
+        gap = changeover.plan(list("abcd"), 3, test_cost=1, change_cost=1, mounted=["b"], done=[(["a", None, "b"], True)])
+        self.assertEqual(gap.steps[0]["places"][2], "b")
+        self.assertEqual([each["number"] for each in gap.places], [1, 2, 3])
+
+    def test_a_file_or_a_workbook_is_read_as_the_command_line_reads_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            parts = pathlib.Path(folder) / "parts.csv"
+            parts.write_text("Component,Price,Swap time (min)\nA,100,5\nB,200,4\nC,90,2\nD,80,1\n")
+            sheet = changeover.plan(parts, 2, test_cost=10)
+            self.assertIn("change costs in 'Swap time (min)'; not used: 'Price'", "".join(sheet.notes))
+            dear = changeover.plan(parts, 2, test_cost=10, cost_column="price")
+            self.assertGreater(dear.cost, sheet.cost)
+            run = pathlib.Path(folder) / "run.xlsx"
+            run.write_bytes(sheet.to_xlsx())
+            again = changeover.plan(run)
+            self.assertEqual((again.steps, again.cost), (sheet.steps, sheet.cost))
+            self.assertEqual(changeover.plan(run, test_cost=20).cost, sheet.cost + 10 * sheet.tests)
+            with self.assertRaises(changeover.BadInput):
+                changeover.plan(parts, 2, test_cost=1, slot_of={"A": "x"})
+            with self.assertRaises(changeover.MissingResource):
+                changeover.plan(pathlib.Path(folder) / "none.csv", 2, test_cost=1)
+        with self.assertRaises(changeover.BadInput):
+            changeover.plan(3, 2, test_cost=1, change_cost=1, never=[("1", "2", "why", "how")])
+        with self.assertRaises(changeover.BadInput):
+            changeover.plan(["A", "B"])
 
     def test_triples_have_neither_ratios_nor_diagnoses(self):
         sheet = changeover.plan(7, 4, strength=3, test_cost=1, change_cost=1)

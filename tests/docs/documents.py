@@ -4,6 +4,7 @@ Requests are made at random from the schema's own keys; an answer is asked for o
 Python, and is the same document at each of them.
 """
 
+import base64
 import gzip
 import hashlib
 import json
@@ -106,7 +107,7 @@ def any_job(rng):
     pair = lambda: rng.sample(names, 2)  # noqa: E731
     job = {"parts": parts, "at_once": rng.choice([2, 3, 3, 4]), "test_cost": rng.choice([1, "2.50", 0]), "change_cost": rng.choice([1, "0.25"])}
     may_be = {
-        "strength": rng.choice([2, 3]), "pairs": [pair() for _ in range(3)], "never": [pair()], "mounted": names[:1], "start": names[:2],
+        "strength": rng.choice([2, 3]), "pairs": [pair() for _ in range(3)], "never": [[*pair(), "too hot"]], "cost_unit": "minutes", "mounted": names[:1], "start": names[:2],
         "first": [names[:2]], "weights": [[*pair(), 5]], "budget": "30", "done": [names[:2], {"parts": names[1:3], "result": "FAIL"}],
         "done_first": 1, "trust_failed": True, "benches": 2, "objective": "cost", "what_if": True, "diagnose": True, "shuffle": 3,
         "title": "A title", "steps": 300, "compact": False, "header": False,
@@ -161,6 +162,47 @@ def check_plans(server, count):
     missing = {*kinds, "refused"} - seen
     if missing:
         fault(f"nothing was tried of {missing}")
+
+
+def check_workbooks(server):
+    """A workbook is the same question at each door: its lists on other sheets, and a run sheet that was filled in."""
+    tables = {"Parts": "part,slot,swap (min),qty\nXeon,CPU,5,1\nEpyc,CPU,4,1\nA,DIMM,2,4\nB,DIMM,2,2\nE810,NIC,3,1\nX710,NIC,1,1\n",
+              "Slots": "slot,min,max\nCPU,1,1\nDIMM,3,3\nNIC,1,1\n", "Never": "part,part 2,why\nEpyc,X710,no driver\n"}
+    for name, table in tables.items():
+        pathlib.Path(f"{name}.csv").write_text(table)
+    script = [sys.executable, root / "examples/lab/workbook.py"]
+    subprocess.run([*script, "make", "stock.xlsx", *(f"{name}={name}.csv" for name in tables)], check=True)
+    made = run("plan", "stock.xlsx", "--test-cost", "9", "--steps", "300", "-o", "run.xlsx")
+    if made.returncode != 0:
+        fault(f"no plan of a workbook: {made.stderr}")
+        return
+    subprocess.run([*script, "fill", "run.xlsx", "filled.xlsx", "1=pass", "2=FAILED - hang"], check=True)
+    for book, more in (("stock.xlsx", {"test_cost": 9, "steps": 300}), ("stock.xlsx", {"test_cost": 9, "steps": 300, "cost_column": "swap (MIN)"}), ("run.xlsx", {}), ("filled.xlsx", {}), ("filled.xlsx", {"diagnose": True})):
+        bytes_of_it = base64.b64encode(pathlib.Path(book).read_bytes()).decode()
+        documents = [run("plan", "--request", "-", "--json", stdin=json.dumps({"parts": {"file": book}, **more})).stdout,
+                     run("plan", "--request", "-", "--json", stdin=json.dumps({"parts": {"workbook": bytes_of_it}, **more})).stdout]
+        by_server = server.post("api/plan", json.dumps({"parts": {"workbook": bytes_of_it}, **more}))
+        documents.append(json.dumps(by_server.get("diagnosis" if "diagnose" in more else "plan")))
+        if "diagnose" not in more:
+            documents.append(changeover.plan(pathlib.Path(book), **more).to_json())
+        for parts in ({"file": book}, {"workbook": bytes_of_it}):
+            problem = fits("changeover-job-1", {"parts": parts, **more})
+            if problem:
+                fault(f"planned, but against its schema ({problem}): {book} {more}")
+        answers = [json.loads(document or "null") for document in documents]
+        for answer in answers:
+            problem = fits(f"changeover-{'diagnosis' if 'diagnose' in more else 'plan'}-1", answer)
+            if problem:
+                fault(f"an answer to {book} {more} is against its schema: {problem}")
+                return
+            for note in answer.pop("notes"):
+                if not note.startswith((book, "parts", "costs", "done", "1 further", "2 further", "3 further", "5 parts")):
+                    fault(f"a note of {book}: {note}")
+        if any(answer != answers[0] for answer in answers):
+            fault(f"the doors differ on {book} {more}: {documents}")
+    unknown = {"parts": {"workbook": "x"}, "at_once": 2}
+    if "base64" not in server.post("api/plan", json.dumps(unknown))["error"]["message"]:
+        fault("what is no base64 is taken for a workbook")
 
 
 def check_loads(server, count):
@@ -473,6 +515,7 @@ with tempfile.TemporaryDirectory() as folder, Server(f"{folder}/own.db") as one:
     check_generated()
     check_explorer(one)
     check_plans(one, 150)
+    check_workbooks(one)
     check_loads(one, 150)
     check_designs(one, 60)
     check_dossiers(one)

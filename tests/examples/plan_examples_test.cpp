@@ -22,7 +22,9 @@ TEST(PlanExamples, Diagnosis) {
   for (const Suspect& suspect : found.suspects) {              // part 1, part 2, pairs of 0, 1, 2
     std::cout << in_words(suspect, job.names) << '\n';
   }
+  const Block test = found.next->setup;  // run it, add its result, and ask again
   EXPECT_EQ(output.take(), "2\n3\n1 with 2\n1 with 3\n2 with 3\n");
+  EXPECT_TRUE(run_sheet(job, {test}).faults.empty());
 }
 
 TEST(PlanExamples, Job) {

@@ -38,7 +38,7 @@ JobRequest job_asked(const PlanRequest& request, RunRequest& run) {
 // In which formats such an answer is written.
 void check_format(const JobRequest& job, const OutputRequest& output) {
   if (job.diagnose) {
-    output.require("--diagnose", {"table", "json"});
+    output.require("--diagnose", {"table", "json", "markdown", "html", "xlsx"});
   }
   if (job.what_if) {
     output.require("--what-if", {"table", "csv", "json", "markdown"});
@@ -61,17 +61,19 @@ Answer answer_to(const PlanRequest& request) {
   RunRequest run = request.run;
   std::vector<InputFile> files{{"--request", request.file.path}};
   check_inputs(request.output, files);
-  const JobRequest job = job_asked(request, run);
+  const JobRequest asked_for = job_asked(request, run);
+  for (InputFile& file : files_of(asked_for, job_table())) {
+    files.push_back(std::move(file));
+  }
+  check_inputs(request.output, files);
+  const OpenedRequest opened = open_workbook(asked_for);
+  const JobRequest& job = opened.request;
   check_options(job, Door::command_line);
   if (request.file.show) {
     return show(job, request.output);
   }
   check_format(job, request.output);
-  for (InputFile& file : files_of(job, job_table())) {
-    files.push_back(std::move(file));
-  }
-  check_inputs(request.output, files);
-  const AskedJob asked = checked_job(job, Door::command_line);
+  const AskedJob asked = checked_job(opened, Door::command_line);
   const auto write = [job, asked, format = request.output.format()](const PlanAnswer& found) {
     return [job, asked, found, format](OutputFile& out) {
       out.write(written(job, asked, found, format, terminal_width(out)));

@@ -36,8 +36,9 @@ enum class ValueKind {
 /// The shape of a list's rows in JSON.
 enum class RowShape {
   none,     ///< not a list
-  parts,    ///< "name" or {"name", "cost", "slot"}
+  parts,    ///< "name" or {"name", "cost", "slot", "quantity"}
   pairs,    ///< [a, b]
+  reasons,  ///< [a, b] or [a, b, why]
   weights,  ///< [a, b, weight]
   slots,    ///< {"name", "least", "most"}
   setups,   ///< [a, b, …]
@@ -54,13 +55,16 @@ struct ListRow {
   bool operator==(const ListRow&) const = default;
 };
 
-/// A list of a request: in a file, as the text of one, or row by row. At most one of them is given.
+/// A list of a request: in a file, as the text or the bytes of one, or row by row. At most one of
+/// them is given.
 struct RequestList {
   std::string file = {};                          ///< its path; "-": standard input
   std::optional<std::string> text = {};           ///< the text of such a file
+  std::optional<std::string> workbook = {};       ///< the bytes of a workbook (.xlsx)
+  std::string sheet = {};                         ///< of that workbook; empty: the first one
   std::optional<std::vector<ListRow>> rows = {};  ///< each of the list's shape
 
-  [[nodiscard]] bool is_given() const { return !file.empty() || text || rows; }
+  [[nodiscard]] bool is_given() const { return !file.empty() || text || workbook || rows; }
   bool operator==(const RequestList&) const = default;
 };
 
@@ -84,12 +88,15 @@ struct OptionRecord {
 struct OptionRule {
   enum class Says {
     exclude,    ///< at most one of `keys` is given
+    needs,      ///< each of `keys` needs each of `others`
     only_with,  ///< each of `keys` means something only with one of `others`
     never_with  ///< none of `keys` means anything with one of `others`
   };
   Says says = Says::exclude;
   std::vector<std::string_view> keys;
   std::vector<std::string_view> others = {};
+  /// Of only_with: this list may be a file that says one of `others`; asked once it was opened.
+  std::string_view or_in_file_of = {};
 };
 
 /// The member of a request that has the value of a key.

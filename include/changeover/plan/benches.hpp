@@ -94,8 +94,9 @@ struct BenchPlan : BenchCount {
 
 /// What sheet_formats.hpp writes of one list, for all benches: a table a bench; CSV with a column bench; JSON, format
 /// "changeover-benches/1": title, benches, objective, cost, makespan, tests, changes, pairs_needed, pairs_tested, triples_needed,
-/// triples_tested, lower_bound {cost, makespan, cost_reason, makespan_reason}, sheets [{bench, tests, changes, cost, steps
-/// [{step, take_out, put_in, set_up, new_pairs (their number), cost, cost_so_far}]}], candidates [{name, how, tests, changes, cost,
+/// triples_tested, lower_bound {cost, makespan, cost_reason, makespan_reason}, cost_unit, places,
+/// sheets [{bench, tests, changes, cost, steps [{step, take_out, put_in, set_up, places, new_pairs
+/// (their number), cost, cost_so_far}]}], candidates [{name, how, tests, changes, cost,
 /// makespan}], notes; in each step replaced [[out, in]] if costs depend on what is replaced.
 struct BenchDocument {
   const Job* job = nullptr;

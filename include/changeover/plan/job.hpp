@@ -89,8 +89,21 @@ struct Slot {
   std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
 };
 
+/// As many of a part as there are benches.
+inline constexpr std::uint64_t enough_for_all = std::numeric_limits<std::uint64_t>::max();
+
 /// Of a part that is in no slot.
 inline constexpr std::uint32_t no_slot = std::numeric_limits<std::uint32_t>::max();
+
+/// A place on the bench, which holds one part at a time, with slots one of its slot.
+struct MountedPlace {
+  std::uint64_t number = 0;          ///< from 1; "slot_3" on a sheet
+  std::uint32_t slot = no_slot;      ///< whose parts it takes
+  std::optional<Element> part = {};  ///< what is there before the first test
+};
+
+/// What costs are, if they are times: a clock then runs along with the sheet.
+enum class CostUnit : std::uint8_t { none, seconds, minutes, hours };
 
 /// What pairs are worth: 1, but where something else is said. Weights are exact decimals, like amounts of money.
 class PairWeights {
@@ -111,6 +124,26 @@ class PairWeights {
   std::map<std::uint64_t, Amount> by_rank_;
 };
 
+/// Why pairs are forbidden, where that is said.
+class PairReasons {
+ public:
+  /// An empty reason is none.
+  void set(Element x, Element y, std::string why) {
+    if (!why.empty()) {
+      by_rank_[PairSet::rank(x, y)] = std::move(why);
+    }
+  }
+  [[nodiscard]] const std::string& operator()(Element x, Element y) const {
+    static const std::string none;
+    const auto found = by_rank_.find(PairSet::rank(x, y));
+    return found == by_rank_.end() ? none : found->second;
+  }
+  [[nodiscard]] bool empty() const { return by_rank_.empty(); }
+
+ private:
+  std::map<std::uint64_t, std::string> by_rank_;
+};
+
 /// Three parts, increasing.
 using Triple = std::array<Element, 3>;
 
@@ -121,12 +154,18 @@ struct Job {
   std::vector<Amount> change_costs;  ///< of mounting each part once
   PairSet needed{0};                 ///< pairs that must meet
   PairSet never{0};                  ///< pairs that must not be in one set-up
+  PairReasons why_never;             ///< why, where that is said; only to be said
   std::vector<Slot> slots;           ///< none: any parts may be together
   std::vector<std::uint32_t>
       slot_of;    ///< by part: the number of its slot, or no_slot; empty without slots
   Block mounted;  ///< parts that are in every set-up
   Block start;    ///< parts that are mounted before the first test
-  std::uint64_t tests_done = 0;  ///< tests before the first; only for numbering
+  /// Of the bench, those that are known; parts of the start that are in none take others.
+  std::vector<MountedPlace> places;
+  CostUnit cost_unit = CostUnit::none;  ///< only to be said
+  std::vector<Element> piece_of;  ///< by part: the part of which it is a further piece, or itself;
+                                  ///< empty: none is; only to be said
+  std::uint64_t tests_done = 0;   ///< tests before the first; only for numbering
   std::uint64_t met_only_in_failed =
       0;  ///< what had to meet and did so only in tests that did not pass, see mark_tested(); only to be said
   bool trust_failed = false;  ///< whether these count as tested; only to be said
@@ -137,6 +176,10 @@ struct Job {
   std::vector<Amount>
       replace_costs;  ///< of putting in part i where part o was taken out, at o · parts() + i; empty:
                       ///< it is change_costs[i] for every o
+
+  std::vector<std::uint64_t>
+      quantities;  ///< by part: how many of it several benches share, or enough_for_all;
+                   ///< empty: as many as there are benches
 
   /// What a change costs depends on what is replaced.
   [[nodiscard]] bool replaces() const { return !replace_costs.empty(); }
@@ -166,6 +209,16 @@ struct Job {
 /// Puts parts into slots: `of_parts` are the names of their slots, "" of those in none. @throws BadInput without a
 /// name for each part, and for a part in a slot that is not listed; the job is then as it was.
 void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<Slot> slots);
+
+/// Adds further pieces of parts, called "DIMM A #2" and so on, where a set-up may need several: of
+/// a part of a slot that needs at least n parts, up to n pieces, if there are so many
+/// (`quantities`, by part). They fill the slot and cost what the part costs, but nothing has to
+/// meet them: what is tested with one piece is tested, and no plan with pieces that are alike gains
+/// by taking another one first. They must not meet what the part must not meet; two pieces of a
+/// part may meet. Afterwards Job::quantities say, for each piece, how many benches may have it at a
+/// time. Returns how many pieces were added. @throws BadInput if a part has the name of a
+/// piece, or there are more than max_parts.
+std::uint64_t add_pieces(Job& job, const std::vector<std::uint64_t>& quantities);
 
 /// The needed pairs that no set-up can hold, for what the slots need and allow; with forbidden pairs, those for which none was
 /// found among 100,000 choices. O(v³) without forbidden pairs. Stopped
@@ -272,10 +325,13 @@ std::uint64_t need_triples(Job& job);
 // may be quoted; lines that begin with # and blank lines say nothing. Where a part is expected, its name or
 // its number in the parts list counts, from 1; a name wins over a number.
 //   - Parts: a name, and a change cost if there is a second field; with a header also other columns, of
-//     which those for names, costs and slots are found by their words. What is a header is decided by
-//     src/plan/job/part_columns.hpp; a first row that may be a header or a part is refused. Between
-//     semicolons or tabs a cost may have a decimal comma, if no cost of the list has a point.
-//   - Pairs: two parts a row, or with blanks between them if that is no part. A first row of two words that head columns and are no parts is a header.
+//     which those for names, costs, slots and quantities are found by their words. What is a header
+//     is decided by src/plan/job/parts/part_columns.hpp; a first row that may be a header or a part
+//     is refused. Between semicolons or tabs a cost may have a decimal comma, if no cost of the
+//     list has a point.
+//   - Pairs: two parts a row, or with blanks between them if that is no part; a third field may say
+//     why. A first row with two words that head columns of parts and are no parts is a header, and
+//     says which columns count.
 //   - Set-ups: the parts of one a row. The CSV of a run sheet (plan/run_plan.hpp) is taken too: its
 //     columns slot_1, slot_2, … count, or its column set_up with all parts in one field, its column result, and
 //     its rows in their order.
@@ -290,22 +346,37 @@ std::uint64_t need_triples(Job& job);
 /// Whether a parts list has a header.
 enum class Header { guessed, given, none };
 
+struct PartListOptions {
+  Header header = Header::guessed;
+  /// What heads the change costs, in any case, so that there is a header; "-": no column has any.
+  /// Empty: found by words.
+  std::string cost_column = {};
+  /// Names of slots that are known: if no column is headed "slot", one of nothing but these has them.
+  std::vector<std::string> slots = {};
+};
+
 struct PartList {
   std::vector<std::string> names;
   std::vector<std::optional<Amount>> change_costs;  ///< by part; nothing where none is given
   std::vector<std::string>
-      slots;         ///< by part: the name of its slot, or ""; empty without a column for it
-  std::string note;  ///< what was made of the first row, in one line, if that is worth saying
+      slots;  ///< by part: the name of its slot, or ""; empty without a column for it
+  std::vector<std::uint64_t>
+      quantities;  ///< by part: how many there are, 1 where nothing is said; empty without a column
+  CostUnit unit = CostUnit::none;  ///< of the change costs, if the list says so
+  std::string note;  ///< what was made of the list, in one line, if that is worth saying
 };
 
 /// The parts in the order of their rows.
 /// @throws BadInput for no part, an empty or repeated name, a cost that is none, too many fields, a first row
 /// of which nobody can say whether it is a header; MissingResource if reading fails.
 [[nodiscard]] PartList read_parts(Input& input, Header header = Header::guessed);
+[[nodiscard]] PartList read_parts(Input& input, const PartListOptions& options);
 
-/// The pairs, as elements below names.size(); repetitions are fine. @throws BadInput for unknown parts, a
-/// part with itself, rows that are no pair; MissingResource if reading fails.
-[[nodiscard]] PairSet read_pairs(Input& input, const std::vector<std::string>& names);
+/// The pairs, as elements below names.size(); repetitions are fine. A third field says why, which
+/// is kept in `why` if that is given; without a header it may not be a part. @throws BadInput for
+/// unknown parts, a part with itself, rows that are no pair; MissingResource if reading fails.
+[[nodiscard]] PairSet read_pairs(Input& input, const std::vector<std::string>& names,
+                                 PairReasons* why = nullptr);
 
 /// The set-ups in order. @throws BadInput for unknown or repeated parts and for a set-up of more than
 /// `at_once`; MissingResource if reading fails.
@@ -328,6 +399,12 @@ struct PartList {
 /// the line of a set-up that the job does not allow: parts that must not meet, slots, what stays mounted; for no set-up.
 [[nodiscard]] std::vector<Block> read_first(Input& input, const Job& job);
 
+/// A column of a run sheet that holds what is mounted in one place.
+struct DonePlace {
+  std::uint64_t number = 0;  ///< of the place: 3 of "slot_3 disk"
+  std::string slot = {};     ///< "disk"; "" where the head does not say
+};
+
 /// What was done by a list of set-ups, perhaps the run sheet of a parts list that has changed since.
 struct DoneList {
   std::vector<Block> setups;
@@ -335,10 +412,28 @@ struct DoneList {
   std::vector<std::string> gone;     ///< names on a run sheet that no part has any more, each once
   std::vector<bool> lacks;           ///< by set-up: some of its parts are gone
   std::vector<std::uint64_t> lines;  ///< by set-up: where it stands
+  std::vector<DonePlace> places;     ///< of a run sheet with a column for each; else none
+  std::vector<std::vector<std::optional<Element>>>
+      in_place;  ///< by set-up, by place: what was mounted there; nothing for what is gone
+  std::vector<std::vector<std::string>>
+      written;                     ///< the same as it stands there, also what is gone
+  std::vector<std::string> notes;  ///< by set-up: its column notes
   std::vector<std::string>
       unread;  ///< by set-up: the place of its result if that is unread, else ""
 
   [[nodiscard]] bool has_results() const;
+};
+
+/// Tests that were done, as they are kept on a sheet.
+struct DoneRecord {
+  struct Test {
+    std::vector<std::string>
+        parts;  ///< by place, "" where there was none; perhaps fewer than places
+    std::string result;
+    std::string notes;
+  };
+  std::vector<DonePlace> places;
+  std::vector<Test> tests;
 };
 
 /// As read_setups(), but for a run sheet: parts that are none any more are left out of the set-ups and named
@@ -347,9 +442,9 @@ struct DoneList {
 [[nodiscard]] DoneList read_done(Input& input, const std::vector<std::string>& names,
                                  std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
 
-/// Slots with the least and the most parts of each, `slot,least,most` a row; a header of these words is taken for
-/// one, an empty field for no limit. @throws BadInput for other rows and repeated slots; MissingResource if
-/// reading fails.
+/// Slots with the least and the most parts of each, `slot,least,most` a row; with a header of such
+/// words ("slot", "min", "max", "quantity") in any order, an empty field is no limit. @throws
+/// BadInput for other rows and repeated slots; MissingResource if reading fails.
 [[nodiscard]] std::vector<Slot> read_slots(Input& input);
 
 /// Slots in one line, "CPU=1, disk=2..4, fan=..2". @throws BadInput (without a place).

@@ -33,10 +33,12 @@ struct JobRequest {
   RequestList parts = {};
   bool header = false;
   bool no_header = false;
+  std::string cost_column = {};
   std::optional<std::uint64_t> at_once = {};
   std::string test_cost = {};
   std::string change_cost = {};
   RequestList change_costs = {};
+  std::string cost_unit = {};
   std::optional<std::uint64_t> strength = {};
   RequestList pairs = {};
   RequestList never = {};
@@ -81,6 +83,22 @@ struct JobRequest {
 /// Takes from `other` what `request` does not say.
 void complete(JobRequest& request, JobRequest other);
 
+/// A request with what the workbook of its parts list says besides, and what was taken from there,
+/// a line each.
+struct OpenedRequest {
+  JobRequest request;
+  std::vector<std::string> notes;
+};
+
+/// If the parts are in a workbook and no sheet of it is named: a workbook that was made as a run
+/// sheet has the question that it was made for on a hidden sheet, which is taken where the request
+/// says nothing, and the tests on it that have a result are those that were done; a budget is less
+/// by what they cost. In other workbooks, slots, forbidden pairs, priorities and costs by what is
+/// replaced are found on sheets by their names. Every other request comes back as it is. @throws
+/// BadInput for a workbook that cannot be read, and for a question in it that is damaged, of
+/// another kind, or that names files; MissingResource for a file that cannot be read.
+[[nodiscard]] OpenedRequest open_workbook(JobRequest request);
+
 /// What two keys cannot mean together, and what is out of range, before any list is read. @throws BadOption in the words of the door.
 void check_options(const JobRequest& request, Door door);
 
@@ -91,15 +109,20 @@ struct AskedJob {
   std::string done_from;                   ///< what the tests that were done were read from
   std::vector<Block> rest;                 ///< of the plan that is under way
   std::vector<DoneTest> done;              ///< tests that were done, in their order
+  DoneRecord record;                       ///< the same as they are written
   std::vector<TestedSetup> results;        ///< those that passed or failed
   std::uint64_t unread = 0;                ///< results that are not understood
   std::vector<UnreadResult> first_unread;  ///< the first of them
+  /// What was asked, its lists as rows, but for tests that were done: it needs no file.
+  JobRequest question;
 };
 
 /// Reads the lists of a request and checks all of it: the one way from a question to a job, for every door. What waits is bounded by
 /// the scope of this thread (run/control.hpp). @throws BadOption, in the words of the door, for keys that are wrong; BadInput for
 /// lists that are; MissingResource for files that cannot be read. O(v³) and the size of the lists.
 [[nodiscard]] AskedJob checked_job(const JobRequest& request, Door door);
+/// The same of one that was opened: its notes come first.
+[[nodiscard]] AskedJob checked_job(const OpenedRequest& opened, Door door);
 
 /// What comes of it: the plan, that for several benches, the ranges of ratios, or the diagnosis.
 struct PlanAnswer {

@@ -285,20 +285,29 @@ struct WhatIf {
 //     step,take_out,put_in,slot_1,slot_2,new_pairs,cost,cost_so_far,result
 //     2,Valve 2,"""Motor, small""",Pump A,"Motor, small",1,6,13,
 //
-// The parts of a set-up have a column each, as many as the largest set-up has parts; with slots the parts of a slot stand
-// in columns of their own, called `slot_1 CPU`. What is taken out and put
+// Every place of the bench has a column; with slots those of a slot stand together, called `slot_1
+// CPU`. A part that stays keeps its place, and so does what is mounted at the start where
+// Job::places says; so do the places their numbers. If costs are times, the
+// column `clock` runs along. What is taken out and put
 // in is a list for people; the result is to be filled in. No cell is a formula to a spreadsheet: a text that would be one begins with an
 // apostrophe (io/write/csv_cell.hpp), which read_setups() takes back; numbers stay numbers.
-// Workbook (.xlsx), three sheets: `Run sheet` with the columns of the CSV and one for notes, as people print and fill it in;
-// `Plan` with costs, bound and what was compared; `Parts`, which read_parts() reads. Names are text, whatever they look
-// like, and so are costs of more than 15 digits; other numbers are numbers. read_setups() and read_done() read it back.
-// JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot (or null; with slots only)}], at_once,
-// slots [{name, least, most}], test_cost, mounted,
-// start, first [[part]], tests_done, met_only_in_failed, trust_failed, tests, changes, cost, pairs_needed, pairs_tested, proved_cheapest, lower_bound {cost,
-// tests, changes, reason}, budget (or null), triples_needed, triples_tested, weight {needed, tested, most (or null)} (or null), steps [{step, take_out, put_in, set_up, new_pairs [[a,b]], cost,
-// cost_so_far, weight_so_far (where pairs are weighed)}], candidates [{name, how, tests, changes, cost, pairs_tested,
-// triples_tested, weight}], notes [text]. If costs depend on what is replaced, also replace_costs [[number, or null where a part meets
-// itself]] by part out and part in, and in each step replaced [[out, in]]. Costs are exact decimals.
+// Workbook (.xlsx): the sheet `Run sheet` with the columns of the CSV and one for notes, as people
+// print and fill it in; `Plan` with costs, bound and what was compared; `Parts`, `Slots` and
+// `Never`, which are read as lists of these; `Done` with the tests that were done before; and,
+// hidden, the question (job_request.hpp), so that the workbook is all that is needed to go on.
+// Names are text, whatever they look like, and so are costs of more than 15 digits; other numbers
+// are numbers. read_setups() and read_done() read it back.
+// JSON, one object: format "changeover-plan/1", title, parts [{name, change_cost, slot
+// (or null; with slots only)}], at_once, slots [{name, least, most}], test_cost, mounted, start,
+// first [[part]], tests_done, met_only_in_failed, trust_failed, tests, changes, cost, pairs_needed, pairs_tested,
+// proved_cheapest, lower_bound {cost, tests, changes, reason}, budget (or null), triples_needed,
+// triples_tested, weight {needed, tested, most (or null)} (or null), cost_unit (or null), places
+// [{number, slot (or null)}], steps [{step, take_out, put_in, set_up, places [part or null, in the
+// order of places], new_pairs [[a,b]], cost, cost_so_far, weight_so_far (where pairs are
+// weighed)}], candidates [{name, how, tests, changes, cost, pairs_tested, triples_tested, weight}],
+// notes [text]. If costs depend on what is replaced, also replace_costs [[number, or null where a
+// part meets itself]] by part out and part in, and in each step replaced [[out, in]]. Costs are
+// exact decimals.
 
 /// What is written; job and plan must outlive it.
 struct SheetDocument {
@@ -308,6 +317,9 @@ struct SheetDocument {
   std::string title = "Run sheet";
   bool compact = false;  ///< pages and tables: what is put in and taken out, not the whole set-up
   std::vector<std::string> notes = {};  ///< what else is to be said of the job, a line each
+  const DoneRecord* done = nullptr;     ///< tests that were done before, for a workbook
+  std::vector<std::string> question =
+      {};  ///< what was asked, as a document in pieces, for a workbook: its head first
 };
 
 /// The document as "table" for a terminal (lists are broken between parts where a line would be

@@ -9,6 +9,7 @@
 
 #include "changeover/core/error.hpp"
 #include "core/printable.hpp"
+#include "io/scan/base64.hpp"
 #include "io/scan/given_rows.hpp"
 #include "io/scan/row_reader.hpp"
 
@@ -26,9 +27,11 @@ std::optional<std::string> field_of(const JsonNode& node) {
 std::string_view wanted(RowShape shape) {
   switch (shape) {
     case RowShape::parts:
-      return "\"name\" or {\"name\":…,\"cost\":…,\"slot\":…}";
+      return "\"name\" or {\"name\":…,\"cost\":…,\"slot\":…,\"quantity\":…}";
     case RowShape::pairs:
       return "[a,b]";
+    case RowShape::reasons:
+      return "[a,b] or [a,b,why]";
     case RowShape::weights:
       return "[a,b,weight]";
     case RowShape::slots:
@@ -77,7 +80,7 @@ std::optional<std::vector<std::string>> members_of(const JsonNode& object,
 }
 
 const std::vector<std::string_view>& keys_of(RowShape shape) {
-  static const std::vector<std::string_view> parts{"name", "cost", "slot"};
+  static const std::vector<std::string_view> parts{"name", "cost", "slot", "quantity"};
   static const std::vector<std::string_view> slots{"name", "least", "most"};
   return shape == RowShape::parts ? parts : slots;
 }
@@ -114,6 +117,9 @@ std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
         return ListRow{{node.text}};
       }
       auto fields = node.is_object() ? members_of(node, keys_of(shape)) : std::nullopt;
+      if (constexpr std::size_t without_quantity = 3; fields && fields->back().empty()) {
+        fields->resize(without_quantity);
+      }
       return fields ? std::optional(ListRow{std::move(*fields)}) : std::nullopt;
     }
     case RowShape::tests:
@@ -122,6 +128,7 @@ std::optional<ListRow> row_of(RowShape shape, const JsonNode& node) {
       auto fields = fields_of(node);
       const std::size_t size = fields ? fields->size() : 0;
       const bool fits = shape == RowShape::pairs     ? size == 2
+                        : shape == RowShape::reasons ? size == 2 || size == 3
                         : shape == RowShape::weights ? size == 3
                                                      : size > 0;
       return fits ? std::optional(ListRow{std::move(*fields)}) : std::nullopt;
@@ -255,8 +262,9 @@ std::vector<std::string> RequestDocument::names(const OptionRecord& record,
 
 RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& node) const {
   RequestList list;
-  const std::string what = fmt::format("write an array of {}, or {{\"file\":…}} or {{\"text\":…}}",
-                                       wanted(record.shape));
+  const std::string what =
+      fmt::format("write an array of {}, or {{\"file\":…}}, {{\"text\":…}} or {{\"workbook\":…}}",
+                  wanted(record.shape));
   if (node.is_object()) {
     const auto& members = node.members;
     const bool one = members.size() == 1 && members.front().second.is_text();
@@ -264,6 +272,18 @@ RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& no
       list.file = members.front().second.text;
     } else if (one && members.front().first == "text") {
       list.text = members.front().second.text;
+    } else if (const JsonNode* const book = node.find("workbook");
+               book != nullptr && book->is_text()) {
+      list.workbook = from_base64(book->text);
+      const JsonNode* const sheet = node.find("sheet");
+      list.sheet = sheet == nullptr ? "" : sheet->text;
+      if (!list.workbook || (sheet != nullptr && !sheet->is_text()) ||
+          members.size() != (sheet == nullptr ? 1U : 2U)) {
+        fail(
+            node, record.key,
+            "write {\"workbook\":the bytes of an .xlsx file in base64}, and \"sheet\" if it is not "
+            "the first");
+      }
     } else {
       fail(node, record.key, what);
     }
@@ -291,6 +311,14 @@ void write_list(JsonWriter& json, const OptionRecord& record, const RequestList&
   }
   if (list.text) {
     json.begin_object().key("text").value(*list.text).end_object();
+    return;
+  }
+  if (list.workbook) {
+    json.begin_object().key("workbook").value(base64_of(*list.workbook));
+    if (!list.sheet.empty()) {
+      json.key("sheet").value(list.sheet);
+    }
+    json.end_object();
     return;
   }
   json.begin_array();
@@ -322,19 +350,31 @@ std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
   if (list.text) {
     return input_from_text(*list.text, spelled);
   }
+  if (list.workbook) {
+    auto bytes = input_from_text(*list.workbook, spelled);
+    if (list.sheet.empty()) {
+      return bytes;
+    }
+    return std::make_unique<SheetInput>(std::move(bytes), list.sheet);
+  }
   GivenRows::Fields header;
   std::vector<GivenRows::Fields> rows;
+  std::vector<bool> says_nothing;  // by column after the first two
   std::size_t widest = 0;
   for (const ListRow& row : *list.rows) {
     widest = std::max(widest, row.fields.size());
   }
   if (record.shape == RowShape::parts) {
-    header = {"name", "change cost", "slot"};
+    header = {"name", "change cost", "slot", "quantity"};
     header.resize(std::clamp<std::size_t>(widest, 1, header.size()));
-    const bool has_slots = std::any_of(
-        list.rows->begin(), list.rows->end(),
-        [](const ListRow& row) { return row.fields.size() > 2 && !row.fields[2].empty(); });
-    header.resize(has_slots ? header.size() : std::min<std::size_t>(2, header.size()));
+    // A column for slots or quantities would say that parts have some.
+    for (std::size_t column = header.size(); column-- > 2;) {
+      says_nothing.push_back(
+          std::none_of(list.rows->begin(), list.rows->end(), [&](const ListRow& row) {
+            return column < row.fields.size() && !row.fields[column].empty();
+          }));
+    }
+    std::reverse(says_nothing.begin(), says_nothing.end());
   } else if (record.shape == RowShape::tests) {
     // The columns of a run sheet, so that no name of a part is taken for one.
     header = {"step", "take_out", "put_in", "cost_so_far", "result"};
@@ -350,6 +390,15 @@ std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
     fields.insert(fields.end(), row.fields.begin(), row.fields.end());
     if (!header.empty()) {
       fields.resize(header.size());
+    }
+  }
+  for (std::size_t column = 2 + says_nothing.size(); column-- > 2;) {
+    if (says_nothing[column - 2]) {
+      const auto at = static_cast<std::ptrdiff_t>(column);
+      header.erase(header.begin() + at);
+      for (GivenRows::Fields& fields : rows) {
+        fields.erase(fields.begin() + at);
+      }
     }
   }
   return std::make_unique<GivenRows>(spelled, std::move(header), std::move(rows));
@@ -386,6 +435,8 @@ std::string sentence_of(OptionRule::Says says, const std::vector<std::string>& k
   switch (says) {
     case OptionRule::Says::exclude:
       return enumerated(keys) + " exclude each other";
+    case OptionRule::Says::needs:
+      return enumerated(keys) + (one ? " needs " : " need ") + enumerated(others);
     case OptionRule::Says::only_with:
       return enumerated(keys) + (one ? " is" : " are") + " for " + enumerated(others, " or ") +
              " only";
@@ -404,6 +455,10 @@ namespace request_rules {
 
 void refuse_excluded(const std::vector<std::string>& all) {
   throw BadOption(enumerated(all) + " exclude each other");
+}
+
+void refuse_without(const std::string& key, const std::string& needed) {
+  throw BadOption(key + " needs " + needed + "; give it, too");
 }
 
 void refuse_alone(const std::string& key, const std::vector<std::string>& others) {

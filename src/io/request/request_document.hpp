@@ -189,6 +189,7 @@ void complete(const RequestTable<Request>& table, Request& request, Request othe
 
 namespace request_rules {
 void refuse_excluded(const std::vector<std::string>& all);
+void refuse_without(const std::string& key, const std::string& needed);
 void refuse_alone(const std::string& key, const std::vector<std::string>& others);
 void refuse_together(const std::string& key, const std::vector<std::string>& others);
 }  // namespace request_rules
@@ -211,6 +212,16 @@ void check_rules(const std::vector<OptionRule>& rules, Given&& given, Spell&& sp
       }
       if (count > 1) {
         request_rules::refuse_excluded(spelled_all(rule.keys));
+      }
+      continue;
+    }
+    if (rule.says == OptionRule::Says::needs) {
+      for (const std::string_view key : rule.keys) {
+        for (const std::string_view other : rule.others) {
+          if (given(key) && !given(other)) {
+            request_rules::refuse_without(spell_in_full(key), spell_in_full(other));
+          }
+        }
       }
       continue;
     }

@@ -24,7 +24,7 @@ std::string row(RowShape shape) {
     case RowShape::parts:
       return fmt::format(
           R"({{"anyOf":[{{"type":"string"}},{{"type":"object","required":["name"],"additionalProperties":false,)"
-          R"("properties":{{"name":{0},"cost":{0},"slot":{0}}}}}]}})",
+          R"("properties":{{"name":{0},"cost":{0},"slot":{0},"quantity":{0}}}}}]}})",
           field);
     case RowShape::slots:
       return fmt::format(R"({{"type":"object","required":["name"],"additionalProperties":false,)"
@@ -32,6 +32,8 @@ std::string row(RowShape shape) {
                          field);
     case RowShape::pairs:
       return fields("2", "2");
+    case RowShape::reasons:
+      return fields("2", "3");
     case RowShape::weights:
       return fields("3", "3");
     case RowShape::tests:
@@ -48,7 +50,9 @@ std::string list(const OptionRecord& record) {
   constexpr std::string_view one_of =
       R"({{"anyOf":[{}{{"type":"array","items":{}}},)"
       R"({{"type":"object","required":["file"],"additionalProperties":false,"properties":{{"file":{{"type":"string","minLength":1}}}}}},)"
-      R"({{"type":"object","required":["text"],"additionalProperties":false,"properties":{{"text":{{"type":"string"}}}}}}]}})";
+      R"({{"type":"object","required":["text"],"additionalProperties":false,"properties":{{"text":{{"type":"string"}}}}}},)"
+      R"({{"type":"object","required":["workbook"],"additionalProperties":false,)"
+      R"("properties":{{"workbook":{{"type":"string","contentEncoding":"base64"}},"sheet":{{"type":"string"}}}}}}]}})";
   return fmt::format(fmt::runtime(one_of),
                      record.shape == RowShape::parts ? R"({"type":"integer","minimum":0},)" : "",
                      row(record.shape));
@@ -122,10 +126,21 @@ std::string request_schema(std::string_view format, std::string_view title,
             never(rule.keys[i], other);
           }
           break;
+        case OptionRule::Says::needs:
+          for (const std::string_view other : rule.others) {
+            json.raw(fmt::format(R"({{"if":{},"then":{}}})", given(rule.keys[i], records),
+                                 given(other, records)));
+          }
+          break;
         case OptionRule::Says::only_with: {
           std::string any;
           for (const std::string_view other : rule.others) {
             any += (any.empty() ? "" : ",") + given(other, records);
+          }
+          if (!rule.or_in_file_of.empty()) {
+            any +=
+                fmt::format(R"(,{{"required":["{0}"],"properties":{{"{0}":{{"type":"object"}}}}}})",
+                            rule.or_in_file_of);
           }
           json.raw(fmt::format(R"({{"if":{},"then":{{"anyOf":[{}]}}}})",
                                given(rule.keys[i], records), any));

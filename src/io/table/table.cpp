@@ -41,11 +41,20 @@ std::string class_of(std::string_view a, std::string_view b) {
              : fmt::format(" class=\"{}{}{}\"", a, a.empty() || b.empty() ? "" : " ", b);
 }
 
+// A head as a page has it, in one line.
+std::string head_on_page(const TableColumn& column) {
+  std::string text = head_line(column, in_html);
+  if (!column.style.head_is_a_name) {
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  }
+  return text;
+}
+
 std::string html_head(const TableColumn& column) {
-  std::string text = html_text(column.head);
-  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  if (const std::size_t at = text.find('\n'); at != std::string::npos) {
-    text.replace(at, 1, "<br>");
+  std::string text = html_text(head_on_page(column));
+  if (const std::size_t at = column.head.find('\n'); at != std::string::npos) {
+    text = html_text(head_on_page(column).substr(0, at)) + "<br>" +
+           html_text(column.head.substr(at + 1));
   }
   return fmt::format("<th{}>{}</th>", class_of(is_right(column) ? "n" : "", column.style.head_css),
                      text);
@@ -56,10 +65,16 @@ std::string html_list(const TableCell& cell) {
   constexpr std::size_t wide_name = 26;
   std::string text;
   for (std::size_t i = 0; i < cell.words.size(); ++i) {
+    const bool bold = !cell.bold.empty() && cell.bold[i];
+    const bool remarked = !cell.remarks.empty() && !cell.remarks[i].empty();
+    std::string word = html_text(cell.words[i]);
+    if (remarked) {
+      word = fmt::format("<span class=\"name{}\">{}</span> <span class=\"small\">{}</span>",
+                         bold ? " in" : "", word, html_text(cell.remarks[i]));
+    }
     text += fmt::format("{}<span class=\"part{}{}\">{}</span>", i == 0 ? "" : " ",
-                        !cell.bold.empty() && cell.bold[i] ? " in" : "",
-                        display_width(cell.words[i]) > wide_name ? " wide" : "",
-                        html_text(cell.words[i]));
+                        bold && !remarked ? " in" : "",
+                        remarked || display_width(cell.words[i]) > wide_name ? " wide" : "", word);
   }
   return text;
 }
@@ -71,6 +86,19 @@ std::string html_boxes(const TableColumn& column) {
     text += std::string(i == 0 ? "" : " ") + "<span class=\"box\"></span>";
   }
   return text;
+}
+
+// Words in bold, commas between them.
+std::string markdown_cell(const TableCell& cell) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < cell.words.size(); ++i) {
+    const bool bold = !cell.bold.empty() && cell.bold[i];
+    const bool remarked = !cell.remarks.empty() && !cell.remarks[i].empty();
+    words.push_back(fmt::format("{0}{1}{0}{2}{3}", bold ? "**" : "", markdown_text(cell.words[i]),
+                                remarked ? " " : "",
+                                remarked ? markdown_text(cell.remarks[i]) : ""));
+  }
+  return joined(words);
 }
 
 std::string html_cell(const TableColumn& column, const TableCell& cell) {
@@ -144,7 +172,7 @@ std::string table_markdown(const Table& table) {
   each_row(
       table, columns,
       [](const TableColumn& column) { return markdown_text(head_line(column, in_markdown)); },
-      [](const TableColumn&, const TableCell& cell) { return markdown_text(joined(cell.words)); },
+      [](const TableColumn&, const TableCell& cell) { return markdown_cell(cell); },
       [&](const std::vector<std::string>& cells) {
         text += row_of(cells, "| ", " | ", " |\n") + std::exchange(rule, "");
       });
@@ -199,7 +227,11 @@ std::string table_html(const Table& table) {
     for (const TableColumn* column : columns) {
       if (column->style.kind != ColumnKind::remark) {
         text += fmt::format(
-            "<td{}>{}{}</td>", class_of(is_right(*column) ? "n" : "", column->style.css),
+            "<td{}{}>{}{}</td>", class_of(is_right(*column) ? "n" : "", column->style.css),
+            table.css.empty() || column->style.kind == ColumnKind::choice ||
+                    column->style.kind == ColumnKind::notes
+                ? ""
+                : fmt::format(" data-head=\"{}\"", html_text(head_on_page(*column))),
             html_cell(*column, column->cell(row)), column == columns.front() ? remarks : "");
       }
     }

@@ -25,10 +25,10 @@ namespace changeover {
 /// What a column holds, which says how each format writes it.
 enum class ColumnKind {
   text,
-  list,    ///< names: lines break between them, a file quotes those with commas in them
-  number,  ///< decimal, to the right; words in it ("+1 (0.9 %)") are to the right as well
-  formula, ///< LaTeX that stands as it is, to the right; for LaTeX only
-  cost,    ///< a number whose thousands a workbook sets apart
+  list,     ///< names: lines break between them, a file quotes those with commas in them
+  number,   ///< decimal, to the right; words in it ("+1 (0.9 %)") are to the right as well
+  formula,  ///< LaTeX that stands as it is, to the right; for LaTeX only
+  cost,     ///< a number whose thousands a workbook sets apart
   remark,  ///< a text of some length: a page has it in small letters below the first cell of the row
   choice,  ///< to be filled in with a word: a page has a box for each word of the head
   notes,   ///< to be filled in by hand
@@ -56,7 +56,10 @@ struct TableCell {
       : words(std::move(list)), bold(std::move(which)) {}
 
   std::vector<std::string> words;
-  std::vector<bool> bold;  ///< by word; all false if empty
+  std::vector<bool> bold;    ///< by word, in all but texts; all false if empty
+  std::vector<bool> breaks;  ///< by word: on a terminal it begins a line; all false if empty
+  std::vector<std::string>
+      remarks;  ///< by word: what stands after it where people read, never bold; none if empty
 };
 
 /// What a workbook offers for the cells of a column; other words are taken too, with this message.
@@ -74,6 +77,8 @@ struct ColumnStyle {
   std::string css = {};         ///< class of its cells on a page
   std::string head_css = {};    ///< class of its head
   Choices choices = {};
+  bool begins_group = false;    ///< a workbook has a line before the column, if it is of texts
+  bool head_is_a_name = false;  ///< a page does not begin it with a capital
 };
 
 inline const ColumnStyle number_column{.kind = ColumnKind::number};

@@ -34,6 +34,7 @@ struct TableSection {
   std::string css = {};         ///< class of the heading on a page
   std::string sheet = {};       ///< of the workbook; empty: below the title and the lines
   std::string sheet_head = {};  ///< printed at the top of the pages of that sheet; empty: the title
+  bool hidden = false;          ///< that sheet is not shown
 };
 
 struct TableDocument {

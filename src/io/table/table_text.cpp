@@ -15,9 +15,11 @@ std::vector<std::string> lines_of(const TableCell& cell, std::size_t width) {
   std::vector<std::string> lines;
   std::size_t columns = 0;  // of the last line
   for (std::size_t i = 0; i < cell.words.size(); ++i) {
-    const std::string word = cell.words[i] + (i + 1 < cell.words.size() ? "," : "");
+    const auto breaks = [&](std::size_t at) { return !cell.breaks.empty() && cell.breaks[at]; };
+    const bool last = i + 1 == cell.words.size() || breaks(i + 1);
+    const std::string word = cell.words[i] + (last ? "" : ",");
     const std::size_t more = display_width(word);
-    if (!lines.empty() && columns + 1 + more <= width) {
+    if (!lines.empty() && !breaks(i) && columns + 1 + more <= width) {
       lines.back() += " " + word;
       columns += 1 + more;
     } else {

@@ -6,6 +6,7 @@
 #include <xlsxwriter.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <ctime>
 #include <new>
@@ -59,20 +60,40 @@ class Workbook {
     if (book_ == nullptr) {
       throw std::bad_alloc();
     }
-    text = format([](lxw_format* f) { format_set_num_format(f, "@"); });  // stays text when edited
     wrapped = format([](lxw_format* f) {
       format_set_num_format(f, "@");
       format_set_text_wrap(f);
     });
-    bold = format([](lxw_format* f) {
+    for (const bool bold : {false, true}) {
+      for (const bool group : {false, true}) {
+        texts[bold][group] = format([&](lxw_format* f) {
+          constexpr lxw_color_t pale_yellow = 0xFFF2CC;
+          format_set_num_format(f, "@");
+          if (bold) {
+            format_set_bold(f);
+            format_set_bg_color(f, pale_yellow);
+          }
+          if (group) {
+            format_set_left(f, LXW_BORDER_THIN);
+          }
+        });
+      }
+    }
+    text = texts[0][0];
+    right = format([](lxw_format* f) {
       format_set_num_format(f, "@");
-      format_set_bold(f);
+      format_set_align(f, LXW_ALIGN_RIGHT);
     });
-    head = format([](lxw_format* f) {
-      format_set_bold(f);
-      format_set_text_wrap(f);
-      format_set_bottom(f, LXW_BORDER_MEDIUM);
-    });
+    for (const bool group : {false, true}) {
+      heads[group] = format([&](lxw_format* f) {
+        format_set_bold(f);
+        format_set_text_wrap(f);
+        format_set_bottom(f, LXW_BORDER_MEDIUM);
+        if (group) {
+          format_set_left(f, LXW_BORDER_THIN);
+        }
+      });
+    }
     title = format([](lxw_format* f) {
       constexpr double large = 14;
       format_set_bold(f);
@@ -131,10 +152,12 @@ class Workbook {
     return file_.bytes();
   }
 
+  std::array<std::array<lxw_format*, 2>, 2>
+      texts;  // bold, at the beginning of a group; stay text when edited
+  std::array<lxw_format*, 2> heads;
   lxw_format* text;
+  lxw_format* right;  // among numbers: times on a clock, and numbers of too many digits
   lxw_format* wrapped;
-  lxw_format* bold;
-  lxw_format* head;
   lxw_format* title;
   lxw_format* count;
 
@@ -200,12 +223,13 @@ class SheetWriter {
     const std::vector<const TableColumn*> columns = columns_in(table, in_workbook);
     const lxw_row_t head = row_;
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      wide_text(head, c, head_line(*columns[c], in_workbook), book_->head);
+      wide_text(head, c, head_line(*columns[c], in_workbook),
+                book_->heads[columns[c]->style.begins_group]);
     }
     for (std::size_t i = 0; i < table.rows; ++i) {
       ++row_;
       for (std::size_t c = 0; c < columns.size(); ++c) {
-        cell(row_, c, columns[c]->style.kind, columns[c]->cell(i));
+        cell(row_, c, columns[c]->style, columns[c]->cell(i));
       }
     }
     for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -239,6 +263,8 @@ class SheetWriter {
                                     fmt::format("A2:XFD{}", whole.rows + 1).c_str()));
     }
   }
+
+  void hide() { worksheet_hide(sheet_); }
 
   // Pages as wide as the sheet.
   void print_set_up(const std::string& page_head, bool landscape) {
@@ -282,7 +308,7 @@ class SheetWriter {
   void number(lxw_row_t row, std::size_t column, const std::string& words, ColumnKind kind) {
     const std::optional<double> number = number_in(words);
     if (!number) {
-      return wide_text(row, column, words, book_->text);
+      return wide_text(row, column, words, book_->right);
     }
     const bool is_cost = kind == ColumnKind::cost;
     check(worksheet_write_number(sheet_, row, at(column), *number,
@@ -290,14 +316,18 @@ class SheetWriter {
     widen(column, words.size() + (is_cost ? words.size() / 3 : 0));
   }
 
-  void cell(lxw_row_t row, std::size_t column, ColumnKind kind, const TableCell& cell) {
+  void cell(lxw_row_t row, std::size_t column, const ColumnStyle& style, const TableCell& cell) {
+    const ColumnKind kind = style.kind;
     const bool bold = !cell.bold.empty() && cell.bold.front();
     if (kind == ColumnKind::list) {
       text(row, column, list_line(cell.words), book_->wrapped);
     } else if (kind == ColumnKind::number || kind == ColumnKind::cost) {
       number(row, column, joined(cell.words), kind);
     } else {
-      wide_text(row, column, joined(cell.words), bold ? book_->bold : book_->text);
+      if (cell.words.empty() && style.begins_group) {
+        check(worksheet_write_blank(sheet_, row, at(column), book_->texts[0][1]));
+      }
+      wide_text(row, column, joined(cell.words), book_->texts[bold][style.begins_group]);
     }
   }
 
@@ -377,9 +407,12 @@ std::string document_workbook(const TableDocument& document) {
       continue;
     }
     if (!section.sheet.empty()) {
-      SheetWriter(book, section.sheet)
-          .table_alone(section.table,
-                       section.sheet_head.empty() ? document.title : section.sheet_head);
+      SheetWriter writer(book, section.sheet);
+      writer.table_alone(section.table,
+                         section.sheet_head.empty() ? document.title : section.sheet_head);
+      if (section.hidden) {
+        writer.hide();
+      }
     } else if (!std::exchange(has_overview, true)) {
       write_overview(book, document);
     }

@@ -5,8 +5,8 @@
 
 #include "changeover/plan/job.hpp"
 #include "io/scan/row_reader.hpp"
-#include "plan/job/cost_reader.hpp"
 #include "plan/job/part_finder.hpp"
+#include "plan/job/parts/cost_reader.hpp"
 
 namespace changeover {
 namespace {

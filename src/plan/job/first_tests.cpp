@@ -12,6 +12,11 @@
 
 namespace changeover {
 
+std::string why_forbidden(const Job& job, Element x, Element y) {
+  const std::string& why = job.why_never(x, y);
+  return why.empty() ? "" : " (" + why + ")";
+}
+
 std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
   if (setup.empty()) {
     return "no part is mounted; remove the set-up or complete it";
@@ -27,8 +32,9 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
   for (std::size_t i = 0; i < setup.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (job.never.contains(setup[i], setup[j])) {
-        return fmt::format("{} and {} must never be in one set-up; remove one", job.names[setup[j]],
-                           job.names[setup[i]]);
+        return fmt::format("{} and {} must never be in one set-up{}; remove one",
+                           job.names[setup[j]], job.names[setup[i]],
+                           why_forbidden(job, setup[j], setup[i]));
       }
     }
   }

@@ -22,6 +22,31 @@ std::string pair_name(const Job& job, Element x, Element y) {
   return fmt::format("{} and {}", job.names[x], job.names[y]);
 }
 
+// Places that are there twice, or that hold what they cannot.
+void find_malformed_places(const Job& job, std::vector<std::string>& found) {
+  std::unordered_set<std::uint64_t> numbers;
+  std::unordered_set<Element> parts;
+  for (const MountedPlace& place : job.places) {
+    const auto at_start = [&](Element x) {
+      return std::find(job.start.begin(), job.start.end(), x) != job.start.end();
+    };
+    if (place.number == 0 || !numbers.insert(place.number).second) {
+      found.push_back(
+          fmt::format("two places have the number {}; count them from 1", place.number));
+    } else if (place.slot != no_slot && place.slot >= job.slots.size()) {
+      found.push_back(fmt::format("place {} is in a slot that there is not", place.number));
+    } else if (place.part && (*place.part >= job.parts() || !at_start(*place.part))) {
+      found.push_back(
+          fmt::format("place {} has a part that is not mounted at the start", place.number));
+    } else if (place.part &&
+               (!parts.insert(*place.part).second ||
+                (job.slots.empty() ? no_slot : job.slot_of[*place.part]) != place.slot)) {
+      found.push_back(fmt::format("{} cannot be in place {}: it is in another, or in another slot",
+                                  job.names[*place.part], place.number));
+    }
+  }
+}
+
 // Malformed in a way that makes no sense of what follows.
 void find_malformed(const Job& job, std::vector<std::string>& found) {
   if (job.parts() < 2) {
@@ -83,6 +108,9 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
   look_at(job.mounted);
   look_at(job.start);
   std::for_each(job.first.begin(), job.first.end(), look_at);
+  if (known_slots) {
+    find_malformed_places(job, found);
+  }
 }
 
 // Slots whose numbers cannot be.
@@ -131,8 +159,9 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
   for (std::size_t i = 0; i < job.mounted.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (job.never.contains(job.mounted[i], job.mounted[j])) {
-        found.push_back(fmt::format("{} both stay mounted, but must never be in one set-up",
-                                    pair_name(job, job.mounted[j], job.mounted[i])));
+        found.push_back(fmt::format("{} both stay mounted, but must never be in one set-up{}",
+                                    pair_name(job, job.mounted[j], job.mounted[i]),
+                                    why_forbidden(job, job.mounted[j], job.mounted[i])));
       }
     }
   }
@@ -164,8 +193,8 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
     }
     const std::size_t together = mounted + (stays[x] ? 0U : 1U) + (stays[y] ? 0U : 1U);
     if (job.never.contains(x, y)) {
-      found.push_back(
-          fmt::format("{} must meet and must never be in one set-up", pair_name(job, x, y)));
+      found.push_back(fmt::format("{} must meet and must never be in one set-up{}",
+                                  pair_name(job, x, y), why_forbidden(job, x, y)));
     } else if (together > job.at_once) {
       found.push_back(fmt::format(
           "{} must meet, but beside the {} mounted there is no room for both", pair_name(job, x, y),
@@ -179,8 +208,9 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
       for (const Element z : {x, y}) {
         if (enemy[z]) {
           found.push_back(fmt::format(
-              "{} must meet, but {} must never be in one set-up with {}, which stays mounted",
-              pair_name(job, x, y), job.names[z], job.names[*enemy[z]]));
+              "{} must meet, but {} must never be in one set-up with {}, which stays mounted{}",
+              pair_name(job, x, y), job.names[z], job.names[*enemy[z]],
+              why_forbidden(job, z, *enemy[z])));
         }
       }
     }

@@ -15,7 +15,7 @@
 #include "changeover/core/block.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
-#include "plan/job/part_columns.hpp"
+#include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
 
@@ -109,6 +109,15 @@ class PartFinder {
 /// That for these rows: what is no file was made by a program, whose numbers may be names.
 [[nodiscard]] inline PartNumbers numbers_in(const RowReader& reader) {
   return reader.is_given() ? PartNumbers::unless_names_are_so : PartNumbers::count;
+}
+
+/// Parts with blanks between them and no separator ("1 2 3") come as one field; a part whose name
+/// has blanks does, too.
+inline void split_at_blanks(Row& row, const PartFinder& finder, const RowReader& reader) {
+  if (row.size() == 1 && (!row.front().in_quotes || reader.is_workbook()) &&
+      !finder.find(row.front().text)) {
+    row = at_blanks(row.front(), reader);
+  }
 }
 
 /// The parts of some fields, none twice; says which field is at fault. `find` takes its text.

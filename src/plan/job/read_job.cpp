@@ -4,62 +4,57 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <set>
-#include <span>
 #include <unordered_set>
 #include <utility>
 
 #include "changeover/core/error.hpp"
 #include "io/scan/place.hpp"
-#include "io/scan/plain_text.hpp"
 #include "io/scan/row_reader.hpp"
 #include "io/write/csv_cell.hpp"
-#include "plan/job/cost_reader.hpp"
-#include "plan/job/part_columns.hpp"
 #include "plan/job/part_finder.hpp"
 #include "plan/job/setup_list.hpp"
 
 namespace changeover {
 namespace {
 
-constexpr std::size_t longest_name = 255;
-
-// Parts with blanks between them and no separator ("1 2 3") come as one field; a part whose name has blanks does, too.
-void split_at_blanks(Row& row, const PartFinder& finder, const RowReader& reader) {
-  if (row.size() == 1 && (!row.front().in_quotes || reader.is_workbook()) &&
-      !finder.find(row.front().text)) {
-    row = at_blanks(row.front(), reader);
-  }
-}
-
 // Which fields of the rows hold a set-up.
 struct SetupColumns {
   std::optional<std::size_t> list;  // all parts in one field
   std::vector<std::size_t> slots;   // a part in each; increasing
   std::optional<std::size_t> result;
+  std::optional<std::size_t> notes;
   bool header = false;  // the first row is one
 };
 
-// Whether "slot_7" or the like, or "slot_7 CPU".
-bool is_slot(const std::string& word) {
+// The place of "slot_7", or of "slot_7 CPU".
+std::optional<DonePlace> place_in(std::string_view head) {
   constexpr std::string_view prefix = "slot_";
-  if (!word.starts_with(prefix)) {
-    return false;
+  if (!head.starts_with(prefix)) {
+    return std::nullopt;
   }
-  const std::size_t end = word.find_first_not_of("0123456789", prefix.size());
-  return end != prefix.size() && word.size() > prefix.size() &&
-         (end == std::string::npos || word[end] == ' ');
+  head.remove_prefix(prefix.size());
+  DonePlace place;
+  const char* const end = head.data() + head.size();
+  const auto [rest, failure] = std::from_chars(head.data(), end, place.number);
+  if (failure != std::errc() || (rest != end && *rest != ' ')) {
+    return std::nullopt;
+  }
+  place.slot = rest == end ? "" : std::string(rest + 1, end);
+  return place;
 }
 
 // A first row with such words is the header of a sheet, unless they are names of parts; then only if it
 // is one beyond doubt.
 SetupColumns setup_columns(const Row& first, const PartFinder& finder) {
-  constexpr std::array<std::string_view, 4> of_a_sheet{"step", "take_out", "put_in", "cost_so_far"};
-  const bool beyond_doubt =
-      std::all_of(of_a_sheet.begin(), of_a_sheet.end(), [&](std::string_view word) {
-        return std::any_of(first.begin(), first.end(),
-                           [&](const Field& field) { return field.text == word; });
-      });
+  const auto has_all = [&](std::initializer_list<std::string_view> words) {
+    return std::ranges::all_of(words, [&](std::string_view word) {
+      return std::ranges::any_of(first, [&](const Field& field) { return field.text == word; });
+    });
+  };
+  const bool beyond_doubt = has_all({"step", "take_out", "put_in", "cost_so_far"}) ||
+                            has_all({"step", "result", "notes"});
   SetupColumns columns;
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (finder.is_name(first[i].text) && !beyond_doubt) {
@@ -67,10 +62,12 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder) {
     }
     if (first[i].text == "set_up") {
       columns.list = i;
-    } else if (is_slot(first[i].text)) {
+    } else if (place_in(first[i].text)) {
       columns.slots.push_back(i);
     } else if (lower(first[i].text) == "result") {
       columns.result = i;
+    } else if (lower(first[i].text) == "notes") {
+      columns.notes = i;
     }
   }
   columns.header = beyond_doubt || columns.list || !columns.slots.empty();
@@ -107,182 +104,7 @@ void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
   }
 }
 
-// A first row of two words that head columns, neither of which is a part in whatever case.
-bool heads_pairs(const Row& row, const PartFinder& finder, const RowReader& reader) {
-  return row.size() == 2 && !reader.is_given() &&
-         std::all_of(row.begin(), row.end(), [&](const Field& field) {
-           return heads_parts(field.text) && !finder.find(field.text) &&
-                  !finder.is_name_in_any_case(field.text);
-         });
-}
-
-void check_name(const RowReader& reader, const Field& name) {
-  if (name.text.size() > longest_name) {
-    reader.fail(name, fmt::format("a name of more than {} bytes; shorten it", longest_name));
-  }
-  if (const auto defect = text_defect(name.text)) {
-    reader.fail(name, fmt::format("the name {}: {}", shown(name.text), *defect));
-  }
-  if (!name.in_quotes && name.text.find_first_of(",;") != std::string::npos) {
-    reader.fail(
-        name, fmt::format("{} has a separator in it, but the rows are split at {}; put the name in "
-                          "quotes, or use one separator everywhere",
-                          shown(name.text),
-                          reader.separator() == ';'   ? "semicolons"
-                          : reader.separator() == ',' ? "commas"
-                                                      : "tabs"));
-  }
-}
-
 }  // namespace
-
-PartList read_parts(Input& input, Header header) {
-  RowReader reader(input);
-  std::vector<Row> rows;  // at most one more than there can be, and a header
-  while (auto next = rows.size() < max_parts + 2 ? reader.next() : std::nullopt) {
-    rows.push_back(std::move(*next));
-  }
-  if (rows.empty()) {
-    fail(input.name(), {}, "no part is listed; write one a line");
-  }
-  const PartColumns columns = part_columns(rows, header, reader);
-  constexpr std::size_t most_without_header = 2;
-  const std::size_t fields = columns.header ? rows.front().size() : most_without_header;
-  PartList parts;
-  parts.note = columns.note.empty() || reader.is_given()
-                   ? ""
-                   : fmt::format("{}: {}", input.name(), columns.note);
-  std::unordered_set<std::string> seen;
-  std::unordered_set<std::string> looks;
-  CostReader costs(reader);
-  rows.erase(rows.begin(), rows.begin() + (columns.header ? 1 : 0));
-  for (const Row& row : rows) {
-    if (row.size() > fields && !columns.header) {
-      reader.fail(row[fields],
-                  "a third field; write a name and a change cost, or a header with a word for each "
-                  "column, and quote a name with a comma");
-    }
-    if (row.size() > fields && !reader.is_workbook()) {  // there it is a note beside the table
-      reader.fail(row[fields],
-                  fmt::format("more fields than the {} of the header; quote those with "
-                              "a comma",
-                              fields));
-    }
-    if (columns.name >= row.size() || row[columns.name].text.empty()) {
-      reader.fail(row.front(), "a row without a name; name the part");
-    }
-    const Field& name = row[columns.name];
-    check_name(reader, name);
-    if (!seen.insert(name.text).second) {
-      reader.fail(name, fmt::format("a second part is called {}; rename one", shown(name.text)));
-    }
-    const std::string look = visible(name.text);
-    if (look.empty()) {
-      reader.fail(name, "nothing of this name can be seen; name the part");
-    }
-    if (!looks.insert(look).second) {
-      reader.fail(name,
-                  fmt::format("a second part looks like {}: the names differ in characters that "
-                              "cannot be seen; rename one",
-                              shown(look)));
-    }
-    if (parts.names.size() == max_parts) {
-      reader.fail(name, fmt::format("more than {} parts; plan for fewer at a time", max_parts));
-    }
-    parts.names.push_back(name.text);
-    parts.change_costs.emplace_back();
-    if (columns.cost && *columns.cost < row.size() && !row[*columns.cost].text.empty()) {
-      parts.change_costs.back() = costs.read(row[*columns.cost]);
-    }
-    if (columns.slot) {
-      parts.slots.push_back(*columns.slot < row.size() ? row[*columns.slot].text : "");
-      if (!parts.slots.back().empty()) {
-        check_name(reader, row[*columns.slot]);
-      }
-    }
-  }
-  if (parts.names.empty()) {
-    fail(input.name(), {}, "no part is listed; write one a line");
-  }
-  return parts;
-}
-
-PairSet read_pairs(Input& input, const std::vector<std::string>& names) {
-  RowReader reader(input, {.blanks = true});
-  const PartFinder finder(names, numbers_in(reader));
-  PairSet pairs(names.size());
-  bool first = true;
-  while (auto row = reader.next()) {
-    finder.restore_blanks(*row);
-    split_at_blanks(*row, finder, reader);
-    if (std::exchange(first, false) && heads_pairs(*row, finder, reader)) {
-      continue;
-    }
-    const Block pair = find_parts(
-        finder, *row, [&](const std::string& word) { return finder.find(word); },
-        [&](const Field& field, const std::string& what) { reader.fail(field, what); });
-    if (pair.size() != 2) {
-      reader.fail(row->front(),
-                  fmt::format("{} here, and a pair has two; write A,B",
-                              pair.size() == 1 ? "one part stands" : "more than two stand"));
-    }
-    pairs.insert(pair[0], pair[1]);
-  }
-  return pairs;
-}
-
-PairWeights read_priorities(Input& input, const std::vector<std::string>& names) {
-  RowReader reader(input, {.blanks = true});
-  const PartFinder finder(names, numbers_in(reader));
-  PairWeights weights;
-  std::set<std::uint64_t> seen;
-  const auto weight_of = [&](const Field& field) -> std::optional<Amount> {
-    std::string text = field.text;
-    if (reader.separator() != ',' && std::count(text.begin(), text.end(), ',') == 1) {
-      text[text.find(',')] = '.';
-    }
-    try {
-      return parse_amount(text);
-    } catch (const BadInput&) {
-      return std::nullopt;
-    }
-  };
-  bool first = true;
-  while (auto row = reader.next()) {
-    constexpr std::size_t fields = 3;
-    split_at_blanks(*row, finder, reader);
-    if (row->size() != fields) {
-      reader.fail(row->front(), "no pair with its weight; write A,B,5, a pair a line");
-    }
-    const auto weight = weight_of(row->back());
-    const Row parts(row->begin(), row->end() - 1);
-    if (std::exchange(first, false) && !weight && heads_pairs(parts, finder, reader)) {
-      continue;
-    }
-    const Block pair = find_parts(
-        finder, parts, [&](const std::string& word) { return finder.find(word); },
-        [&](const Field& field, const std::string& what) { reader.fail(field, what); });
-    if (pair.size() != 2) {
-      reader.fail(row->front(), "one part stands here, and a pair has two; write A,B,5");
-    }
-    if (!weight) {
-      reader.fail(row->back(), fmt::format("{} is no weight; write a number that is not negative, "
-                                           "with at most six decimals, as in A,B,2.5",
-                                           shown(row->back().text)));
-    }
-    if (!seen.insert(PairSet::rank(pair[0], pair[1])).second &&
-        weights(pair[0], pair[1]) != *weight) {
-      reader.fail(row->back(),
-                  fmt::format("{} and {} weigh {} on a line before; remove one", names[pair[0]],
-                              names[pair[1]], to_string(weights(pair[0], pair[1]))));
-    }
-    weights.set(pair[0], pair[1], *weight);
-  }
-  if (weights.empty()) {
-    fail(input.name(), {}, "no pair is listed; write A,B,5, a pair and its weight a line");
-  }
-  return weights;
-}
 
 DoneList read_list(Input& input, const std::vector<std::string>& names, std::uint64_t at_once,
                    bool forgiving) {
@@ -329,6 +151,9 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
       if (columns.header) {
         header = row;
         check_header(header, reader);
+        for (const std::size_t i : columns.slots) {
+          list.places.push_back(*place_in(header[i].text));
+        }
         continue;
       }
     }
@@ -341,6 +166,11 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
     list.lacks.push_back(false);
     list.lines.push_back(row.front().line);
     list.unread.emplace_back();
+    list.in_place.emplace_back();
+    list.written.emplace_back();
+    list.notes.emplace_back(columns.notes && *columns.notes < row.size()
+                                ? text_of(row[*columns.notes].text)
+                                : std::string());
     if (columns.result && *columns.result < row.size()) {
       const Field& result = row[*columns.result];
       list.results.back() = text_of(result.text);
@@ -360,6 +190,10 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
       }
       is_empty =
           std::all_of(slots.begin(), slots.end(), [](const Field& f) { return f.text.empty(); });
+      for (const Field& slot : slots) {
+        list.in_place.back().push_back(slot.text.empty() ? std::nullopt : find_cell(slot.text));
+        list.written.back().push_back(text_of(slot.text));
+      }
       leave_out_gone(slots);
       setups.push_back(find_parts(finder, slots, find_cell, fail));
     } else if (columns.list && *columns.list < row.size()) {  // the parts in one field

@@ -16,6 +16,9 @@ namespace changeover {
 [[nodiscard]] DoneList read_list(Input& input, const std::vector<std::string>& names,
                                  std::uint64_t at_once, bool forgiving);
 
+/// What stands behind a forbidden pair where it is named: " (why)", or nothing.
+[[nodiscard]] std::string why_forbidden(const Job& job, Element x, Element y);
+
 /// Why no list may hold this set-up, whose parts are parts of the job, none twice: without a place. Nothing if one may.
 [[nodiscard]] std::optional<std::string> setup_defect(const Job& job, const Block& setup);
 

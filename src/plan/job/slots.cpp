@@ -15,7 +15,7 @@
 #include "io/scan/row_reader.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
-#include "plan/job/part_columns.hpp"
+#include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
 namespace {
@@ -44,53 +44,96 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> range_of(std::string_view
                                                         : std::nullopt;
 }
 
+// Which columns of a list of slots say what.
+struct SlotTable {
+  bool header = false;
+  std::optional<std::size_t> name = 0;
+  std::optional<std::size_t> least = 1;
+  std::optional<std::size_t> most = 2;
+  std::optional<std::size_t> exactly = {};
+};
+
+// A header has no numbers, but a word for how many parts a slot has; other columns say nothing.
+SlotTable slot_table(const Row& first, const RowReader& reader) {
+  const auto find = [&](auto&& heads) -> std::optional<std::size_t> {
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      if (heads(first[i].text)) {
+        return i;
+      }
+    }
+    return std::nullopt;
+  };
+  SlotTable table{.header = true,
+                  .name = find(heads_slots),
+                  .least = find(heads_least),
+                  .most = find(heads_most),
+                  .exactly = find(heads_quantities)};
+  const bool has_number =
+      find([](const std::string& text) { return number(text).has_value(); }) != std::nullopt;
+  if (reader.is_given() || has_number || !(table.least || table.most || table.exactly)) {
+    return {};
+  }
+  if (!table.name) {
+    table.name = find([&](const std::string& text) {
+      return !text.empty() && !heads_least(text) && !heads_most(text) && !heads_quantities(text);
+    });
+  }
+  return table.name ? table : SlotTable();
+}
+
 }  // namespace
 
 std::vector<Slot> read_slots(Input& input) {
   RowReader reader(input);
   std::vector<Slot> slots;
+  SlotTable table;
   bool first = true;
   while (const auto next = reader.next()) {
     const Row& row = *next;
-    const bool header = std::exchange(first, false) && !reader.is_given() &&
-                        lower(row[0].text) == "slot" && row.size() > 1 &&
-                        lower(row[1].text) == "least";
-    if (header) {
-      continue;
+    if (std::exchange(first, false)) {
+      table = slot_table(row, reader);
+      if (table.header) {
+        continue;
+      }
     }
-    constexpr std::size_t fields = 3;
-    if (row[0].text.empty() || row.size() < 2 || row.size() > fields) {
+    const auto field = [&](const std::optional<std::size_t>& column) -> const Field* {
+      return column && *column < row.size() && !row[*column].text.empty() ? &row[*column] : nullptr;
+    };
+    const Field* const name = field(table.name);
+    if (name == nullptr || (!table.header && (row.size() < 2 || row.size() > 3))) {
       reader.fail(row[0],
                   "no slot with its least and most parts; write a slot a line, as in CPU,1,1");
     }
-    Slot slot{.name = row[0].text};
-    if (!row[1].text.empty()) {
-      const auto least = number(row[1].text);
-      if (!least) {
-        reader.fail(row[1], fmt::format("{} is no number of parts; {}", shown(row[1].text),
-                                        write_a_number));
+    const auto limit = [&](const Field& said) {
+      const auto value = number(said.text);
+      if (!value) {
+        reader.fail(said,
+                    fmt::format("{} is no number of parts; {}", shown(said.text), write_a_number));
       }
-      slot.least = *least;
+      return *value;
+    };
+    Slot slot{.name = name->text};
+    if (const Field* const exactly = field(table.exactly)) {
+      slot.least = slot.most = limit(*exactly);
     }
-    if (row.size() == fields && !row[2].text.empty()) {
-      const auto most = number(row[2].text);
-      if (!most) {
-        reader.fail(row[2], fmt::format("{} is no number of parts; {}", shown(row[2].text),
-                                        write_a_number));
-      }
-      slot.most = *most;
+    if (const Field* const least = field(table.least)) {
+      slot.least = limit(*least);
+    }
+    if (const Field* const most = field(table.most)) {
+      slot.most = limit(*most);
     }
     if (slot.least > slot.most) {
-      reader.fail(row[1],
+      const Field* const least = field(table.least);
+      reader.fail(least == nullptr ? *name : *least,
                   fmt::format("slot {} has at least {} and at most {}; write the least first",
                               shown(slot.name), slot.least, slot.most));
     }
     if (std::any_of(slots.begin(), slots.end(),
                     [&](const Slot& other) { return other.name == slot.name; })) {
-      reader.fail(row[0], fmt::format("{} stands here twice; remove one", shown(slot.name)));
+      reader.fail(*name, fmt::format("{} stands here twice; remove one", shown(slot.name)));
     }
     if (slots.size() == max_parts) {
-      reader.fail(row[0], fmt::format("more than {} slots", max_parts));
+      reader.fail(*name, fmt::format("more than {} slots", max_parts));
     }
     slots.push_back(std::move(slot));
   }
@@ -128,7 +171,8 @@ void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<S
   std::vector<std::uint32_t> slot_of(job.names.size(), no_slot);
   if (of_parts.size() != job.names.size()) {
     throw BadInput(
-        "slots are limited, but no part has one; give the parts list a header with a column slot");
+        "slots are limited, but no part has one; give the parts list a header with a column slot, "
+        "or with one in which nothing stands but their names");
   }
   std::string known;
   for (std::size_t x = 0; x < of_parts.size(); ++x) {

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -12,6 +14,9 @@
 #include "io/request/request_document.hpp"
 #include "io/scan/place.hpp"
 #include "plan/request/done_tests.hpp"
+#include "plan/request/whole_question.hpp"
+#include "plan/request/workbook_question.hpp"
+#include "plan/sheet/clock.hpp"
 
 namespace changeover {
 namespace {
@@ -36,8 +41,10 @@ class Question {
     return door_ == Door::command_line ? fmt::format("{} {}", this->key(key), record.value)
                                        : this->key(key);
   }
+  // A list that is no file stands in a document, at every door, and notes on it are the same at all
+  // of them.
   [[nodiscard]] std::unique_ptr<Input> open(std::string_view key, const RequestList& list) const {
-    return changeover::open(list, option_of(job_table(), key).record, this->key(key));
+    return changeover::open(list, option_of(job_table(), key).record, std::string(key));
   }
   [[nodiscard]] bool has_file() const {
     return std::ranges::any_of(job_table().options, [&](const auto& option) {
@@ -78,11 +85,13 @@ class JobMaker {
   JobMaker(const JobRequest& request, Door door) : question_(request, door) {}
 
   AskedJob make() {
+    whole_ = *question_;
     take_parts();
     take_constraints();
     take_needs();
     take_first_and_weights();
     check(job_);
+    finish_question();
     AskedJob asked;
     if (question_->done.is_given()) {
       asked = done_of_job();
@@ -90,6 +99,7 @@ class JobMaker {
     asked.job.job_ = std::move(job_);
     notes_.insert(notes_.end(), asked.notes.begin(), asked.notes.end());
     asked.notes = std::move(notes_);
+    asked.question = std::move(whole_);
     return asked;
   }
 
@@ -101,19 +111,25 @@ class JobMaker {
     const auto change = question_.amount("change_cost", asked.change_cost);
     if (asked.items) {
       job_ = question_.value_of("items", [&] {
-        Job job = make_job(*asked.items, *asked.at_once, test, change.value_or(Amount{}));
+        Job job =
+            make_job(*asked.items, asked.at_once.value_or(0), test, change.value_or(Amount{}));
         if (job.parts() < 2) {
           throw BadInput("a pair needs two parts");
         }
         return job;
       });
+      take_unit(CostUnit::none);
       return;
     }
+    std::vector<Slot> slots = slots_asked();
+    PartListOptions options{.header = asked.header      ? Header::given
+                                      : asked.no_header ? Header::none
+                                                        : Header::guessed,
+                            .cost_column = asked.cost_column};
+    std::ranges::transform(slots, std::back_inserter(options.slots), &Slot::name);
     const auto input = question_.open("parts", asked.parts);
-    PartList list = read_parts(*input, asked.header      ? Header::given
-                                       : asked.no_header ? Header::none
-                                                         : Header::guessed);
-    job_ = make_job(list.names.size(), *asked.at_once, test, change.value_or(Amount{}));
+    const PartList list = read_parts(*input, options);
+    job_ = make_job(list.names.size(), asked.at_once.value_or(0), test, change.value_or(Amount{}));
     for (std::size_t i = 0; i < list.names.size(); ++i) {
       if (list.change_costs[i]) {
         job_.change_costs[i] = *list.change_costs[i];
@@ -126,16 +142,44 @@ class JobMaker {
     if (list.names.size() < 2) {
       throw BadInput(fmt::format("{}: one part is listed; a pair needs two", input->name()));
     }
-    job_.names = std::move(list.names);
-    take_slots(list.slots, input->name());
+    job_.names = list.names;
     if (!list.note.empty()) {
       notes_.push_back(list.note);
     }
+    take_unit(list.unit);
+    take_slots(list.slots, std::move(slots), input->name());
+    quantities_ = list.quantities;
+    whole_.parts = part_rows(list, job_);
   }
 
-  void take_slots(const std::vector<std::string>& of_parts, const std::string& name) {
+  // What costs are: as is asked, or as the list says.
+  void take_unit(CostUnit said) {
+    const std::string& word = question_->cost_unit;
+    constexpr std::array units{CostUnit::seconds, CostUnit::minutes, CostUnit::hours};
+    job_.cost_unit = word.empty() ? said : CostUnit::none;
+    for (const CostUnit unit : units) {
+      job_.cost_unit = word == word_of(unit) ? unit : job_.cost_unit;
+    }
+    if (word.empty() && said != CostUnit::none) {
+      notes_.push_back(
+          fmt::format("costs are {}, by the list: so is that of a test, and a clock runs along",
+                      word_of(said)));
+      whole_.cost_unit = word_of(said);
+    }
+  }
+
+  [[nodiscard]] std::vector<Slot> slots_asked() const {
     const JobRequest& asked = *question_;
-    if (!asked.slots.is_given() && asked.slot.empty()) {
+    if (asked.slots.is_given()) {
+      return read_slots(*question_.open("slots", asked.slots));
+    }
+    return asked.slot.empty() ? std::vector<Slot>()
+                              : question_.value_of("slot", [&] { return parse_slots(asked.slot); });
+  }
+
+  void take_slots(const std::vector<std::string>& of_parts, std::vector<Slot> slots,
+                  const std::string& name) {
+    if (slots.empty()) {
       if (!of_parts.empty()) {
         throw BadOption(fmt::format(
             "{} has a column slot; give {} or {}, as in {} CPU=1,disk=2..4, or rename "
@@ -144,11 +188,84 @@ class JobMaker {
       }
       return;
     }
-    std::vector<Slot> slots =
-        asked.slots.is_given()
-            ? read_slots(*question_.open("slots", asked.slots))
-            : question_.value_of("slot", [&] { return parse_slots(asked.slot); });
     set_slots(job_, of_parts, std::move(slots));
+    whole_.slots = slot_rows(job_.slots);
+    whole_.slot.clear();
+  }
+
+  // Pieces of parts that a set-up may need several of, and how many parts fit if only the slots say
+  // so.
+  void take_pieces_and_room() {
+    if (!quantities_.empty()) {
+      if (const std::uint64_t added = add_pieces(job_, quantities_)) {
+        notes_.push_back(fmt::format(
+            "{} may fill slots that need several: {}; what is tested with one piece of a part is "
+            "tested",
+            count_of(added, "further piece"), examples_of_pieces()));
+      }
+    }
+    if (!question_->at_once) {
+      job_.at_once = room_of_slots();
+      whole_.at_once = job_.at_once;
+      notes_.push_back(
+          fmt::format("{} fit at once, as many as the slots hold", count_of(job_.at_once, "part")));
+    }
+    const std::string key = question_.key("at_once");
+    const bool of_triples = question_->strength == triples;
+    if (job_.at_once < 2 || (of_triples && job_.at_once < triples)) {
+      throw BadOption(fmt::format("{} {}: no {} can meet; give at least {}", key, job_.at_once,
+                                  of_triples ? "triple" : "pair", of_triples ? triples : 2));
+    }
+  }
+
+  [[nodiscard]] std::string examples_of_pieces() const {
+    constexpr std::size_t few = 3;
+    const auto first = job_.names.begin() + static_cast<std::ptrdiff_t>(quantities_.size());
+    std::string names;
+    for (auto name = first; name != job_.names.end() && name - first < std::ptrdiff_t{few};
+         ++name) {
+      names += (names.empty() ? "" : ", ") + *name;
+    }
+    return names + (job_.names.end() - first > std::ptrdiff_t{few} ? ", …" : "");
+  }
+
+  // The most parts that the slots hold together: of a slot without a limit, all of its parts.
+  [[nodiscard]] std::uint64_t room_of_slots() const {
+    const std::string give =
+        fmt::format("give {}, how many parts fit at once", question_.with_value("at_once"));
+    if (job_.slots.empty()) {
+      throw BadOption(give);
+    }
+    std::uint64_t room = 0;
+    for (std::size_t s = 0; s < job_.slots.size(); ++s) {
+      const auto members =
+          static_cast<std::uint64_t>(std::ranges::count(job_.slot_of, std::uint32_t(s)));
+      room += std::min(job_.slots[s].most, members);
+    }
+    const auto free = std::ranges::find(job_.slot_of, no_slot);
+    if (free != job_.slot_of.end()) {
+      throw BadOption(fmt::format("{}: {} is in no slot", give,
+                                  job_.names[std::size_t(free - job_.slot_of.begin())]));
+    }
+    return room;
+  }
+
+  // What the answer keeps of the question, so that it stands by itself.
+  void finish_question() {
+    whole_.header = whole_.no_header = false;
+    whole_.cost_column.clear();
+    whole_.done = {};
+    whole_.done_first.reset();
+    whole_.diagnose = whole_.what_if = false;
+    if (job_.replaces()) {
+      whole_.change_costs = change_cost_rows(job_);
+    }
+    if (question_->first.is_given()) {
+      whole_.first = setup_rows(job_.first, job_);
+    }
+    if (question_->weights.is_given()) {
+      whole_.weights = weight_rows(job_);
+    }
   }
 
   // What cannot be at all.
@@ -160,13 +277,15 @@ class JobMaker {
     }
     if (asked.never.is_given()) {
       const auto input = question_.open("never", asked.never);
-      job_.never = read_pairs(*input, job_.names);
+      job_.never = read_pairs(*input, job_.names, &job_.why_never);
       job_.needed = all_pairs_but(job_.never);
+      whole_.never = pair_rows(job_.never, job_, job_.why_never);
       if (!asked.pairs.is_given() && job_.needed.size() == 0) {
         throw BadInput(
             fmt::format("{}: no two parts can be in one set-up; leave out a pair", input->name()));
       }
     }
+    take_pieces_and_room();
     if (asked.pairs.is_given()) {
       const auto input = question_.open("pairs", asked.pairs);
       job_.needed = read_pairs(*input, job_.names);
@@ -174,6 +293,7 @@ class JobMaker {
         throw BadInput(
             fmt::format("{}: no pair is listed; write A,B, a pair a line", input->name()));
       }
+      whole_.pairs = pair_rows(job_.needed, job_);
     }
     job_.mounted =
         question_.value_of("mounted", [&] { return parts_named(asked.mounted, job_.names); });
@@ -261,11 +381,11 @@ class JobMaker {
 
   AskedJob done_of_job() {
     const JobRequest& asked = *question_;
-    const auto input = question_.open("done", asked.done);
+    const auto inputs = open_done(asked.done, "done");
     DoneWords words{.done_first = question_.key("done_first"),
                     .trust_failed = question_.key("trust_failed"),
                     .first_tests = first_tests_};
-    return take_done(*input,
+    return take_done(inputs,
                      {.first = asked.done_first,
                       .failed = asked.trust_failed ? FailedTests::trusted : FailedTests::again,
                       .for_diagnosis = asked.diagnose,
@@ -274,16 +394,23 @@ class JobMaker {
   }
 
   Question question_;
+  JobRequest whole_;  // the question with its lists as rows
   Job job_;
+  std::vector<std::uint64_t> quantities_;  // of the parts of the list, if it says so
   std::vector<std::string> notes_;
   std::string first_tests_;
 };
 
 void check_options(const JobRequest& request, Door door) {
-  check_rules(job_table(), request, door);
   const Question question(request, door);
   const auto refuse = [](const std::string& line) { throw BadOption(line); };
   const auto key = [&](std::string_view name) { return question.key(name); };
+  if (request.parts.is_given() == request.items.has_value()) {
+    refuse(door == Door::command_line ? "give either a parts list or --items N"
+           : request.items            ? "give either parts or items, not both"
+                           : "parts is missing: write a number of parts, or an array of them");
+  }
+  check_rules(job_table(), request, door);
   if (request.benches && (*request.benches < 1 || *request.benches > max_benches)) {
     refuse(fmt::format("{} {}: give a number from 1 to {}", key("benches"), *request.benches,
                        max_benches));
@@ -308,22 +435,10 @@ void check_options(const JobRequest& request, Door door) {
   if (const auto defect = text_defect(request.title)) {
     refuse(fmt::format("{}: {}", key("title"), *defect));
   }
-  if (request.parts.is_given() == request.items.has_value()) {
-    refuse(door == Door::command_line ? "give either a parts list or --items N"
-           : request.items            ? "give either parts or items, not both"
-                           : "parts is missing: write a number of parts, or an array of them");
-  }
-  if (!request.at_once) {
-    refuse(door == Door::command_line ? "give --at-once K, how many parts fit at once"
-                                      : "at_once is missing: how many parts fit at once");
-  }
-  if (*request.at_once < 2) {
-    refuse(
-        fmt::format("{} {}: no pair can meet; give at least 2", key("at_once"), *request.at_once));
-  }
-  if (of_triples && *request.at_once < triples) {
-    refuse(fmt::format("{} {}: no triple can meet; give at least 3", key("at_once"),
-                       *request.at_once));
+  const std::uint64_t least = of_triples ? triples : 2;
+  if (request.at_once.value_or(least) < least) {
+    refuse(fmt::format("{} {}: no {} can meet; give at least {}", key("at_once"), *request.at_once,
+                       of_triples ? "triple" : "pair", least));
   }
   if (request.test_cost.empty()) {
     refuse(fmt::format("give {}, what it costs to run one test", question.with_value("test_cost")));
@@ -341,6 +456,9 @@ void check_options(const JobRequest& request, Door door) {
   if (request.header || request.no_header) {
     refuse(fmt::format("{} and {} are for a parts list, not for {}", key("header"),
                        key("no_header"), key("items")));
+  }
+  if (!request.cost_column.empty()) {
+    refuse(fmt::format("{} is for a parts list, not for {}", key("cost_column"), key("items")));
   }
   if (request.change_cost.empty() && !request.change_costs.is_given()) {
     refuse(
@@ -361,6 +479,12 @@ AskedJob checked_job(const JobRequest& request, Door door) {
   } catch (const BadInput& fault) {
     throw BadOption(fault.what());
   }
+}
+
+AskedJob checked_job(const OpenedRequest& opened, Door door) {
+  AskedJob asked = checked_job(opened.request, door);
+  asked.notes.insert(asked.notes.begin(), opened.notes.begin(), opened.notes.end());
+  return asked;
 }
 
 }  // namespace changeover

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -67,10 +68,123 @@ void drop_first(const std::vector<DoneTest>& done, Job& job) {
   std::erase_if(job.first, [&](const Block&) { return is_done[next++]; });
 }
 
+// Where a place of this number is in a list, or is put now.
+std::size_t index_of(std::vector<DonePlace>& places, const DonePlace& place) {
+  const auto found = std::ranges::find_if(places, [&](const DonePlace& each) {
+    return each.number == place.number && each.slot == place.slot;
+  });
+  const auto index = static_cast<std::size_t>(found - places.begin());
+  if (found == places.end()) {
+    places.push_back(place);
+  }
+  return index;
+}
+
+// A list goes on with another: places with the same heads are the same.
+void append(DoneList& list, DoneList more) {
+  std::vector<std::size_t> indices;
+  for (const DonePlace& place : more.places) {
+    indices.push_back(index_of(list.places, place));
+  }
+  const auto in_their_places = [&](auto& rows) {
+    for (auto& row : rows) {
+      auto placed = row;
+      placed.assign(list.places.size(), {});
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        placed[indices[i]] = std::move(row[i]);
+      }
+      row = std::move(placed);
+    }
+  };
+  in_their_places(more.in_place);
+  in_their_places(more.written);
+  for (auto& row : list.in_place) {
+    row.resize(list.places.size());
+  }
+  for (auto& row : list.written) {
+    row.resize(list.places.size());
+  }
+  const auto add = [](auto& all, auto& others) {
+    all.insert(all.end(), std::make_move_iterator(others.begin()),
+               std::make_move_iterator(others.end()));
+  };
+  add(list.setups, more.setups);
+  add(list.results, more.results);
+  for (std::string& name : more.gone) {
+    if (std::ranges::find(list.gone, name) == list.gone.end()) {
+      list.gone.push_back(std::move(name));
+    }
+  }
+  list.lacks.insert(list.lacks.end(), more.lacks.begin(), more.lacks.end());
+  add(list.lines, more.lines);
+  add(list.unread, more.unread);
+  add(list.in_place, more.in_place);
+  add(list.written, more.written);
+  add(list.notes, more.notes);
+}
+
+// Keeps a test for the sheet of those that were done; without places, in the order in which its
+// parts are written.
+void record_test(DoneRecord& record, const DoneList& list, std::size_t test, const Job& job) {
+  std::vector<DonePlace> places = list.places;
+  std::vector<std::string> parts = list.written[test];
+  if (places.empty()) {
+    for (const Element x : list.setups[test]) {
+      places.push_back({.number = places.size() + 1});
+      parts.push_back(job.names[x]);
+    }
+  }
+  DoneRecord::Test& kept = record.tests.emplace_back();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t index = index_of(record.places, places[i]);
+    kept.parts.resize(std::max(kept.parts.size(), index + 1));
+    kept.parts[index] = parts[i];
+  }
+  kept.result = list.results[test].empty() ? "done" : list.results[test];
+  kept.notes = list.notes[test];
+}
+
+// The places of the bench as the test says after which the plan goes on, with what is in them.
+std::vector<MountedPlace> places_after(const DoneList& list, std::size_t test, const Job& job) {
+  const bool slots_are_named =
+      std::ranges::any_of(list.places, [](const DonePlace& place) { return !place.slot.empty(); });
+  const auto slot_of = [&](Element x) { return job.slots.empty() ? no_slot : job.slot_of[x]; };
+  std::vector<MountedPlace> places;
+  for (std::size_t i = 0; i < list.places.size(); ++i) {
+    const DonePlace& column = list.places[i];
+    const auto& part = list.in_place[test].at(i);
+    const auto named = std::ranges::find(job.slots, column.slot, &Slot::name);
+    const bool is_known = column.slot.empty() ? job.slots.empty() || slots_are_named || part
+                                              : named != job.slots.end() || part;
+    const bool is_there =
+        std::ranges::find(places, column.number, &MountedPlace::number) != places.end();
+    if (!is_known || is_there || column.number == 0) {
+      continue;  // of a slot that there is no more
+    }
+    MountedPlace place{.number = column.number};
+    if (!column.slot.empty() && named != job.slots.end()) {
+      place.slot = static_cast<std::uint32_t>(named - job.slots.begin());
+    } else if (part && !(column.slot.empty() && slots_are_named)) {
+      place.slot = slot_of(*part);
+    }
+    if (part && slot_of(*part) == place.slot &&
+        std::ranges::find(job.start, *part) != job.start.end()) {
+      place.part = part;
+    }
+    places.push_back(place);
+  }
+  return places;
+}
+
 }  // namespace
 
-AskedJob take_done(Input& input, const DoneOptions& options, const DoneWords& words, Job& job) {
-  const DoneList list = read_done(input, job.names, job.at_once);
+AskedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const DoneOptions& options,
+                   const DoneWords& words, Job& job) {
+  DoneList list;
+  for (const auto& each : inputs) {
+    append(list, read_done(*each, job.names, job.at_once));
+  }
+  const Input& input = *inputs.back();
   const std::size_t all = list.setups.size();
   if (options.first.value_or(0) > all) {
     throw BadOption(fmt::format("{} {}: {} has {}", words.done_first, *options.first, input.name(),
@@ -86,6 +200,7 @@ AskedJob take_done(Input& input, const DoneOptions& options, const DoneWords& wo
   std::vector<DoneTest>& done = answer.done;
   std::uint64_t failed_with_gone = 0;
   std::uint64_t not_run = 0;
+  std::optional<std::size_t> last;
   for (std::size_t i = 0; i < all; ++i) {
     const TestResult result = result_of(list.results[i]);
     const bool counts =
@@ -96,6 +211,8 @@ AskedJob take_done(Input& input, const DoneOptions& options, const DoneWords& wo
       continue;
     }
     done.push_back({list.setups[i], result});
+    record_test(answer.record, list, i, job);
+    last = i;
     if (result == TestResult::fail && list.lacks[i]) {
       ++failed_with_gone;  // what is gone may be to blame: nothing else is
     } else if (result == TestResult::pass || result == TestResult::fail) {
@@ -127,6 +244,9 @@ AskedJob take_done(Input& input, const DoneOptions& options, const DoneWords& wo
                                        first - job.first.size(), count_of(first, "set-up")));
   }
   mark_tested(job, done, options.failed);
+  if (last) {
+    job.places = places_after(list, *last, job);
+  }
   return answer;
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "changeover/plan/job_request.hpp"
 
@@ -24,10 +26,12 @@ struct DoneWords {
   std::string first_tests;  ///< what the set-ups that come first were read from
 };
 
-/// Takes the tests that were done off the job: the first ones if their number is given, else those with a result if any has
-/// one, else all; without those whose result says that they were not run. Those of the job's first tests among them are not
-/// to be run again. Fills all of the answer but its job. O(size of the list), besides mark_tested(). @throws BadOption, BadInput, MissingResource
-[[nodiscard]] AskedJob take_done(Input& input, const DoneOptions& options, const DoneWords& words,
-                                 Job& job);
+/// Takes the tests that were done, of several lists one after another, off the job: the first ones
+/// if their number is given, else those with a result if any has one, else all; without those whose
+/// result says that they were not run. Those of the job's first tests among them are not to be run
+/// again. Fills all of the answer but its job. O(size of the list), besides mark_tested(). @throws
+/// BadOption, BadInput, MissingResource
+[[nodiscard]] AskedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs,
+                                 const DoneOptions& options, const DoneWords& words, Job& job);
 
 }  // namespace changeover

@@ -6,6 +6,8 @@
 #include "changeover/plan/run_plan.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
+#include "plan/request/workbook_question.hpp"
+#include "plan/search/first_pieces.hpp"
 
 namespace changeover {
 namespace {
@@ -25,6 +27,15 @@ Diagnosis diagnosis_of(const AskedJob& asked) {
   found.first_unread = asked.first_unread;
   found.notes = asked.notes;
   return found;
+}
+
+// The question for a workbook, below its head.
+std::vector<std::string> question_in_pieces(const AskedJob& asked) {
+  std::string document = to_json(asked.question);
+  document.pop_back();  // its end of line
+  std::vector<std::string> pieces = question_pieces(document);
+  pieces.insert(pieces.begin(), std::string(job_table().format));
+  return pieces;
 }
 
 }  // namespace
@@ -61,7 +72,7 @@ PlanAnswer answer_to(const JobRequest& request, const AskedJob& asked, RunContro
         control);
     return answer;
   }
-  answer.plan = make_run_plan(asked.job, answer.options, control);
+  answer.plan = with_first_pieces(*asked.job, make_run_plan(asked.job, answer.options, control));
   if (request.shuffle) {
     std::uint64_t exchanged = 0;
     answer.plan = shuffled(*asked.job, std::move(*answer.plan), *request.shuffle, exchanged);
@@ -80,7 +91,12 @@ std::string written(const JobRequest& request, const AskedJob& asked, const Plan
                     const std::string& format, std::size_t width) {
   const Job& job = *asked.job;
   if (answer.diagnosis) {
-    return written(job, *answer.diagnosis, format, width);
+    return written(DiagnosisDocument{.job = &job,
+                                     .found = &*answer.diagnosis,
+                                     .rest = asked.rest,
+                                     .done = &asked.record,
+                                     .question = question_in_pieces(asked)},
+                   format, width);
   }
   if (answer.what_if) {
     return written(job, *answer.what_if, format);
@@ -97,6 +113,8 @@ std::string written(const JobRequest& request, const AskedJob& asked, const Plan
   document.notes = answer.notes;
   document.compact = request.compact;
   document.title = request.title.empty() ? document.title : request.title;
+  document.done = &asked.record;
+  document.question = question_in_pieces(asked);
   return written(document, format, width);
 }
 

@@ -5,6 +5,12 @@
 
 namespace changeover {
 
+/// After the other style: for sheets with a column for each of many slots.
+inline constexpr std::string_view wide_page_style = R"(
+  @page { size: A4 landscape; }
+  body { max-width: 80rem; }
+)";
+
 inline constexpr std::string_view page_style = R"(
   @page { size: A4; margin: 14mm 12mm; }
   * { box-sizing: border-box; }
@@ -27,14 +33,19 @@ inline constexpr std::string_view page_style = R"(
   td { border-bottom: 1px solid #999; vertical-align: top; }
   .n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
   .in { font-weight: 600; }
+  .part.in, .part .in { border: 1.5px solid #000; border-radius: .2em; padding: 0 .2em; }
   .part { white-space: nowrap; }
   .part:not(:last-child)::after { content: " \00b7"; }
+  .part.in::after { content: none !important; }
   .wide { white-space: normal; }
-  .lines .part { display: block; }
+  .lines .part { display: block; width: fit-content; }
   .lines .part::after { content: none !important; }
   .lines .wide { padding-left: 1em; text-indent: -1em; }
+  .lines .part.in { margin: 1px 0; padding: 0 .2em; text-indent: 0; }
+  .lines .name { text-indent: 0; }
+  .name { white-space: nowrap; }
   .lines .flow .part { display: inline; padding: 0; }
-  .lines .flow .part:not(:last-child)::after { content: " \00b7" !important; }
+  .lines .flow .part:not(.in):not(:last-child)::after { content: " \00b7" !important; }
   .box { display: inline-block; width: 1em; height: 1em; border: 1.5px solid #000;
          vertical-align: -.12em; }
   .verdict { white-space: nowrap; width: 1%; }
@@ -58,18 +69,15 @@ inline constexpr std::string_view page_style = R"(
     .steps tr { display: flex; flex-wrap: wrap; gap: .15rem 1rem; padding: .5rem 0;
                 border-bottom: 1px solid #999; }
     .steps td { display: block; padding: 0; border: 0; text-align: left; width: auto; }
-    .steps td:nth-child(2) { font-weight: 600; }
-    .steps td:nth-child(n+3) { flex-basis: 100%; }
+    .steps td.step { font-weight: 600; }
+    .steps td { flex-basis: 100%; }
+    .steps td.verdict, .steps td.step, .steps td.n { flex-basis: auto; }
     .steps td:empty { display: none; }
     .steps .part { display: inline !important; padding: 0; }
-    .steps .part:not(:last-child)::after { content: " \00b7" !important; }
-    .steps td:nth-child(2)::before { content: "Step "; }
-    .steps td:nth-child(3)::before { content: "Take out: "; }
-    .steps td:nth-child(4)::before { content: "Put in: "; }
-    .whole td:nth-child(5)::before { content: "Set-up: "; }
-    .whole td:nth-child(6)::before { content: "New pairs: "; }
-    .whole td:nth-child(7)::before { content: "Cost so far: "; }
-    .whole td:nth-child(n+6) { flex-basis: auto; }
+    .steps .part.in { padding: 0 .2em; }
+    .steps .part:not(.in):not(:last-child)::after { content: " \00b7" !important; }
+    .steps td[data-head]::before { content: attr(data-head) ": "; font-weight: 400; }
+    .steps td.step::before { content: "Step "; font-weight: 600; }
     th, td { padding: .3rem .25rem; }
     .n { white-space: normal; } }
 )";

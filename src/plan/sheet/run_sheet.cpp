@@ -168,8 +168,10 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
         }
         const std::pair<Element, Element> pair = std::minmax({x, y});
         if (never.contains(x, y)) {
-          sheet.faults.push_back(fmt::format("{} holds {} and {}, which must never meet", where(),
-                                             job.names[pair.first], job.names[pair.second]));
+          const std::string& why = job.why_never(x, y);
+          sheet.faults.push_back(fmt::format("{} holds {} and {}, which must never meet{}", where(),
+                                             job.names[pair.first], job.names[pair.second],
+                                             why.empty() ? "" : " (" + why + ")"));
         }
         if (missing.contains(x, y)) {
           missing.erase(x, y);

@@ -8,6 +8,8 @@
 
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
+#include "plan/job/pair_numbers.hpp"
+#include "plan/sheet/clock.hpp"
 #include "plan/sheet/page_style.hpp"
 #include "plan/sheet/sheet_words.hpp"
 #include "plan/sheet/step_table.hpp"
@@ -52,9 +54,9 @@ std::vector<Figure> figures_of(const SheetDocument& document) {
         {.name = std::move(name), .words = money(a), .kind = ColumnKind::cost, .in = in});
   };
   figures.push_back({.name = "Parts, at a time",
-                     .words = fmt::format("{}, {}", job.parts(), job.at_once),
+                     .words = fmt::format("{}, {}", parts_listed(job), job.at_once),
                      .in = in_html});
-  count("Parts", job.parts(), in_workbook);
+  count("Parts", parts_listed(job), in_workbook);
   count("At a time", job.at_once, in_workbook);
   count("Tests", sheet.steps.size());
   if (job.tests_done > 0) {
@@ -69,6 +71,9 @@ std::vector<Figure> figures_of(const SheetDocument& document) {
   amount("Cost of tests", sheet.cost - sheet.change_cost);
   amount("Cost of changes", sheet.change_cost);
   amount("Total cost", sheet.cost);
+  if (const Clock clock(job); clock.runs()) {
+    figures.push_back({.name = "Clock at the end", .words = clock(sheet.cost)});
+  }
   amount("Lower bound for all " + what_meets(job), plan.bound.cost, in_workbook);
   if (document.budget) {
     amount("Budget", *document.budget);
@@ -114,19 +119,118 @@ Table compared(const BenchDocument& document) {
                   std::move(rows));
 }
 
+// Further pieces of a part are counted in its row.
 Table parts(const Job& job, const Money& money) {
+  const bool has_slots = !job.slots.empty();
+  const bool has_quantities = !job.quantities.empty();
+  std::vector<std::uint64_t> quantities = job.quantities;
+  for (std::size_t i = 0; i < job.piece_of.size() && has_quantities; ++i) {
+    const Element part = job.piece_of[i];
+    quantities[part] += part == i || quantities[i] == enough_for_all ? 0 : quantities[i];
+  }
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < job.names.size(); ++i) {
-    const bool is_free = job.slots.empty() || job.slot_of[i] == no_slot;
-    rows.push_back(
-        {job.names[i], money(job.change_costs[i]), is_free ? "" : job.slots[job.slot_of[i]].name});
+    if (!job.piece_of.empty() && job.piece_of[i] != i) {
+      continue;
+    }
+    std::vector<std::string>& row = rows.emplace_back();
+    row = {job.names[i], money(job.change_costs[i])};
+    if (has_slots) {
+      row.push_back(job.slot_of[i] == no_slot ? "" : job.slots[job.slot_of[i]].name);
+    }
+    if (has_quantities) {
+      row.push_back(quantities[i] == enough_for_all ? "" : text(quantities[i]));
+    }
   }
-  Table table =
-      table_of({{"part", {}}, {"change_cost", cost_column}, {"slot", {}}}, std::move(rows));
-  if (job.slots.empty()) {
-    table.columns.pop_back();
+  const std::string_view unit = word_of(job.cost_unit);
+  std::vector<std::pair<std::string, ColumnStyle>> heads{
+      {"part", {}},
+      {unit.empty() ? "change_cost" : fmt::format("change_cost ({})", unit), cost_column}};
+  if (has_slots) {
+    heads.emplace_back("slot", ColumnStyle{});
   }
-  return table;
+  if (has_quantities) {
+    heads.emplace_back("quantity", number_column);
+  }
+  return table_of(std::move(heads), std::move(rows));
+}
+
+// The limits of slots, as read_slots() reads them.
+Table slot_limits(const Job& job) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Slot& slot : job.slots) {
+    rows.push_back({slot.name, text(slot.least), slot.most == Slot{}.most ? "" : text(slot.most)});
+  }
+  return table_of({{"slot", {}}, {"least", number_column}, {"most", number_column}},
+                  std::move(rows));
+}
+
+// Pairs that must not meet, and why; further pieces of a part say nothing new.
+Table forbidden_pairs(const Job& job) {
+  std::vector<std::vector<std::string>> rows;
+  job.never.for_each(all_of_them, [&](Element a, Element b) {
+    const Element x = std::min(a, b);
+    const Element y = std::max(a, b);
+    if (job.piece_of.empty() || (job.piece_of[x] == x && job.piece_of[y] == y)) {
+      rows.push_back({job.names[x], job.names[y], job.why_never(x, y)});
+    }
+  });
+  return table_of({{"part 1", {}}, {"part 2", {}}, {"why", {.kind = ColumnKind::notes}}},
+                  std::move(rows));
+}
+
+// Tests that were done before, in the columns of the run sheet.
+Table tests_done(const DoneRecord& done) {
+  std::vector<std::pair<std::string, ColumnStyle>> heads{{"step", number_column}};
+  for (const DonePlace& place : done.places) {
+    heads.emplace_back(
+        fmt::format("slot_{}{}{}", place.number, place.slot.empty() ? "" : " ", place.slot),
+        ColumnStyle{});
+  }
+  heads.emplace_back("result", ColumnStyle{});
+  heads.emplace_back("notes", ColumnStyle{.kind = ColumnKind::notes});
+  std::vector<std::vector<std::string>> rows;
+  for (const DoneRecord::Test& test : done.tests) {
+    std::vector<std::string>& row = rows.emplace_back();
+    row.push_back(text(rows.size()));
+    row.insert(row.end(), test.parts.begin(), test.parts.end());
+    row.resize(1 + done.places.size());
+    row.push_back(test.result);
+    row.push_back(test.notes);
+  }
+  return table_of(std::move(heads), std::move(rows));
+}
+
+// Below its head, the document in pieces.
+Table question_table(const std::vector<std::string>& question) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 1; i < question.size(); ++i) {
+    rows.push_back({question[i]});
+  }
+  return table_of({{question.front(), {}}}, std::move(rows));
+}
+
+// The sheets of a workbook from which the job can be read again.
+void add_lists_of_job(TableDocument& document, const Job& job, const Money& money) {
+  document.sections.push_back({.table = parts(job, money), .in = in_workbook, .sheet = "Parts"});
+  if (!job.slots.empty()) {
+    document.sections.push_back({.table = slot_limits(job), .in = in_workbook, .sheet = "Slots"});
+  }
+  if (job.never.size() > 0) {
+    document.sections.push_back({.heading = "Never together",
+                                 .table = forbidden_pairs(job),
+                                 .in = in_html | in_workbook,
+                                 .sheet = "Never"});
+  }
+}
+
+void add_question(TableDocument& document, const std::vector<std::string>& question) {
+  if (!question.empty()) {
+    document.sections.push_back({.table = question_table(question),
+                                 .in = in_workbook,
+                                 .sheet = "changeover-question",
+                                 .hidden = true});
+  }
 }
 
 std::string bench_name(std::size_t bench) { return fmt::format("Bench {}", bench + 1); }
@@ -145,13 +249,27 @@ Table benches(const std::vector<RunSheet>& sheets, const Money& money) {
 
 }  // namespace
 
+std::string style_of(const Job& job, bool compact) {
+  const bool wide = !compact && has_many_slots(job);
+  return std::string(page_style) + std::string(wide ? wide_page_style : "");
+}
+
+void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,
+                      const DoneRecord* done, const std::vector<std::string>& question) {
+  if (done != nullptr && !done->tests.empty()) {
+    document.sections.push_back({.table = tests_done(*done), .in = in_workbook, .sheet = "Done"});
+  }
+  add_lists_of_job(document, job, money);
+  add_question(document, question);
+}
+
 TableDocument table_document(const SheetDocument& document) {
   const Job& job = *document.job;
   const Money money(job, document.budget);
   TableDocument made{.title = document.title,
                      .figures = figures_of(document),
                      .page_lines = mounted_on_page(job),
-                     .style = std::string(page_style),
+                     .style = style_of(job, document.compact),
                      .overview = "Plan"};
   set_lines(made, summary(document));
   add_lists(made, job);
@@ -165,8 +283,8 @@ TableDocument table_document(const SheetDocument& document) {
   made.sections = {
       {.table = step_table(job, {&document.plan->sheet}, money, {.compact = document.compact}),
        .sheet = "Run sheet"},
-      {.heading = "Compared", .table = compared(document), .in = everywhere & ~in_csv},
-      {.table = parts(job, money), .in = in_workbook, .sheet = "Parts"}};
+      {.heading = "Compared", .table = compared(document), .in = everywhere & ~in_csv}};
+  add_what_goes_on(made, job, money, document.done, document.question);
   return made;
 }
 
@@ -174,7 +292,7 @@ TableDocument table_document(const BenchDocument& document) {
   const Job& job = *document.job;
   const std::vector<RunSheet>& sheets = document.plan->sheets;
   const Money money(job);
-  TableDocument made{.title = document.title, .style = std::string(page_style), .overview = "Plan"};
+  TableDocument made{.title = document.title, .style = style_of(job), .overview = "Plan"};
   set_lines(made, bench_summary(document));
   add_lists(made, job);
   made.sections.push_back({.heading = "Compared", .table = compared(document), .in = in_html});
@@ -197,7 +315,7 @@ TableDocument table_document(const BenchDocument& document) {
   made.sections.push_back({.table = benches(sheets, money), .in = in_workbook});
   made.sections.push_back(
       {.heading = "Compared", .table = compared(document), .in = everywhere & ~in_csv & ~in_html});
-  made.sections.push_back({.table = parts(job, money), .in = in_workbook, .sheet = "Parts"});
+  add_lists_of_job(made, job, money);
   return made;
 }
 
@@ -275,11 +393,15 @@ std::string written(const Job& job, const WhatIf& answer, std::string_view forma
                                        table_document(job, answer), wide);
 }
 
+std::string written(const DiagnosisDocument& document, std::string_view format, std::size_t width) {
+  return format == "json" ? json_of(document)
+                          : written_as(format, {"table", "markdown", "html", "xlsx"}, "a diagnosis",
+                                       table_document(document), width);
+}
+
 std::string written(const Job& job, const Diagnosis& found, std::string_view format,
                     std::size_t width) {
-  return format == "json"
-             ? json_of(job, found)
-             : written_as(format, {"table"}, "a diagnosis", table_document(job, found), width);
+  return written(DiagnosisDocument{.job = &job, .found = &found}, format, width);
 }
 
 }  // namespace changeover

@@ -5,6 +5,7 @@
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "io/table/table_document.hpp"
+#include "plan/sheet/sheet_words.hpp"
 
 namespace changeover {
 
@@ -12,12 +13,20 @@ namespace changeover {
 [[nodiscard]] TableDocument table_document(const SheetDocument& document);
 [[nodiscard]] TableDocument table_document(const BenchDocument& document);
 [[nodiscard]] TableDocument table_document(const Job& job, const WhatIf& answer);
-[[nodiscard]] TableDocument table_document(const Job& job, const Diagnosis& found);
+[[nodiscard]] TableDocument table_document(const DiagnosisDocument& document);
+
+/// How the pages of a job look: on their side if there are many slots, which have a column each.
+[[nodiscard]] std::string style_of(const Job& job, bool compact = false);
+
+/// Adds what a workbook must have besides so that it is all that is needed to go on: the lists of
+/// the job, the tests that were done, and the question. `done` may be null, `question` empty.
+void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,
+                      const DoneRecord* done, const std::vector<std::string>& question);
 
 /// One line for programs.
 [[nodiscard]] std::string json_of(const SheetDocument& document);
 [[nodiscard]] std::string json_of(const BenchDocument& document);
 [[nodiscard]] std::string json_of(const Job& job, const WhatIf& answer);
-[[nodiscard]] std::string json_of(const Job& job, const Diagnosis& found);
+[[nodiscard]] std::string json_of(const DiagnosisDocument& document);
 
 }  // namespace changeover

@@ -1,10 +1,14 @@
 // Run sheets for programs.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "changeover/plan/job.hpp"
 #include "io/write/json_writer.hpp"
+#include "plan/sheet/clock.hpp"
+#include "plan/sheet/places.hpp"
 #include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/sheet_words.hpp"
 
@@ -23,6 +27,46 @@ void write_candidate(JsonWriter& json, const Money& money, const Candidate& cand
 void write_ratio(JsonWriter& json, const std::optional<Ratio>& ratio) {
   ratio ? json.value(static_cast<double>(ratio->over) / static_cast<double>(ratio->under))
         : json.null();
+}
+
+// Places by their numbers, and what is in them.
+class PlacesInJson {
+ public:
+  PlacesInJson(const Job& job, const std::vector<const RunSheet*>& sheets)
+      : job_(&job), placed_(placed(job, sheets)), order_(placed_.places.size()) {
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::ranges::sort(order_, {}, [&](std::size_t i) { return placed_.places[i].number; });
+  }
+
+  void write_all(JsonWriter& json) const {
+    json.key("places").begin_array();
+    for (const std::size_t i : order_) {
+      const MountedPlace& place = placed_.places[i];
+      json.begin_object().key("number").value(place.number).key("slot");
+      place.slot == no_slot ? json.null() : json.value(job_->slots[place.slot].name);
+      json.end_object();
+    }
+    json.end_array();
+  }
+
+  void write(JsonWriter& json, std::size_t sheet, std::size_t step) const {
+    json.key("places").begin_array();
+    for (const std::size_t i : order_) {
+      const auto& part = placed_.sheets[sheet].steps[step][i];
+      part ? json.value(job_->names[*part]) : json.null();
+    }
+    json.end_array();
+  }
+
+ private:
+  const Job* job_;
+  PlacedSheets placed_;
+  std::vector<std::size_t> order_;
+};
+
+void write_unit(JsonWriter& json, const Job& job) {
+  json.key("cost_unit");
+  job.cost_unit == CostUnit::none ? json.null() : json.value(word_of(job.cost_unit));
 }
 
 }  // namespace
@@ -90,13 +134,18 @@ std::string json_of(const SheetDocument& document) {
     plan.most_weight ? json.raw(to_string(*plan.most_weight)) : json.null();
     json.end_object();
   }
+  write_unit(json, job);
+  const PlacesInJson places(job, {&sheet});
+  places.write_all(json);
   json.key("steps").begin_array();
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : sheet.steps) {
     json.begin_object().key("step").value(++number);
     json.key("take_out").value(names_of(job, step.take_out));
     json.key("put_in").value(names_of(job, step.put_in));
-    json.key("set_up").value(names_of(job, step.setup)).key("new_pairs").begin_array();
+    json.key("set_up").value(names_of(job, step.setup));
+    places.write(json, 0, static_cast<std::size_t>(number - job.tests_done - 1));
+    json.key("new_pairs").begin_array();
     for (const auto& [x, y] : step.new_pairs) {
       json.value(names_of(job, {x, y}));
     }
@@ -167,6 +216,13 @@ std::string json_of(const BenchDocument& document) {
   json.key("makespan").raw(money(plan.largest_bound));
   json.key("cost_reason").value(plan.bound.reason);
   json.key("makespan_reason").value(plan.largest_reason).end_object();
+  write_unit(json, job);
+  std::vector<const RunSheet*> sheets;
+  for (const RunSheet& sheet : plan.sheets) {
+    sheets.push_back(&sheet);
+  }
+  const PlacesInJson places(job, sheets);
+  places.write_all(json);
   json.key("sheets").begin_array();
   for (std::size_t bench = 0; bench < plan.sheets.size(); ++bench) {
     const RunSheet& sheet = plan.sheets[bench];
@@ -179,6 +235,7 @@ std::string json_of(const BenchDocument& document) {
       json.key("take_out").value(names_of(job, step.take_out));
       json.key("put_in").value(names_of(job, step.put_in));
       json.key("set_up").value(names_of(job, step.setup));
+      places.write(json, bench, static_cast<std::size_t>(number - 1));
       json.key("new_" + what_meets(job)).value(new_here(job, step));
       if (job.replaces()) {
         json.key("replaced").begin_array();

@@ -1,5 +1,6 @@
 #include "plan/sheet/sheet_words.hpp"
 #include "core/words.hpp"
+#include "plan/sheet/clock.hpp"
 
 #include <fmt/format.h>
 
@@ -103,6 +104,21 @@ std::vector<std::string> what_if_notes(const Job& job, const WhatIf& answer) {
   return lines;
 }
 
+std::uint64_t parts_listed(const Job& job) {
+  std::uint64_t listed = 0;
+  for (std::size_t i = 0; i < job.names.size(); ++i) {
+    listed += job.piece_of.empty() || job.piece_of[i] == i ? 1U : 0U;
+  }
+  return listed;
+}
+
+std::string cost_words(const Job& job, const Money& money, Amount cost) {
+  const Clock clock(job);
+  return clock.runs() ? fmt::format("cost {} {}, {} on the clock", money(cost),
+                                    word_of(job.cost_unit), clock(cost))
+                      : fmt::format("cost {}", money(cost));
+}
+
 std::vector<std::string> names_of(const Job& job, const Block& parts) {
   std::vector<std::string> names;
   for (const Element x : parts) {
@@ -141,9 +157,9 @@ std::vector<std::string> summary(const SheetDocument& document) {
   const bool triples = !job.triples.empty();
   const std::string all = "all " + what_meets(job);
   std::vector<std::string> lines{
-      fmt::format("{}, {} at a time: {}, {}, cost {}", count_of(job.parts(), "part"), job.at_once,
+      fmt::format("{}, {} at a time: {}, {}, {}", count_of(parts_listed(job), "part"), job.at_once,
                   count_of(sheet.steps.size(), "test"), count_of(sheet.changes, "change"),
-                  money(sheet.cost)),
+                  cost_words(job, money, sheet.cost)),
       fmt::format("{} of {} tested, checked by an independent count",
                   triples ? sheet.triples_tested : sheet.pairs_tested,
                   triples ? count_of(sheet.triples_needed, "needed triple")
@@ -226,9 +242,9 @@ std::vector<std::string> bench_summary(const BenchDocument& document) {
   const Money money(job);
   const bool triples = !job.triples.empty();
   std::vector<std::string> lines{
-      fmt::format("{}, {} at a time, on {}: {}, {}", count_of(job.parts(), "part"), job.at_once,
-                  count_of(plan.sheets.size(), "bench", "benches"), count_of(plan.tests, "test"),
-                  count_of(plan.changes, "change")),
+      fmt::format("{}, {} at a time, on {}: {}, {}", count_of(parts_listed(job), "part"),
+                  job.at_once, count_of(plan.sheets.size(), "bench", "benches"),
+                  count_of(plan.tests, "test"), count_of(plan.changes, "change")),
       fmt::format("{} on the bench that costs most, {} together", money(plan.largest),
                   money(plan.cost)),
       fmt::format("{} of {} tested on some bench, checked by an independent count",

@@ -22,6 +22,18 @@ class Money {
   unsigned decimals_ = 0;
 };
 
+/// So many slots that a page on its side has room for their columns.
+[[nodiscard]] inline bool has_many_slots(const Job& job) {
+  constexpr std::size_t few = 3;
+  return job.slots.size() > few;
+}
+
+/// How many parts there are, further pieces not counted.
+[[nodiscard]] std::uint64_t parts_listed(const Job& job);
+
+/// "cost 117", or of times "cost 95 minutes, 1:35 on the clock".
+[[nodiscard]] std::string cost_words(const Job& job, const Money& money, Amount cost);
+
 /// The names of some parts.
 [[nodiscard]] std::vector<std::string> names_of(const Job& job, const Block& parts);
 

@@ -1,3 +1,4 @@
+// The table of the steps of a sheet, in the columns that each format has.
 #include "plan/sheet/step_table.hpp"
 
 #include <fmt/format.h>
@@ -6,137 +7,294 @@
 #include <memory>
 
 #include "changeover/io/tables.hpp"
-#include "plan/sheet/slot_columns.hpp"
+#include "plan/sheet/clock.hpp"
+#include "plan/sheet/places.hpp"
 
 namespace changeover {
 namespace {
+
+constexpr const char* nothing_there = "–";
 
 struct Line {
   std::size_t bench = 0;
   std::uint64_t number = 0;
   const RunStep* step = nullptr;
+  const MountedParts* before = nullptr;
+  const MountedParts* now = nullptr;
 };
 
-std::vector<Line> lines_of(const Job& job, const std::vector<const RunSheet*>& sheets) {
+// The lines with what they refer to.
+struct Steps {
+  PlacedSheets placed;
   std::vector<Line> lines;
+};
+
+std::shared_ptr<const Steps> steps_of(const Job& job, const std::vector<const RunSheet*>& sheets) {
+  const auto made = std::make_shared<Steps>(Steps{placed(job, sheets), {}});
   for (std::size_t bench = 0; bench < sheets.size(); ++bench) {
-    std::uint64_t number = job.tests_done;
-    for (const RunStep& step : sheets[bench]->steps) {
-      lines.push_back({bench, ++number, &step});
+    const PlacedSheet& list = made->placed.sheets[bench];
+    const MountedParts* before = &list.before;
+    for (std::size_t i = 0; i < list.steps.size(); ++i) {
+      made->lines.push_back(
+          {bench, job.tests_done + i + 1, &sheets[bench]->steps[i], before, &list.steps[i]});
+      before = &list.steps[i];
     }
   }
-  return lines;
+  return made;
 }
+
+bool is_in(const Block& parts, Element x) { return std::ranges::find(parts, x) != parts.end(); }
 
 TableCell number_cell(std::uint64_t number) { return std::to_string(number); }
 
-// The names of some parts; those that are marked are bold.
-TableCell parts_cell(const Job& job, const Block& parts, const Block& marked) {
-  std::vector<bool> bold;
-  for (const Element x : parts) {
-    bold.push_back(std::find(marked.begin(), marked.end(), x) != marked.end());
+// Some places: what is in them after a step, in their order; a place that is empty to the end of
+// the row says nothing. What stays mounted all the time is said once, above the table.
+struct SeenPlace {
+  std::optional<Element> part;
+  std::optional<Element> was;  // before the step, if that changed
+  bool is_new = false;
+};
+
+std::vector<SeenPlace> seen(const Job& job, const Steps& steps, const Line& line,
+                            std::optional<std::uint32_t> slot) {
+  std::vector<SeenPlace> found;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < line.now->size(); ++i) {
+    const auto& part = (*line.now)[i];
+    const auto& before = (*line.before)[i];
+    if ((slot && steps.placed.places[i].slot != *slot) || (part && is_in(job.mounted, *part))) {
+      continue;
+    }
+    found.push_back({part, part == before ? std::nullopt : before, part && part != before});
+    last = part || found.back().was ? found.size() : last;
   }
-  return {names_of(job, parts), std::move(bold)};
+  found.resize(last);
+  return found;
+}
+
+// By place, what was put in bold; with what it replaces if that is wanted: "Motor for Pump", "–
+// Pump out".
+TableCell place_cell(const Job& job, const std::vector<SeenPlace>& places, bool says_what_went) {
+  TableCell cell;
+  for (const SeenPlace& place : places) {
+    cell.words.emplace_back(place.part ? job.names[*place.part] : nothing_there);
+    cell.bold.push_back(place.is_new);
+    if (says_what_went) {
+      cell.remarks.push_back(!place.was   ? ""
+                             : place.part ? "for " + job.names[*place.was]
+                                          : job.names[*place.was] + " out");
+    }
+  }
+  return cell;
+}
+
+// The same on a terminal, with a + before what was put in; each slot on lines of its own.
+TableCell terminal_cell(const Job& job, const Steps& steps, const Line& line) {
+  TableCell cell;
+  for (std::size_t s = 0; s <= job.slots.size(); ++s) {
+    const bool free = s == job.slots.size();
+    std::vector<SeenPlace> places =
+        seen(job, steps, line, free ? no_slot : static_cast<std::uint32_t>(s));
+    while (!places.empty() && !places.back().part) {
+      places.pop_back();
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const bool first = i == 0 && !job.slots.empty();
+      cell.words.push_back(fmt::format(
+          "{}{}{}", first && !free ? job.slots[s].name + ": " : "", places[i].is_new ? "+" : "",
+          places[i].part ? job.names[*places[i].part] : nothing_there));
+      cell.breaks.push_back(first);
+    }
+  }
+  return cell;
 }
 
 // Long names stand one a line of a page, short ones side by side.
 bool has_long_names(const Job& job) {
   constexpr std::size_t long_name = 8;
-  return std::any_of(job.names.begin(), job.names.end(),
-                     [](const std::string& name) { return display_width(name) > long_name; });
+  return std::ranges::any_of(
+      job.names, [](const std::string& name) { return display_width(name) > long_name; });
 }
+
+// Whether a sheet has a column for parts in no slot.
+bool has_free_places(const Steps& steps) {
+  return std::ranges::any_of(steps.placed.places,
+                             [](const MountedPlace& place) { return place.slot == no_slot; });
+}
+
+class StepTable {
+ public:
+  StepTable(const Job& job, const std::vector<const RunSheet*>& sheets, const Money& money,
+            const StepTableOptions& options)
+      : job_(&job), money_(money), options_(options), steps_(steps_of(job, sheets)) {
+    const bool long_names = has_long_names(job);
+    // One name a line would make a step as high as a third of a page.
+    constexpr std::uint64_t most_lines = 6;
+    flows_ = !options.compact && long_names && job.slots.empty() && job.room() > most_lines;
+    table_.rows = steps_->lines.size();
+    if (options.compact) {
+      table_.frame = long_names ? "compact" : "compact two";
+    }
+    table_.css = std::string("steps") +
+                 (options.compact ? ""
+                  : long_names    ? " whole lines"
+                                  : " whole") +
+                 (flows_ || has_many_slots(job) ? " many" : "");
+  }
+
+  Table made() {
+    add_heads();
+    add_changes();
+    add_setups();
+    add_figures();
+    add_room_for_results();
+    return std::move(table_);
+  }
+
+ private:
+  // A column that is made of the steps.
+  template <typename Cell>
+  void add(std::string head, Cell&& cell, ColumnStyle style) {
+    table_.columns.push_back({std::move(head),
+                              [steps = steps_, cell](std::size_t row) -> TableCell {
+                                return cell(steps->lines.at(row));
+                              },
+                              std::move(style)});
+  }
+
+  void add_heads() {
+    add("Pass Fail", [](const Line&) { return TableCell(); },
+        {.kind = ColumnKind::choice, .in = in_html, .css = "verdict"});
+    if (options_.benches) {
+      add("bench", [](const Line& line) { return number_cell(line.bench + 1); },
+          {.kind = ColumnKind::number, .in = for_programs});
+    }
+    add("step", [](const Line& line) { return number_cell(line.number); },
+        {.kind = ColumnKind::number, .css = "step"});
+  }
+
+  // Where each slot has a column, or each place, that says what comes and goes.
+  void add_changes() {
+    const Job* const job = job_;
+    const bool by_slot = !job->slots.empty() && !options_.compact;
+    const unsigned in = by_slot ? in_text | in_csv : everywhere + 0U;
+    const unsigned put_in = by_slot ? in_csv + 0U : in;
+    add("take out",
+        [job](const Line& line) { return TableCell(names_of(*job, line.step->take_out)); },
+        {.kind = ColumnKind::list, .in = in, .name = "take_out"});
+    if (job->replaces()) {
+      add("put in", [job](const Line& line) { return TableCell(put_in_words(*job, *line.step)); },
+          {.kind = ColumnKind::list, .in = in & for_people, .css = "in"});
+    }
+    add("put in", [job](const Line& line) { return TableCell(names_of(*job, line.step->put_in)); },
+        {.kind = ColumnKind::list,
+         .in = job->replaces() ? put_in & for_programs : put_in,
+         .name = "put_in",
+         .css = "in"});
+  }
+
+  void add_setups() {
+    const Job* const job = job_;
+    const auto& steps = *steps_;  // the cells hold on to it
+    if (!options_.compact) {
+      add("set-up", [job, &steps](const Line& line) { return terminal_cell(*job, steps, line); },
+          {.kind = ColumnKind::list, .in = in_text});
+    }
+    if (job->slots.empty()) {
+      add("set-up",
+          [job, &steps](const Line& line) {
+            std::vector<SeenPlace> places = seen(*job, steps, line, std::nullopt);
+            while (!places.empty() && !places.back().part) {
+              places.pop_back();
+            }
+            return place_cell(*job, places, false);
+          },
+          {.kind = ColumnKind::list,
+           .in = options_.compact ? in_markdown : in_markdown | in_html | in_latex,
+           .css = flows_ ? "flow" : "",
+           .head_css = "setup"});
+    } else if (!options_.compact) {
+      for (std::size_t s = 0; s <= job->slots.size(); ++s) {
+        const bool free = s == job->slots.size();
+        if (free && !has_free_places(steps)) {
+          continue;
+        }
+        const std::uint32_t slot = free ? no_slot : static_cast<std::uint32_t>(s);
+        add(free ? "others" : job->slots[s].name,
+            [job, &steps, slot](const Line& line) {
+              return place_cell(*job, seen(*job, steps, line, slot), true);
+            },
+            {.kind = ColumnKind::list,
+             .in = in_markdown | in_html | in_latex,
+             .css = "places",
+             .head_is_a_name = !free});
+      }
+    }
+    std::optional<std::uint32_t> before;
+    for (std::size_t c = 0; c < steps.placed.places.size(); ++c) {
+      const std::uint32_t slot = steps.placed.places[c].slot;
+      add(steps.placed.head(*job, c),
+          [job, c](const Line& line) {
+            const auto& part = (*line.now)[c];
+            return part ? TableCell({job->names[*part]}, {part != (*line.before)[c]}) : TableCell();
+          },
+          {.in = for_programs, .begins_group = before != slot});
+      before = slot;
+    }
+  }
+
+  void add_figures() {
+    const Job* const job = job_;
+    const unsigned unless_compact = options_.compact ? everywhere & ~in_html : everywhere;
+    const auto clock = std::make_shared<const Clock>(*job);
+    add("new\n" + what_meets(*job),
+        [job](const Line& line) { return number_cell(new_here(*job, *line.step)); },
+        {.kind = ColumnKind::number, .in = unless_compact, .name = "new_" + what_meets(*job)});
+    add("cost", [money = money_](const Line& line) { return TableCell(money(line.step->cost)); },
+        {.kind = ColumnKind::cost, .in = job->replaces() ? unless_compact : for_programs});
+    add("cost\nso far",
+        [money = money_](const Line& line) { return TableCell(money(line.step->cost_so_far)); },
+        {.kind = ColumnKind::cost,
+         .in = clock->runs() ? in_csv + 0U : unless_compact,
+         .name = "cost_so_far"});
+    if (clock->runs()) {
+      add("clock",
+          [clock](const Line& line) { return TableCell((*clock)(line.step->cost_so_far)); },
+          {.kind = ColumnKind::number, .in = unless_compact});
+    }
+    if (!job->weights.empty()) {
+      add("weight\nso far",
+          [](const Line& line) { return TableCell(to_string(line.step->weight_so_far)); },
+          {.kind = ColumnKind::number, .in = unless_compact, .name = "weight_so_far"});
+    }
+  }
+
+  void add_room_for_results() {
+    const auto nothing = [](const Line&) { return TableCell(); };
+    add("result", nothing,
+        {.kind = ColumnKind::choice,
+         .in = for_programs,
+         .choices = {
+             .words = {"pass", "fail", "unclear"},
+             .title = "Result",
+             .message = "pass and fail are used to find the faulty part; other words are kept"}});
+    add("notes", nothing,
+        {.kind = ColumnKind::notes, .in = in_html | in_workbook, .head_css = "notes"});
+  }
+
+  const Job* job_;
+  Money money_;
+  StepTableOptions options_;
+  std::shared_ptr<const Steps> steps_;
+  bool flows_ = false;
+  Table table_;
+};
 
 }  // namespace
 
 Table step_table(const Job& job, const std::vector<const RunSheet*>& sheets, const Money& money,
                  const StepTableOptions& options) {
-  const auto lines = std::make_shared<const std::vector<Line>>(lines_of(job, sheets));
-  const auto slots = std::make_shared<const SlotColumns>(job, sheets);
-  const bool long_names = has_long_names(job);
-  // One name a line would make a step as high as a third of a page.
-  constexpr std::uint64_t most_lines = 6;
-  const bool flows = !options.compact && long_names && job.room() > most_lines;
-  Table table{.rows = lines->size(), .columns = {}};
-  if (options.compact) {
-    table.frame = long_names ? "compact" : "compact two";
-  }
-  table.css = std::string("steps") +
-              (options.compact ? ""
-               : long_names    ? " whole lines"
-                               : " whole") +
-              (flows ? " many" : "");
-  // A column that is made of the steps.
-  const auto add = [&](std::string head, auto cell, ColumnStyle style) {
-    table.columns.push_back(
-        {std::move(head),
-         [lines, cell](std::size_t row) -> TableCell { return cell(lines->at(row)); },
-         std::move(style)});
-  };
-  const Job* const of = &job;
-  const auto nothing = [](const Line&) { return TableCell(); };
-  add("Pass Fail", nothing, {.kind = ColumnKind::choice, .in = in_html, .css = "verdict"});
-  if (options.benches) {
-    add("bench", [](const Line& line) { return number_cell(line.bench + 1); },
-        {.kind = ColumnKind::number, .in = for_programs});
-  }
-  add("step", [](const Line& line) { return number_cell(line.number); },
-      {.kind = ColumnKind::number});
-  add("take out", [of](const Line& line) { return parts_cell(*of, line.step->take_out, {}); },
-      {.kind = ColumnKind::list, .name = "take_out"});
-  if (job.replaces()) {
-    add("put in",
-        [of](const Line& line) {
-          std::vector<std::string> words = put_in_words(*of, *line.step);
-          std::vector<bool> bold(words.size(), true);
-          return TableCell(std::move(words), std::move(bold));
-        },
-        {.kind = ColumnKind::list, .in = for_people});
-  }
-  add("put in",
-      [of](const Line& line) { return parts_cell(*of, line.step->put_in, line.step->put_in); },
-      {.kind = ColumnKind::list,
-       .in = job.replaces() ? for_programs : everywhere,
-       .name = "put_in"});
-  add("set-up",
-      [of](const Line& line) {
-        return parts_cell(*of, without_mounted(*of, line.step->setup), line.step->put_in);
-      },
-      {.kind = ColumnKind::list,
-       .in = options.compact ? in_markdown : for_people,
-       .css = flows ? "flow" : "",
-       .head_css = "setup"});
-  for (std::size_t c = 0; c < slots->heads().size(); ++c) {
-    add(slots->heads()[c],
-        [of, slots, c](const Line& line) {
-          const std::optional<Element> x = slots->part(line.step->setup, c);
-          return x ? parts_cell(*of, {*x}, line.step->put_in) : TableCell();
-        },
-        {.in = for_programs});
-  }
-  const unsigned unless_compact = options.compact ? everywhere & ~in_html : everywhere;
-  add("new\n" + what_meets(job),
-      [of](const Line& line) { return number_cell(new_here(*of, *line.step)); },
-      {.kind = ColumnKind::number, .in = unless_compact, .name = "new_" + what_meets(job)});
-  add("cost", [money](const Line& line) { return TableCell(money(line.step->cost)); },
-      {.kind = ColumnKind::cost, .in = job.replaces() ? unless_compact : for_programs});
-  add("cost\nso far",
-      [money](const Line& line) { return TableCell(money(line.step->cost_so_far)); },
-      {.kind = ColumnKind::cost, .in = unless_compact, .name = "cost_so_far"});
-  if (!job.weights.empty()) {
-    add("weight\nso far",
-        [](const Line& line) { return TableCell(to_string(line.step->weight_so_far)); },
-        {.kind = ColumnKind::number, .in = unless_compact, .name = "weight_so_far"});
-  }
-  add("result", nothing,
-      {.kind = ColumnKind::choice,
-       .in = for_programs,
-       .choices = {
-           .words = {"pass", "fail", "unclear"},
-           .title = "Result",
-           .message = "pass and fail are used to find the faulty part; other words are kept"}});
-  add("notes", nothing,
-      {.kind = ColumnKind::notes, .in = in_html | in_workbook, .head_css = "notes"});
-  return table;
+  return StepTable(job, sheets, money, options).made();
 }
 
 }  // namespace changeover

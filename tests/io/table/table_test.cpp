@@ -52,7 +52,7 @@ TEST(TableFormats, SayTheSameCellsEachInItsWay) {
   EXPECT_EQ(table_csv(table), "put_in,cost\n\"\"\"Valve, large\"\", <b>|&\",'=1.50\n");
   EXPECT_EQ(table_markdown(table),
             "| put in | cost | how |\n|:---|---:|:---|\n"
-            "| Valve, large, \\<b\\>\\|\\& | =1.50 | a\\_b |\n");
+            "| Valve, large, **\\<b\\>\\|\\&** | =1.50 | a\\_b |\n");
   EXPECT_EQ(table_latex(table),
             "\\begin{tabular}{lrl}\n\\toprule\nput in & cost & how \\\\\n\\midrule\n"
             "Valve, large, " +

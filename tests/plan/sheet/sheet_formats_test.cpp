@@ -52,7 +52,7 @@ TEST_F(SheetFormats, Csv) {
             "2,\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\",Fan | 4*,"
             "Pump,\"Valve, large\",Fan | 4*,2,3.00,7.75,\n"
             "3,\"Pump, \"\"Valve, large\"\"\",\"\"\"<b>\"\"\"\"Motor\"\"\"\"</b>\"\"\","
-            "\"<b>\"\"Motor\"\"</b>\",Fan | 4*,,1,3.00,10.75,\n");
+            "\"<b>\"\"Motor\"\"</b>\",,Fan | 4*,1,3.00,10.75,\n");
 }
 
 TEST_F(SheetFormats, CsvIsReadBackAsTestsThatWereDone) {
@@ -90,7 +90,8 @@ TEST_F(SheetFormats, Json) {
   EXPECT_THAT(text,
               HasSubstr("{\"step\":3,\"take_out\":[\"Pump\",\"Valve, large\"],\"put_in\":["
                         "\"<b>\\\"Motor\\\"</b>\"],\"set_up\":[\"<b>\\\"Motor\\\"</b>\","
-                        "\"Fan | 4*\"],\"new_pairs\":[[\"<b>\\\"Motor\\\"</b>\",\"Fan | 4*\"]],"
+                        "\"Fan | 4*\"],\"places\":[\"<b>\\\"Motor\\\"</b>\",null,\"Fan | 4*\"],"
+                        "\"new_pairs\":[[\"<b>\\\"Motor\\\"</b>\",\"Fan | 4*\"]],"
                         "\"cost\":3.00,\"cost_so_far\":10.75}"));
   EXPECT_THAT(text, HasSubstr("\"budget\":null"));
 }
@@ -98,7 +99,7 @@ TEST_F(SheetFormats, Json) {
 TEST_F(SheetFormats, MarkdownAndHtmlEscapeNames) {
   EXPECT_THAT(written(document, "markdown"),
               HasSubstr("| 3 | Pump, Valve, large | \\<b\\>\"Motor\"\\</b\\> | "
-                        "\\<b\\>\"Motor\"\\</b\\>, Fan \\| 4\\* | 1 | 10.75 |\n"));
+                        "**\\<b\\>\"Motor\"\\</b\\>**, –, Fan \\| 4\\* | 1 | 10.75 |\n"));
   const std::string page = written(document, "html");
   EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
   EXPECT_THAT(page, HasSubstr("<title>Bench &amp; &lt;Co&gt;</title>"));
@@ -153,7 +154,7 @@ TEST_F(SheetFormats, LongListsOfLongNamesFlow) {
   plan.bound = CostBound{};
   EXPECT_THAT(written(document, "html"), Not(HasSubstr("class=\"flow\"")));
   job.names[0] = "a name of some length";
-  EXPECT_THAT(written(document, "html"), HasSubstr("<td class=\"flow\">"));
+  EXPECT_THAT(written(document, "html"), HasSubstr("<td class=\"flow\" data-head=\"Set-up\">"));
 }
 
 TEST_F(SheetFormats, CsvHasColumnsForEachSlot) {

@@ -12,13 +12,20 @@
 namespace changeover::serve {
 namespace {
 
-JobRequest request_of(const Request& sent) {
+OpenedRequest request_of(const Request& sent) {
   JobRequest request = job_request(sent.body);
   require_of_server(request, job_table());
+  OpenedRequest opened = from_body([&] { return open_workbook(std::move(request)); });
+  // What the question of a workbook says for the machine on which it was made.
+  request = std::move(opened.request);
+  request.threads.reset();
+  request.seed.reset();
+  request.compact = false;
   const std::string usual = "1";
   request.test_cost = request.test_cost.empty() ? usual : request.test_cost;
   request.change_cost = request.change_cost.empty() ? usual : request.change_cost;
-  return request;
+  opened.request = std::move(request);
+  return opened;
 }
 
 std::vector<std::string> names_of(const Job& job, const Block& parts) {
@@ -80,8 +87,9 @@ void write_plan(JsonWriter& json, const AskedJob& asked, const PlanAnswer& answe
 }
 
 Response plan(const Explorer& explorer, const Request& sent) {
-  const JobRequest request = request_of(sent);
-  const AskedJob asked = from_body([&] { return checked_job(request, Door::document); });
+  const OpenedRequest opened = request_of(sent);
+  const JobRequest& request = opened.request;
+  const AskedJob asked = from_body([&] { return checked_job(opened, Door::document); });
   constexpr double usual_seconds = 10;
   const double most_seconds = explorer.limits.seconds.count();
   const double seconds = request.seconds.value_or(usual_seconds);

@@ -4,7 +4,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
-#include "plan/job/part_columns.hpp"
+#include "plan/job/parts/part_columns.hpp"
 
 namespace changeover::part_columns_test {
 namespace {

@@ -5,6 +5,13 @@
 //     none has a number but the first row has a word of headers (name, part, sample, price, …);
 //   - one column: with such a word, unless it is of another kind than all other rows, which is refused;
 //   - more columns need a header.
+// Rows of one field above a header of several, as a title is, say nothing; nor does a last row
+// `Total` with the sum of the costs.
+//
+// The column of the costs is that which is named; else one of what changes cost ("Change cost",
+// "Swap time (min)"), else one of costs, else one of times and work whose fields are numbers. Two
+// of the same kind are refused. Slots are in the column "slot", or in one of nothing but the names
+// of slots that are known.
 #pragma once
 
 #include <optional>
@@ -14,29 +21,24 @@
 
 #include "changeover/plan/job.hpp"
 #include "io/scan/row_reader.hpp"
+#include "plan/job/parts/heading_words.hpp"
 
 namespace changeover {
 
 struct PartColumns {
   bool header = false;
+  std::size_t above = 0;  ///< rows that come before the header, or before the first part
   std::size_t name = 0;
   std::optional<std::size_t> cost = {};
   std::optional<std::size_t> slot = {};
+  std::optional<std::size_t> quantity = {};
+  CostUnit unit = CostUnit::none;  ///< as the head of the costs says
   std::string note = {};  ///< what was made of the first row, in one line, if that is worth saying
 };
 
-/// @throws BadInput through the reader for a first row that could be either, or that is of a run sheet.
-[[nodiscard]] PartColumns part_columns(const std::vector<Row>& rows, Header header,
+/// @throws BadInput through the reader for a first row that could be either, or that is of a run
+/// sheet, and for a column that is not there.
+[[nodiscard]] PartColumns part_columns(const std::vector<Row>& rows, const PartListOptions& options,
                                        const RowReader& reader);
-
-/// Whether a text is what heads a column of parts: "Part", "component 2", "sample".
-[[nodiscard]] bool heads_parts(std::string_view text);
-
-/// The same for a column of costs ("Change cost", "Preis"), and of slots.
-[[nodiscard]] bool heads_costs(std::string_view text);
-[[nodiscard]] bool heads_slots(std::string_view text);
-
-/// Lower case, of ASCII letters only.
-[[nodiscard]] std::string lower(std::string_view text);
 
 }  // namespace changeover

@@ -1,0 +1,219 @@
+// Parts lists.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <unordered_set>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/job.hpp"
+#include "io/scan/place.hpp"
+#include "io/scan/plain_text.hpp"
+#include "io/scan/row_reader.hpp"
+#include "plan/job/parts/cost_reader.hpp"
+#include "plan/job/parts/part_columns.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::size_t longest_name = 255;
+
+void check_name(const RowReader& reader, const Field& name) {
+  if (name.text.size() > longest_name) {
+    reader.fail(name, fmt::format("a name of more than {} bytes; shorten it", longest_name));
+  }
+  if (const auto defect = text_defect(name.text)) {
+    reader.fail(name, fmt::format("the name {}: {}", shown(name.text), *defect));
+  }
+  if (!name.in_quotes && name.text.find_first_of(",;") != std::string::npos) {
+    reader.fail(
+        name, fmt::format("{} has a separator in it, but the rows are split at {}; put the name in "
+                          "quotes, or use one separator everywhere",
+                          shown(name.text),
+                          reader.separator() == ';'   ? "semicolons"
+                          : reader.separator() == ',' ? "commas"
+                                                      : "tabs"));
+  }
+}
+
+// Reads a parts list row by row, once it is known which column says what.
+class PartReader {
+ public:
+  PartReader(const Input& input, const RowReader& reader, const PartColumns& columns,
+             std::size_t fields)
+      : input_(&input), reader_(&reader), columns_(columns), fields_(fields), costs_(reader) {}
+
+  void take(const Row& row) {
+    check_fields(row);
+    if (columns_.name >= row.size() || row[columns_.name].text.empty()) {
+      reader_->fail(row.front(), "a row without a name; name the part");
+    }
+    const Field& name = row[columns_.name];
+    take_name(name);
+    if (!take_quantity(row, name)) {
+      return;
+    }
+    if (list_.names.size() == max_parts) {
+      reader_->fail(name, fmt::format("more than {} parts; plan for fewer at a time", max_parts));
+    }
+    list_.names.push_back(name.text);
+    list_.change_costs.emplace_back();
+    if (columns_.cost && *columns_.cost < row.size() && !row[*columns_.cost].text.empty()) {
+      list_.change_costs.back() = costs_.read(row[*columns_.cost]);
+    }
+    if (columns_.slot) {
+      list_.slots.push_back(*columns_.slot < row.size() ? row[*columns_.slot].text : "");
+      if (!list_.slots.back().empty()) {
+        check_name(*reader_, row[*columns_.slot]);
+      }
+    }
+  }
+
+  PartList finish() {
+    leave_out_total();
+    if (list_.names.empty()) {
+      fail(input_->name(), {}, "no part is listed; write one a line");
+    }
+    list_.unit = costs_.unit() == CostUnit::none ? columns_.unit : costs_.unit();
+    list_.note = note();
+    return std::move(list_);
+  }
+
+ private:
+  void check_fields(const Row& row) const {
+    if (row.size() > fields_ && !columns_.header) {
+      reader_->fail(
+          row[fields_],
+          "a third field; write a name and a change cost, or a header with a word for each "
+          "column, and quote a name with a comma");
+    }
+    if (row.size() > fields_ && !reader_->is_workbook()) {  // there it is a note beside the table
+      reader_->fail(row[fields_], fmt::format("more fields than the {} of the header; quote those "
+                                              "with a comma",
+                                              fields_));
+    }
+  }
+
+  void take_name(const Field& name) {
+    check_name(*reader_, name);
+    if (!seen_.insert(name.text).second) {
+      reader_->fail(name, fmt::format("a second part is called {}; rename one", shown(name.text)));
+    }
+    const std::string look = visible(name.text);
+    if (look.empty()) {
+      reader_->fail(name, "nothing of this name can be seen; name the part");
+    }
+    if (!looks_.insert(look).second) {
+      reader_->fail(name, fmt::format("a second part looks like {}: the names differ in characters "
+                                      "that cannot be seen; rename one",
+                                      shown(look)));
+    }
+  }
+
+  // False if there is none of the part.
+  bool take_quantity(const Row& row, const Field& name) {
+    if (!columns_.quantity) {
+      return true;
+    }
+    std::uint64_t quantity = 1;
+    if (*columns_.quantity < row.size() && !row[*columns_.quantity].text.empty()) {
+      const Field& field = row[*columns_.quantity];
+      const char* const end = field.text.data() + field.text.size();
+      const auto [rest, failure] = std::from_chars(field.text.data(), end, quantity);
+      if (failure != std::errc() || rest != end) {
+        reader_->fail(field, fmt::format("{} is no number of pieces; write a whole number, as 4",
+                                         shown(field.text)));
+      }
+    }
+    if (quantity == 0) {
+      none_left_.push_back(name.text);
+      return false;
+    }
+    list_.quantities.push_back(quantity);
+    return true;
+  }
+
+  // A last row that adds up all others is no part.
+  void leave_out_total() {
+    constexpr auto words = std::to_array<std::string_view>(
+        {"total", "totals", "sum", "summe", "gesamt", "totale", "somme", "suma", "soma", "totaal"});
+    std::string name = list_.names.empty() ? "" : lower(list_.names.back());
+    name.resize(name.find_last_not_of(" :") + 1);
+    const auto& costs = list_.change_costs;
+    if (!columns_.header || costs.size() < 3 || std::ranges::find(words, name) == words.end() ||
+        !std::ranges::all_of(costs, [](const auto& cost) { return cost.has_value(); })) {
+      return;
+    }
+    Amount sum;
+    for (std::size_t i = 0; i + 1 < costs.size(); ++i) {
+      sum += *costs[i];
+    }
+    if (sum == *costs.back()) {
+      total_ = list_.names.back();
+      list_.names.pop_back();
+      list_.change_costs.pop_back();
+      list_.slots.resize(std::min(list_.slots.size(), list_.names.size()));
+      list_.quantities.resize(std::min(list_.quantities.size(), list_.names.size()));
+    }
+  }
+
+  [[nodiscard]] std::string note() const {
+    if (reader_->is_given()) {
+      return "";
+    }
+    std::string text = columns_.note;
+    const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
+    if (!total_.empty()) {
+      add(fmt::format("the last row, {}, is a sum and no part", shown(total_)));
+    }
+    if (!none_left_.empty()) {
+      std::string names;
+      for (const std::string& name : none_left_) {
+        names += (names.empty() ? "" : ", ") + shown(name);
+      }
+      add(fmt::format("left out, since there is none: {}", names));
+    }
+    return text.empty() ? "" : fmt::format("{}: {}", input_->name(), text);
+  }
+
+  const Input* input_;
+  const RowReader* reader_;
+  PartColumns columns_;
+  std::size_t fields_;
+  CostReader costs_;
+  PartList list_;
+  std::unordered_set<std::string> seen_;
+  std::unordered_set<std::string> looks_;
+  std::vector<std::string> none_left_;
+  std::string total_;
+};
+
+}  // namespace
+
+PartList read_parts(Input& input, Header header) {
+  return read_parts(input, PartListOptions{.header = header});
+}
+
+PartList read_parts(Input& input, const PartListOptions& options) {
+  constexpr std::size_t most_above = 12;  // a header, and what is above it
+  RowReader reader(input);
+  std::vector<Row> rows;  // more than there can be
+  while (auto next = rows.size() < max_parts + most_above ? reader.next() : std::nullopt) {
+    rows.push_back(std::move(*next));
+  }
+  if (rows.empty()) {
+    fail(input.name(), {}, "no part is listed; write one a line");
+  }
+  const PartColumns columns = part_columns(rows, options, reader);
+  constexpr std::size_t most_without_header = 2;
+  PartReader parts(input, reader, columns,
+                   columns.header ? rows[columns.above].size() : most_without_header);
+  for (std::size_t i = columns.above + (columns.header ? 1 : 0); i < rows.size(); ++i) {
+    parts.take(rows[i]);
+  }
+  return parts.finish();
+}
+
+}  // namespace changeover

@@ -1,0 +1,95 @@
+#include "plan/request/whole_question.hpp"
+
+#include <algorithm>
+
+#include "plan/job/pair_numbers.hpp"
+
+namespace changeover {
+namespace {
+
+RequestList list_of(std::vector<ListRow> rows) {
+  RequestList list;
+  list.rows = std::move(rows);
+  return list;
+}
+
+}  // namespace
+
+RequestList part_rows(const PartList& list, const Job& job) {
+  std::vector<ListRow> rows;
+  for (std::size_t i = 0; i < list.names.size(); ++i) {
+    ListRow& row = rows.emplace_back();
+    row.fields = {list.names[i], to_string(job.change_costs[i]),
+                  list.slots.empty() ? "" : list.slots[i],
+                  list.quantities.empty() ? "" : std::to_string(list.quantities[i])};
+  }
+  return list_of(std::move(rows));
+}
+
+RequestList slot_rows(const std::vector<Slot>& slots) {
+  std::vector<ListRow> rows;
+  for (const Slot& slot : slots) {
+    rows.push_back({{slot.name, std::to_string(slot.least),
+                     slot.most == Slot{}.most ? "" : std::to_string(slot.most)}});
+  }
+  return list_of(std::move(rows));
+}
+
+RequestList pair_rows(const PairSet& pairs, const Job& job, const PairReasons& why) {
+  std::vector<ListRow> rows;
+  pairs.for_each(all_of_them, [&](Element x, Element y) {
+    ListRow& row = rows.emplace_back();
+    row.fields = {job.names[std::min(x, y)], job.names[std::max(x, y)]};
+    if (!why(x, y).empty()) {
+      row.fields.push_back(why(x, y));
+    }
+  });
+  return list_of(std::move(rows));
+}
+
+RequestList weight_rows(const Job& job) {
+  std::vector<ListRow> rows;
+  for (Element y = 1; y < job.parts(); ++y) {
+    for (Element x = 0; x < y; ++x) {
+      if (job.weights.weighs(x, y)) {
+        rows.push_back({{job.names[x], job.names[y], to_string(job.weights(x, y))}});
+      }
+    }
+  }
+  return list_of(std::move(rows));
+}
+
+RequestList setup_rows(const std::vector<Block>& setups, const Job& job) {
+  std::vector<ListRow> rows;
+  for (const Block& setup : setups) {
+    ListRow& row = rows.emplace_back();
+    for (const Element x : setup) {
+      row.fields.push_back(job.names[x]);
+    }
+  }
+  return list_of(std::move(rows));
+}
+
+RequestList change_cost_rows(const Job& job) {
+  std::vector<Element> parts;
+  for (Element x = 0; x < job.parts(); ++x) {
+    if (job.piece_of.empty() || job.piece_of[x] == x) {
+      parts.push_back(x);
+    }
+  }
+  std::vector<ListRow> rows(1);
+  rows.front().fields.emplace_back();
+  for (const Element in : parts) {
+    rows.front().fields.push_back(job.names[in]);
+  }
+  for (const Element out : parts) {
+    ListRow& row = rows.emplace_back();
+    row.fields.push_back(job.names[out]);
+    for (const Element in : parts) {
+      row.fields.push_back(out == in ? "" : to_string(job.replace_cost(out, in)));
+    }
+  }
+  return list_of(std::move(rows));
+}
+
+}  // namespace changeover

@@ -1,0 +1,29 @@
+// What a workbook that has a parts list says besides: the question that it was made for, or lists
+// on its other sheets.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "changeover/plan/job_request.hpp"
+
+namespace changeover {
+
+/// The hidden sheet with the question, below a head that is the format of the document: the
+/// document in pieces, one a row.
+inline constexpr std::string_view question_sheet = "changeover-question";
+/// The sheets of a run sheet: what is to be done, and what was done before.
+inline constexpr std::string_view steps_sheet = "Run sheet";
+inline constexpr std::string_view done_sheet = "Done";
+
+/// The pieces of a document for that sheet, short enough for cells.
+[[nodiscard]] std::vector<std::string> question_pieces(const std::string& document);
+
+/// The inputs of a list of tests that were done, in their order: of a workbook that has both, the
+/// sheets `Done` and `Run sheet`; else the list itself. @throws as open()
+[[nodiscard]] std::vector<std::unique_ptr<Input>> open_done(const RequestList& list,
+                                                            const std::string& spelled);
+
+}  // namespace changeover

@@ -1,0 +1,166 @@
+#include "plan/sheet/places.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <span>
+
+#include "changeover/core/error.hpp"
+
+namespace changeover {
+namespace {
+
+std::uint32_t slot_of(const Job& job, Element x) {
+  return job.slot_of.empty() ? no_slot : job.slot_of[x];
+}
+
+// Slots in their order, what is in none last.
+std::vector<std::uint32_t> slots_of(const Job& job) {
+  std::vector<std::uint32_t> slots(job.slots.size() + 1, no_slot);
+  for (std::uint32_t s = 0; s < job.slots.size(); ++s) {
+    slots[s] = s;
+  }
+  return slots;
+}
+
+// How many places of a slot some parts need.
+std::size_t count_in(const Job& job, const Block& parts, std::uint32_t slot) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(parts, [&](Element x) { return slot_of(job, x) == slot; }));
+}
+
+// The places that are known and those that the sheets need besides, each new one with the least
+// number that is free.
+std::vector<MountedPlace> all_places(const Job& job, const std::vector<const RunSheet*>& sheets) {
+  std::set<std::uint64_t> numbers;
+  for (const MountedPlace& place : job.places) {
+    numbers.insert(place.number);
+  }
+  std::uint64_t next = 1;
+  std::vector<MountedPlace> places;
+  for (const std::uint32_t slot : slots_of(job)) {
+    std::size_t width = count_in(job, job.start, slot);
+    for (const RunSheet* sheet : sheets) {
+      for (const RunStep& step : sheet->steps) {
+        width = std::max(width, count_in(job, step.setup, slot));
+      }
+    }
+    const std::size_t begin = places.size();
+    for (const MountedPlace& place : job.places) {
+      if (place.slot == slot) {
+        places.push_back({place.number, slot, {}});
+      }
+    }
+    while (places.size() < begin + width) {
+      while (!numbers.insert(next).second) {
+        ++next;
+      }
+      places.push_back({next, slot, {}});
+    }
+    std::ranges::sort(std::span(places).subspan(begin), {}, &MountedPlace::number);
+  }
+  return places;
+}
+
+// One bench while its steps go by.
+class Bench {
+ public:
+  Bench(const Job& job, const std::vector<MountedPlace>& places)
+      : job_(&job), places_(&places), now_(places.size()), last_(job.names.size()) {
+    for (const MountedPlace& known : job.places) {
+      if (known.part && std::ranges::count(job.start, *known.part) != 0) {
+        put(*known.part, index_of(known.number));
+      }
+    }
+    for (const Element x : job.start) {
+      if (!last_[x]) {
+        put(x, free_place(x, {}));
+      }
+    }
+  }
+
+  [[nodiscard]] const MountedParts& now() const { return now_; }
+
+  void take(const RunStep& step) {
+    MountedParts emptied(now_.size());  // by place: what went
+    for (const Element x : step.take_out) {
+      emptied[*last_[x]] = x;
+      now_[*last_[x]].reset();
+    }
+    Block others;
+    for (const Element x : step.put_in) {
+      const auto pair =
+          std::ranges::find(step.replaced, x, [](const auto& both) { return both.second; });
+      const auto place = pair == step.replaced.end() ? std::nullopt : last_[pair->first];
+      place&& takes(*place, x) ? put(x, *place) : others.push_back(x);
+    }
+    std::stable_partition(others.begin(), others.end(),
+                          [&](Element x) { return last_[x] && takes(*last_[x], x); });
+    for (const Element x : others) {
+      put(x, last_[x] && takes(*last_[x], x) ? *last_[x] : free_place(x, emptied));
+    }
+  }
+
+ private:
+  [[nodiscard]] std::size_t index_of(std::uint64_t number) const {
+    return static_cast<std::size_t>(std::ranges::find(*places_, number, &MountedPlace::number) -
+                                    places_->begin());
+  }
+  [[nodiscard]] bool takes(std::size_t place, Element x) const {
+    return !now_[place] && places_->at(place).slot == slot_of(*job_, x);
+  }
+  // A free place of the slot, one that was emptied if possible.
+  [[nodiscard]] std::size_t free_place(Element x, const MountedParts& emptied) const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < now_.size(); ++i) {
+      if (!takes(i, x)) {
+        continue;
+      }
+      if (!emptied.empty() && emptied[i]) {
+        return i;
+      }
+      found = found.value_or(i);
+    }
+    if (!found) {
+      throw InternalError(fmt::format("there is no free place for {}", job_->names[x]));
+    }
+    return *found;
+  }
+  void put(Element x, std::size_t place) {
+    now_.at(place) = x;
+    last_[x] = place;
+  }
+
+  const Job* job_;
+  const std::vector<MountedPlace>* places_;
+  MountedParts now_;
+  std::vector<std::optional<std::size_t>> last_;  // by part: where it is or was
+};
+
+}  // namespace
+
+std::string PlacedSheets::head(const Job& job, std::size_t place) const {
+  const MountedPlace& at = places[place];
+  return at.slot == no_slot ? fmt::format("slot_{}", at.number)
+                            : fmt::format("slot_{} {}", at.number, job.slots[at.slot].name);
+}
+
+PlacedSheets placed(const Job& job, const std::vector<const RunSheet*>& sheets) {
+  PlacedSheets made{.places = all_places(job, sheets), .sheets = {}};
+  for (const RunSheet* sheet : sheets) {
+    Bench bench(job, made.places);
+    PlacedSheet& list = made.sheets.emplace_back();
+    list.before = bench.now();
+    for (const RunStep& step : sheet->steps) {
+      bench.take(step);
+      list.steps.push_back(bench.now());
+    }
+  }
+  if (const auto faults = place_faults(job, sheets, made); !faults.empty()) {
+    throw InternalError("places of parts: " + faults.front());
+  }
+  return made;
+}
+
+}  // namespace changeover
