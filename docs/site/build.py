@@ -24,6 +24,7 @@ root = here.parent.parent
 elsewhere = {
     "README.md": "index.md",
     "bench/README.md": "performance.md",
+    "examples/lab/README.md": "lab.md",
     "HACKING.md": "hacking.md",
     "CONTRIBUTING.md": "contributing.md",
     "CHANGELOG.md": "changelog.md",
