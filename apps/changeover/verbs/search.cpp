@@ -199,6 +199,7 @@ AnySearch chosen(const SearchOptions& given) {
     options.shapes.fixed = given.fixed_points;
     options.shapes.tight = given.tight;
     options.shapes.most_blocks = given.blocks;
+    options.rounds = 20;  // as long as there is time
     return BaseBlockSearch{shared, p, options};
   }
   if (given.expansion_set ||

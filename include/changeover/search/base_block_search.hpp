@@ -18,8 +18,8 @@
 //           that there are none of this shape. That is the solver's statement, not a certificate.
 //   anneal  segment swaps made in all images at once (search/local/segment_orbits.hpp); for larger parameters
 //           with some slack. It never says none.
-//   automatic  sat up to `sat_size` pairs in base blocks for tight designs; otherwise a short annealing,
-//           then sat if the formula is small enough, then the rest of the annealing.
+//   automatic  a short annealing, then sat if the formula is small enough, then the rest of the annealing;
+//           for tight designs of few base blocks sat at once.
 //
 // Every result is developed by the registry and verified on all its blocks before it is returned. For a
 // linear p the circular design is cut open. With one seed and limits in moves and conflicts, but not in
@@ -120,6 +120,7 @@ struct BaseBlockOptions {
   std::uint64_t moves = 4'000'000;    ///< of annealing, for each shape
   std::uint64_t conflicts = 400'000;  ///< of the SAT solver, for each shape
   std::uint64_t sat_size = 40'000;    ///< automatic: largest c·C(v,2) for which sat is tried
+  std::uint64_t rounds = 1;  ///< through all shapes; each takes twice the moves of the one before
 };
 
 /// What became of one shape.

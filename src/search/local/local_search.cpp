@@ -33,8 +33,10 @@ namespace {
 using Method = SearchArm::Method;
 
 constexpr std::uint64_t largest_v = 4096;
-constexpr std::array<double, 3> reheated_to = {0.28, 0.22, 0.33};  // in turn
+// In turn. The coldest leaves what constructions made as it is but for a few places.
+constexpr std::array<double, 4> reheated_to = {0.28, 0.14, 0.22, 0.33};
 constexpr std::size_t blocks_between_cuts = 8;
+constexpr int tries_to_leave_out = 60;
 constexpr int most_fruitless = 64;  // attempts in a row that could not even begin
 
 /// What an attempt came to.
@@ -261,8 +263,10 @@ class Improver {
     }
     attempted.started = true;
     AnnealSchedule schedule{.moves = attempt.moves};
-    schedule.hot = arm.method == Method::free ? schedule.hot
-                                              : reheated_to[attempt.number % reheated_to.size()];
+    if (arm.method != Method::free) {
+      schedule.hot = reheated_to[attempt.number % reheated_to.size()];
+      schedule.cold = std::min(schedule.cold, schedule.hot * 0.6);
+    }
     const Annealed annealed = anneal_blocks(
         *start, 0, schedule, random, control_,
         watch(attempt, attempted, fmt::format("annealing {} blocks", attempt.aim), 1));
@@ -354,10 +358,39 @@ class Improver {
     return design;
   }
 
-  // A linear design loses an end; in a circular one a piece is replaced by a random way of a block
-  // less.
+  // The design without a block from which as many elements change to the next one as to the one before;
+  // nullopt if no such block is soon found.
+  static std::optional<Design> without_a_block(const Design& best, Random& random) {
+    const std::size_t b = best.block_count();
+    const bool circular = best.parameters().kind == Kind::circular;
+    for (int i = 0; i < tries_to_leave_out && b > 4; ++i) {
+      const std::size_t at = random.below(static_cast<std::uint32_t>(b));
+      if (!circular && (at == 0 || at + 1 == b)) {
+        continue;
+      }
+      if (difference(best.block((at + 1) % b), best.block((at + b - 1) % b)).size() ==
+          best.parameters().change) {
+        Design list(best.parameters());
+        for (std::size_t j = 0; j < b; ++j) {
+          if (j != at) {
+            list.append(best.block(j));
+          }
+        }
+        return list;
+      }
+    }
+    return std::nullopt;
+  }
+
+  // A linear design loses an end or a block inside; in a circular one that has none to lose a piece is
+  // replaced by a random way of a block less.
   std::optional<Design> one_block_less(const Design& best, std::size_t blocks,
                                        Random& random) const {
+    if (best.block_count() == blocks + 1 && random.below(2) == 0) {
+      if (auto list = without_a_block(best, random)) {
+        return list;
+      }
+    }
     if (parameters_.kind == Kind::linear) {
       return best_part(best, blocks);
     }

@@ -66,8 +66,11 @@ class Drawing {
 
   // nullopt if these places do not fit.
   std::optional<Draft> drawn() {
-    if (!place_fixed() || !place_parts() || places_.empty()) {
-      return places_.empty() && parts_.empty() ? free_list() : std::nullopt;
+    if (!place_fixed() || !place_parts()) {
+      return std::nullopt;
+    }
+    if (places_.empty()) {
+      return free_list();
     }
     std::ranges::sort(places_, {}, &Place::block);
     return joined();
@@ -95,6 +98,20 @@ class Drawing {
       }
     }
     return sorted(elements);
+  }
+
+  // The same beside a block from which m elements change.
+  Block filled_after(Block elements, const Block& before) {
+    Block stays = difference(before, elements);
+    std::size_t needed = part_size_ - std::min(part_size_, before.size() - stays.size());
+    if (elements.size() + needed > p_.k) {
+      return filled(std::move(elements), {});  // It cannot be.
+    }
+    for (std::size_t i = 0; needed > 0; ++i, --needed) {
+      std::swap(stays[i], stays[i + below(stays.size() - i)]);
+      elements.push_back(stays[i]);
+    }
+    return filled(std::move(elements), before);
   }
 
   void add(std::size_t block, Block whole, Block locked) {
@@ -142,32 +159,42 @@ class Drawing {
       std::swap(rest[i - 1], rest[below(i)]);
     }
     const std::size_t count = rest.size() / part_size_;
-    const std::size_t steps = blocks_ - 1;
-    if (count > steps) {
-      return false;
+    if (count == 0) {
+      return true;
     }
     // Any places with room between them to change all elements, where there is that much room.
+    const bool circular = p_.kind == Kind::circular;
+    const std::size_t steps = circular ? blocks_ : blocks_ - 1;
     const std::size_t wanted_gap = ceil_div(p_.k, p_.change) + 1;
-    const std::size_t gap = std::max<std::size_t>(2, std::min(wanted_gap, steps / (count + 1)));
-    if (steps < gap * (count + 1)) {
+    const std::size_t gap = std::max<std::size_t>(2, std::min(wanted_gap, steps / count));
+    const std::size_t at_start = wanted_.first.empty() ? 0 : gap - 1;
+    const std::size_t at_end = wanted_.last.empty() ? 0 : gap - 1;
+    const std::size_t room = at_start + at_end + gap * count - (circular ? 0 : gap - 1);
+    if (room > steps) {
       return false;
     }
+    const std::size_t turned = circular ? below(steps) : at_start;
     std::vector<std::size_t> places;
     for (std::size_t j = 0; j < count; ++j) {
-      places.push_back(below(steps - gap * (count + 1) + 1));
+      places.push_back(below(steps - room + 1));
     }
     std::ranges::sort(places);
+    std::optional<std::size_t> previous;
     for (std::size_t j = 0; j < count; ++j) {
-      const std::size_t step = places[j] + gap * (j + 1) - 1;
-      if (step + 1 >= blocks_ || taken_[step] || taken_[step + 1]) {
+      const std::size_t step = (turned + places[j] + gap * j) % steps;
+      const std::size_t next = (step + 1) % blocks_;
+      if (taken_[step] || taken_[next]) {
         return false;
       }
       const Block part = sorted(std::span(rest).subspan(j * part_size_, part_size_));
-      const Block before = filled(part, {});
+      const Block before =
+          previous == step ? filled_after(part, places_.back().whole) : filled(part, {});
       add(step, before, part);
-      add(step + 1, filled(part, difference(before, part)), part);
+      add(next, filled(part, difference(before, part)), part);
       parts_.push_back(step + 1);
+      previous = next + 1;
     }
+    std::ranges::sort(parts_);
     return true;
   }
 

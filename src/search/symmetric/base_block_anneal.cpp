@@ -132,7 +132,10 @@ BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p, const BaseBlock
                                             RunControl& control) {
   BaseBlockAnnealing result;
   result.missing = std::numeric_limits<std::uint64_t>::max();
-  for (std::uint64_t length = first_anneal; result.moves < moves; length *= 4) {
+  std::uint64_t length = first_anneal;
+  for (int run = 0; result.moves < moves; ++run) {
+    // Twice as long each second time: base blocks are few, so several runs are worth more than a long one.
+    length *= run > 0 && run % 2 == 0 ? 2 : 1;
     const std::vector<Block> begin = random_base_blocks(p, shape, random);
     if (begin.empty() || control.stop_wanted()) {
       break;

@@ -25,7 +25,7 @@ struct BaseBlockAnnealing {
   std::uint64_t moves = 0;
 };
 
-/// Anneals, each time four times as long, until base blocks are found, the moves are used up or the
+/// Anneals, each second time twice as long, until base blocks are found, the moves are used up or the
 /// control wants to stop. A tight design needs no more care: it is one if everything is covered.
 /// Bound by: O(moves · segment · k).
 [[nodiscard]] BaseBlockAnnealing base_blocks_by_annealing(const Parameters& p,

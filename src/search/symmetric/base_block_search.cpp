@@ -20,6 +20,7 @@ namespace changeover {
 namespace {
 
 constexpr std::uint64_t most_elements = 2000;
+constexpr std::uint64_t few_base_blocks = 8;
 constexpr std::array methods{std::pair{BaseBlockMethod::automatic, "automatic"},
                              std::pair{BaseBlockMethod::sat, "sat"},
                              std::pair{BaseBlockMethod::anneal, "anneal"}};
@@ -59,16 +60,32 @@ class Search {
         throw BadInput(fmt::format("the shift {} is no unit of Z_{}", options_.shift, shape.n));
       }
     }
-    for (const BaseBlockShape& shape : shapes) {
-      if (control_.stop_wanted()) {
-        break;
-      }
-      try {
-        if (attempt(shape)) {
-          break;
+    std::vector<bool> open(shapes.size(), true);
+    std::uint64_t moves = options_.moves;
+    for (std::uint64_t round = 0; round < options_.rounds; ++round, moves *= 2) {
+      for (std::size_t i = 0; i < shapes.size(); ++i) {
+        if (control_.stop_wanted()) {
+          return;
         }
-      } catch (const MissingResource& fault) {
-        left_out_ = fault.what();  // a smaller one may follow
+        if (!open[i]) {
+          continue;
+        }
+        try {
+          if (round == 0) {
+            places_.push_back(result_.attempts.size());
+          }
+          if (attempt(shapes[i], round, moves, places_[i])) {
+            return;
+          }
+          open[i] = result_.attempts[places_[i]].outcome != Outcome::none &&
+                    options_.method != BaseBlockMethod::sat;
+        } catch (const MissingResource& fault) {
+          left_out_ = fault.what();  // a smaller one may follow
+          open[i] = false;
+        }
+      }
+      if (std::ranges::find(open, true) == open.end()) {
+        return;
       }
     }
   }
@@ -82,9 +99,13 @@ class Search {
     return options;
   }
 
-  bool attempt(const BaseBlockShape& shape) {
-    ShapeAttempt& attempt = result_.attempts.emplace_back();
-    attempt.shape = shape;
+  bool attempt(const BaseBlockShape& shape, std::uint64_t round, std::uint64_t moves,
+               std::size_t place) {
+    if (place == result_.attempts.size()) {
+      result_.attempts.emplace_back().shape = shape;
+    }
+    ShapeAttempt& attempt = result_.attempts[place];
+    const ShapeAttempt before = attempt;
     std::vector<Block> blocks;
     const bool tight = options_.shapes.tight;
     const bool small = sat_size(shape) <= options_.sat_size;
@@ -95,9 +116,9 @@ class Search {
       attempt.outcome = by_sat.outcome;
       blocks = std::move(by_sat.blocks);
     };
-    const auto anneal = [&](std::uint64_t moves) {
+    const auto anneal = [&](std::uint64_t most) {
       BaseBlockAnnealing outcome =
-          base_blocks_by_annealing(circular_, shape, moves, random_, control_);
+          base_blocks_by_annealing(circular_, shape, most, random_, control_);
       attempt.moves += outcome.moves;
       attempt.missing = std::min(attempt.missing.value_or(outcome.missing), outcome.missing);
       blocks = std::move(outcome.blocks);
@@ -110,24 +131,25 @@ class Search {
         solve();
         break;
       case BaseBlockMethod::anneal:
-        anneal(options_.moves);
+        anneal(moves);
         break;
       case BaseBlockMethod::automatic: {
-        const std::uint64_t first = tight && small ? 0 : options_.moves / 4;
+        const bool few = shape.base_blocks <= few_base_blocks;
+        const std::uint64_t first = round > 0 ? moves : tight && small && few ? 0 : moves / 4;
         if (first > 0) {
           anneal(first);
         }
-        if (small && undecided()) {
+        if (round == 0 && small && undecided()) {
           solve();
         }
-        if (undecided()) {
-          anneal(options_.moves - first);
+        if (first < moves && undecided()) {
+          anneal(moves - first);
         }
         break;
       }
     }
-    result_.moves += attempt.moves;
-    result_.conflicts += attempt.conflicts;
+    result_.moves += attempt.moves - before.moves;
+    result_.conflicts += attempt.conflicts - before.conflicts;
     if (blocks.empty()) {
       return false;
     }
@@ -191,7 +213,8 @@ class Search {
   RunControl& control_;
   Random random_;
   bool registry_tight_ = false;
-  std::string left_out_;  // why a shape was not tried
+  std::string left_out_;             // why a shape was not tried
+  std::vector<std::size_t> places_;  // of the shapes among the attempts
   BaseBlockResult result_;
 };
 

@@ -71,6 +71,35 @@ TEST(LockedSearch, FindsEveryKind) {
   expect_as_wanted(searched({10, 4, 1, Kind::linear, 2}, last, 16), last);
 }
 
+// Every second step or so has a part.
+TEST(LockedSearch, FindsPartsThatStandClose) {
+  const Wanted all{.expansion_set = true};
+  expect_as_wanted(searched({12, 4, 2, Kind::circular, 2}, all, 14), all);
+  expect_as_wanted(searched({8, 4, 2, Kind::circular, 2}, all, 8), all);
+  const Wanted but_two{.last = {0, 1}, .expansion_set = true};
+  expect_as_wanted(searched({12, 4, 2, Kind::linear, 2}, but_two, 15), but_two);
+}
+
+// Too few blocks for all the parts, or places that do not fit: nothing is found, and nothing is lost.
+TEST(LockedSearch, NeverLosesWhatIsWanted) {
+  for (std::uint64_t v = 6; v <= 14; ++v) {
+    for (const Kind kind : {Kind::linear, Kind::circular}) {
+      for (const std::uint64_t change : {1U, 2U}) {
+        const Parameters p{v, 4, change, kind, 2};
+        const Wanted wanted{.expansion_set = true};
+        if (!wanted_defect(p, wanted).empty()) {
+          continue;
+        }
+        SCOPED_TRACE(name(p));
+        const LockedResult found = searched(p, wanted, lower_bound(p).blocks, 300'000);
+        if (found.design) {
+          expect_as_wanted(found, wanted);
+        }
+      }
+    }
+  }
+}
+
 TEST(LockedSearch, KeepsTheBlocksGiven) {
   const Wanted wanted{.contained = {{0, 1, 2, 3}, {0, 1, 4, 5}, {4, 5, 6, 7}}};
   for (const Kind kind : {Kind::linear, Kind::circular}) {

@@ -351,6 +351,30 @@ TEST(SearchBaseBlocks, AnnealsWhereThereIsSlack) {
   EXPECT_GT(result.moves, 0U);
 }
 
+TEST(SearchBaseBlocks, GoesOnInRounds) {
+  const Parameters p{.v = 26, .k = 4, .kind = Kind::circular};
+  BaseBlockOptions options{.shapes = {.n = 13, .tight = true}};
+  options.method = BaseBlockMethod::anneal;
+  options.moves = 500;
+  RunControl one({.threads = 1, .seed = 1});
+  const BaseBlockResult before = search_base_blocks(p, options, one);
+  EXPECT_FALSE(before.found());
+  EXPECT_EQ(before.why_stopped, WhyStopped::step_limit);
+  EXPECT_LE(before.moves, 500U * before.attempts.size());
+  options.rounds = 14;
+  RunControl many({.threads = 1, .seed = 1});
+  const BaseBlockResult after = search_base_blocks(p, options, many);
+  ASSERT_TRUE(after.found());
+  EXPECT_TRUE(after.verdict().tight());
+  // A shape that is tried again is still one.
+  EXPECT_EQ(after.attempts.size(), before.attempts.size());
+  std::uint64_t moves = 0;
+  for (const ShapeAttempt& attempt : after.attempts) {
+    moves += attempt.moves;
+  }
+  EXPECT_EQ(after.moves, moves);
+}
+
 TEST(SearchBaseBlocks, IsDeterministic) {
   for (const BaseBlockMethod method :
        {BaseBlockMethod::automatic, BaseBlockMethod::sat, BaseBlockMethod::anneal}) {
