@@ -6,16 +6,28 @@
 #include <tuple>
 #include <utility>
 
+#include "changeover/catalog/catalog.hpp"
+#include "changeover/catalog/entry.hpp"
 #include "changeover/run/control.hpp"
 #include "construct/known_designs.hpp"
 
 namespace changeover {
 namespace {
 
-constexpr std::uint64_t most_over = 4;      // the best that is known without
-constexpr std::size_t most_built = 10;      // for one cell
-constexpr std::uint64_t most_repeated = 12; // parts with a class that another has, too
-constexpr std::uint64_t most_in_hole = 24;  // beside the hinge
+constexpr std::uint64_t most_over = 4;       // the best that is known without
+constexpr std::size_t most_built = 10;       // for one cell
+constexpr std::uint64_t most_repeated = 12;  // parts with a class that another has, too
+constexpr std::uint64_t most_in_hole = 24;   // beside the hinge
+
+// What carries its blocks is named by its label.
+Recipe recipe_in_catalog(CatalogEntry entry) {
+  if (!entry.carries_blocks()) {
+    return std::move(entry.recipe);
+  }
+  Recipe recipe{"found", entry.parameters, {}, {}, {}};
+  recipe.provenance = entry.label();
+  return recipe;
+}
 
 }  // namespace
 
@@ -48,6 +60,18 @@ const std::vector<KnownDesigns::Ptr>& KnownDesigns::bases_at(const Parameters& p
   }
   const std::vector<Ptr>& made = with_groups_at(p);
   bases.insert(bases.end(), made.begin(), made.end());
+  if (registry_.catalog() != nullptr && !bases.empty()) {
+    const std::uint64_t most = bases.front()->offer.b + most_over;
+    for (CatalogEntry& each : registry_.catalog()->cell(p)) {
+      if (each.retracted.empty() && each.b <= most) {
+        const std::uint64_t b = each.b;
+        Ptr one = known({recipe_in_catalog(std::move(each)), b, false, false, false}, false);
+        if (one->depth < deepest_chain) {
+          bases.push_back(std::move(one));
+        }
+      }
+    }
+  }
   std::ranges::stable_sort(bases, {}, [](const Ptr& each) { return each->offer.b; });
   // Not those with no more parts than one with no more blocks.
   const auto parts = [this](const Ptr& each, bool at_end) {

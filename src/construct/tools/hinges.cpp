@@ -1,5 +1,5 @@
-// Disjoint unchanged subsets, as many as a greedy search finds: an element that few of them can
-// still hold comes first.
+// Disjoint unchanged subsets: a greedy search, in which an element that few of them can still hold comes
+// first, and then a walk that takes a set for one that it meets, until another set fits in.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -16,6 +16,9 @@ namespace {
 constexpr std::uint32_t tries_a_place = 6;
 constexpr std::size_t places_at_steps = 24;
 constexpr std::size_t most_places_at_an_end = 40;
+constexpr std::size_t walk_a_place = 30;  // steps for each element of the design
+constexpr std::size_t last_walk = 1500;
+constexpr std::size_t rest_of_a_set = 20;  // steps until a set that went may come back
 
 class Packing {
  public:
@@ -49,17 +52,83 @@ class Packing {
 
   [[nodiscard]] std::size_t most() const { return v_ / part_size_ - 1; }
 
-  /// Positions, increasing, of parts that do not meet `hinge`.
-  std::vector<Element> best(const Block& hinge, Random& random) {
-    std::vector<Element> best;
+  /// Sets that do not meet each other and `hinge`.
+  std::vector<std::uint32_t> best(const Block& hinge, Random& random) {
+    std::vector<std::uint32_t> best;
     for (std::uint32_t i = 0; i < tries_a_place && best.size() < most(); ++i) {
-      std::vector<Element> found = pack(hinge, i % 2 == 0, random);
+      std::vector<std::uint32_t> found = pack(hinge, i % 2 == 0, random);
       if (found.size() > best.size()) {
         best = std::move(found);
       }
     }
-    std::ranges::sort(best);
-    return best;
+    return walked(hinge, std::move(best), walk_a_place * v_, random);
+  }
+
+  /// As many or more such sets, after so many steps from `start`.
+  std::vector<std::uint32_t> walked(const Block& hinge, std::vector<std::uint32_t> start,
+                                    std::size_t steps, Random& random) const {
+    constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    constexpr std::uint32_t never = none - 1;
+    std::vector<std::uint32_t> holder(v_, none);
+    for (const Element x : hinge) {
+      holder[x] = never;
+    }
+    for (const std::uint32_t i : start) {
+      for (const Element x : sets_[i].elements) {
+        holder[x] = i;
+      }
+    }
+    std::size_t size = start.size();
+    std::vector<std::size_t> back(sets_.size(), 0);
+    for (std::size_t step = 0; step < steps && start.size() < most(); ++step) {
+      const auto x = static_cast<std::size_t>(random.below(static_cast<std::uint32_t>(v_)));
+      if (holder[x] != none || with_[x].empty()) {
+        continue;
+      }
+      const std::uint32_t come =
+          with_[x][random.below(static_cast<std::uint32_t>(with_[x].size()))];
+      std::uint32_t gone = none;
+      bool fits = back[come] <= step;
+      for (const Element y : sets_[come].elements) {
+        const std::uint32_t other = holder[y];
+        fits = fits && other != never && (other == none || gone == none || other == gone);
+        gone = other == none ? gone : other;
+      }
+      if (!fits) {
+        continue;
+      }
+      if (gone != none) {
+        for (const Element y : sets_[gone].elements) {
+          holder[y] = none;
+        }
+        back[gone] = step + rest_of_a_set;
+        --size;
+      }
+      for (const Element y : sets_[come].elements) {
+        holder[y] = come;
+      }
+      if (++size > start.size()) {
+        start.clear();
+        for (const std::uint32_t each : holder) {
+          if (each < never) {
+            start.push_back(each);
+          }
+        }
+        std::ranges::sort(start);
+        start.erase(std::ranges::unique(start).begin(), start.end());
+      }
+    }
+    return start;
+  }
+
+  /// Increasing.
+  [[nodiscard]] std::vector<Element> positions_of(const std::vector<std::uint32_t>& sets) const {
+    std::vector<Element> positions;
+    for (const std::uint32_t i : sets) {
+      positions.push_back(static_cast<Element>(sets_[i].position));
+    }
+    std::ranges::sort(positions);
+    return positions;
   }
 
  private:
@@ -68,14 +137,14 @@ class Packing {
     std::size_t position, times;
   };
 
-  std::vector<Element> pack(const Block& hinge, bool often_first, Random& random) {
+  std::vector<std::uint32_t> pack(const Block& hinge, bool often_first, Random& random) {
     stop_if_asked();
     can_.assign(sets_.size(), true);
     left_.assign(v_, 0);
     for (std::size_t x = 0; x < v_; ++x) {
       left_[x] = static_cast<std::uint32_t>(with_[x].size());
     }
-    std::vector<Element> chosen;
+    std::vector<std::uint32_t> chosen;
     forbid(hinge);
     for (const std::uint32_t i : often_first ? often_ : std::vector<std::uint32_t>{}) {
       if (can_[i]) {
@@ -132,8 +201,8 @@ class Packing {
     return found;
   }
 
-  void choose(std::uint32_t i, std::vector<Element>& chosen) {
-    chosen.push_back(static_cast<Element>(sets_[i].position));
+  void choose(std::uint32_t i, std::vector<std::uint32_t>& chosen) {
+    chosen.push_back(i);
     forbid(sets_[i].elements);
   }
 
@@ -187,39 +256,50 @@ std::vector<Hinge> hinges(const Design& design) {
   Packing packing(design);
   Random random(1);
   std::vector<Hinge> found;
+  // A place and its parts, of those that were looked at the one with most.
+  struct Place {
+    Hinge hinge;
+    std::vector<std::uint32_t> parts;
+  };
+  const auto look = [&](Place& best, const Hinge& hinge) {
+    std::vector<std::uint32_t> parts = packing.best(hinge.elements, random);
+    if (best.hinge.elements.empty() || parts.size() > best.parts.size()) {
+      best = {hinge, std::move(parts)};
+    }
+    return best.parts.size() < packing.most();
+  };
+  const auto settle = [&](Place& best) {
+    best.parts = packing.walked(best.hinge.elements, std::move(best.parts),
+                                last_walk * static_cast<std::size_t>(design.v()), random);
+    best.hinge.positions = packing.positions_of(best.parts);
+    found.push_back(std::move(best.hinge));
+  };
   if (design.parameters().kind == Kind::linear) {
-    Hinge end;
+    Place end;
     for (const bool reversed : {false, true}) {
       std::size_t places = 0;
       for_subsets(sorted(design.block(reversed ? 0 : b - 1)), n, [&](const Block& subset) {
-        std::vector<Element> positions = packing.best(subset, random);
-        if (end.elements.empty() || positions.size() > end.positions.size()) {
-          end = {b, reversed, subset, std::move(positions)};
-        }
-        return ++places < most_places_at_an_end && end.positions.size() < packing.most();
+        return look(end, {b, reversed, subset, {}}) && ++places < most_places_at_an_end;
       });
     }
-    if (end.reversed) {
-      for (Element& position : end.positions) {
+    settle(end);
+    if (Hinge& hinge = found.back(); hinge.reversed) {
+      for (Element& position : hinge.positions) {
         position = static_cast<Element>(b) - position;
       }
-      std::ranges::reverse(end.positions);
+      std::ranges::reverse(hinge.positions);
     }
-    found.push_back(std::move(end));
   }
   const std::vector<UnchangedSubset> steps = unchanged_subsets(design);
-  Hinge step;
-  for (std::size_t i = 0; i < places_at_steps && step.positions.size() < packing.most(); ++i) {
+  Place step;
+  for (std::size_t i = 0; i < places_at_steps && step.parts.size() < packing.most(); ++i) {
     const UnchangedSubset& at = steps[random.below(static_cast<std::uint32_t>(steps.size()))];
     if (at.elements.size() == n) {
-      std::vector<Element> positions = packing.best(at.elements, random);
-      if (step.elements.empty() || positions.size() > step.positions.size()) {
-        step = {at.position, false, at.elements, std::move(positions)};
-      }
+      look(step, {at.position, false, at.elements, {}});
     }
   }
-  if (!step.elements.empty()) {
-    found.push_back(std::move(step));
+  if (!step.hinge.elements.empty()) {
+    settle(step);
   }
   return found;
 }

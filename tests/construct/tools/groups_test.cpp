@@ -118,6 +118,21 @@ TEST(Hinges, StayAtTheirPositionAndPartsAreDisjoint) {
   EXPECT_GT(with_parts, 100U);
 }
 
+// The windows of a cyclic design fill the circle, but for what is left over; a greedy search alone leaves more.
+TEST(Hinges, HaveAsManyPartsAsThereCanBe) {
+  for (const auto& [v, k] :
+       {std::pair{31U, 4U}, {61U, 4U}, {91U, 4U}, {43U, 5U}, {71U, 5U}, {37U, 6U}, {55U, 6U}}) {
+    const Parameters p{.v = v, .k = k, .kind = Kind::circular};
+    const std::optional<Offer> offer = standard().best(p);
+    ASSERT_TRUE(offer);
+    std::size_t most = 0;
+    for (const Hinge& hinge : hinges(standard().build_design(offer->recipe))) {
+      most = std::max(most, hinge.positions.size() + 1);
+    }
+    EXPECT_EQ(most, v / (k - 2)) << name(p);
+  }
+}
+
 TEST(OpenedPiece, MeetsItsHoleAtTheEndsOnly) {
   std::size_t found = 0;
   for (const Offer& offer : some_designs()) {
