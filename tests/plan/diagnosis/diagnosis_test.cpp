@@ -400,7 +400,7 @@ TEST(Diagnosis, OfManySuspects) {
   EXPECT_EQ(found.suspects.size(), 20U + 190U);
   EXPECT_EQ(found.least_tests, 8U);
   const std::string text = written(job, found, "table", 80);
-  EXPECT_THAT(text, HasSubstr("one of these 210:"));
+  EXPECT_THAT(text, HasSubstr("one of the 210 suspects below."));
   EXPECT_THAT(text, HasSubstr("\npart  alone    or with one of"));
   const std::vector<Suspect> fault{{3, 17}};
   EXPECT_LE(ask_to_the_end(job, {{half, true}}, fault).tests, 8U + 3U);
