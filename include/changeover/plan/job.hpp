@@ -351,7 +351,8 @@ struct PartListOptions {
   /// What heads the change costs, in any case, so that there is a header; "-": no column has any.
   /// Empty: found by words.
   std::string cost_column = {};
-  /// Names of slots that are known: if no column is headed "slot", one of nothing but these has them.
+  /// Names of slots that are known: if no column is headed "slot", one of which more than half is
+  /// these has them.
   std::vector<std::string> slots = {};
 };
 

@@ -172,7 +172,7 @@ void set_slots(Job& job, const std::vector<std::string>& of_parts, std::vector<S
   if (of_parts.size() != job.names.size()) {
     throw BadInput(
         "slots are limited, but no part has one; give the parts list a header with a column slot, "
-        "or with one in which nothing stands but their names");
+        "or with one in which their names stand");
   }
   std::string known;
   for (std::size_t x = 0; x < of_parts.size(); ++x) {

@@ -162,22 +162,22 @@ class ColumnFinder {
     return found;
   }
 
-  // The column in which nothing stands but these words, whatever its head; nothing if there is none.
+  // The column of which more than half is these words, whatever its head; nothing if there is none.
   [[nodiscard]] std::optional<std::size_t> column_of(const std::vector<std::string>& words) const {
-    const auto has_only_words = [&](std::size_t i) {
-      std::size_t filled_here = 0;
+    const auto is_of_words = [&](std::size_t i) {
+      std::size_t all = 0;
+      std::size_t known = 0;
       for (const Row& row : rows_.subspan(1)) {
         const std::string& text = text_of(row, i);
-        if (!text.empty() && std::ranges::find(words, text) == words.end()) {
-          return false;
-        }
-        filled_here += text.empty() ? 0U : 1U;
+        all += text.empty() ? 0U : 1U;
+        known += std::ranges::find(words, text) == words.end() ? 0U : 1U;
       }
-      return filled_here > 1 && i != columns_.quantity && !heads_parts(header_[i].text);
+      return known > 1 && 2 * known > all && i != columns_.quantity &&
+             !heads_parts(header_[i].text);
     };
     std::optional<std::size_t> found;
     for (std::size_t i = 0; i < header_.size(); ++i) {
-      if (!has_only_words(i)) {
+      if (!is_of_words(i)) {
         continue;
       }
       if (found) {

@@ -10,8 +10,8 @@
 //
 // The column of the costs is that which is named; else one of what changes cost ("Change cost",
 // "Swap time (min)"), else one of costs, else one of times and work whose fields are numbers. Two
-// of the same kind are refused. Slots are in the column "slot", or in one of nothing but the names
-// of slots that are known.
+// of the same kind are refused. Slots are in the column "slot", or in one of which more than half
+// is names of slots that are known.
 #pragma once
 
 #include <optional>

@@ -219,7 +219,10 @@ TEST(Spreadsheets, SlotsAreKnownByTheirNames) {
   EXPECT_THAT(list.slots, ElementsAre("CPU", "NIC"));
   EXPECT_THAT(list.note, HasSubstr("slots in 'Kind'; not used: 'Rack'"));
   EXPECT_THAT(parts(text).slots, IsEmpty());
-  EXPECT_THAT(parts(text, {.slots = {"CPU"}}).slots, IsEmpty()) << "E810 is in another one";
+  EXPECT_THAT(parts(text, {.slots = {"CPU"}}).slots, IsEmpty()) << "one of two is no evidence";
+  EXPECT_THAT(parts("Component,Kind\nXeon,CPU\nEpyc,CPU\nE810,NIC\n", {.slots = {"CPU"}}).slots,
+              ElementsAre("CPU", "CPU", "NIC"))
+      << "so that the slot without limits is named";
   EXPECT_THAT(parts("Component,Kind\nXeon,CPU\nBoard,\nE810,NIC\n", known).slots,
               ElementsAre("CPU", "", "NIC"));
   // A column that says so wins, and so does one of names.
