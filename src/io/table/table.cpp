@@ -69,8 +69,10 @@ std::string html_list(const TableCell& cell) {
     const bool remarked = !cell.remarks.empty() && !cell.remarks[i].empty();
     std::string word = html_text(cell.words[i]);
     if (remarked) {
-      word = fmt::format("<span class=\"name{}\">{}</span> <span class=\"small\">{}</span>",
-                         bold ? " in" : "", word, html_text(cell.remarks[i]));
+      word = fmt::format("<span class=\"name{}\">{}</span> <span class=\"small{}\">{}</span>",
+                         bold ? " in" : "", word,
+                         display_width(cell.remarks[i]) > wide_name ? "" : " name",
+                         html_text(cell.remarks[i]));
     }
     text += fmt::format("{}<span class=\"part{}{}\">{}</span>", i == 0 ? "" : " ",
                         bold && !remarked ? " in" : "",
