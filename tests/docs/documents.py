@@ -117,6 +117,8 @@ def any_job(rng):
     job.setdefault("steps", 300)
     if job.get("diagnose"):
         del job["steps"]
+        if rng.random() < 0.7:
+            job["done"] = may_be["done"]
     return job
 
 
@@ -196,7 +198,7 @@ def check_workbooks(server):
                 fault(f"an answer to {book} {more} is against its schema: {problem}")
                 return
             for note in answer.pop("notes"):
-                if not note.startswith((book, "parts", "costs", "done", "1 further", "2 further", "3 further", "5 parts")):
+                if not note.startswith((book, "parts", "costs", "done", "1 further", "2 further", "3 further", "5 parts", "2 pairs cannot")):
                     fault(f"a note of {book}: {note}")
         if any(answer != answers[0] for answer in answers):
             fault(f"the doors differ on {book} {more}: {documents}")

@@ -225,7 +225,7 @@ TEST_F(Refusals, JsonThatIsNotWhatWasAsked) {
       {R"({"parts":9,"at_once":3,"test_cost":true})", 422, "test_cost"},
       {R"({"parts":{"file":"/etc/hostname"},"at_once":3})", 422, "the server opens no files"},
       {R"({"parts":9,"at_once":3,"compact":true})", 422, "compact: not here"},
-      {R"({"parts":9,"items":9,"at_once":3})", 422, "parts says the same"},
+      {R"({"parts":9,"items":9,"at_once":3})", 422, "parts means the same"},
       {R"({"parts":9,"at_once":3,"budget":5,"benches":2})", 422,
        "budget has no meaning with benches"},
       {R"({"parts":9,"at_once":3,"format":"changeover-job/2"})", 422, "changeover-job/1"},
