@@ -4,6 +4,7 @@ journals that were cut and spliced, workers that hang, jobs that were left, absu
 import functools
 import gc
 import itertools
+import json
 import math
 import os
 import pickle
@@ -306,6 +307,7 @@ class Journals(unittest.TestCase):
             swapped = [*lines[:cut], lines[cut + 1], lines[cut], *lines[cut + 2:]]
             self.assertEqual(self.read(b"".join(swapped), "damaged"), self.pairs[:cut - 1])
         self.assertEqual(self.read(whole + lines[1], "damaged"), self.pairs[:12])
+        self.assertEqual(self.read(whole + b"x" * 10**6, "damaged"), self.pairs[:12])
         os.remove(self.path)
         other = self.written([(7, 8)], _journal.name_of_job(9, None, "all", "other"))
         self.assertEqual(self.read(lines[0] + other.splitlines(keepends=True)[1], "damaged"), [])
@@ -322,7 +324,8 @@ class Journals(unittest.TestCase):
 
     def test_what_is_no_journal_stays_as_it_is(self):
         for text in (b"{}", b"\x00\x01bin", b"   ", b"[" * 100_000, b"no end of line",
-                     b'{"format": "changeover-cluster-journal/0"}\n', b"\n\n", b"1 2 00000000\n"):
+                     b'{"format": "changeover-cluster-journal/0"}\n', b"\n\n", b"1 2 00000000\n",
+                     json.dumps(self.job).encode(), b"x" * 200_000 + b"\n"):
             with open(self.path, "wb") as file:
                 file.write(text)
             with self.assertRaisesRegex(changeover.BadInput, "no journal of a run on a cluster"):

@@ -10,13 +10,14 @@ import stat
 import warnings
 import zlib
 from array import array
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from typing import Any, BinaryIO, Dict, Iterator, List, Optional, Tuple
 
 from .. import _core
 from ..errors import BadInput, MissingResource
 
 _format = "changeover-cluster-journal/1"
 _most_bits = 1 << 32
+_longest_line, _longest_head = 64, 1 << 16
 
 
 class PairSet:
@@ -93,20 +94,20 @@ class Journal:
             raise
 
     def _begin(self, head: bytes, job: Dict[str, Any]) -> None:
+        self._done = array("I")
         try:
             with open(os.dup(self._file), "rb") as file:
-                text = file.read()
+                first = file.readline(max(len(head), _longest_head))
+                if head.startswith(first) and first != head:  # Empty, or cut off.
+                    whole = 0
+                else:
+                    self._check_job(first, job)
+                    whole = self._read(file, first, job["items"])
+                size = file.seek(0, os.SEEK_END)
         except OSError as fault:
             raise MissingResource(
                 f"{self._path}: cannot read the journal: {fault.strerror}") from fault
-        self._done: List[Tuple[int, int]] = []
-        end = text.find(b"\n") + 1
-        if end == 0 and head.startswith(text):  # It is empty, or its first run got no further.
-            whole = 0
-        else:
-            self._check_job(text[:end] or text, job)
-            whole = self._read(text, end, job["items"])
-        if whole < len(text):
+        if whole < size:
             try:
                 os.ftruncate(self._file, whole)
             except OSError as fault:
@@ -125,7 +126,7 @@ class Journal:
 
     def _check_job(self, line: bytes, job: Dict[str, Any]) -> None:
         try:
-            said = json.loads(line)
+            said = json.loads(line) if line.endswith(b"\n") else None
         except (ValueError, RecursionError):
             said = None
         if not isinstance(said, dict) or said.get("format") != _format:
@@ -136,15 +137,16 @@ class Journal:
                     f"{self._path}: the journal is of another job, whose {key} differs; name "
                     "another journal, or remove this one")
 
-    def _read(self, text: bytes, begin: int, items: int) -> int:
+    def _read(self, file: BinaryIO, head: bytes, items: int) -> int:
         """Where what counts ends."""
-        self._checksum = zlib.crc32(text[:begin])
-        place = begin
-        while (end := text.find(b"\n", place)) >= 0:
-            pair, _, checksum = text[place:end].rpartition(b" ")
+        self._checksum = zlib.crc32(head)
+        place = len(head)
+        while (line := file.readline(_longest_line)) and (
+                line.endswith(b"\n") or len(line) == _longest_line):
+            pair, _, checksum = line.rpartition(b" ")
             sum_here = zlib.crc32(pair, self._checksum)
             try:
-                if checksum != b"%08x" % sum_here:
+                if checksum != b"%08x\n" % sum_here:
                     raise ValueError
                 i, j = map(int, pair.split(b" "))
                 if not 0 <= i <= j < items:
@@ -153,9 +155,9 @@ class Journal:
                 warnings.warn(f"{self._path}: damaged at byte {place}; pairs that were recorded "
                               "from there on are computed again", stacklevel=8)
                 return place
-            self._done.append((i, j))
+            self._done.extend((i, j))
             self._checksum = sum_here
-            place = end + 1
+            place += len(line)
         return place
 
     def _write(self, line: bytes) -> None:
@@ -170,7 +172,7 @@ class Journal:
         return MissingResource(f"{self._path}: cannot write the journal: {fault.strerror}")
 
     def done(self) -> Iterator[Tuple[int, int]]:
-        return iter(self._done)
+        return zip(self._done[::2], self._done[1::2])
 
     def record(self, i: int, j: int) -> None:
         pair = b"%d %d" % (i, j)
