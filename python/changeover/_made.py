@@ -21,6 +21,7 @@ from .errors import BadInput
 Kind = Literal["linear", "circular"]
 Progress = Union[Callable[[Dict[str, Any]], object], bool, None]
 T = TypeVar("T")
+_names_of_files = ("path", "journal")
 
 
 class _Closed(type):
@@ -217,6 +218,10 @@ def _bound(name: str, signature: inspect.Signature, given: tuple[Any, ...],
             bound.arguments[argument] = _fitted(signature.parameters[argument].annotation, value)
         except _Misfit as fault:
             return f"{name}(): {argument} is {fault}, not {_shown(value)}"
+        if argument in _names_of_files and "\0" in (bound.arguments[argument] or ""):
+            # What opens files would take what is before it for the name.
+            raise BadInput(f"{argument}: {_core.quoted(bound.arguments[argument])} is no name of a "
+                           "file")
         if argument == "progress":
             if not (value is None or isinstance(value, bool) or callable(value)):
                 return (f"{name}(): progress is a function, True, False or None, "

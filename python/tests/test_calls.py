@@ -47,6 +47,21 @@ class Calls(unittest.TestCase):
         self.assertEqual(self.said(changeover.constructions, 1),
                          "constructions(): too many positional arguments; its arguments are none")
 
+    def test_names_of_files_end_where_they_end(self):
+        """A zero byte would end them for whatever opens files."""
+        design = changeover.design(6, 4)
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "kept")
+            with open(file, "w", encoding="utf-8") as kept:
+                kept.write(design.to_string())
+            for call in (lambda: design.draw().save(file + "\0.svg"), lambda: changeover.read(file + "\0"),
+                         lambda: changeover.all_pairs(file + "\0", 1, 2, max),
+                         lambda: changeover.all_pairs(file, 1, 2, max, journal=file + "\0")):
+                with self.assertRaisesRegex(changeover.BadInput, r"kept.*is no name of a file$"):
+                    call()
+            self.assertEqual(changeover.read(file), design)
+            self.assertEqual(os.listdir(folder), ["kept"])
+
     def test_what_is_gone_through_must_be_iterable(self):
         costs = {"test_cost": 1, "change_cost": 1}
         for wrong in ({"pairs": 5}, {"never": [5]}, {"first": [True]}, {"pairs": [1.5]}, {"done": [None]}, {"mounted": 7}):
