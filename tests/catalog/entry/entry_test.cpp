@@ -137,7 +137,7 @@ TEST(Entry, WhatIsNoEntry) {
   fields.emplace_back("colour", "\"red\"");
   EXPECT_THAT(refusal(line_of_fields(fields)), HasSubstr("unknown key 'colour'; remove it"));
   fields.back() = {"format", "\"changeover-catalog/1\""};
-  EXPECT_THAT(refusal(line_of_fields(fields)), HasSubstr("first line only"));
+  EXPECT_THAT(refusal(line_of_fields(fields)), HasSubstr("only the first line"));
 }
 
 TEST(Entry, HostileLines) {
@@ -201,8 +201,8 @@ TEST(Header, SaysWhatItIs) {
   const auto said = [](const std::string& line) {
     return fault_of([&] { static_cast<void>(shared_from_header(line, "f")); });
   };
-  EXPECT_THAT(said("{}"), HasSubstr("no catalog"));
-  EXPECT_THAT(said(R"({"format":"changeover-design/1"})"), HasSubstr("no catalog"));
+  EXPECT_THAT(said("{}"), HasSubstr("not a catalog"));
+  EXPECT_THAT(said(R"({"format":"changeover-design/1"})"), HasSubstr("not a catalog"));
   EXPECT_THAT(said(R"({"format":"changeover-catalog/2"})"), HasSubstr("use a newer program"));
   EXPECT_THAT(said(R"({"format":"changeover-catalog/1","b":1})"),
               HasSubstr("format and credit only"));

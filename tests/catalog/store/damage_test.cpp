@@ -77,7 +77,7 @@ TEST(CatalogFile, ThatIsText) {
   const TemporaryFolder folder;
   const std::string path = folder.file("mine.db");
   spit(path, std::string(5000, 'x'));
-  expect_unusable(path, "no catalog");
+  expect_unusable(path, "not a catalog");
 }
 
 TEST(CatalogFile, ThatIsAFolder) {

@@ -118,14 +118,14 @@ TEST(CatalogName, OfWhatIsNoFile) {
                                                        {"journal.db", "journal.db-wal: a FIFO"},
                                                        {long_path, "a shorter path"},
                                                        {std::string(300, 'x'), "too long"},
-                                                       {std::string("a\0b", 3), "no path"}};
+                                                       {std::string("a\0b", 3), "not a path"}};
   for (const auto& [name, words] : names) {
     Catalog catalog({.user = name});
     EXPECT_FALSE(catalog.best(cell)) << name;
     EXPECT_THAT(catalog.problem(), HasSubstr(words));
     const std::string said = fault_of([&] { catalog.add(some_entry()); });
     EXPECT_THAT(said, HasSubstr(words)) << name;
-    EXPECT_THAT(said, HasSubstr("by --catalog")) << name;
+    EXPECT_THAT(said, HasSubstr("with --catalog")) << name;
     EXPECT_EQ(std::ranges::count(said, '\n'), 0) << said;
     EXPECT_FALSE(catalog.best(cell)) << name;
   }

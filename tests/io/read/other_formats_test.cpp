@@ -146,7 +146,7 @@ TEST(OtherFormats, OneLineForEachFault) {
   EXPECT_THAT(fault("# changeover design change=0\nBlockDesign(3, [[1,2],[2,3]]);"),
               HasSubstr("change="));
   EXPECT_THAT(fault("BlockDesign(n, [[1,2]]);"), HasSubstr("f:1:13: points and blocks belong"));
-  EXPECT_THAT(fault("D := IncidenceStructure(3, [[1,2],[2,3]]);"), HasSubstr("is no design"));
+  EXPECT_THAT(fault("D := IncidenceStructure(3, [[1,2],[2,3]]);"), HasSubstr("is not a design"));
   EXPECT_THAT(fault("rec( v := 3, name := \"open )"), HasSubstr("a quote is opened"));
 }
 
@@ -160,8 +160,8 @@ TEST(OtherFormats, OneLineForEachFaultInXml) {
   EXPECT_THAT(xml(""), HasSubstr("no block_design with blocks"));
   EXPECT_THAT(xml(blocks, ""), HasSubstr("no attribute v"));
   EXPECT_THAT(xml(blocks, "v='much'"), HasSubstr("'much' points"));
-  EXPECT_THAT(xml("<blocks><block><z>0</z><z>3</z></block></blocks>"), HasSubstr("3 is no point"));
-  EXPECT_THAT(xml("<blocks><block><z>-1</z></block></blocks>"), HasSubstr("'-1' is no point"));
+  EXPECT_THAT(xml("<blocks><block><z>0</z><z>3</z></block></blocks>"), HasSubstr("3 is not a point"));
+  EXPECT_THAT(xml("<blocks><block><z>-1</z></block></blocks>"), HasSubstr("'-1' is not a point"));
   EXPECT_THAT(xml("<blocks><block>0 1</block></blocks>"), HasSubstr("text among the blocks"));
   EXPECT_THAT(xml("<blocks><block><q>1/2</q></block></blocks>"), HasSubstr("'q' among the blocks"));
   EXPECT_THAT(xml("<blocks><block><z>0"), HasSubstr("not XML"));
