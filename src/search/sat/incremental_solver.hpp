@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "search/sat/sat_engine.hpp"
 
@@ -32,6 +33,17 @@ class IncrementalSolver {
     };
     return engine_.add(cnf, control) ? engine_.solve(control, conflicts, {.progress = progress})
                                      : Outcome::unknown;
+  }
+
+  /// The same, where `assumed` hold as well and `preferred` are tried first, this once.
+  [[nodiscard]] Outcome solve_with(RunControl& control, std::span<const Literal> assumed,
+                                   std::span<const Literal> preferred) {
+    if (!engine_.add(cnf, control)) {
+      return Outcome::unknown;
+    }
+    engine_.prefer(preferred);
+    engine_.assume(assumed);
+    return engine_.solve(control, std::nullopt, {.progress = [] { return Progress{}; }});
   }
 
   /// Whether the literal holds in the model of the last solve().

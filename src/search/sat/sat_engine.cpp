@@ -101,6 +101,22 @@ void SatEngine::add_units(std::span<const Literal> literals) {
   }
 }
 
+void SatEngine::assume(std::span<const Literal> literals) {
+  for (const Literal literal : literals) {
+    solver_->sat.assume(literal);
+  }
+}
+
+void SatEngine::prefer(std::span<const Literal> literals) {
+  for (const Literal literal : preferred_) {
+    solver_->sat.unphase(literal);
+  }
+  preferred_.assign(literals.begin(), literals.end());
+  for (const Literal literal : preferred_) {
+    solver_->sat.phase(literal);
+  }
+}
+
 Outcome SatEngine::solve(RunControl& control, std::optional<std::uint64_t> conflicts,
                          const SatWatch& watch) {
   if (control.stop_wanted()) {

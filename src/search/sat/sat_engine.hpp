@@ -17,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "changeover/run/control.hpp"
 #include "search/sat/cnf.hpp"
@@ -50,6 +51,11 @@ class SatEngine {
   /// The same for clauses of one literal each.
   void add_units(std::span<const Literal> literals);
 
+  /// Before one solve(): these hold in the model that it looks for.
+  void assume(std::span<const Literal> literals);
+  /// Before one solve(): decisions take these first. They count until others are given.
+  void prefer(std::span<const Literal> literals);
+
   /// Looks for a model of all clauses until the control wants to stop or `conflicts` more conflicts have been
   /// had. What a callback throws is thrown when the solver has ended.
   [[nodiscard]] Outcome solve(RunControl& control, std::optional<std::uint64_t> conflicts,
@@ -69,6 +75,7 @@ class SatEngine {
   std::unique_ptr<Solver> solver_;
   std::size_t handed_over_ = 0;  // literals
   std::size_t clauses_ = 0;      // of the formula that they are of
+  std::vector<Literal> preferred_;
 };
 
 }  // namespace changeover
