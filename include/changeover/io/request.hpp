@@ -43,7 +43,8 @@ enum class RowShape {
   slots,    ///< {"name", "least", "most"}
   setups,   ///< [a, b, …]
   tests,    ///< [a, b, …] or {"parts": [a, b, …], "result"}
-  table     ///< [field, …], with a head for each row and column
+  table,    ///< [field, …], with a head for each row and column
+  document  ///< this is no list but a text with a language of its own: "text"
 };
 
 /// One row of a list.

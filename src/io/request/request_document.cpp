@@ -42,6 +42,7 @@ std::string_view wanted(RowShape shape) {
       return "[\"a\",\"b\",…] or {\"parts\":[…],\"result\":\"pass\" or \"fail\"}";
     case RowShape::table:
       return "[field,…]";
+    case RowShape::document:
     case RowShape::none:
       break;
   }
@@ -262,9 +263,17 @@ std::vector<std::string> RequestDocument::names(const OptionRecord& record,
 
 RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& node) const {
   RequestList list;
+  const bool is_document = record.shape == RowShape::document;
   const std::string what =
-      fmt::format("write an array of {}, or {{\"file\":…}}, {{\"text\":…}} or {{\"workbook\":…}}",
-                  wanted(record.shape));
+      is_document
+          ? std::string(R"(write a string, or {"file":…} or {"text":…})")
+          : fmt::format(
+                R"(write an array of {}, or {{"file":…}}, {{"text":…}} or {{"workbook":…}})",
+                wanted(record.shape));
+  if (is_document && node.is_text()) {
+    list.text = node.text;
+    return list;
+  }
   if (node.is_object()) {
     const auto& members = node.members;
     const bool one = members.size() == 1 && members.front().second.is_text();
@@ -273,7 +282,7 @@ RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& no
     } else if (one && members.front().first == "text") {
       list.text = members.front().second.text;
     } else if (const JsonNode* const book = node.find("workbook");
-               book != nullptr && book->is_text()) {
+               book != nullptr && book->is_text() && !is_document) {
       list.workbook = from_base64(book->text);
       const JsonNode* const sheet = node.find("sheet");
       list.sheet = sheet == nullptr ? "" : sheet->text;
@@ -289,7 +298,7 @@ RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& no
     }
     return list;
   }
-  if (!node.is_array()) {
+  if (!node.is_array() || is_document) {
     fail(node, record.key, what);
   }
   list.rows.emplace();
@@ -307,6 +316,10 @@ RequestList RequestDocument::list(const OptionRecord& record, const JsonNode& no
 void write_list(JsonWriter& json, const OptionRecord& record, const RequestList& list) {
   if (!list.file.empty()) {
     json.begin_object().key("file").value(list.file).end_object();
+    return;
+  }
+  if (list.text && record.shape == RowShape::document) {
+    json.value(*list.text);
     return;
   }
   if (list.text) {
@@ -345,7 +358,7 @@ void write_list(JsonWriter& json, const OptionRecord& record, const RequestList&
 std::unique_ptr<Input> open(const RequestList& list, const OptionRecord& record,
                             const std::string& spelled) {
   if (!list.file.empty()) {
-    return open_list(list.file);
+    return record.shape == RowShape::document ? open_input(list.file) : open_list(list.file);
   }
   if (list.text) {
     return input_from_text(*list.text, spelled);

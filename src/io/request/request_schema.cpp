@@ -47,6 +47,11 @@ std::string row(RowShape shape) {
 }
 
 std::string list(const OptionRecord& record) {
+  if (record.shape == RowShape::document) {
+    return R"({"anyOf":[{"type":"string"},)"
+           R"({"type":"object","required":["file"],"additionalProperties":false,"properties":{"file":{"type":"string","minLength":1}}},)"
+           R"({"type":"object","required":["text"],"additionalProperties":false,"properties":{"text":{"type":"string"}}}]})";
+  }
   constexpr std::string_view one_of =
       R"({{"anyOf":[{}{{"type":"array","items":{}}},)"
       R"({{"type":"object","required":["file"],"additionalProperties":false,"properties":{{"file":{{"type":"string","minLength":1}}}}}},)"

@@ -56,7 +56,7 @@ JobRequest any_request(std::mt19937_64& random) {
           } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
             value = {word(), word()};
           } else {
-            switch (random() % 3) {
+            switch (random() % (record.shape == RowShape::document ? 2 : 3)) {
               case 0:
                 value.file = "x.csv";
                 break;
