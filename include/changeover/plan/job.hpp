@@ -24,6 +24,9 @@
 //
 // If some set-ups must come `first`, the list begins with them, in
 // their order: they break no constraint, their pairs count, and they are paid for like all others.
+//
+// If the job is that of a `model`, set-ups are its tests. A value replaces that of the same
+// parameter, and of a test with a value that is out of range only the pairs with it count.
 #pragma once
 
 #include <array>
@@ -147,6 +150,8 @@ class PairReasons {
 /// Three parts, increasing.
 using Triple = std::array<Element, 3>;
 
+struct Model;  // plan/model.hpp
+
 struct Job {
   std::vector<std::string> names;    ///< of the parts, which are the elements 0, 1, …
   std::uint64_t at_once = 0;         ///< how many parts fit
@@ -176,6 +181,8 @@ struct Job {
   std::vector<Amount>
       replace_costs;  ///< of putting in part i where part o was taken out, at o · parts() + i; empty:
                       ///< it is change_costs[i] for every o
+  std::shared_ptr<const Model>
+      model;  ///< the parts are its values and the slots its parameters: every set-up follows its rules
 
   std::vector<std::uint64_t>
       quantities;  ///< by part: how many of it several benches share, or enough_for_all;
@@ -385,6 +392,12 @@ struct PartList {
     Input& input, const std::vector<std::string>& names,
     std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
 
+/// The same for the parts of a job. If these are the values of a model they are called as they are
+/// or "Parameter: value", in any case, and have no numbers; set-ups may have a first row with names
+/// of parameters, below which stand their values.
+[[nodiscard]] PairSet read_pairs(Input& input, const Job& job, PairReasons* why = nullptr);
+[[nodiscard]] std::vector<Block> read_setups(Input& input, const Job& job);
+
 /// What a change costs by what is replaced, for Job::replace_costs: a square table. Its first row names the parts that are put
 /// in, after a field that says nothing; every other row begins with the part that is taken out. Each part heads one
 /// row and one column, in any order; where a part meets itself the field is empty. @throws BadInput for a part that heads
@@ -396,8 +409,10 @@ struct PartList {
 /// weights; MissingResource if reading fails.
 [[nodiscard]] PairWeights read_priorities(Input& input, const std::vector<std::string>& names);
 
-/// Set-ups that must come first in a job that is otherwise complete, for Job::first. @throws BadInput as read_setups(), with
-/// the line of a set-up that the job does not allow: parts that must not meet, slots, what stays mounted; for no set-up.
+/// Set-ups that must come first in a job that is otherwise complete, for Job::first. Of a model a
+/// set-up may lack values, which are chosen. @throws BadInput as read_setups(), with the line of a
+/// set-up that the job does not allow: parts that must not meet, slots, what stays mounted; for no
+/// set-up.
 [[nodiscard]] std::vector<Block> read_first(Input& input, const Job& job);
 
 /// A column of a run sheet that holds what is mounted in one place.
@@ -443,6 +458,9 @@ struct DoneRecord {
 [[nodiscard]] DoneList read_done(Input& input, const std::vector<std::string>& names,
                                  std::uint64_t at_once = std::numeric_limits<std::uint64_t>::max());
 
+/// The same for the parts of a job, as read_setups() has it.
+[[nodiscard]] DoneList read_done(Input& input, const Job& job);
+
 /// Slots with the least and the most parts of each, `slot,least,most` a row; with a header of such
 /// words ("slot", "min", "max", "quantity") in any order, an empty field is no limit. @throws
 /// BadInput for other rows and repeated slots; MissingResource if reading fails.
@@ -458,6 +476,9 @@ struct DoneRecord {
 /// Parts by name, or by number if no name is a number. @throws BadInput (without a place) for unknown or repeated parts.
 [[nodiscard]] Block parts_named(const std::vector<std::string>& words,
                                 const std::vector<std::string>& names);
+
+/// The same for the parts of a job, as read_pairs() has it.
+[[nodiscard]] Block parts_named(const std::vector<std::string>& words, const Job& job);
 
 /// The same parts again by name, so that parse_parts() reads them back.
 [[nodiscard]] std::string parts_text(const Block& parts, const std::vector<std::string>& names);

@@ -7,9 +7,10 @@
 //     const PlanAnswer answer = answer_to(request, asked, control);
 //     answer.plan->sheet.steps.size();                        // 17
 //
-// The document, format "changeover-job/1": the keys of job_table(), with numbers, texts and truth values as JSON has them.
-// Amounts are numbers or texts, and exact. A list is an array of its rows (RowShape, io/request.hpp), {"file": its path} or
-// {"text": what a file would hold}. "parts" may be a number, as "items" is. Parts are named, or numbered from 1; a name wins.
+// The document, format "changeover-job/1": the keys of job_table(), with numbers, texts and truth
+// values as JSON has them. Amounts are numbers or texts, and exact. A list is an array of its rows
+// (RowShape, io/request.hpp), {"file": its path} or {"text": what a file would hold}. "parts" may
+// be a number, as "items" is; "model" is a text. Parts are named, or numbered from 1; a name wins.
 #pragma once
 
 #include <cstddef>
@@ -29,6 +30,7 @@ namespace changeover {
 
 /// What can be asked of plans; what each key means is said by job_table().
 struct JobRequest {
+  RequestList model = {};
   std::optional<std::uint64_t> items = {};
   RequestList parts = {};
   bool header = false;

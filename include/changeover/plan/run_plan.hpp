@@ -175,7 +175,14 @@ struct Candidate {
   [[nodiscard]] std::uint64_t tests() const { return setups.size(); }
 };
 
+/// What a plan is to have least of.
+enum class PlanObjective {
+  cost,  ///< what it costs
+  tests  ///< tests, and of plans with so many what it costs; for jobs of a model only
+};
+
 struct PlanOptions {
+  PlanObjective objective = PlanObjective::cost;
   std::uint64_t steps = 0;     ///< of each local search, in one round; 0: as many as suit the job
   unsigned attempts = 4;       ///< local searches a round at most, each with its own random numbers
   bool until_stopped = false;  ///< go on with longer searches until the control says stop
@@ -196,6 +203,7 @@ struct RunPlan {
       most_weight;  ///< under a budget, if the job weighs pairs: no list within it tests more
   std::uint64_t steps = 0;  ///< moves of local search, over all attempts
   WhyStopped why_stopped = WhyStopped::running;
+  PlanObjective objective = PlanObjective::cost;  ///< by which the candidates are ordered
   /// What was missing, in one line, if the search ended early for want of memory, threads or the like: the
   /// plan is then the best of what was found before.
   std::optional<std::string> shortage;
@@ -203,6 +211,10 @@ struct RunPlan {
   /// The sheet does the job at the cost of the bound: nothing is cheaper.
   [[nodiscard]] bool proved_cheapest() const {
     return sheet.does_the_job() && sheet.cost == bound.cost;
+  }
+  /// The sheet does the job with the tests of the bound: nothing has fewer.
+  [[nodiscard]] bool proved_fewest() const {
+    return sheet.does_the_job() && sheet.steps.size() == bound.tests;
   }
 };
 
@@ -306,8 +318,14 @@ struct WhatIf {
 // order of places], new_pairs [[a,b]], cost, cost_so_far, weight_so_far (where pairs are
 // weighed)}], candidates [{name, how, tests, changes, cost, pairs_tested, triples_tested, weight}],
 // notes [text]. If costs depend on what is replaced, also replace_costs [[number, or null where a
-// part meets itself]] by part out and part in, and in each step replaced [[out, in]]. Costs are
-// exact decimals.
+// part meets itself]] by part out and part in, and in each step replaced [[out, in]]. Of a model also
+// parameters [{name, values [{value, part, names, out_of_range}]}], rules (how many), objective,
+// proved_fewest_tests, and in each step values {parameter: value}. Costs are exact decimals.
+//
+// Of a model all formats say for each step what to set, and the value of each parameter; CSV and
+// workbooks have a column for each, headed by its name, or by `slot_3 cost` where another column is
+// called so. A value with several names has the next one each time that it is set. The workbook's
+// sheet `Costs` is what read_value_costs() reads.
 
 /// What is written; job and plan must outlive it.
 struct SheetDocument {

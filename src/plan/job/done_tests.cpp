@@ -8,6 +8,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/run/control.hpp"
+#include "plan/job/choices.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/setup_list.hpp"
 
@@ -48,10 +49,31 @@ void Meetings::add(const Job& job, const Block& setup) {
       bits[row * words_ + w] |= together_[w];
     }
   };
+  if (const auto hiding = out_of_range(job, setup)) {
+    add_hidden(setup, *hiding);
+    return;
+  }
   for (const Element x : setup) {
     join(pairs_, x);
     for (std::size_t i = 0; !triples_.empty() && i < setup.size(); ++i) {
       join(triples_, x * parts_ + setup[i]);
+    }
+  }
+}
+
+// Only what is together with this part counts: the pairs, and the triples with it.
+void Meetings::add_hidden(const Block& setup, Element hiding) {
+  const auto set = [&](Bits& bits, std::size_t row, Element column) {
+    bits[row * words_ + column / 64] |= std::uint64_t{1} << (column % 64);
+  };
+  for (const Element x : setup) {
+    set(pairs_, x, hiding);
+    set(pairs_, hiding, x);
+    for (std::size_t i = 0; !triples_.empty() && i < setup.size(); ++i) {
+      const Element y = setup[i];
+      set(triples_, x * parts_ + y, hiding);
+      set(triples_, x * parts_ + hiding, y);
+      set(triples_, hiding * parts_ + x, y);
     }
   }
 }

@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "changeover/plan/job.hpp"
+#include "changeover/plan/model.hpp"
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
+#include "plan/job/choices.hpp"
 #include "plan/job/setup_list.hpp"
 
 namespace changeover {
@@ -50,13 +52,43 @@ std::optional<std::string> setup_defect(const Job& job, const Block& setup) {
                          few ? "add what it lacks" : "remove what is too much");
     }
   }
+  if (job.model != nullptr) {
+    if (auto broken = broken_rule(*job.model, setup)) {
+      return *broken + "; change one of its values";
+    }
+  }
   return std::nullopt;
 }
 
+namespace {
+
+// Tests of a model may say a part of their values.
+void complete_values(const Job& job, const std::string& name, DoneList& list) {
+  ChoiceSolver solver(job);
+  Block before = job.start;
+  for (std::size_t i = 0; i < list.setups.size(); ++i) {
+    Block& setup = list.setups[i];
+    if (setup.size() < job.slots.size()) {
+      auto completed = solver.completed(setup, before);
+      if (!completed) {
+        fail(name, {list.lines[i], 1},
+             "no test of the model has all of these values; change one, or leave it open");
+      }
+      setup = *std::move(completed);
+    }
+    before = setup;
+  }
+}
+
+}  // namespace
+
 std::vector<Block> read_first(Input& input, const Job& job) {
-  DoneList list = read_list(input, job.names, job.at_once, false);
+  DoneList list = read_list(input, job, job.at_once, false);
   if (list.setups.empty()) {
     fail(input.name(), {}, "no set-up is listed; write the parts of a set-up a line");
+  }
+  if (job.model != nullptr) {
+    complete_values(job, input.name(), list);
   }
   for (std::size_t i = 0; i < list.setups.size(); ++i) {
     if (const auto defect = setup_defect(job, list.setups[i])) {

@@ -10,6 +10,7 @@
 #include "core/words.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/plain_text.hpp"
+#include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/setup_list.hpp"
@@ -87,6 +88,11 @@ void find_malformed(const Job& job, std::vector<std::string>& found) {
                   [&](std::uint32_t s) { return s < job.slots.size() || s == no_slot; });
   if (!known_slots) {
     found.push_back("the slots do not fit the parts");
+  }
+  if (job.model != nullptr) {
+    if (auto defect = model_defect(job)) {
+      found.push_back(*std::move(defect));
+    }
   }
   const auto look_at = [&](const Block& block) {
     for (const Element x : block) {
@@ -166,6 +172,11 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
     }
   }
   find_impossible_slots(job, found);
+  if (found.empty() && job.model != nullptr) {
+    if (auto defect = no_setup_of_model(job)) {
+      found.push_back(*std::move(defect));
+    }
+  }
   if (!found.empty()) {
     return;
   }
@@ -199,6 +210,9 @@ void find_impossible(const Job& job, std::vector<std::string>& found) {
       found.push_back(fmt::format(
           "{} must meet, but beside the {} mounted there is no room for both", pair_name(job, x, y),
           mounted == 1 ? "part that stays" : fmt::format("{} that stay", mounted)));
+    } else if (apart.contains(x, y) && job.model != nullptr) {
+      found.push_back(
+          fmt::format("{} must meet, but no test of the model has both", pair_name(job, x, y)));
     } else if (apart.contains(x, y) && !enemy[x] && !enemy[y]) {
       const bool all_tried = Fitting(job).simplest(with_mounted(job, {x, y})).all_tried;
       found.push_back(fmt::format(

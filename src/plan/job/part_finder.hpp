@@ -13,9 +13,11 @@
 #include <vector>
 
 #include "changeover/core/block.hpp"
+#include "changeover/plan/job.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
 #include "plan/job/parts/heading_words.hpp"
+#include "plan/model/model_names.hpp"
 
 namespace changeover {
 
@@ -25,12 +27,26 @@ enum class PartNumbers {
   unless_names_are_so  ///< not if a name of a part is a number: then it would be a name that is wrong
 };
 
-/// Parts by name or number. The names must outlive this.
+/// How parts are called. The names, and the model, must outlive this.
+struct PartNames {
+  const std::vector<std::string>* names;
+  const Model* model =
+      nullptr;  ///< its values are the parts: they have other names, too, and no numbers
+
+  PartNames(const std::vector<std::string>& all) : names(&all) {}
+  PartNames(const Job& job) : names(&job.names), model(job.model.get()) {}
+};
+
+/// Parts by name or number.
 class PartFinder {
  public:
-  explicit PartFinder(const std::vector<std::string>& names,
-                      PartNumbers numbers = PartNumbers::count)
-      : names_(&names), numbers_count_(numbers == PartNumbers::count || !has_number_as_name()) {
+  explicit PartFinder(const PartNames& all, PartNumbers numbers = PartNumbers::count)
+      : names_(all.names), numbers_count_(true) {
+    if (all.model != nullptr) {
+      of_model_.emplace(*all.model);
+    }
+    numbers_count_ = !of_model_ && (numbers == PartNumbers::count || !has_number_as_name());
+    const std::vector<std::string>& names = *names_;
     for (std::size_t i = 0; i < names.size(); ++i) {
       by_name_.emplace(names[i], static_cast<Element>(i));
       in_small_letters_.insert(lower(names[i]));
@@ -40,6 +56,9 @@ class PartFinder {
   [[nodiscard]] std::optional<Element> find(const std::string& word) const {
     if (const auto found = by_name_.find(word); found != by_name_.end()) {
       return found->second;
+    }
+    if (of_model_) {
+      return of_model_->part(word);
     }
     if (!numbers_count_) {
       return std::nullopt;
@@ -56,7 +75,7 @@ class PartFinder {
   // What stands in a cell, which says `text` if it was written by csv_cell() and not by a spreadsheet.
   [[nodiscard]] std::optional<Element> find_cell(const std::string& cell, const std::string& text,
                                                  bool names_only) const {
-    if (names_only) {
+    if (names_only && !of_model_) {
       const auto found = by_name_.find(is_name(text) ? text : cell);
       return found == by_name_.end() ? std::nullopt : std::optional(found->second);
     }
@@ -70,6 +89,9 @@ class PartFinder {
     });
   }
 
+  /// The names of the model whose values the parts are; nothing if they are parts.
+  [[nodiscard]] const ModelNames* model() const { return of_model_ ? &*of_model_ : nullptr; }
+  [[nodiscard]] const std::string& name(Element part) const { return (*names_)[part]; }
   [[nodiscard]] bool is_name(const std::string& word) const { return by_name_.count(word) != 0; }
   [[nodiscard]] bool is_name_in_any_case(const std::string& word) const {
     return in_small_letters_.count(lower(word)) != 0;
@@ -87,6 +109,9 @@ class PartFinder {
 
   // What to say of a word that is no part: with the name that differs in its case only, if there is one.
   [[nodiscard]] std::string complaint(const std::string& word) const {
+    if (of_model_) {
+      return of_model_->complaint(word);
+    }
     for (const std::string& name : *names_) {
       if (lower(name) == lower(word)) {
         return fmt::format("there is no part {}; did you mean {}?", shown(word), shown(name));
@@ -102,6 +127,7 @@ class PartFinder {
  private:
   const std::vector<std::string>* names_;
   bool numbers_count_;
+  std::optional<ModelNames> of_model_;
   std::unordered_map<std::string, Element> by_name_;
   std::unordered_set<std::string> in_small_letters_;
 };

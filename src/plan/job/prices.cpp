@@ -25,7 +25,8 @@ Job at_prices(const Job& job, Price price) {
     for (Element out = 0; out < job.parts(); ++out) {
       const bool stays =
           std::find(job.mounted.begin(), job.mounted.end(), out) != job.mounted.end();
-      if (out == in || stays) {
+      const bool elsewhere = job.model != nullptr && job.slot_of[out] != job.slot_of[in];
+      if (out == in || stays || elsewhere) {
         continue;
       }
       const Amount cost = job.replace_cost(out, in);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 #include <set>
 #include <unordered_set>
 #include <utility>
@@ -21,8 +22,9 @@ namespace {
 
 // Which fields of the rows hold a set-up.
 struct SetupColumns {
-  std::optional<std::size_t> list;  // all parts in one field
-  std::vector<std::size_t> slots;   // a part in each; increasing
+  std::optional<std::size_t> list;      // all parts in one field
+  std::vector<std::size_t> slots;       // a part in each; increasing
+  std::vector<std::size_t> parameters;  // of a model, by slot: whose values stand there
   std::optional<std::size_t> result;
   std::optional<std::size_t> notes;
   bool header = false;  // the first row is one
@@ -45,9 +47,75 @@ std::optional<DonePlace> place_in(std::string_view head) {
   return place;
 }
 
+// The parameter that a column is headed by, as sheets write it: "slot_3 cost" if its name alone
+// would be that of another column.
+struct HeadedParameter {
+  std::size_t parameter = 0;
+  bool by_slot = false;
+};
+
+std::optional<HeadedParameter> headed_parameter(const ModelNames& model, const std::string& cell) {
+  const std::string head(csv_text(cell));
+  if (const auto place = place_in(head); place && !place->slot.empty()) {
+    if (const auto found = model.parameter(place->slot)) {
+      return HeadedParameter{*found, true};
+    }
+  }
+  const auto found = model.parameter(head);
+  return found ? std::optional(HeadedParameter{*found, false}) : std::nullopt;
+}
+
+// A first row that names parameters of a model, and not as many values.
+SetupColumns parameter_columns(const Row& first, const PartFinder& finder) {
+  struct Column {
+    std::size_t at = 0;
+    bool by_slot = false;
+  };
+  std::map<std::size_t, Column> by_parameter;
+  SetupColumns columns;
+  std::size_t values = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const std::string& head = first[i].text;
+    values += finder.find(head) ? 1U : 0U;
+    if (const auto headed = headed_parameter(*finder.model(), head)) {
+      const auto [known, is_new] =
+          by_parameter.emplace(headed->parameter, Column{i, headed->by_slot});
+      if (!is_new && headed->by_slot && !known->second.by_slot) {
+        known->second = {i, true};
+      }
+    }
+  }
+  std::vector<std::size_t> of_column(first.size(), by_parameter.size());
+  for (const auto& [parameter, column] : by_parameter) {
+    of_column[column.at] = parameter;
+    columns.slots.push_back(column.at);
+  }
+  std::sort(columns.slots.begin(), columns.slots.end());
+  for (const std::size_t at : columns.slots) {
+    columns.parameters.push_back(of_column[at]);
+  }
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const bool taken =
+        std::find(columns.slots.begin(), columns.slots.end(), i) != columns.slots.end();
+    if (!taken && lower(first[i].text) == "result") {
+      columns.result = i;
+    } else if (!taken && lower(first[i].text) == "notes") {
+      columns.notes = i;
+    }
+  }
+  columns.header = columns.slots.size() > values;
+  return columns.header ? columns : SetupColumns();
+}
+
 // A first row with such words is the header of a sheet, unless they are names of parts; then only if it
 // is one beyond doubt.
-SetupColumns setup_columns(const Row& first, const PartFinder& finder) {
+SetupColumns setup_columns(const Row& first, const PartFinder& finder, bool is_given) {
+  if (finder.model() != nullptr && !is_given) {
+    SetupColumns columns = parameter_columns(first, finder);
+    if (columns.header) {
+      return columns;
+    }
+  }
   const auto has_all = [&](std::initializer_list<std::string_view> words) {
     return std::ranges::all_of(words, [&](std::string_view word) {
       return std::ranges::any_of(first, [&](const Field& field) { return field.text == word; });
@@ -72,6 +140,21 @@ SetupColumns setup_columns(const Row& first, const PartFinder& finder) {
   }
   columns.header = beyond_doubt || columns.list || !columns.slots.empty();
   return columns;
+}
+
+// Where the parts of a row stand: a parameter is the place of its values.
+std::vector<DonePlace> places_of(const SetupColumns& columns, const Row& header,
+                                 const PartFinder& finder) {
+  std::vector<DonePlace> places;
+  for (const std::size_t p : columns.parameters) {
+    places.push_back({.number = p + 1, .slot = finder.model()->model().parameters[p].name});
+  }
+  for (const std::size_t i : columns.slots) {
+    if (columns.parameters.empty()) {
+      places.push_back(*place_in(header[i].text));
+    }
+  }
+  return places;
 }
 
 // Nothing can be told of two columns of one name.
@@ -104,10 +187,20 @@ void check_shape(const Row& row, const Row& header, const SetupColumns& columns,
   }
 }
 
+// What stands in the column of a parameter, as the part is called; what is no value of it, as it
+// would be called.
+void name_value(const PartFinder& finder, std::size_t parameter, const std::string& text,
+                Field& field) {
+  if (const auto part = finder.model()->value(parameter, text)) {
+    field.text = finder.name(*part);
+  } else if (!text.empty()) {
+    field.text = fmt::format("{}: {}", finder.model()->model().parameters[parameter].name, text);
+  }
+}
+
 }  // namespace
 
-DoneList read_list(Input& input, const std::vector<std::string>& names, std::uint64_t at_once,
-                   bool forgiving) {
+DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once, bool forgiving) {
   RowReader reader(input);
   const PartFinder finder(names, numbers_in(reader));
   DoneList list;
@@ -147,13 +240,11 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
     Row& row = *next;
     finder.restore_blanks(row);
     if (std::exchange(first, false) && (!reader.is_given() || row.front().line == 0)) {
-      columns = setup_columns(row, finder);
+      columns = setup_columns(row, finder, reader.is_given());
       if (columns.header) {
         header = row;
         check_header(header, reader);
-        for (const std::size_t i : columns.slots) {
-          list.places.push_back(*place_in(header[i].text));
-        }
+        list.places = places_of(columns, header, finder);
         continue;
       }
     }
@@ -183,9 +274,12 @@ DoneList read_list(Input& input, const std::vector<std::string>& names, std::uin
       setups.push_back(find_parts(finder, row, find, fail));
     } else if (!columns.slots.empty()) {
       Row slots;
-      for (const std::size_t i : columns.slots) {
-        if (i < row.size()) {
-          slots.push_back(std::move(row[i]));
+      for (std::size_t c = 0; c < columns.slots.size(); ++c) {
+        if (columns.slots[c] < row.size()) {
+          slots.push_back(std::move(row[columns.slots[c]]));
+          if (c < columns.parameters.size()) {
+            name_value(finder, columns.parameters[c], text_of(slots.back().text), slots.back());
+          }
         }
       }
       is_empty =
@@ -229,8 +323,16 @@ std::vector<Block> read_setups(Input& input, const std::vector<std::string>& nam
   return read_list(input, names, at_once, false).setups;
 }
 
+std::vector<Block> read_setups(Input& input, const Job& job) {
+  return read_list(input, job, job.at_once, false).setups;
+}
+
 DoneList read_done(Input& input, const std::vector<std::string>& names, std::uint64_t at_once) {
   return read_list(input, names, at_once, true);
+}
+
+DoneList read_done(Input& input, const Job& job) {
+  return read_list(input, job, job.at_once, true);
 }
 
 bool DoneList::has_results() const {
@@ -245,7 +347,9 @@ Block parse_parts(std::string_view text, const std::vector<std::string>& names) 
       [](const Field&, const std::string& what) { throw BadInput(what); });
 }
 
-Block parts_named(const std::vector<std::string>& words, const std::vector<std::string>& names) {
+namespace {
+
+Block parts_called(const std::vector<std::string>& words, const PartNames& names) {
   const PartFinder finder(names, PartNumbers::unless_names_are_so);
   Row row;
   for (const std::string& word : words) {
@@ -254,6 +358,16 @@ Block parts_named(const std::vector<std::string>& words, const std::vector<std::
   return find_parts(
       finder, row, [&](const std::string& word) { return finder.find(word); },
       [](const Field&, const std::string& what) { throw BadInput(what); });
+}
+
+}  // namespace
+
+Block parts_named(const std::vector<std::string>& words, const std::vector<std::string>& names) {
+  return parts_called(words, names);
+}
+
+Block parts_named(const std::vector<std::string>& words, const Job& job) {
+  return parts_called(words, job);
 }
 
 std::string parts_text(const Block& parts, const std::vector<std::string>& names) {

@@ -8,13 +8,15 @@
 #include <vector>
 
 #include "changeover/plan/job.hpp"
+#include "plan/job/part_finder.hpp"
 
 namespace changeover {
 
-/// The set-ups and their results. If `forgiving`, parts of a run sheet that are none any more are left out. @throws as
-/// read_setups() and read_done().
-[[nodiscard]] DoneList read_list(Input& input, const std::vector<std::string>& names,
-                                 std::uint64_t at_once, bool forgiving);
+/// The set-ups and their results. If `forgiving`, parts of a run sheet that are none any more are
+/// left out. Of a model, a first row with names of parameters heads columns of their values.
+/// @throws as read_setups() and read_done().
+[[nodiscard]] DoneList read_list(Input& input, const PartNames& names, std::uint64_t at_once,
+                                 bool forgiving);
 
 /// What stands behind a forbidden pair where it is named: " (why)", or nothing.
 [[nodiscard]] std::string why_forbidden(const Job& job, Element x, Element y);
@@ -37,6 +39,7 @@ class Meetings {
 
  private:
   using Bits = std::vector<std::uint64_t>;
+  void add_hidden(const Block& setup, Element hiding);
   [[nodiscard]] bool has(const Bits& bits, std::size_t row, Element column) const {
     return (bits[row * words_ + column / 64] >> (column % 64) & 1U) != 0;
   }

@@ -13,6 +13,7 @@
 #include "changeover/run/control.hpp"
 #include "io/scan/place.hpp"
 #include "io/scan/row_reader.hpp"
+#include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/parts/heading_words.hpp"
@@ -197,6 +198,9 @@ PairSet cannot_meet(const Job& job) {
   PairSet pairs(job.parts());
   if (job.slots.empty()) {
     return pairs;
+  }
+  if (job.model != nullptr) {
+    return apart_in_choices(job);
   }
   const Fitting fitting(job);
   job.needed.for_each(all_of_them, [&](Element x, Element y) {

@@ -6,6 +6,7 @@
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/run/control.hpp"
+#include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/setup_list.hpp"
 
@@ -25,6 +26,25 @@ bool may_meet(const Job& job, const Fitting& fitting, const Triple& triple) {
          (!fitting.has_slots() || fitting.simplest(std::move(setup)).setup.has_value());
 }
 
+// No two of them belong to one parameter, and at most one is out of range.
+bool is_of_three_parameters(const Job& job, const Triple& t) {
+  const bool different = job.slot_of[t[0]] != job.slot_of[t[1]] &&
+                         job.slot_of[t[0]] != job.slot_of[t[2]] &&
+                         job.slot_of[t[1]] != job.slot_of[t[2]];
+  return different && std::count_if(t.begin(), t.end(), [&](Element x) {
+                        return out_of_range(job, std::span(&x, 1)).has_value();
+                      }) <= 1;
+}
+
+void need_their_pairs(Job& job) {
+  job.needed = PairSet(job.parts());
+  for (const Triple& t : job.triples) {
+    job.needed.insert(t[0], t[1]);
+    job.needed.insert(t[0], t[2]);
+    job.needed.insert(t[1], t[2]);
+  }
+}
+
 }  // namespace
 
 std::uint64_t need_triples(Job& job) {
@@ -33,27 +53,29 @@ std::uint64_t need_triples(Job& job) {
         fmt::format("there are {} parts; where triples must meet, at most {} are supported",
                     job.parts(), max_parts_of_triples));
   }
+  const bool of_model = job.model != nullptr;
   const Fitting fitting(job);
   std::vector<Triple> triples;
-  PairSet pairs(job.parts());
   std::uint64_t apart = 0;
   for (Element z = 2; z < job.parts(); ++z) {
     for (Element y = 1; y < z; ++y) {
       stop_if_asked();
       for (Element x = 0; x < y; ++x) {
-        if (!may_meet(job, fitting, {x, y, z})) {
-          ++apart;
-          continue;
+        if (of_model ? is_of_three_parameters(job, {x, y, z}) : may_meet(job, fitting, {x, y, z})) {
+          triples.push_back({x, y, z});
+        } else {
+          apart += of_model ? 0U : 1U;
         }
-        triples.push_back({x, y, z});
-        pairs.insert(x, y);
-        pairs.insert(x, z);
-        pairs.insert(y, z);
       }
     }
   }
+  if (of_model) {
+    const std::size_t all = triples.size();
+    triples = together_in_choices(job, triples);
+    apart = all - triples.size();
+  }
   job.triples = std::move(triples);
-  job.needed = std::move(pairs);
+  need_their_pairs(job);
   return apart;
 }
 
@@ -62,12 +84,7 @@ void drop_met_triples(Job& job, const Meetings& meetings) {
     return;
   }
   std::erase_if(job.triples, [&](const Triple& t) { return meetings.met(t); });
-  job.needed = PairSet(job.parts());
-  for (const Triple& t : job.triples) {
-    job.needed.insert(t[0], t[1]);
-    job.needed.insert(t[0], t[2]);
-    job.needed.insert(t[1], t[2]);
-  }
+  need_their_pairs(job);
 }
 
 }  // namespace changeover

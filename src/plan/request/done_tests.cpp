@@ -182,7 +182,7 @@ AskedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const Done
                    const DoneWords& words, Job& job) {
   DoneList list;
   for (const auto& each : inputs) {
-    append(list, read_done(*each, job.names, job.at_once));
+    append(list, read_done(*each, job));
   }
   const Input& input = *inputs.back();
   const std::size_t all = list.setups.size();
@@ -192,7 +192,7 @@ AskedJob take_done(const std::vector<std::unique_ptr<Input>>& inputs, const Done
   }
   if (options.all_parts_known && !list.gone.empty()) {
     throw BadInput(
-        fmt::format("{}: {}", input.name(), PartFinder(job.names).complaint(list.gone.front())));
+        fmt::format("{}: {}", input.name(), PartFinder(job).complaint(list.gone.front())));
   }
   AskedJob answer;
   answer.done_from = input.name();

@@ -50,7 +50,7 @@ PairColumns pair_columns(const Row& first, bool (*heads_third)(std::string_view)
 
 class PairReader {
  public:
-  PairReader(Input& input, const std::vector<std::string>& names)
+  PairReader(Input& input, const PartNames& names)
       : reader_(input, {.blanks = true}), finder_(names, numbers_in(reader_)) {}
 
   [[nodiscard]] const RowReader& reader() const { return reader_; }
@@ -91,6 +91,7 @@ class PairReader {
     return finder_.find(field.text).has_value();
   }
   [[nodiscard]] bool has_header() const { return columns_.header; }
+  [[nodiscard]] std::size_t parts() const { return finder_.size(); }
 
   // The pair, with what to write instead if it is none.
   [[nodiscard]] std::pair<Element, Element> pair(const Row& row, std::string_view example) const {
@@ -132,11 +133,9 @@ std::optional<Amount> weight_in(const Field& field, const RowReader& reader) {
   }
 }
 
-}  // namespace
-
-PairSet read_pairs(Input& input, const std::vector<std::string>& names, PairReasons* why) {
+PairSet pairs_in(Input& input, const PartNames& names, PairReasons* why) {
   PairReader rows(input, names);
-  PairSet pairs(names.size());
+  PairSet pairs(rows.parts());
   while (const auto row = rows.next(heads_reasons)) {
     const Field* const third = rows.third(*row);
     constexpr std::size_t most_fields = 3;
@@ -155,6 +154,16 @@ PairSet read_pairs(Input& input, const std::vector<std::string>& names, PairReas
     }
   }
   return pairs;
+}
+
+}  // namespace
+
+PairSet read_pairs(Input& input, const std::vector<std::string>& names, PairReasons* why) {
+  return pairs_in(input, names, why);
+}
+
+PairSet read_pairs(Input& input, const Job& job, PairReasons* why) {
+  return pairs_in(input, job, why);
 }
 
 PairWeights read_priorities(Input& input, const std::vector<std::string>& names) {

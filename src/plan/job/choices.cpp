@@ -1,0 +1,204 @@
+#include "plan/job/choices.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/model.hpp"
+#include "changeover/run/control.hpp"
+#include "plan/job/pair_numbers.hpp"
+
+namespace changeover {
+namespace {
+
+Literal value_literal(Element x) { return static_cast<Literal>(x) + 1; }
+
+}  // namespace
+
+ChoiceSolver::ChoiceSolver(const Job& job) : job_(&job), rules_(*job.model) {
+  Cnf& cnf = solver_.cnf;
+  rules_.add_to(cnf);
+  job.never.for_each(all_of_them, [&](Element x, Element y) {
+    cnf.add({-value_literal(x), -value_literal(y)});
+  });
+  for (const Element x : job.mounted) {
+    cnf.add({value_literal(x)});
+  }
+  in_range_ = cnf.new_variable();
+  for (Element x = 0; x < job.parts(); ++x) {
+    if (job.model->value(x).negative) {
+      cnf.add({-in_range_, -value_literal(x)});
+    }
+  }
+}
+
+std::optional<Block> ChoiceSolver::completed(std::span<const Element> parts,
+                                             std::span<const Element> liked) {
+  assumed_.clear();
+  for (const Element x : parts) {
+    assumed_.push_back(value_literal(x));
+  }
+  return solve(liked);
+}
+
+std::optional<Block> ChoiceSolver::testing(std::span<const Element> parts,
+                                           std::span<const Element> liked) {
+  assumed_.clear();
+  for (const Element x : parts) {
+    assumed_.push_back(value_literal(x));
+  }
+  if (!out_of_range(*job_, parts)) {
+    assumed_.push_back(in_range_);
+  }
+  return solve(liked);
+}
+
+std::optional<Block> ChoiceSolver::solve(std::span<const Element> liked) {
+  preferred_.clear();
+  for (const Element x : liked) {
+    preferred_.push_back(value_literal(x));
+  }
+  RunControl undisturbed({});
+  RunControl* const above = RunScope::current();
+  const Outcome outcome =
+      solver_.solve_with(above == nullptr ? undisturbed : *above, assumed_, preferred_);
+  if (outcome == Outcome::unknown) {
+    throw Stopped(above == nullptr ? WhyStopped::fault : above->why_stopped());
+  }
+  if (outcome == Outcome::none) {
+    return std::nullopt;
+  }
+  Block setup(job_->slots.size());
+  for (Element x = 0; x < job_->parts(); ++x) {
+    if (solver_.holds(value_literal(x))) {
+      setup[job_->slot_of[x]] = x;
+    }
+  }
+  return setup;
+}
+
+PairSet apart_in_choices(const Job& job) {
+  PairSet apart(job.parts());
+  ChoiceSolver solver(job);
+  PairSet seen(job.parts());
+  Block last;
+  job.needed.for_each(all_of_them, [&](Element x, Element y) {
+    if (seen.contains(x, y)) {
+      return;
+    }
+    const Element both[] = {x, y};
+    auto setup = job.slot_of[x] == job.slot_of[y] ? std::nullopt : solver.testing(both, last);
+    if (!setup) {
+      apart.insert(x, y);
+      return;
+    }
+    last = *std::move(setup);
+    const auto hiding = out_of_range(job, last);
+    for (std::size_t i = 0; i < last.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (!hiding || *hiding == last[i] || *hiding == last[j]) {
+          seen.insert(last[i], last[j]);
+        }
+      }
+    }
+  });
+  return apart;
+}
+
+std::vector<Triple> together_in_choices(const Job& job, const std::vector<Triple>& triples) {
+  std::vector<Triple> found;
+  ChoiceSolver solver(job);
+  const std::size_t v = job.names.size();
+  std::vector<bool> seen(v * v * v, false);
+  Block last;
+  const auto place = [v](const Triple& t) { return (t[0] * v + t[1]) * v + t[2]; };
+  for (const Triple& t : triples) {
+    const bool same = job.slot_of[t[0]] == job.slot_of[t[1]] ||
+                      job.slot_of[t[0]] == job.slot_of[t[2]] ||
+                      job.slot_of[t[1]] == job.slot_of[t[2]];
+    if (same) {
+      continue;
+    }
+    if (!seen[place(t)]) {
+      auto setup = solver.testing(t, last);
+      if (!setup) {
+        continue;
+      }
+      last = *std::move(setup);
+      Block in_order = last;
+      std::ranges::sort(in_order);
+      const auto hiding = out_of_range(job, last);
+      for (std::size_t i = 0; i < in_order.size(); ++i) {
+        for (std::size_t j = i + 1; j < in_order.size(); ++j) {
+          for (std::size_t l = j + 1; l < in_order.size(); ++l) {
+            if (!hiding || *hiding == in_order[i] || *hiding == in_order[j] ||
+                *hiding == in_order[l]) {
+              seen[place({in_order[i], in_order[j], in_order[l]})] = true;
+            }
+          }
+        }
+      }
+    }
+    found.push_back(t);
+  }
+  return found;
+}
+
+std::optional<std::string> model_defect(const Job& job) {
+  const Model& model = *job.model;
+  const std::size_t parameters = model.parameters.size();
+  bool fits = job.parts() == model.values() && job.at_once >= parameters &&
+              job.slots.size() == parameters && job.slot_of.size() == job.names.size();
+  for (std::size_t p = 0; fits && p < parameters; ++p) {
+    fits = job.slots[p].least == 1 && job.slots[p].most == 1;
+  }
+  for (Element x = 0; fits && x < job.parts(); ++x) {
+    fits = job.slot_of[x] == model.parameter_of(x);
+  }
+  return fits ? std::nullopt
+              : std::optional<std::string>(
+                    "the parts are not the values of the model, or the slots not its parameters");
+}
+
+std::optional<std::string> no_setup_of_model(const Job& job) {
+  const Model& model = *job.model;
+  const auto has_setup = [&](std::size_t rules) {
+    Job some = job;
+    Model beginning = model;
+    beginning.constraints.resize(rules);
+    some.model = std::make_shared<const Model>(std::move(beginning));
+    return ChoiceSolver(some).completed({}, {}).has_value();
+  };
+  std::size_t impossible = model.constraints.size();
+  if (has_setup(impossible)) {
+    return std::nullopt;
+  }
+  if (impossible == 0 || !has_setup(0)) {
+    return "no test has all values that stay mounted; leave one out";
+  }
+  for (std::size_t possible = 0; possible + 1 < impossible;) {
+    const std::size_t middle = possible + (impossible - possible) / 2;
+    (has_setup(middle) ? possible : impossible) = middle;
+  }
+  const ModelConstraint& last = model.constraints[impossible - 1];
+  return fmt::format("{}:{}: no test follows this rule and those before it{}: {}", model.name,
+                     last.line,
+                     job.mounted.empty() && job.never.size() == 0
+                         ? ""
+                         : ", with what stays mounted and what must never meet",
+                     last.text);
+}
+
+std::optional<Element> out_of_range(const Job& job, std::span<const Element> setup) {
+  if (job.model != nullptr) {
+    for (const Element x : setup) {
+      if (job.model->value(x).negative) {
+        return x;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace changeover

@@ -1,0 +1,68 @@
+// Jobs of a model (plan/model.hpp): every set-up has one value of each parameter, and follows rules
+// of any size. Which values can be together is decided by SAT.
+//
+//     ChoiceSolver solver(job);
+//     // A set-up with both, as near to job.start as comes easily; or nothing.
+//     solver.completed({3, 17}, job.start);
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "changeover/plan/job.hpp"
+#include "plan/model/compiled_rules.hpp"
+#include "search/sat/incremental_solver.hpp"
+
+namespace changeover {
+
+/// Which set-ups a job of a model has. The job must outlive this, unchanged.
+class ChoiceSolver {
+ public:
+  explicit ChoiceSolver(const Job& job);
+
+  /// A set-up with these parts and the mounted ones, in the order of the parameters, that breaks
+  /// nothing; nothing if there is none. What is `liked` is tried first. @throws Stopped if the
+  /// scope of this thread (run/control.hpp) wants to stop.
+  [[nodiscard]] std::optional<Block> completed(std::span<const Element> parts,
+                                               std::span<const Element> liked);
+  /// The same for a set-up that tests what they have in common: if none of them is out of range,
+  /// nothing in it is.
+  [[nodiscard]] std::optional<Block> testing(std::span<const Element> parts,
+                                             std::span<const Element> liked);
+
+  [[nodiscard]] const CompiledRules& rules() const { return rules_; }
+
+ private:
+  [[nodiscard]] std::optional<Block> solve(std::span<const Element> liked);
+
+  const Job* job_;
+  CompiledRules rules_;
+  IncrementalSolver solver_;
+  Literal in_range_ = 0;  // nothing is out of range
+  std::vector<Literal> assumed_;
+  std::vector<Literal> preferred_;
+};
+
+/// cannot_meet() for jobs of a model. One call of the solver for each pair at most, and for none
+/// that a set-up found before has.
+[[nodiscard]] PairSet apart_in_choices(const Job& job);
+
+/// Those of the triples that can be in one set-up, likewise.
+[[nodiscard]] std::vector<Triple> together_in_choices(const Job& job,
+                                                      const std::vector<Triple>& triples);
+
+/// Why a job with a model is malformed: its parts are not the values of the model, or its slots not
+/// the parameters.
+[[nodiscard]] std::optional<std::string> model_defect(const Job& job);
+
+/// Why there is no set-up at all, naming the first rule with which there is none; nothing if there
+/// is one.
+[[nodiscard]] std::optional<std::string> no_setup_of_model(const Job& job);
+
+/// The part of a set-up whose value is out of range: only pairs with it are tested. Nothing if
+/// there is none.
+[[nodiscard]] std::optional<Element> out_of_range(const Job& job, std::span<const Element> setup);
+
+}  // namespace changeover

@@ -1,0 +1,34 @@
+// Parameters and values by what people write.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "changeover/plan/model.hpp"
+
+namespace changeover {
+
+/// Upper and lower case of A to Z are the same. The model must outlive this.
+class ModelNames {
+ public:
+  explicit ModelNames(const Model& model);
+
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] std::optional<std::size_t> parameter(std::string_view name) const;
+  /// A value of this parameter by its label or any of its names, with or without ~.
+  [[nodiscard]] std::optional<Element> value(std::size_t parameter, std::string_view name) const;
+  /// "OS: Debian" or "OS=Debian", or "Debian" if one parameter only has a value that is called so.
+  [[nodiscard]] std::optional<Element> part(std::string_view word) const;
+  /// Why part() finds nothing.
+  [[nodiscard]] std::string complaint(std::string_view word) const;
+
+ private:
+  const Model* model_;
+  std::unordered_map<std::string, std::size_t> parameters_;
+  std::vector<std::unordered_map<std::string, Element>> values_;  // by parameter
+};
+
+}  // namespace changeover
