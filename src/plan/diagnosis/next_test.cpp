@@ -1,5 +1,6 @@
 // The test to run next: what is mounted, and what its results would mean.
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <set>
 
@@ -7,6 +8,7 @@
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/run/control.hpp"
 #include "plan/diagnosis/evidence.hpp"
+#include "plan/job/choices.hpp"
 #include "plan/job/fitting.hpp"
 #include "run/portable_math.hpp"
 #include "run/random.hpp"
@@ -37,6 +39,9 @@ class SetUps {
  public:
   SetUps(const Evidence& evidence, const Block& wanted)
       : job_(&evidence.job()), fitting_(evidence.job()) {
+    if (job_->model != nullptr) {
+      values_ = std::make_unique<ChoiceSolver>(*job_);
+    }
     // What fills the slots is no suspect if possible, known to work if possible, and on the bench
     // if possible.
     for (const bool suspect : {false, true}) {
@@ -72,7 +77,8 @@ class SetUps {
         }
       }
     }
-    auto whole = fitting_.completed(std::move(setup), fillers_);
+    auto whole = values_ ? values_->testing(setup, fillers_)
+                         : fitting_.completed(std::move(setup), fillers_);
     if (!whole || whole->empty() || setup_defect(*job_, *whole)) {
       return std::nullopt;
     }
@@ -91,6 +97,7 @@ class SetUps {
  private:
   const Job* job_;
   Fitting fitting_;
+  std::unique_ptr<ChoiceSolver> values_;  // of a model
   std::vector<Element> fillers_;
 };
 

@@ -94,7 +94,31 @@ std::vector<std::size_t> best_by_circles(const CostMatrix& costs) {
   return place;
 }
 
+namespace {
+
+// In a job of a model, a value takes the place of that of its parameter.
+Replacement replacement_by_slot(const Job& job, const Block& out, const Block& in) {
+  Replacement made;
+  for (const Element x : in) {
+    const auto left = std::find_if(
+        out.begin(), out.end(), [&](Element y) { return job.slot_of.at(y) == job.slot_of.at(x); });
+    if (left == out.end()) {
+      made.cost += job.change_costs.at(x);
+    } else {
+      made.cost += job.replace_costs.at(*left * job.names.size() + x);
+      made.pairs.emplace_back(*left, x);
+    }
+  }
+  std::sort(made.pairs.begin(), made.pairs.end());
+  return made;
+}
+
+}  // namespace
+
 Replacement cheapest_replacement(const Job& job, const Block& out, const Block& in) {
+  if (job.model != nullptr) {
+    return replacement_by_slot(job, out, in);
+  }
   constexpr std::size_t few = 10;
   const std::size_t places = std::max(out.size(), in.size());
   // A row for each part that is put in, and for each place that stays empty; a place for each part that was taken out, and

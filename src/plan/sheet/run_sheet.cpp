@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "changeover/core/error.hpp"
+#include "changeover/plan/model.hpp"
 #include "plan/sheet/replacement.hpp"
 
 namespace changeover {
@@ -53,14 +54,16 @@ class TripleTable {
   }
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  // Takes out the triples of a set-up, which is increasing, and returns those that were there.
-  std::vector<Triple> met(const Block& setup) {
+  // Takes out the triples of a set-up, which is increasing, that count, and returns those that were
+  // there.
+  template <typename Counts>
+  std::vector<Triple> met(const Block& setup, Counts&& counts) {
     std::vector<Triple> found;
     for (std::size_t i = 0; size_ > 0 && i < setup.size(); ++i) {
       for (std::size_t j = i + 1; j < setup.size(); ++j) {
         for (std::size_t l = j + 1; l < setup.size(); ++l) {
           const Triple t{setup[i], setup[j], setup[l]};
-          if (needed_[place(t)]) {
+          if (needed_[place(t)] && counts(t)) {
             needed_[place(t)] = false;
             --size_;
             found.push_back(t);
@@ -124,6 +127,7 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
                         [&](Element x, Element y) { sheet.weight_needed += job.weights(x, y); });
   }
   Block before = sorted(job, job.start);
+  bool was_hidden = false;
   for (const Block& given : setups) {
     RunStep step;
     step.setup = sorted(job, given);
@@ -151,18 +155,31 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
                                            job.slots[s].most));
       }
     }
+    if (job.model != nullptr) {
+      if (const auto broken = broken_rule(*job.model, step.setup)) {
+        sheet.faults.push_back(fmt::format("{} is no test of the model: {}", where(), *broken));
+      }
+    }
+    // A value that is out of range hides what the others would show.
+    const auto hides = [&](Element x) {
+      return job.model != nullptr && x < job.model->values() && job.model->value(x).negative;
+    };
+    const bool any_hides = std::any_of(step.setup.begin(), step.setup.end(), hides);
     const std::size_t place = sheet.steps.size();
     if (place < job.first.size() && step.setup != sorted(job, job.first[place])) {
       sheet.faults.push_back(where() + " is not the one that must be run there");
     }
     step.take_out = without(before, step.setup);
     step.put_in = without(step.setup, before);
-    // A pair that meets here first has a part that was put in; in the first set-up, any pair may be it.
-    const bool is_first = sheet.steps.empty();
-    for (const Element x : is_first ? step.setup : step.put_in) {
+    // A pair that meets here first has a part that was put in; in the first set-up, and where
+    // something was hidden in the one before, any pair may be it.
+    const bool look_at_all = sheet.steps.empty() || was_hidden;
+    was_hidden = any_hides;
+    for (const Element x : look_at_all ? step.setup : step.put_in) {
       for (const Element y : step.setup) {
         const bool seen_from_y =
-            y >= x && (is_first || std::binary_search(step.put_in.begin(), step.put_in.end(), y));
+            y >= x &&
+            (look_at_all || std::binary_search(step.put_in.begin(), step.put_in.end(), y));
         if (seen_from_y) {
           continue;
         }
@@ -173,7 +190,7 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
                                              job.names[pair.first], job.names[pair.second],
                                              why.empty() ? "" : " (" + why + ")"));
         }
-        if (missing.contains(x, y)) {
+        if (missing.contains(x, y) && (!any_hides || hides(x) || hides(y))) {
           missing.erase(x, y);
           step.new_pairs.push_back(pair);
           sheet.weight_tested += weighs ? job.weights(x, y) : Amount{};
@@ -182,7 +199,9 @@ RunSheet run_sheet(const Job& job, const std::vector<Block>& setups) {
     }
     std::sort(step.new_pairs.begin(), step.new_pairs.end());
     step.weight_so_far = sheet.weight_tested;
-    step.new_triples = missing_triples.met(step.setup);
+    step.new_triples = missing_triples.met(step.setup, [&](const Triple& t) {
+      return !any_hides || hides(t[0]) || hides(t[1]) || hides(t[2]);
+    });
     before = step.setup;
     Amount changes;
     if (job.replaces()) {

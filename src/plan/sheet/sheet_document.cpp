@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "changeover/core/error.hpp"
+#include "changeover/plan/model.hpp"
 #include "core/words.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/sheet/clock.hpp"
@@ -53,11 +54,16 @@ std::vector<Figure> figures_of(const SheetDocument& document) {
     figures.push_back(
         {.name = std::move(name), .words = money(a), .kind = ColumnKind::cost, .in = in});
   };
-  figures.push_back({.name = "Parts, at a time",
-                     .words = fmt::format("{}, {}", parts_listed(job), job.at_once),
-                     .in = in_html});
-  count("Parts", parts_listed(job), in_workbook);
-  count("At a time", job.at_once, in_workbook);
+  if (job.model == nullptr) {
+    figures.push_back({.name = "Parts, at a time",
+                       .words = fmt::format("{}, {}", parts_listed(job), job.at_once),
+                       .in = in_html});
+    count("Parts", parts_listed(job), in_workbook);
+    count("At a time", job.at_once, in_workbook);
+  } else {
+    count("Parameters", job.slots.size());
+    count("Values", job.parts());
+  }
   count("Tests", sheet.steps.size());
   if (job.tests_done > 0) {
     count("Tests done before", job.tests_done, in_workbook);
@@ -117,6 +123,18 @@ Table compared(const BenchDocument& document) {
                    {"together", cost_column},
                    {"how", remark}},
                   std::move(rows));
+}
+
+// What setting each value costs, as --change-costs reads it.
+Table value_costs(const Job& job, const Money& money) {
+  std::vector<std::vector<std::string>> rows;
+  for (const ModelParameter& parameter : job.model->parameters) {
+    for (std::size_t i = 0; i < parameter.values.size(); ++i) {
+      rows.push_back({parameter.name, parameter.values[i].label,
+                      money(job.change_costs[parameter.first + i])});
+    }
+  }
+  return table_of({{"parameter", {}}, {"value", {}}, {"cost", cost_column}}, std::move(rows));
 }
 
 // Further pieces of a part are counted in its row.
@@ -212,8 +230,13 @@ Table question_table(const std::vector<std::string>& question) {
 
 // The sheets of a workbook from which the job can be read again.
 void add_lists_of_job(TableDocument& document, const Job& job, const Money& money) {
-  document.sections.push_back({.table = parts(job, money), .in = in_workbook, .sheet = "Parts"});
-  if (!job.slots.empty()) {
+  if (job.model != nullptr) {
+    document.sections.push_back(
+        {.table = value_costs(job, money), .in = in_workbook, .sheet = "Costs"});
+  } else {
+    document.sections.push_back({.table = parts(job, money), .in = in_workbook, .sheet = "Parts"});
+  }
+  if (!job.slots.empty() && job.model == nullptr) {
     document.sections.push_back({.table = slot_limits(job), .in = in_workbook, .sheet = "Slots"});
   }
   if (job.never.size() > 0) {
@@ -251,7 +274,9 @@ Table benches(const std::vector<RunSheet>& sheets, const Money& money) {
 
 std::string style_of(const Job& job, bool compact) {
   const bool wide = !compact && has_many_slots(job);
-  return std::string(page_style) + std::string(wide ? wide_page_style : "");
+  return job.model != nullptr
+             ? std::string(page_style) + value_style(job, compact)
+             : std::string(page_style) + std::string(wide ? wide_page_style : "");
 }
 
 void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,

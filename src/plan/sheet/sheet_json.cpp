@@ -11,6 +11,7 @@
 #include "plan/sheet/places.hpp"
 #include "plan/sheet/sheet_document.hpp"
 #include "plan/sheet/sheet_words.hpp"
+#include "plan/sheet/shown_values.hpp"
 
 namespace changeover {
 namespace {
@@ -22,6 +23,22 @@ void write_candidate(JsonWriter& json, const Money& money, const Candidate& cand
   json.key("pairs_tested").value(candidate.pairs_tested);
   json.key("triples_tested").value(candidate.triples_tested);
   json.key("weight").raw(to_string(candidate.weight)).end_object();
+}
+
+// The parameters of a model, and which part each value is.
+void write_parameters(JsonWriter& json, const Job& job) {
+  json.key("parameters").begin_array();
+  for (const ModelParameter& parameter : job.model->parameters) {
+    json.begin_object().key("name").value(parameter.name).key("values").begin_array();
+    for (std::size_t i = 0; i < parameter.values.size(); ++i) {
+      const ModelValue& value = parameter.values[i];
+      json.begin_object().key("value").value(value.label);
+      json.key("part").value(job.names[parameter.first + i]);
+      json.key("names").value(value.names).key("out_of_range").value(value.negative).end_object();
+    }
+    json.end_array().end_object();
+  }
+  json.end_array();
 }
 
 void write_ratio(JsonWriter& json, const std::optional<Ratio>& ratio) {
@@ -101,7 +118,8 @@ std::string json_of(const SheetDocument& document) {
     for (Element out = 0; out < job.parts(); ++out) {
       json.begin_array();
       for (Element in = 0; in < job.parts(); ++in) {
-        in == out ? json.null() : json.raw(money(job.replace_cost(out, in)));
+        const bool elsewhere = job.model != nullptr && job.slot_of[in] != job.slot_of[out];
+        in == out || elsewhere ? json.null() : json.raw(money(job.replace_cost(out, in)));
       }
       json.end_array();
     }
@@ -137,10 +155,26 @@ std::string json_of(const SheetDocument& document) {
   write_unit(json, job);
   const PlacesInJson places(job, {&sheet});
   places.write_all(json);
+  std::optional<ShownValues> shown;
+  if (job.model != nullptr) {
+    shown.emplace(job, sheet);
+    write_parameters(json, job);
+    json.key("rules").value(job.model->constraints.size());
+    json.key("objective").value(plan.objective == PlanObjective::tests ? "tests" : "cost");
+    json.key("proved_fewest_tests").value(plan.proved_fewest());
+  }
   json.key("steps").begin_array();
   std::uint64_t number = job.tests_done;
   for (const RunStep& step : sheet.steps) {
     json.begin_object().key("step").value(++number);
+    if (shown) {
+      const std::size_t at = number - job.tests_done - 1;
+      json.key("values").begin_object();
+      for (std::size_t p = 0; p < job.model->parameters.size(); ++p) {
+        json.key(job.model->parameters[p].name).value(shown->value(at, p));
+      }
+      json.end_object();
+    }
     json.key("take_out").value(names_of(job, step.take_out));
     json.key("put_in").value(names_of(job, step.put_in));
     json.key("set_up").value(names_of(job, step.setup));

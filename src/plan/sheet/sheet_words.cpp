@@ -1,4 +1,5 @@
 #include "plan/sheet/sheet_words.hpp"
+#include "changeover/plan/model.hpp"
 #include "core/words.hpp"
 #include "plan/sheet/clock.hpp"
 
@@ -70,6 +71,24 @@ std::string weight_line(const Job& job, const RunPlan& plan, const Money& money)
   constexpr double half = 0.5;
   constexpr double most = 0.9;
   return fmt::format("{}; half of it {}, nine tenths {}", met, reached(half), reached(most));
+}
+
+// "9 parts, 3 at a time", or what stands for them in a model.
+std::string what_there_is(const Job& job) {
+  return job.model == nullptr
+             ? fmt::format("{}, {} at a time", count_of(parts_listed(job), "part"), job.at_once)
+             : fmt::format("{} with {}", count_of(job.slots.size(), "parameter"),
+                           count_of(job.parts(), "value"));
+}
+
+// How far the tests are above the fewest that there can be.
+std::string tests_line(const RunPlan& plan, const std::string& all) {
+  const std::uint64_t tests = plan.sheet.steps.size();
+  if (plan.proved_fewest()) {
+    return fmt::format("no plan for {} has fewer tests: this is the lower bound", all);
+  }
+  return fmt::format("no plan for {} has fewer than {} (this one has at most {} more)", all,
+                     count_of(plan.bound.tests, "test"), tests - plan.bound.tests);
 }
 
 // What met only in tests that did not pass.
@@ -157,13 +176,16 @@ std::vector<std::string> summary(const SheetDocument& document) {
   const bool triples = !job.triples.empty();
   const std::string all = "all " + what_meets(job);
   std::vector<std::string> lines{
-      fmt::format("{}, {} at a time: {}, {}, {}", count_of(parts_listed(job), "part"), job.at_once,
-                  count_of(sheet.steps.size(), "test"), count_of(sheet.changes, "change"),
-                  cost_words(job, money, sheet.cost)),
+      fmt::format("{}: {}, {}, {}", what_there_is(job), count_of(sheet.steps.size(), "test"),
+                  count_of(sheet.changes, "change"), cost_words(job, money, sheet.cost)),
       fmt::format("{} of {} tested, checked by an independent count",
                   triples ? sheet.triples_tested : sheet.pairs_tested,
                   triples ? count_of(sheet.triples_needed, "needed triple")
                           : count_of(sheet.pairs_needed, "needed pair"))};
+  if (job.model != nullptr && !job.model->constraints.empty()) {
+    lines.push_back(fmt::format("all tests follow {}, checked as they are written",
+                                count_of(job.model->constraints.size(), "rule")));
+  }
   if (job.met_only_in_failed > 0) {
     lines.push_back(failed_line(job));
   }
@@ -199,6 +221,9 @@ std::vector<std::string> summary(const SheetDocument& document) {
   }
   if (!job.weights.empty()) {
     lines.push_back(weight_line(job, plan, money));
+  }
+  if (plan.objective == PlanObjective::tests) {
+    lines.push_back(tests_line(plan, all));
   }
   const Amount cheapest = plan.complete ? plan.complete->cost : sheet.cost;
   const CostBound& bound = plan.bound;

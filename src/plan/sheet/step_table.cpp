@@ -9,6 +9,7 @@
 #include "changeover/io/tables.hpp"
 #include "plan/sheet/clock.hpp"
 #include "plan/sheet/places.hpp"
+#include "plan/sheet/shown_values.hpp"
 
 namespace changeover {
 namespace {
@@ -21,6 +22,7 @@ struct Line {
   const RunStep* step = nullptr;
   const MountedParts* before = nullptr;
   const MountedParts* now = nullptr;
+  std::size_t at = 0;  // in its list
 };
 
 // The lines with what they refer to.
@@ -36,7 +38,7 @@ std::shared_ptr<const Steps> steps_of(const Job& job, const std::vector<const Ru
     const MountedParts* before = &list.before;
     for (std::size_t i = 0; i < list.steps.size(); ++i) {
       made->lines.push_back(
-          {bench, job.tests_done + i + 1, &sheets[bench]->steps[i], before, &list.steps[i]});
+          {bench, job.tests_done + i + 1, &sheets[bench]->steps[i], before, &list.steps[i], i});
       before = &list.steps[i];
     }
   }
@@ -122,6 +124,26 @@ bool has_free_places(const Steps& steps) {
                              [](const MountedPlace& place) { return place.slot == no_slot; });
 }
 
+// More columns than that make no line that can be read.
+constexpr std::size_t most_value_columns = 10;
+
+// Whether a column of this parameter is shown to people.
+bool is_column(const Job& job, std::size_t p, bool compact) {
+  return !compact && job.model->parameters.size() <= most_value_columns &&
+         std::ranges::none_of(job.mounted, [&](Element x) { return job.slot_of[x] == p; });
+}
+
+// A text within quotes of a style sheet: no sign in it ends them, or the style.
+std::string css_text(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                       (static_cast<unsigned char>(c) & 0x80U) != 0;
+    escaped += plain ? std::string(1, c) : fmt::format("\\{:x} ", static_cast<unsigned>(c));
+  }
+  return escaped;
+}
+
 class StepTable {
  public:
   StepTable(const Job& job, const std::vector<const RunSheet*>& sheets, const Money& money,
@@ -139,13 +161,23 @@ class StepTable {
                  (options.compact ? ""
                   : long_names    ? " whole lines"
                                   : " whole") +
-                 (flows_ || has_many_slots(job) ? " many" : "");
+                 (flows_ || (has_many_slots(job) && job.model == nullptr) ? " many" : "") +
+                 (job.model == nullptr ? "" : " values");
+    for (const RunSheet* sheet : sheets) {
+      if (job.model != nullptr) {
+        values_.emplace_back(job, *sheet);
+      }
+    }
   }
 
   Table made() {
     add_heads();
-    add_changes();
-    add_setups();
+    if (job_->model != nullptr) {
+      add_values();
+    } else {
+      add_changes();
+      add_setups();
+    }
     add_figures();
     add_room_for_results();
     return std::move(table_);
@@ -243,6 +275,47 @@ class StepTable {
     }
   }
 
+  // Of a model: what is set, and the whole test, a column for each parameter or, where these are
+  // many, a list for people.
+  void add_values() {
+    const auto shown = std::make_shared<const std::vector<ShownValues>>(std::move(values_));
+    add("set",
+        [shown](const Line& line) {
+          std::vector<std::string> words = (*shown)[line.bench].set_in(line.at);
+          std::vector<bool> bold(words.size(), true);
+          return TableCell(std::move(words), std::move(bold));
+        },
+        {.kind = ColumnKind::list});
+    const Model* const model = job_->model.get();
+    const bool many = model->parameters.size() > most_value_columns;
+    if (many && !options_.compact) {
+      add("test",
+          [shown, model](const Line& line) {
+            std::vector<std::string> words;
+            std::vector<bool> bold;
+            for (std::size_t p = 0; p < model->parameters.size(); ++p) {
+              const ShownValues& values = (*shown)[line.bench];
+              words.push_back(model->parameters[p].name + ": " + values.value(line.at, p));
+              bold.push_back(values.is_set(line.at, p));
+            }
+            return TableCell(std::move(words), std::move(bold));
+          },
+          {.kind = ColumnKind::list,
+           .in = in_html | in_markdown,
+           .css = "flow",
+           .head_css = "setup"});
+    }
+    for (std::size_t p = 0; p < model->parameters.size(); ++p) {
+      const unsigned in = is_column(*job_, p, options_.compact) ? everywhere : for_programs;
+      add(model->parameters[p].name,
+          [shown, p](const Line& line) {
+            const ShownValues& values = (*shown)[line.bench];
+            return TableCell({values.value(line.at, p)}, {values.is_set(line.at, p)});
+          },
+          {.in = in, .name = value_head(*model, p), .head_is_a_name = true});
+    }
+  }
+
   void add_figures() {
     const Job* const job = job_;
     const unsigned unless_compact = options_.compact ? everywhere & ~in_html : everywhere;
@@ -286,11 +359,43 @@ class StepTable {
   Money money_;
   StepTableOptions options_;
   std::shared_ptr<const Steps> steps_;
+  std::vector<ShownValues> values_;  // of a model, by sheet
   bool flows_ = false;
   Table table_;
 };
 
 }  // namespace
+
+std::string value_style(const Job& job, bool compact) {
+  if (job.model == nullptr) {
+    return "";
+  }
+  std::vector<std::string> names{"Set"};
+  if (job.model->parameters.size() > most_value_columns && !compact) {
+    names.emplace_back("Test");
+  }
+  for (std::size_t p = 0; p < job.model->parameters.size(); ++p) {
+    if (is_column(job, p, compact)) {
+      names.push_back(job.model->parameters[p].name);
+    }
+  }
+  if (!compact) {
+    names.push_back("New " + what_meets(job));
+    if (job.replaces()) {
+      names.emplace_back("Cost");
+    }
+    names.emplace_back("Cost so far");
+  }
+  std::string style = "  @media screen and (max-width: 40rem) {\n";
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    style +=
+        fmt::format("    .values td:nth-child({})::before {{ content: \"{}: \" !important; }}\n",
+                    i + 3, css_text(names[i]));
+  }
+  return style +
+         fmt::format("    .values td:nth-child({})::before {{ content: none !important; }} }}\n",
+                     names.size() + 3);
+}
 
 Table step_table(const Job& job, const std::vector<const RunSheet*>& sheets, const Money& money,
                  const StepTableOptions& options) {
