@@ -47,6 +47,9 @@ const std::optional<std::string>& PlanAnswer::shortage() const {
 
 PlanOptions plan_options(const JobRequest& request, const AskedJob& asked) {
   PlanOptions options;
+  if (request.model.is_given() && request.objective == "tests") {
+    options.objective = PlanObjective::tests;
+  }
   if (!request.budget.empty()) {
     options.budget = parse_amount(request.budget);
   }

@@ -8,8 +8,10 @@
 #include <queue>
 #include <unordered_map>
 
+#include "changeover/plan/model.hpp"
 #include "plan/job/fitting.hpp"
 #include "plan/job/pair_numbers.hpp"
+#include "plan/search/choices/choice_lists.hpp"
 #include "plan/search/listener.hpp"
 
 namespace changeover {
@@ -70,6 +72,9 @@ class Exact {
  public:
   Exact(const Job& job, std::uint64_t below, RunControl& control)
       : job_(&job), below_(below), listener_(control), parts_(useful_parts(job)) {
+    if (job.model != nullptr) {
+      choices_.emplace(job);
+    }
     for (const Element x : parts_) {
       price_.push_back(job.change_costs[x].millionths);
     }
@@ -190,12 +195,25 @@ class Exact {
         return false;
       }
     }
-    return true;
+    if (!choices_) {
+      return true;
+    }
+    Block row(count.size());
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if ((setup >> i & 1) != 0) {
+        row[job_->slot_of[parts_[i]]] = parts_[i];
+      }
+    }
+    return choices_->allows(row);
   }
 
   // Parts whose exchange changes nothing in the job, but for the start, which only the first step knows.
   void find_classes() {
+    const bool has_rules = job_->model != nullptr && !job_->model->constraints.empty();
     const auto alike = [&](std::size_t i, std::size_t j) {
+      if (has_rules) {
+        return false;
+      }
       const auto is_mounted = [&](std::size_t a) {
         return std::count(job_->mounted.begin(), job_->mounted.end(), parts_[a]) != 0;
       };
@@ -409,6 +427,7 @@ class Exact {
   const Job* job_;
   std::uint64_t below_;
   Listener listener_;
+  std::optional<ChoiceJob> choices_;
   std::vector<Element> parts_;
   std::uint64_t unit_ = 1;                        // divides all costs
   std::vector<std::uint64_t> price_;              // by part
@@ -428,6 +447,16 @@ class Exact {
 }  // namespace
 
 bool is_small(const Job& job) {
+  const bool any_hides =
+      job.model != nullptr &&
+      std::any_of(job.model->parameters.begin(), job.model->parameters.end(),
+                  [](const ModelParameter& parameter) {
+                    return std::any_of(parameter.values.begin(), parameter.values.end(),
+                                       [](const ModelValue& v) { return v.negative; });
+                  });
+  if (any_hides || job.replaces() || !job.triples.empty()) {
+    return false;
+  }
   constexpr Amount small{std::uint64_t{1} << 50U};  // a thousand of them can be added
   return job.needed.size() > 0 && job.needed.size() <= most_small_pairs &&
          useful_parts(job).size() <= most_small_parts && job.test_cost <= small &&

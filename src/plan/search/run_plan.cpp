@@ -14,6 +14,7 @@
 #include "plan/job/check_in_full.hpp"
 #include "plan/search/anneal/attempts.hpp"
 #include "plan/search/candidates.hpp"
+#include "plan/search/choices/choice_plan.hpp"
 #include "plan/search/exact_plan.hpp"
 #include "plan/search/first_plan.hpp"
 #include "plan/search/lists/replacing_plan.hpp"
@@ -338,6 +339,12 @@ RunPlan make_run_plan(const CheckedJob& job, const PlanOptions& options, RunCont
 RunPlan plan_of_valid_job(const Job& job, const PlanOptions& options, RunControl& control) {
   if (!job.first.empty()) {
     return plan_with_first(job, options, control);
+  }
+  if (job.model != nullptr) {
+    return plan_for_choices(job, options, control);
+  }
+  if (options.objective == PlanObjective::tests) {
+    throw BadInput("the fewest tests are looked for where a model is given");
   }
   if (job.replaces()) {
     return plan_for_replacing(job, options, control);

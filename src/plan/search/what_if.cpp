@@ -85,6 +85,17 @@ Job at_ratio(const Job& job, const Ratio& ratio) {
   return other;
 }
 
+// The cheapest list that the search for models finds at other costs.
+Start cheapest_of_model(const Job& job, const PlanOptions& options, RunControl& control) {
+  PlanOptions once = options;
+  once.until_stopped = false;
+  once.budget.reset();
+  once.rest.clear();
+  once.attempts = std::min(options.attempts, 2U);
+  const Candidate found = plan_of_valid_job(job, once, control).candidates.front();
+  return {found.name, found.how, found.setups};
+}
+
 }  // namespace
 
 std::string Ratio::to_string() const {
@@ -137,6 +148,12 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
     candidates.push_back(*plan.complete);
   }
   std::set<std::pair<std::uint64_t, std::uint64_t>> searched;
+  const auto cheaper_list = [&](const Job& other, const CostBound& bound, const Candidate& best) {
+    Attempts attempts(other, bound, control);
+    const std::uint64_t steps =
+        options.steps == 0 ? attempts.suitable_steps(best) / 2 : options.steps;
+    return attempts.cheaper_than(best, candidates, steps, std::min(options.attempts, 2U), 0);
+  };
   // Finds whether any list is cheaper at this ratio than those that are known.
   const auto search = [&](Ratio ratio) {
     const std::uint64_t divisor = std::max<std::uint64_t>(1, std::gcd(ratio.over, ratio.under));
@@ -160,11 +177,8 @@ WhatIf what_if(const Job& job, const RunPlan& plan, const PlanOptions& options,
     if (!best || best->cost == bound.cost) {
       return false;
     }
-    Attempts attempts(other, bound, control);
-    const std::uint64_t steps =
-        options.steps == 0 ? attempts.suitable_steps(*best) / 2 : options.steps;
-    const Start start =
-        attempts.cheaper_than(*best, candidates, steps, std::min(options.attempts, 2U), 0);
+    const Start start = other.model != nullptr ? cheapest_of_model(other, options, control)
+                                               : cheaper_list(other, bound, *best);
     if (run_sheet(other, start.setups).cost >= best->cost) {
       return false;
     }

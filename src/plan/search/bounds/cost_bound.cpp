@@ -17,6 +17,7 @@
 #include "plan/job/prices.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
+#include "plan/search/choices/choice_plan.hpp"
 #include "plan/search/first_plan.hpp"
 #include "plan/search/triple_plan.hpp"
 #include "plan/search/valid_job.hpp"
@@ -502,6 +503,12 @@ CostBound cost_bound(const Job& job) {
   return bound_of_valid_job(job);
 }
 
+namespace {
+
+CostBound bound_of_pairs(const Job& job);
+
+}  // namespace
+
 CostBound bound_of_valid_job(const Job& job) {
   if (!job.first.empty()) {
     return bound_with_first(job);
@@ -510,12 +517,21 @@ CostBound bound_of_valid_job(const Job& job) {
     CostBound bound = bound_of_valid_job(at_prices(job, Price::least));
     bound.cost = rounded_up(job, bound.cost);
     bound.reason =
-        "each part costs at least what it costs where it is cheapest to put in: " + bound.reason;
+        fmt::format("each {} costs at least what it costs where it is cheapest to {}: {}",
+                    job.model == nullptr ? "part" : "value",
+                    job.model == nullptr ? "put in" : "set", bound.reason);
     return bound;
   }
-  if (!job.triples.empty()) {
-    return bound_for_triples(job);
+  CostBound bound = job.triples.empty() ? bound_of_pairs(job) : bound_for_triples(job);
+  if (job.model != nullptr) {
+    improve_choice_bound(job, bound);
   }
+  return bound;
+}
+
+namespace {
+
+CostBound bound_of_pairs(const Job& job) {
   const Numbers n = numbers_of(job);
   CostBound bound;
   if (job.needed.size() == 0) {
@@ -549,5 +565,7 @@ CostBound bound_of_valid_job(const Job& job) {
       cheapest.tests == 1 ? "costs" : "cost");
   return bound;
 }
+
+}  // namespace
 
 }  // namespace changeover

@@ -1,0 +1,218 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "changeover/plan/model.hpp"
+#include "changeover/run/control.hpp"
+#include "core/checked.hpp"
+#include "core/words.hpp"
+#include "plan/job/pair_numbers.hpp"
+#include "plan/search/bounds/rounded_up.hpp"
+#include "plan/search/choices/choice_plan.hpp"
+#include "plan/search/choices/transport.hpp"
+
+namespace changeover {
+namespace {
+
+// The numbers of the proof.
+struct ChoiceNumbers {
+  std::size_t slots = 0;
+  std::vector<bool> negative;                        // by part
+  std::vector<std::vector<std::uint64_t>> partners;  // by part and parameter: needed pairs
+  std::vector<std::vector<std::uint64_t>> pairs;     // by two parameters: all needed pairs
+  std::vector<std::vector<std::uint64_t>> in_range;  // likewise: those of R
+
+  explicit ChoiceNumbers(const Job& job)
+      : slots(job.slots.size()),
+        partners(job.names.size(), std::vector<std::uint64_t>(slots, 0)),
+        pairs(slots, std::vector<std::uint64_t>(slots, 0)),
+        in_range(pairs) {
+    for (Element x = 0; x < job.parts(); ++x) {
+      negative.push_back(job.model->value(x).negative);
+    }
+    job.needed.for_each(all_of_them, [&](Element x, Element y) {
+      const std::uint32_t p = job.slot_of[x];
+      const std::uint32_t q = job.slot_of[y];
+      const bool inside = !negative[x] && !negative[y];
+      ++pairs[p][q];
+      ++pairs[q][p];
+      in_range[p][q] += inside ? 1U : 0U;
+      in_range[q][p] += inside ? 1U : 0U;
+      partners[x][q] += inside || negative[x] ? 1U : 0U;
+      partners[y][p] += inside || negative[y] ? 1U : 0U;
+    });
+  }
+};
+
+struct LeastTests {
+  std::uint64_t number = 0;
+  std::string why;
+
+  void at_least(std::uint64_t other, const std::string& reason) {
+    if (other > number) {
+      number = other;
+      why = reason;
+    }
+  }
+};
+
+// C(n, k), or the largest number.
+std::uint64_t choose(std::uint64_t n, std::uint64_t k) {
+  __extension__ using Wide = unsigned __int128;
+  Wide value = 1;
+  for (std::uint64_t i = 1; i <= k; ++i) {
+    value = value * (n - k + i) / i;
+    if (value > std::numeric_limits<std::uint32_t>::max()) {
+      return std::numeric_limits<std::uint64_t>::max();
+    }
+  }
+  return static_cast<std::uint64_t>(value);
+}
+
+// (2): parameters with two values each, all of which must meet.
+std::uint64_t two_valued_clique(const Job& job, const ChoiceNumbers& n) {
+  std::vector<std::vector<Element>> chosen;
+  for (std::size_t p = 0; p < n.slots; ++p) {
+    std::vector<Element> two;
+    for (Element x = 0; x < job.parts(); ++x) {
+      const bool fits =
+          job.slot_of[x] == p && !n.negative[x] &&
+          std::ranges::all_of(chosen, [&](const std::vector<Element>& others) {
+            return job.needed.contains(x, others[0]) && job.needed.contains(x, others[1]);
+          });
+      if (fits) {
+        two.push_back(x);
+      }
+    }
+    if (two.size() >= 2) {
+      chosen.push_back({two[0], two[1]});
+    }
+  }
+  return chosen.size();
+}
+
+LeastTests least_choice_tests(const Job& job, const ChoiceNumbers& n) {
+  LeastTests least;
+  for (std::size_t p = 0; p < n.slots; ++p) {
+    for (std::size_t q = 0; q < p; ++q) {
+      least.at_least(n.in_range[p][q], fmt::format("the {} of {} and {} come one a test",
+                                                   count_of(n.in_range[p][q], "pair"),
+                                                   job.slots[q].name, job.slots[p].name));
+    }
+  }
+  std::vector<std::uint64_t> by_slot(n.slots, 0);
+  std::uint64_t hidden = 0;
+  for (Element x = 0; x < job.parts(); ++x) {
+    const std::uint64_t most = *std::ranges::max_element(n.partners[x]);
+    (n.negative[x] ? hidden : by_slot[job.slot_of[x]]) += most;
+  }
+  for (std::size_t p = 0; p < n.slots; ++p) {
+    least.at_least(by_slot[p],
+                   fmt::format("the values of {} are in at least {} in all, one in each",
+                               job.slots[p].name, count_of(by_slot[p], "test")));
+  }
+  std::map<std::array<std::uint32_t, 3>, std::uint64_t>
+      triples;  // needed ones in range, by their parameters
+  for (const Triple& t : job.triples) {
+    triples[{job.slot_of[t[0]], job.slot_of[t[1]], job.slot_of[t[2]]}] +=
+        n.negative[t[0]] || n.negative[t[1]] || n.negative[t[2]] ? 0U : 1U;
+  }
+  for (const auto& [slots, number] : triples) {
+    least.at_least(number, fmt::format("the {} of {}, {} and {} come one a test",
+                                       count_of(number, "triple"), job.slots[slots[0]].name,
+                                       job.slots[slots[1]].name, job.slots[slots[2]].name));
+  }
+  const std::uint64_t k = two_valued_clique(job, n);
+  if (k >= 2) {
+    std::uint64_t tests = 4;
+    while (choose(tests - 1, tests / 2 - 1) < k) {
+      ++tests;
+    }
+    least.at_least(tests, fmt::format("{} of two values and more need so many [Katona1973]",
+                                      count_of(k, "parameter")));
+  }
+  if (hidden > 0) {
+    least.why += fmt::format("{}{} more with a value that is out of range",
+                             least.why.empty() ? "" : ", and ", hidden);
+    least.number += hidden;
+  }
+  return least;
+}
+
+struct LeastChanges {
+  std::uint64_t number = 0;
+  Amount cost;
+};
+
+LeastChanges least_choice_changes(const Job& job, const ChoiceNumbers& n) {
+  std::vector<std::uint64_t> once(n.slots, 0);  // introductions that must be
+  std::vector<std::uint64_t> at_start(n.slots, 0);
+  std::vector<std::uint64_t> lowest(n.slots, std::numeric_limits<std::uint64_t>::max());
+  std::vector<Amount> costs_once(n.slots);
+  std::vector<bool> is_at_start(job.names.size(), false);
+  for (const Element x : job.start) {
+    is_at_start[x] = true;
+    at_start[job.slot_of[x]] = 1;
+  }
+  for (Element x = 0; x < job.parts(); ++x) {
+    const std::uint32_t p = job.slot_of[x];
+    lowest[p] = std::min(lowest[p], job.change_costs[x].millionths);
+    const bool needed =
+        std::ranges::any_of(n.partners[x], [](std::uint64_t each) { return each > 0; }) ||
+        std::ranges::find(job.mounted, x) != job.mounted.end();
+    if (needed && !is_at_start[x]) {
+      ++once[p];
+      costs_once[p] += job.change_costs[x];
+    }
+  }
+  LeastChanges least;
+  for (std::size_t p = 0; p < n.slots; ++p) {
+    if (once[p] == 0 && at_start[p] == 0) {  // some value must be set
+      once[p] = 1;
+      costs_once[p] = Amount{lowest[p]};
+    }
+    least.number += once[p];
+    least.cost += costs_once[p];
+  }
+  std::vector<std::vector<std::uint64_t>> more(n.slots, std::vector<std::uint64_t>(n.slots, 0));
+  for (std::size_t p = 0; p < n.slots; ++p) {
+    for (std::size_t q = 0; q < n.slots; ++q) {
+      const std::uint64_t wanted = n.pairs[p][q] + 1;
+      const std::uint64_t there = once[p] + once[q] + at_start[p] + at_start[q];
+      more[p][q] = p == q || n.pairs[p][q] == 0 ? 0 : wanted - std::min(wanted, there);
+    }
+  }
+  const std::vector<std::uint64_t> ones(n.slots, 1);
+  least.number += ceil_div(most_profit(more, ones), 2);
+  least.cost += Amount{ceil_div(most_profit(more, lowest), 2)};
+  return least;
+}
+
+}  // namespace
+
+void improve_choice_bound(const Job& job, CostBound& bound) {
+  if (job.needed.size() == 0) {
+    return;
+  }
+  const ChoiceNumbers n(job);
+  const LeastTests tests = least_choice_tests(job, n);
+  const LeastChanges changes = least_choice_changes(job, n);
+  const Amount cost =
+      rounded_up(job, job.test_cost * std::max(tests.number, bound.tests) + changes.cost);
+  if (tests.number >= bound.tests || cost >= bound.cost) {
+    const std::uint64_t least = std::max(changes.number, bound.introductions);
+    bound.reason = fmt::format(
+        "at least {} ({}), at least {} (two parameters change as often as they have pairs to go through)",
+        count_of(std::max(tests.number, bound.tests), "test"),
+        tests.number >= bound.tests ? tests.why : "by their pairs", count_of(least, "change"));
+  }
+  bound.tests = std::max(bound.tests, tests.number);
+  bound.introductions = std::max(bound.introductions, changes.number);
+  bound.cost = std::max(bound.cost, cost);
+}
+
+}  // namespace changeover

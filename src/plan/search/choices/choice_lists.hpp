@@ -1,0 +1,165 @@
+// Lists of set-ups of a model (plan/model.hpp), for searches: cost and what is missing, kept up to
+// date.
+//
+//     const ChoiceJob choices(job);           // tables, shared by all searches
+//     ChoiceList list(choices, setups);
+//     list.set(4, 2, x);                      // set-up 4 has x as its value of parameter 2
+//     list.missing();                         // needed pairs, or triples, that no set-up tests
+//
+// A cell that changes costs O(parameters), with triples O(parameters²), and as much as a set-up if
+// a value that is out of range comes or goes. A set-up that comes or goes costs O(parameters²),
+// with triples O(parameters³).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "changeover/plan/job.hpp"
+#include "plan/model/compiled_rules.hpp"
+#include "plan/search/anneal/sequence.hpp"
+
+namespace changeover {
+
+/// No value: of an empty place at the start.
+inline constexpr Element no_choice = std::numeric_limits<Element>::max();
+
+/// What must meet and what must not, in tables.
+class ChoiceJob {
+ public:
+  /// A job of a model, which must outlive this.
+  explicit ChoiceJob(const Job& job);
+
+  [[nodiscard]] const Job& job() const { return *job_; }
+  [[nodiscard]] const Weights& weights() const { return weights_; }
+  [[nodiscard]] std::size_t slots() const { return values_.size(); }
+  [[nodiscard]] std::size_t parts() const { return slot_.size(); }
+  [[nodiscard]] std::size_t slot(Element x) const { return slot_[x]; }
+  /// The values of a parameter that a set-up may have: the mounted one only, if there is one.
+  [[nodiscard]] const std::vector<Element>& values(std::size_t slot) const { return values_[slot]; }
+  /// A value that is out of range: of a set-up with it, only what is tested with it counts.
+  [[nodiscard]] bool hides(Element x) const { return any_hides_ && hides_[x] != 0; }
+  [[nodiscard]] bool any_hides() const { return any_hides_; }
+  [[nodiscard]] bool triples() const { return triples_; }
+  [[nodiscard]] std::size_t tuple_size() const { return triples_ ? 3 : 2; }
+  [[nodiscard]] std::size_t needed() const { return needed_count_; }
+
+  /// Numbers of pairs, of which each has two, and of triples in any order.
+  [[nodiscard]] std::size_t pair(Element x, Element y) const { return x * parts() + y; }
+  [[nodiscard]] std::size_t triple(Element x, Element y, Element z) const;
+  [[nodiscard]] std::size_t tuples() const { return needed_.size(); }
+  [[nodiscard]] bool is_needed(std::size_t tuple) const { return needed_[tuple] != 0; }
+  /// The parts of a tuple, the first tuple_size() of them.
+  void parts_of(std::size_t tuple, Element out[3]) const;
+
+  /// Whether `row`, which breaks nothing, may have x instead of what it has of that parameter.
+  [[nodiscard]] bool allows(std::span<const Element> row, Element x) const;
+  /// Whether a row breaks nothing.
+  [[nodiscard]] bool allows(std::span<const Element> row) const;
+  /// The start as a row, with no_choice where it has no value of a parameter.
+  [[nodiscard]] const std::vector<Element>& start() const { return start_; }
+  /// What it costs to set a value where another one, or no_choice, was.
+  [[nodiscard]] std::int64_t price(Element before, Element x) const {
+    return before == x                               ? 0
+           : replace_.empty() || before == no_choice ? static_cast<std::int64_t>(weights_.change[x])
+                                                     : replace_[before * parts() + x];
+  }
+  /// Prices depend on what is replaced.
+  [[nodiscard]] bool replaces() const { return !replace_.empty(); }
+
+ private:
+  const Job* job_;
+  CompiledRules rules_;
+  Weights weights_;
+  bool triples_;
+  std::vector<std::size_t> slot_;             // by part
+  std::vector<std::vector<Element>> values_;  // by parameter
+  std::vector<std::uint8_t> hides_;           // by part
+  bool any_hides_ = false;
+  std::vector<std::uint8_t> needed_;  // by tuple
+  std::size_t needed_count_ = 0;
+  std::vector<std::uint8_t> never_;  // by pair; empty if there are none
+  std::vector<Element> start_;
+  std::vector<std::int64_t> replace_;  // by part out and part in
+};
+
+/// Where a list changes.
+struct Cell {
+  std::size_t at = 0;
+  std::size_t slot = 0;
+};
+
+class ChoiceList {
+ public:
+  /// Each set-up has its values in the order of the parameters.
+  ChoiceList(const ChoiceJob& choices, const std::vector<Block>& setups);
+
+  [[nodiscard]] std::size_t size() const { return order_.size(); }
+  [[nodiscard]] std::span<const Element> row(std::size_t at) const {
+    return {cells_.data() + order_[at] * width_, width_};
+  }
+  [[nodiscard]] std::int64_t cost() const { return cost_; }
+  [[nodiscard]] std::size_t missing() const { return missing_.size(); }
+  /// Missing tuple number `index`.
+  [[nodiscard]] std::size_t missing_tuple(std::size_t index) const { return missing_[index]; }
+  [[nodiscard]] bool is_missing(std::size_t tuple) const { return count_[tuple] == 0; }
+  /// Whether a row hides all but what it tests with one value.
+  [[nodiscard]] bool is_hidden(std::size_t at) const { return hiding_[order_[at]] != nowhere; }
+
+  /// What setting a cell to another value would add to the cost and to what is missing.
+  [[nodiscard]] Rise rise_of_set(Cell cell, Element x) const;
+  void set(Cell cell, Element x);
+  /// What only this row tests.
+  [[nodiscard]] std::size_t tested_only_by(std::size_t at) const;
+  /// A row before place `at`.
+  void insert(std::size_t at, std::span<const Element> row);
+  void erase(std::size_t at);
+  /// The rows of a stretch come to stand before the row that is now at `to`, outside of it, or at
+  /// the end; turned around if that is said.
+  [[nodiscard]] std::int64_t rise_of_move(Stretch rows, std::size_t to, bool turned) const;
+  void move(Stretch rows, std::size_t to, bool turned);
+  /// The rows of a stretch in the opposite order.
+  [[nodiscard]] std::int64_t rise_of_reverse(Stretch rows) const;
+  void reverse(Stretch rows);
+
+  [[nodiscard]] std::vector<Block> setups() const;
+
+ private:
+  static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+  [[nodiscard]] const Element* cells(std::size_t at) const {
+    return cells_.data() + order_[at] * width_;
+  }
+  // The row before place `at`; the start before the first one.
+  [[nodiscard]] const Element* before(std::size_t at) const {
+    return at > 0 ? cells(at - 1) : choices_->start().data();
+  }
+  [[nodiscard]] std::int64_t step_cost(const Element* before, const Element* row) const;
+  // What the steps within a stretch cost, forwards or backwards.
+  [[nodiscard]] std::int64_t cost_within(Stretch rows, bool turned) const;
+  [[nodiscard]] std::uint32_t hiding_in(const Element* row) const;
+  template <typename Visit>
+  void for_tuples(const Element* row, std::uint32_t hiding, Visit&& visit) const;
+  template <typename Visit>
+  void for_tuples_of(const Element* row, std::size_t slot, Element x, std::uint32_t hiding,
+                     Visit&& visit) const;
+  void met(std::size_t tuple);
+  void lost(std::size_t tuple);
+  void count_row(const Element* row, std::uint32_t hiding, bool comes);
+  [[nodiscard]] std::int64_t cost_around(Cell cell, Element x) const;
+
+  const ChoiceJob* choices_;
+  std::size_t width_;
+  std::vector<Element> cells_;         // by row number
+  std::vector<std::uint32_t> hiding_;  // by row number: the parameter whose value is out of range
+  std::vector<std::size_t> order_;     // by place: the number of its row
+  std::vector<std::size_t> free_;      // rows that are not used
+  std::vector<std::uint32_t>
+      count_;  // by tuple: rows that test it, far from 0 if it is not needed; pairs both ways
+  std::vector<std::uint32_t> where_;  // by tuple: its place in missing_
+  std::vector<std::size_t> missing_;  // pairs with the lower part first
+  std::int64_t cost_ = 0;
+};
+
+}  // namespace changeover

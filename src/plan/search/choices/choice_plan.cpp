@@ -1,0 +1,341 @@
+#include "plan/search/choices/choice_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "core/words.hpp"
+#include "plan/search/anneal/attempts.hpp"
+#include "plan/search/candidates.hpp"
+#include "plan/search/choices/choice_search.hpp"
+#include "plan/search/exact_plan.hpp"
+#include "plan/search/valid_job.hpp"
+#include "run/threads.hpp"
+
+namespace changeover {
+namespace {
+
+class ChoicePlanner {
+ public:
+  ChoicePlanner(const Job& job, const PlanOptions& options, RunControl& control)
+      : job_(job), options_(options), control_(control) {}
+
+  RunPlan run() {
+    const RunScope scope(control_);
+    RunPlan plan;
+    plan.objective = options_.objective;
+    plan.bound = bound_of_valid_job(job_);
+    if (job_.needed.size() == 0) {
+      plan.candidates.push_back(counted(job_, {"no test", "nothing is left to test", {}}));
+      settle(job_, plan, control_);
+      return plan;
+    }
+    choices_.emplace(job_);
+    add(plan, greedy(GreedyAim::cost, 0));
+    keep_what_there_is(plan, [&] {
+      add_rest(plan);
+      search(plan);
+    });
+    std::ranges::stable_sort(plan.candidates,
+                             [&](const auto& a, const auto& b) { return is_better(a, b); });
+    if (options_.budget) {
+      find_affordable(plan);
+    }
+    plan.steps += steps_;
+    settle(job_, plan, control_);
+    return plan;
+  }
+
+ private:
+  [[nodiscard]] bool few_tests() const { return options_.objective == PlanObjective::tests; }
+  [[nodiscard]] std::string what_meets() const {
+    return job_.triples.empty() ? "pairs" : "triples";
+  }
+
+  [[nodiscard]] bool is_better(const Candidate& a, const Candidate& b) const {
+    return few_tests()
+               ? std::tuple(a.tests(), a.cost, a.changes) < std::tuple(b.tests(), b.cost, b.changes)
+               : cheaper(a, b);
+  }
+  [[nodiscard]] const Candidate& best(const RunPlan& plan) const {
+    return *std::ranges::min_element(plan.candidates,
+                                     [&](const auto& a, const auto& b) { return is_better(a, b); });
+  }
+  // Whether nothing better can be found.
+  [[nodiscard]] bool is_done(const RunPlan& plan) const {
+    const Candidate& now = best(plan);
+    return now.cost == plan.bound.cost && (!few_tests() || now.tests() == plan.bound.tests);
+  }
+
+  void add(RunPlan& plan, const Start& start) const {
+    Candidate candidate = counted_complete(job_, start);
+    if (candidate.cost < plan.bound.cost || candidate.tests() < plan.bound.tests) {
+      throw InternalError(start.name + " is below the lower bound");
+    }
+    plan.candidates.push_back(std::move(candidate));
+  }
+
+  // The same again only if it is better.
+  void replace(RunPlan& plan, const Start& start) const {
+    Candidate candidate = counted_complete(job_, start);
+    const auto old = std::ranges::find(plan.candidates, start.name, &Candidate::name);
+    if (old != plan.candidates.end() && !is_better(candidate, *old)) {
+      return;
+    }
+    if (old != plan.candidates.end()) {
+      plan.candidates.erase(old);
+    }
+    add(plan, start);
+  }
+
+  [[nodiscard]] Start greedy(GreedyAim aim, std::uint64_t stream) const {
+    Random random(control_.seed(), 3'000'000 + stream);
+    ChoiceList list(*choices_, {});
+    complete_greedily(*choices_, list, aim, random, control_);
+    if (!control_.stop_wanted()) {
+      prune_choices(*choices_, list);
+    }
+    return {"greedy list", "always the test that brings most for its cost", list.setups()};
+  }
+
+  // The list under way without what breaks a rule, and with what it lacks.
+  void add_rest(RunPlan& plan) const {
+    std::vector<Block> rest = sound_rest(job_, options_);
+    if (rest.empty()) {
+      return;
+    }
+    for (Block& setup : rest) {
+      std::ranges::sort(setup, {}, [&](Element x) { return job_.slot_of[x]; });
+    }
+    Random random(control_.seed(), 4'000'000);
+    ChoiceList list(*choices_, rest);
+    if (list.missing() == 0) {
+      add(plan,
+          {"rest of the sheet", "the tests of the sheet that are not done, as they are", rest});
+    }
+    complete_greedily(*choices_, list, GreedyAim::cost, random, control_);
+    prune_choices(*choices_, list);
+    add(plan, {"rest of the sheet, mended", "with what it lacked, without what is not needed",
+               list.setups()});
+  }
+
+  // Moves of a first annealing.
+  [[nodiscard]] std::uint64_t suitable_moves(const Candidate& like) const {
+    constexpr std::uint64_t a_cell = 6'000;
+    constexpr std::uint64_t least = 300'000;
+    constexpr std::uint64_t most = 20'000'000;
+    const std::uint64_t cells = like.tests() * job_.slots.size();
+    return options_.steps != 0 ? options_.steps : std::clamp(cells * a_cell, least, most);
+  }
+
+  void search(RunPlan& plan) {
+    const std::uint64_t moves = suitable_moves(plan.candidates.front());
+    shorten(plan, few_tests() ? moves / 4 : moves / 20);
+    if (!few_tests() && is_small(job_) && options_.states > 0) {
+      look_at_all(plan);
+    }
+    std::uint64_t steps = moves;
+    unsigned idle = 0;
+    for (unsigned round = 0; !is_done(plan) && !control_.stop_wanted(); ++round) {
+      const auto before = std::pair(best(plan).tests(), best(plan).cost);
+      if (few_tests() && round > 0) {
+        shorten(plan, steps / 4);
+      }
+      anneal(plan, steps, round);
+      idle = std::pair(best(plan).tests(), best(plan).cost) == before ? idle + 1 : 0;
+      if (!options_.until_stopped &&
+          (options_.steps != 0 || round + 1 >= most_rounds || idle >= 2)) {
+        break;
+      }
+      steps = std::min(2 * steps, longest);
+    }
+  }
+
+  static constexpr unsigned most_rounds = 4;
+  static constexpr std::uint64_t longest = std::uint64_t{1} << 34;
+
+  // Lists with few tests, in a cheap order.
+  void shorten(RunPlan& plan, std::uint64_t moves) {
+    const std::vector<Block> from = shortest(plan);
+    std::vector<std::vector<Block>> found(options_.attempts);
+    const unsigned turn = shortened_++;
+    in_parallel(control_, options_.attempts, [&](std::size_t i) {
+      Random random(control_.seed(), 5'000'000 + std::uint64_t{turn} * options_.attempts + i);
+      ChoiceList list(*choices_, {});
+      if (i % 2 == 0 && turn > 0) {
+        list = ChoiceList(*choices_, from);
+      } else {
+        complete_greedily(*choices_, list, GreedyAim::tests, random, control_);
+      }
+      steps_ += remove_tests(*choices_, list, plan.bound.tests,
+                             std::max<std::uint64_t>(moves / 8, 1000), random, control_);
+      found[i] = list.setups();
+    });
+    const auto fewest = std::ranges::min_element(found, {}, &std::vector<Block>::size);
+    if (fewest->empty() || (turn > 0 && fewest->size() >= from.size())) {
+      return;
+    }
+    replace(plan, {few_tests_name, "as few tests as were found, in any order", *fewest});
+    const AnnealedChoices ordered = annealed(*fewest,
+                                             {.steps = std::max<std::uint64_t>(moves, 1000),
+                                              .fixed_tests = FixedTests{},
+                                              .phase = "putting few tests into a cheap order"},
+                                             6'000'000 + turn);
+    if (ordered.setups) {
+      replace(plan,
+              {few_tests_name, "as few tests as were found, in a cheap order", *ordered.setups});
+    }
+  }
+
+  [[nodiscard]] static std::vector<Block> shortest(const RunPlan& plan) {
+    return std::ranges::min_element(plan.candidates, {}, &Candidate::tests)->setups;
+  }
+
+  AnnealedChoices annealed(const std::vector<Block>& from, ChoiceAnnealing annealing,
+                           std::uint64_t stream) {
+    Random random(control_.seed(), stream);
+    AnnealedChoices found = anneal_choices(*choices_, ChoiceList(*choices_, in_order(from)),
+                                           annealing, random, control_);
+    steps_ += found.steps;
+    return found;
+  }
+
+  // Each set-up in the order of the parameters.
+  [[nodiscard]] std::vector<Block> in_order(std::vector<Block> setups) const {
+    for (Block& setup : setups) {
+      std::ranges::sort(setup, {}, [&](Element x) { return job_.slot_of[x]; });
+    }
+    return setups;
+  }
+
+  // The share of the time left that an attempt has, if the attempts before it are over by now.
+  [[nodiscard]] std::optional<std::chrono::duration<double>> time_for(std::size_t attempt) const {
+    const auto left = control_.time_left();
+    constexpr double for_the_rest = 0.95;
+    const std::size_t threads = std::max<std::size_t>(1, control_.threads());
+    const auto rounds = static_cast<double>((options_.attempts - attempt + threads - 1) / threads);
+    return left && left->count() > 0 ? std::optional(*left * (for_the_rest / rounds))
+                                     : std::nullopt;
+  }
+
+  // How attempts differ: hot ones forget where they started.
+  static constexpr std::array<double, 4> heats{1.0, 0.3, 0.6, 0.15};
+  static constexpr std::array<FixedTests, 4> fixed_styles{
+      {{1.3, 0.6, 0.06}, {15, 1.5, 0.15}, {4, 0.8, 0.15}, {8, 0.6, 0.1}}};
+
+  void anneal(RunPlan& plan, std::uint64_t steps, unsigned round) {
+    const Candidate from = best(plan);
+    const std::vector<Block> few = shortest(plan);
+    std::vector<AnnealedChoices> found(options_.attempts);
+    in_parallel(control_, options_.attempts, [&](std::size_t i) {
+      const bool from_few = !few_tests() && i % 4 == 2;
+      found[i] =
+          annealed(from_few ? few : from.setups,
+                   {.steps = steps,
+                    .hot = heats[(i + round) % heats.size()],
+                    .time = time_for(i),
+                    .fixed_tests =
+                        few_tests() ? std::optional(fixed_styles[(i + round) % fixed_styles.size()])
+                                    : std::nullopt,
+                    .phase = fmt::format("local search {} of {}", i + 1, options_.attempts)},
+                   7'000'000 + std::uint64_t{round} * options_.attempts + i);
+    });
+    const AnnealedChoices* cheapest = nullptr;
+    for (const AnnealedChoices& each : found) {
+      if (each.setups && (cheapest == nullptr || each.cost < cheapest->cost)) {
+        cheapest = &each;
+      }
+    }
+    if (cheapest != nullptr) {
+      replace(plan, {search_name,
+                     fmt::format("any number of changes a step; started from the {}", from.name),
+                     *cheapest->setups});
+    }
+  }
+
+  void look_at_all(RunPlan& plan) const {
+    ExactPlan exact = exact_plan(job_, best(plan).cost, options_.states, control_);
+    if (exact.bound > plan.bound.cost) {
+      plan.bound.cost = exact.bound;
+      plan.bound.reason = fmt::format(
+          "of all lists, looked through from the cheapest on in {}, none costs less; without that, {}",
+          count_of(exact.states, "state"), plan.bound.reason);
+    }
+    if (exact.setups) {
+      add(plan, {"exact search", "the cheapest of all lists, which were looked through",
+                 std::move(*exact.setups)});
+    }
+  }
+
+  void find_affordable(RunPlan& plan) {
+    const Amount budget = *options_.budget;
+    plan.complete = plan.candidates.front();
+    if (plan.complete->cost <= budget) {
+      return;
+    }
+    std::vector<Candidate> within;
+    for (const Candidate& whole : plan.candidates) {
+      within.push_back(affordable(job_, whole, budget));
+    }
+    std::ranges::stable_sort(within, tests_more);
+    keep_what_there_is(plan, [&] {
+      std::vector<AnnealedChoices> found(options_.attempts);
+      const std::uint64_t steps = suitable_moves(*plan.complete);
+      in_parallel(control_, options_.attempts, [&](std::size_t i) {
+        found[i] = annealed(
+            within.front().setups,
+            {.steps = steps,
+             .hot = heats[i % heats.size()],
+             .time = time_for(i),
+             .budget = static_cast<std::int64_t>(budget.millionths / choices_->weights().unit),
+             .phase =
+                 fmt::format("local search {} of {} within the budget", i + 1, options_.attempts)},
+            8'000'000 + i);
+      });
+      for (const AnnealedChoices& each : found) {
+        if (each.setups) {
+          within.push_back(counted(
+              job_,
+              {search_name, "any number of changes a step, within the budget", *each.setups}));
+        }
+      }
+    });
+    std::ranges::stable_sort(within, tests_more);
+    bool seen = false;
+    std::erase_if(within, [&](const Candidate& each) {
+      return each.name == search_name && std::exchange(seen, true);
+    });
+    for (const Candidate& candidate : within) {
+      if (candidate.cost > budget) {
+        throw InternalError(candidate.name + " exceeds the budget");
+      }
+    }
+    plan.candidates = std::move(within);
+  }
+
+  static constexpr const char* few_tests_name = "few tests";
+
+  const Job& job_;
+  const PlanOptions& options_;
+  RunControl& control_;
+  std::optional<ChoiceJob> choices_;
+  std::atomic<std::uint64_t> steps_{0};
+  unsigned shortened_ = 0;
+};
+
+}  // namespace
+
+RunPlan plan_for_choices(const Job& job, const PlanOptions& options, RunControl& control) {
+  if (!job.weights.empty()) {
+    throw BadInput("putting heavy pairs first is not done where a model is given");
+  }
+  return ChoicePlanner(job, options, control).run();
+}
+
+}  // namespace changeover

@@ -1,0 +1,36 @@
+// Plans for the jobs of models.
+#pragma once
+
+#include "changeover/plan/run_plan.hpp"
+
+namespace changeover {
+
+/// make_run_plan() for a job of a model without first set-ups and without defects: greedy lists,
+/// one with few tests in a cheap order, the rest of a list under way, and annealing from the best
+/// of them. @throws BadInput for a job that weighs its pairs.
+[[nodiscard]] RunPlan plan_for_choices(const Job& job, const PlanOptions& options,
+                                       RunControl& control);
+
+/// What is true of the jobs of models besides cost_bound(), which holds for them, too; `bound` is
+/// that, and becomes better.
+///
+/// Proof. Let R be the needed pairs whose values are both in range.
+///  (1) *Tests.* A test has one pair of each two parameters, and tests pairs of R only if no value
+///      of it is out of range; else those of this value alone. So the tests are at least max over
+///      p, q of the pairs of R of p and q, or the sum over the values x of p of the most pairs of R
+///      that x has with one other parameter; and for each value h that is out of range as many more
+///      as it has needed pairs with one parameter.
+///  (2) *Two values.* Choose two values of each of k parameters so that all pairs of R among them
+///      are needed. Where a test has another value put the first of the two: a list in which any
+///      two of k rows of N signs have all four pairs. There are none for k > C(N−1, ⌊N/2⌋−1)
+///      [Katona1973; KleitmanSpencer1973].
+///  (3) *Changes.* Cut the list where p or q changes: within a piece one pair of them is tested. If
+///      p is set c_p times, and q c_q times, there are at most c_p + c_q − 1 pieces, one more for
+///      each of them that has a value at the start. So c_p + c_q is at least the number of needed
+///      pairs of p and q plus one, minus those at the start; and c_p is at least the number of its
+///      values that must be set. What the changes beyond these cost at least, at the lowest price
+///      of each parameter, is a linear program; its dual is a fractional matching of parameters,
+///      found as a transport problem.
+void improve_choice_bound(const Job& job, CostBound& bound);
+
+}  // namespace changeover

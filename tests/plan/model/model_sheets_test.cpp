@@ -1,0 +1,124 @@
+// Sheets of plans for models: what they show, and that they are read as written.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "changeover/core/error.hpp"
+#include "changeover/plan/run_plan.hpp"
+#include "random_models.hpp"
+
+namespace changeover::model_sheets_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+RunPlan planned(const Job& job) {
+  RunControl control({.threads = 1});
+  return make_run_plan(job, {.objective = PlanObjective::tests, .steps = 1000, .attempts = 1},
+                       control);
+}
+
+// A sheet of these tests, with the bound of the job.
+std::string sheet_of(const Job& job, const std::vector<Block>& setups, const std::string& format) {
+  RunPlan plan;
+  plan.sheet = run_sheet(job, setups);
+  plan.candidates = {{.name = "given", .how = "", .setups = setups}};
+  plan.candidates.front().take_figures(plan.sheet);
+  return written({.job = &job, .plan = &plan}, format, 100);
+}
+
+TEST(ModelSheets, SayWhatToSetAndTheWholeTest) {
+  const Job job = test::job_of_text(
+      "OS: Debian, Windows\nMode: read | load, write | store | save\nRetry: On, Off\nLog: On, Off\n");
+  const std::vector<Block> setups{{0, 2, 4, 6}, {1, 3, 4, 7}, {1, 2, 5, 7}, {0, 3, 5, 6}};
+  EXPECT_EQ(sheet_of(job, setups, "csv"),
+            "step,set,OS,Mode,Retry,Log,new_pairs,cost,cost_so_far,result\n"
+            "1,\"OS: Debian, Mode: read, Retry: On, Log: On\",Debian,read,On,On,6,5,5,\n"
+            "2,\"OS: Windows, Mode: write, Log: Off\",Windows,write,On,Off,6,4,9,\n"
+            "3,\"Mode: load, Retry: Off\",Windows,load,Off,Off,4,3,12,\n"
+            "4,\"OS: Debian, Mode: store, Log: On\",Debian,store,Off,On,4,4,16,\n");
+  EXPECT_THAT(
+      sheet_of(job, setups, "table"),
+      HasSubstr("   3  Mode: load, Retry: Off                    Windows  load   Off    Off"));
+  EXPECT_THAT(sheet_of(job, setups, "html"), HasSubstr("<span class=\"part in\">store</span>"));
+  EXPECT_THAT(sheet_of(job, setups, "markdown"),
+              HasSubstr("| 3 | Mode: load, Retry: Off | Windows | load | Off | Off |"));
+  const auto json = nlohmann::json::parse(sheet_of(job, setups, "json"));
+  EXPECT_EQ(json["steps"][3]["values"].dump(),
+            "{\"Log\":\"On\",\"Mode\":\"store\",\"OS\":\"Debian\",\"Retry\":\"Off\"}");
+  EXPECT_EQ(json["steps"][3]["set_up"].dump(), "[\"Debian\",\"write\",\"Retry: Off\",\"Log: On\"]");
+  EXPECT_EQ(
+      json["parameters"][1]["values"][1].dump(),
+      "{\"names\":[\"write\",\"store\",\"save\"],\"out_of_range\":false,\"part\":\"write\",\"value\":\"write\"}");
+}
+
+TEST(ModelSheets, ManyParametersAreAList) {
+  std::string text;
+  for (int i = 0; i < 12; ++i) {
+    text += "P" + std::to_string(i) + ": a, b\n";
+  }
+  const Job job = test::job_of_text(text);
+  const std::vector<Block> setups{{0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22}};
+  EXPECT_THAT(sheet_of(job, setups, "table"), Not(HasSubstr("  P3  ")));
+  EXPECT_THAT(sheet_of(job, setups, "html"), HasSubstr("P11: a"));
+  EXPECT_THAT(sheet_of(job, setups, "csv"), HasSubstr(",P0,P1,P2,P3,"));
+}
+
+TEST(ModelSheets, NamesOnAPageAreNoStyle) {
+  const Job job = test::job_of_text("a\"}</style>: x, y\nos: 1, 2\n");
+  const std::string page = sheet_of(job, {{0, 2}}, "html");
+  EXPECT_EQ(page.find("</style>", page.find("</style>") + 1), std::string::npos);
+  EXPECT_THAT(page, HasSubstr("<th>os</th>"));
+}
+
+TEST(ModelSheets, AreReadAsWritten) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Job job = test::job_of_text(test::random_model_text(seed, 4, 4));
+    const RunPlan plan = planned(job);
+    std::vector<Block> setups =
+        read_setups(*input_from_text(written({.job = &job, .plan = &plan}, "csv")), job);
+    ASSERT_EQ(setups.size(), plan.sheet.steps.size());
+    for (std::size_t i = 0; i < setups.size(); ++i) {
+      std::sort(setups[i].begin(), setups[i].end());
+      EXPECT_EQ(setups[i], plan.sheet.steps[i].setup);
+    }
+  }
+}
+
+TEST(ModelSheets, SeedsHaveColumnsInAnyOrderAndOthersBesides) {
+  const Job job =
+      test::job_of_text("OS: Debian, Windows\nRange: ~-1, 0, 5\nLog: On, Off\nEmpty: , x\n");
+  const auto read = [&](const std::string& text) {
+    return read_setups(*input_from_text(text, "s.tsv"), job);
+  };
+  EXPECT_THAT(read("Log\tOS\tNobody\tRANGE\nOff\tdebian\tz\t~-1\n\tWindows\t\t-1\n"),
+              ElementsAre(Block{6, 0, 2, 7}, Block{1, 2, 7}));
+  EXPECT_THAT(read("Log,OS,Range,Empty\nOff,Debian,5,x\n"), ElementsAre(Block{6, 0, 4, 8}));
+  EXPECT_THAT(read("Debian,Log: Off\nOS=Windows,0,Log: On\n"),
+              ElementsAre(Block{0, 6}, Block{1, 3, 5}));
+  const auto complaint = [&](const std::string& text) -> std::string {
+    try {
+      (void)read(text);
+    } catch (const BadInput& fault) {
+      return fault.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint("OS,Log\nArch,On\n"), "s.tsv:2:1: OS has no value 'Arch'");
+  EXPECT_EQ(complaint("OS,os\nDebian,Debian\n"),
+            "s.tsv:1:4: two columns are called 'os'; rename or remove one");
+  EXPECT_EQ(
+      complaint("Arch,Debian\n"),
+      "s.tsv:1:1: no parameter has the value 'Arch'; write it as the model does, or as Parameter: value");
+  const DoneList done =
+      read_done(*input_from_text("OS,Log,result\nArch,On,pass\nDebian,Off,fail\n", "d.csv"), job);
+  EXPECT_THAT(done.gone, ElementsAre("OS: Arch"));
+  EXPECT_THAT(done.results, ElementsAre("pass", "fail"));
+  EXPECT_TRUE(done.lacks[0]);
+}
+
+}  // namespace
+}  // namespace changeover::model_sheets_test
