@@ -13,6 +13,8 @@ export type Job = {
         | {text: string}
       )
     | null;
+  /** instead of parts: parameters with their values and rules, in the language of PICT or ACTS */
+  model?: (string | {file: string} | {text: string}) | null;
   /** the first row of the parts list heads its columns */
   header?: boolean | null;
   /** the first row of the parts list is a part */
@@ -25,7 +27,7 @@ export type Job = {
   test_cost?: (number | string) | null;
   /** what mounting a part costs where the list does not say */
   change_cost?: (number | string) | null;
-  /** a square table: what putting in the part of the column costs where that of the row was taken out */
+  /** a square table: what putting in the part of the column costs where that of the row was taken out; of a model: parameter,value,cost a line */
   change_costs?: ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string}) | null;
   /** 2: every two parts must meet (the default); 3: every three */
   strength?: number | null;
@@ -58,8 +60,8 @@ export type Job = {
   trust_failed?: boolean | null;
   /** on N benches side by side, each with parts of its own */
   benches?: number | null;
-  /** of several benches: the least largest cost (default), or the least cost together */
-  objective?: ('makespan' | 'cost') | null;
+  /** of several benches: the least largest cost (makespan, the default) or the least cost together; of a model: the least cost (default) or the fewest tests */
+  objective?: ('makespan' | 'cost' | 'tests') | null;
   /** which plan is cheapest at which ratio of change to test cost */
   what_if?: boolean | null;
   /** without the whole set-ups, in two columns on paper */
@@ -392,6 +394,7 @@ export interface Plan {
     weight_so_far?: number;
     new_triples?: string[][];
     replaced?: string[][];
+    values?: {[k: string]: string};
   }[];
   candidates: {
     name: string;
@@ -405,6 +408,10 @@ export interface Plan {
   }[];
   notes: string[];
   replace_costs?: (null | number)[][];
+  parameters?: {name: string; values: {value: string; part: string; names: string[]; out_of_range: boolean}[]}[];
+  rules?: number;
+  objective?: 'cost' | 'tests';
+  proved_fewest_tests?: boolean;
 }
 export interface WhatIf {
   format: 'changeover-what-if/1';

@@ -93,12 +93,20 @@ def result_of(result: Any) -> Optional[str]:
     return words_of(result) if isinstance(result, str) else None
 
 
-def _test(test: Any) -> Any:
+def _done_setup(setup: Any, of_model: bool) -> Any:
+    if of_model and isinstance(setup, dict):
+        return _setup("done", setup, of_model)
+    return _in_places(setup)
+
+
+def _test(test: Any, of_model: bool) -> Any:
+    if of_model and isinstance(test, dict) and "parts" not in test:
+        return _done_setup(test, of_model)
     if isinstance(test, dict):
         if not {"parts"} <= test.keys() <= {"parts", "result"}:
             raise BadInput('done has dicts with "parts" and "result" only')
         if "result" not in test:
-            return _in_places(test["parts"])
+            return _done_setup(test["parts"], of_model)
         setup, result = test["parts"], test["result"]
     elif (isinstance(test, tuple) and len(test) == 2 and hasattr(type(test[0]), "__iter__")
           and not is_text(test[0])):
@@ -108,7 +116,7 @@ def _test(test: Any) -> Any:
     said = result_of(result)
     if said is None:
         raise BadInput(_wanted_of_done)
-    return {"parts": _in_places(setup), "result": said}
+    return {"parts": _done_setup(setup, of_model), "result": said}
 
 
 def _slot(name: str, room: Any) -> dict[str, Any]:
@@ -257,17 +265,55 @@ def _parts(given: Any, slots: Any, slot_of: Any, needs_costs: bool) -> Any:
     return parts
 
 
+def _model(model: Any) -> Any:
+    """A string is a model, a path the file of one."""
+    if is_text(model):
+        return words_of(model)
+    if not hasattr(model, "__fspath__"):
+        raise TypeError("model is a string, or a pathlib.Path for the file of one")
+    return {"file": os.fsdecode(model)}
+
+
+def _value_costs(costs: Any) -> list[list[str]]:
+    """What setting values costs: by parameter, by parameter and value, by what is replaced."""
+    rows: list[list[str]] = []
+    for key, cost in _items("change_costs", costs):
+        names = [words_of(key)] if is_text(key) else names_in("change_costs", key)
+        if not 1 <= len(names) <= 3:
+            raise BadInput("change_costs has keys parameter, (parameter, value) or "
+                           "(parameter, value taken out, value put in)")
+        rows.append([*names, _amount("change_costs", cost)])
+    return rows
+
+
+def _setup(argument: str, setup: Any, of_model: bool) -> list[str]:
+    """Names of parts; of a model also a dict from parameters to values."""
+    if of_model and isinstance(setup, dict):
+        return [f"{words_of(name)}: {words_of(value)}" for name, value in setup.items()]
+    return names_in(argument, setup)
+
+
 def document_of(given: dict[str, Any]) -> dict[str, Any]:
     """The document of the arguments of plan() that are objects."""
     change_cost, change_costs = given["change_cost"], given["change_costs"]
-    document: dict[str, Any] = {
-        "parts": _parts(given["parts"], given["slots"], given["slot_of"],
-                        change_cost is None and change_costs is None)}
+    of_model = given["model"] is not None
+    document: dict[str, Any] = {}
+    if of_model:
+        for argument in ("parts", "at_once", "slots", "slot_of"):
+            if given[argument] is not None:
+                raise BadInput(f"{argument} has no meaning with model; leave it out")
+        document["model"] = _model(given["model"])
+    elif given["parts"] is None:
+        raise TypeError("plan() wants parts or a model")
+    else:
+        document["parts"] = _parts(given["parts"], given["slots"], given["slot_of"],
+                                   change_cost is None and change_costs is None)
     for argument in ("test_cost", "change_cost", "budget"):
         if given[argument] is not None:
             document[argument] = _amount(argument, given[argument])
     if change_costs is not None:
-        document["change_costs"] = _table(change_costs)
+        rows = _value_costs(change_costs) if of_model else _table(change_costs)
+        document["change_costs"] = rows
     if given["slots"] is not None:
         document["slots"] = [_slot(words_of(name), room) for name,
                              room in _items("slots", given["slots"])]
@@ -276,12 +322,12 @@ def document_of(given: dict[str, Any]) -> dict[str, Any]:
     lists = {"never": _forbidden(given["never"]),
              "mounted": names_in("mounted", given["mounted"]),
              "start": names_in("start", given["start"]),
-             "first": [names_in("first", setup)
+             "first": [_setup("first", setup, of_model)
                        for setup in _rows("first",
                            rows_of("first", "set-ups, lists of parts", given["first"], True))]}
     if given["weights"] is not None:
         lists["weights"] = [[*_pair("weights", pair), _amount("weights", weight)]
                             for pair, weight in _items("weights", given["weights"])]
-    lists["done"] = [_test(test)
+    lists["done"] = [_test(test, of_model)
         for test in _rows("done", rows_of("done", "set-ups, lists of parts", given["done"]))]
     return {**document, **{key: rows for key, rows in lists.items() if rows}}

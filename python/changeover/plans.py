@@ -24,7 +24,9 @@ Room = Union[int, Tuple[Optional[int], Optional[int]]]
 Result = Union[bool, str, None]
 Done = Union[Iterable[Optional[Part]], Tuple[Iterable[Optional[Part]], Result], Dict[str, Any]]
 CostUnit = Literal["money", "seconds", "minutes", "hours"]
-Objective = Literal["makespan", "cost"]
+Objective = Literal["makespan", "cost", "tests"]
+Model = Union[str, "os.PathLike[str]"]
+Test = Union[Iterable[Part], Mapping[str, Any]]
 
 
 def _decimal(amount: Any) -> Decimal:
@@ -39,6 +41,7 @@ def _decimal(amount: Any) -> Decimal:
 def _step(step: Dict[str, Any]) -> Dict[str, Any]:
     return {"number": step["step"], "take_out": step["take_out"], "put_in": step["put_in"],
             "setup": step["set_up"], "places": step["places"],
+            **({"values": step["values"]} if "values" in step else {}),
             "cost": _decimal(step["cost"]), "cost_so_far": _decimal(step["cost_so_far"])}
 
 
@@ -117,7 +120,8 @@ class RunSheet(_Sheets):
     """A run sheet, counted by code that shares nothing with what made it."""
 
     steps: List[Dict[str, Any]] = fact(
-        "A dict for each test: number, take_out, put_in, setup (names), places, cost, cost_so_far. "
+        "A dict for each test: number, take_out, put_in, setup (names), places, cost, cost_so_far; "
+        "of a model also values, a dict from parameters to their values. "
         "places is what is mounted in each of RunSheet.places, None where nothing is: a part that "
         "stays keeps its place, also if these are given as done, (places, result).")
     places: List[Dict[str, Any]] = fact(
@@ -126,6 +130,7 @@ class RunSheet(_Sheets):
         "Pairs (triples with strength 3) that met only in tests that failed or whose result is "
         "not understood.")
     cheapest: bool = fact("Proved: nothing is cheaper.")
+    fewest: Optional[bool] = fact("Proved: nothing has fewer tests; None if there is no model.")
 
     def what_if(
         self, *, time: Optional[float] = None, threads: int = 1, seed: int = 1,
@@ -272,7 +277,7 @@ def _facts(core: Any) -> Dict[str, Any]:
     if "sheets" not in said:
         return {**facts, "steps": [_step(step) for step in said["steps"]],
                 "reason": bound["reason"],
-                "cheapest": said["proved_cheapest"]}
+                "cheapest": said["proved_cheapest"], "fewest": said.get("proved_fewest_tests")}
     return {**facts,
             "sheets": [[_step(step) for step in sheet["steps"]] for sheet in said["sheets"]],
             "reason": bound["cost_reason"], "makespan": _decimal(said["makespan"]),
@@ -282,12 +287,13 @@ def _facts(core: Any) -> Dict[str, Any]:
 
 @overload
 def plan(
-    parts: Parts, at_once: Optional[int] = None, *, test_cost: Optional[Cost] = None,
-    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Pair, Cost]] = None,
+    parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
+    model: Optional[Model] = None, test_cost: Optional[Cost] = None,
+    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,
     cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
     pairs: Pairs = None, never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
     slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
-    start: Iterable[Part] = (), first: Iterable[Iterable[Part]] = (),
+    start: Iterable[Part] = (), first: Iterable[Test] = (),
     weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
     trust_failed: bool = False, budget: Optional[Cost] = None, benches: None = None,
     objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
@@ -297,12 +303,13 @@ def plan(
 ) -> RunSheet: ...
 @overload
 def plan(
-    parts: Parts, at_once: Optional[int] = None, *, test_cost: Optional[Cost] = None,
-    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Pair, Cost]] = None,
+    parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
+    model: Optional[Model] = None, test_cost: Optional[Cost] = None,
+    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,
     cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
     pairs: Pairs = None, never: Pairs = (), slots: Optional[Mapping[str, Room]] = None,
     slot_of: Optional[Mapping[Any, str]] = None, mounted: Iterable[Part] = (),
-    start: Iterable[Part] = (), first: Iterable[Iterable[Part]] = (),
+    start: Iterable[Part] = (), first: Iterable[Test] = (),
     weights: Optional[Mapping[Pair, Cost]] = None, done: Iterable[Done] = (),
     trust_failed: bool = False, budget: Optional[Cost] = None, benches: int,
     objective: Optional[Objective] = None, time: Optional[float] = None, threads: int = 1,
@@ -313,8 +320,9 @@ def plan(
 
 
 def plan(
-    parts: Parts, at_once: Optional[int] = None, *, test_cost: Optional[Cost] = None,
-    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Pair, Cost]] = None,
+    parts: Optional[Parts] = None, at_once: Optional[int] = None, *,
+    model: Optional[Model] = None, test_cost: Optional[Cost] = None,
+    change_cost: Optional[Cost] = None, change_costs: Optional[Mapping[Any, Cost]] = None,
     cost_column: Optional[str] = None, cost_unit: Optional[CostUnit] = None, strength: int = 2,
     pairs: Any = None, never: Any = (), slots: Optional[Mapping[str, Room]] = None,
     slot_of: Optional[Mapping[Any, str]] = None, mounted: Any = (), start: Any = (),
@@ -354,13 +362,21 @@ def plan(
     moves of each local search. done_first: only so many of done were done. shuffle: a seed by which
     parts are exchanged that nothing tells apart. title, compact: of what is written.
 
+    model: instead of parts and at_once, parameters with their values and rules in the language of
+    PICT or ACTS, a string, or a file as a pathlib.Path. Every test then has one value of each
+    parameter, and all values of different parameters meet that the rules allow. Parts are the
+    values, 'Debian' or 'OS: Debian'; set-ups in first and done may be dicts from parameters to
+    values, and lack some in first. change_costs: a dict from 'OS', ('OS', 'Debian') or
+    ('OS', 'Debian', 'Fedora'), Fedora in place of Debian, to costs. objective: 'cost' (None), or
+    'tests', the fewest tests and then the least cost, which asks for no costs.
+
     Raises BadInput with the reason if no list can do it.
     """
     given = locals()
     document = document_of(given)
-    if objective not in (None, "makespan", "cost"):
-        raise BadInput("objective is 'makespan', what the bench costs that costs most, or 'cost', "
-                       "of all benches")
+    if objective not in (None, "makespan", "cost", "tests"):
+        raise BadInput("objective is 'makespan', what the bench costs that costs most, 'cost', of "
+                       "all tests, or 'tests' where there is a model")
     for argument in ("at_once", "cost_column", "cost_unit", "strength", "benches", "objective",
                      "done_first", "shuffle", "steps"):
         if given[argument] is not None:

@@ -79,7 +79,7 @@ std::string diagnosis_of(const Planned& self,
     Job job = self.job();
     std::vector<TestedSetup> tested;
     for (const auto& [setup, failed] : results) {
-      tested.push_back({parts_named(setup, job.names), failed});
+      tested.push_back({parts_named(setup, job), failed});
     }
     if (!tested.empty()) {
       job.start = tested.back().setup;  // it is on the bench
@@ -165,7 +165,7 @@ void bind_plan(py::module_& module) {
       .def("request_json", [](const Planned& self) { return to_json(self.request); })
       .def("check_parts",
            [](const Planned& self, const std::vector<std::string>& parts) {
-             static_cast<void>(parts_named(parts, self.job().names));
+             static_cast<void>(parts_named(parts, self.job()));
            })
       .def("what_if", &ratios)
       .def("diagnose", &diagnosis_of);

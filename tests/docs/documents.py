@@ -122,12 +122,32 @@ def any_job(rng):
     return job
 
 
+def any_model(rng):
+    """A job of a model that may or may not make sense."""
+    rules = ["", 'IF [Browser] = "Edge" THEN [OS] = "Windows";', '[OS] <> "Windows" OR [N] > 2;', "IF [N] = 1 THEN IsNegative(X);"]
+    text = "OS: Debian, Fedora | RHEL, Windows\nBrowser: Firefox, Edge\nN: 1, 2, 3\nX: a, ~b\n" + "\n".join(rng.sample(rules, 2)) + "\n"
+    job = {"model": rng.choice([text, text, {"text": text}, text + "[OS] = 3;"]), "test_cost": rng.choice([1, "2.50", 0]),
+           "change_cost": rng.choice([1, "0.25"]), "steps": 300}
+    may_be = {
+        "strength": rng.choice([2, 3]), "pairs": [["Debian", "a"], ["OS: Windows", "N: 3"]], "never": [["Firefox", "1"]],
+        "mounted": ["Firefox"], "start": ["Windows", "Edge"], "first": [["Edge", "Windows"]], "budget": "30",
+        "done": [["Windows", "Edge", "3", "a"], {"parts": ["Debian", "Firefox", "2", "a"], "result": "FAIL"}], "done_first": 1,
+        "trust_failed": True, "objective": rng.choice(["cost", "tests"]), "change_costs": [["OS", 30], ["OS", "Debian", "Fedora", "4"], ["N", "1", 2]],
+        "what_if": True, "diagnose": True, "title": "A title", "benches": 2, "shuffle": 3, "at_once": 2,
+    }
+    for key in rng.sample(list(may_be), rng.choice([0, 1, 1, 2, 2, 3])):
+        job[key] = may_be[key]
+    if job.get("diagnose"):
+        del job["steps"]
+    return job
+
+
 def check_plans(server, count):
     rng = random.Random(1)
     kinds = {"plan": "plan", "benches": "benches", "what-if": "what_if", "diagnosis": "diagnosis"}
     seen = set()
-    for _ in range(count):
-        job = any_job(rng)
+    for number in range(count):
+        job = any_job(rng) if number % 3 else any_model(rng)
         body = json.dumps(job)
         by_line = run("plan", "--request", "-", "--json", stdin=body)
         by_server = server.post("api/plan", body)
@@ -158,7 +178,13 @@ def check_plans(server, count):
                     ("weights", lambda w: {(a, b): c for a, b, c in w})):
                 if key in arguments:
                     arguments[key] = to(arguments[key])
-            by_python = changeover.plan(arguments.pop("parts"), arguments.pop("at_once"), **arguments).to_json()
+            if "model" in job:
+                costs = arguments.pop("change_costs", None)
+                arguments["change_costs"] = costs and {row[0] if len(row) == 2 else tuple(row[:-1]): row[-1] for row in costs}
+                arguments["model"] = job["model"]["text"] if isinstance(job["model"], dict) else job["model"]
+            else:
+                arguments = {"parts": arguments.pop("parts"), "at_once": arguments.pop("at_once"), **arguments}
+            by_python = changeover.plan(**arguments).to_json()
             if by_python != by_line.stdout:
                 fault(f"Python answers another document: {body}\n{by_line.stdout}\n{by_python}")
     missing = {*kinds, "refused"} - seen

@@ -121,6 +121,9 @@ struct Model {
   [[nodiscard]] const ModelValue& value(Element value) const;
 };
 
+/// The whole text of a model. @throws MissingResource if reading fails, and for more than 16 MiB.
+[[nodiscard]] std::string text_of_model(Input& input);
+
 /// A model from its text, in either language. @throws BadInput with one line, with a place, for
 /// what is none and for what is not supported; MissingResource if reading fails.
 [[nodiscard]] Model read_model(Input& input);

@@ -538,11 +538,13 @@ bool is_acts(std::string_view text) {
 
 Model read_acts_model(ModelText& text) { return ActsReader(text).read(); }
 
-Model read_model(Input& input) {
+std::string text_of_model(Input& input) {
   constexpr std::size_t most_bytes = std::size_t{1} << 24;
-  ModelText text(
-      read_to_end(input, most_bytes, "a model lists parameters and rules; is this another file?"),
-      input.name());
+  return read_to_end(input, most_bytes, "a model lists parameters and rules; is this another file?");
+}
+
+Model read_model(Input& input) {
+  ModelText text(text_of_model(input), input.name());
   return is_acts(text.text()) ? read_acts_model(text) : read_pict_model(text);
 }
 

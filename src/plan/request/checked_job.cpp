@@ -10,6 +10,7 @@
 
 #include "changeover/core/error.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "changeover/plan/model.hpp"
 #include "core/words.hpp"
 #include "io/request/request_document.hpp"
 #include "io/scan/place.hpp"
@@ -107,6 +108,10 @@ class JobMaker {
   // The parts and what they cost.
   void take_parts() {
     const JobRequest& asked = *question_;
+    if (asked.model.is_given()) {
+      take_model();
+      return;
+    }
     const Amount test = *question_.amount("test_cost", asked.test_cost);
     const auto change = question_.amount("change_cost", asked.change_cost);
     if (asked.items) {
@@ -168,6 +173,39 @@ class JobMaker {
     }
   }
 
+  // The values of a model and what they cost. Where the fewest tests are asked for and no costs are
+  // given, changes are counted.
+  void take_model() {
+    const JobRequest& asked = *question_;
+    const auto input = question_.open("model", asked.model);
+    whole_.model = {};
+    whole_.model.text = text_of_model(*input);
+    Model model = read_model(*input_from_text(*whole_.model.text, input->name()));
+    check_relations(model, question_->strength.value_or(2));
+    for (std::string& note : model.notes) {
+      notes_.push_back(std::move(note));
+    }
+    model.notes.clear();
+    const bool free = asked.objective == "tests";
+    const auto test = question_.amount("test_cost", asked.test_cost);
+    const auto change = question_.amount("change_cost", asked.change_cost);
+    const bool counts = free && asked.change_cost.empty() && !asked.change_costs.is_given();
+    job_ = job_of(std::move(model), test.value_or(Amount{}),
+                  change.value_or(counts ? parse_amount("1") : Amount{}));
+    take_unit(CostUnit::none);
+    if (!asked.change_costs.is_given()) {
+      return;
+    }
+    const auto costs = question_.open("change_costs", asked.change_costs);
+    const std::vector<bool> given = read_value_costs(*costs, job_);
+    const auto without = std::ranges::find(given, false);
+    if (!change && without != given.end()) {
+      throw BadOption(fmt::format("{} has no cost in {}; give {} for values without one",
+                                  job_.names[static_cast<std::size_t>(without - given.begin())],
+                                  costs->name(), question_.with_value("change_cost")));
+    }
+  }
+
   [[nodiscard]] std::vector<Slot> slots_asked() const {
     const JobRequest& asked = *question_;
     if (asked.slots.is_given()) {
@@ -196,6 +234,9 @@ class JobMaker {
   // Pieces of parts that a set-up may need several of, and how many parts fit if only the slots say
   // so.
   void take_pieces_and_room() {
+    if (job_.model != nullptr) {
+      return;
+    }
     if (!quantities_.empty()) {
       if (const std::uint64_t added = add_pieces(job_, quantities_)) {
         notes_.push_back(fmt::format(
@@ -257,7 +298,9 @@ class JobMaker {
     whole_.done = {};
     whole_.done_first.reset();
     whole_.diagnose = whole_.what_if = false;
-    if (job_.replaces()) {
+    if (job_.model != nullptr && question_->change_costs.is_given()) {
+      whole_.change_costs = value_cost_rows(job_);
+    } else if (job_.replaces()) {
       whole_.change_costs = change_cost_rows(job_);
     }
     if (question_->first.is_given()) {
@@ -271,14 +314,14 @@ class JobMaker {
   // What cannot be at all.
   void take_constraints() {
     const JobRequest& asked = *question_;
-    if (asked.change_costs.is_given()) {
+    if (asked.change_costs.is_given() && !asked.model.is_given()) {
       job_.replace_costs =
           read_change_costs(*question_.open("change_costs", asked.change_costs), job_.names);
     }
     if (asked.never.is_given()) {
       const auto input = question_.open("never", asked.never);
-      job_.never = read_pairs(*input, job_.names, &job_.why_never);
-      job_.needed = all_pairs_but(job_.never);
+      job_.never = read_pairs(*input, job_, &job_.why_never);
+      drop_needed(job_, job_.never);
       whole_.never = pair_rows(job_.never, job_, job_.why_never);
       if (!asked.pairs.is_given() && job_.needed.size() == 0) {
         throw BadInput(
@@ -288,16 +331,15 @@ class JobMaker {
     take_pieces_and_room();
     if (asked.pairs.is_given()) {
       const auto input = question_.open("pairs", asked.pairs);
-      job_.needed = read_pairs(*input, job_.names);
+      job_.needed = read_pairs(*input, job_);
       if (job_.needed.size() == 0) {
         throw BadInput(
             fmt::format("{}: no pair is listed; write A,B, a pair a line", input->name()));
       }
       whole_.pairs = pair_rows(job_.needed, job_);
     }
-    job_.mounted =
-        question_.value_of("mounted", [&] { return parts_named(asked.mounted, job_.names); });
-    job_.start = question_.value_of("start", [&] { return parts_named(asked.start, job_.names); });
+    job_.mounted = question_.value_of("mounted", [&] { return parts_named(asked.mounted, job_); });
+    job_.start = question_.value_of("start", [&] { return parts_named(asked.start, job_); });
     Job any = job_;
     any.needed = PairSet(job_.parts());
     check(any);
@@ -329,9 +371,11 @@ class JobMaker {
     }
     if (apart.size() == job_.needed.size()) {
       throw BadInput(
-          fmt::format("no two parts can be in one set-up within the slots; let a slot hold more "
-                      "parts, or raise {}",
-                      question_.key("at_once")));
+          job_.model != nullptr
+              ? "no two values can be in one test; leave out a rule or a pair"
+              : fmt::format("no two parts can be in one set-up within the slots; let a slot hold "
+                            "more parts, or raise {}",
+                            question_.key("at_once")));
     }
     constexpr std::uint64_t few = 3;
     std::string examples;
@@ -340,9 +384,10 @@ class JobMaker {
                               job_.names[std::min(x, y)], job_.names[std::max(x, y)]);
     });
     drop_needed(job_, apart);
-    notes_.push_back(fmt::format("{} cannot meet within the slots and need not: {}{}",
-                                 count_of(apart.size(), "pair"), examples,
-                                 apart.size() > few ? "; …" : ""));
+    notes_.push_back(fmt::format(
+        "{} {} and need not: {}{}", count_of(apart.size(), "pair"),
+        job_.model == nullptr ? "cannot meet within the slots" : "cannot meet, by the rules,",
+        examples, apart.size() > few ? "; …" : ""));
   }
 
   void take_first_and_weights() {
@@ -401,11 +446,39 @@ class JobMaker {
   std::string first_tests_;
 };
 
+namespace {
+
+// What the objective and a model ask of costs.
+void check_objective(const JobRequest& request, const Question& question) {
+  const bool of_model = request.model.is_given();
+  if (of_model ? request.objective == "makespan" : request.objective == "tests") {
+    throw BadOption(fmt::format("{} {} is for {}", question.key("objective"), request.objective,
+                                of_model ? "several benches" : "a model"));
+  }
+  if (!of_model || request.objective == "tests") {
+    return;
+  }
+  if (request.test_cost.empty()) {
+    throw BadOption(
+        fmt::format("give {}, what it costs to run one test; or {} tests, which asks for no costs",
+                    question.with_value("test_cost"), question.key("objective")));
+  }
+  if (request.change_cost.empty() && !request.change_costs.is_given()) {
+    throw BadOption(fmt::format(
+        "give {}, what it costs to set a value, or {} for each; or {} tests, which asks "
+        "for no costs",
+        question.with_value("change_cost"), question.with_value("change_costs"),
+        question.key("objective")));
+  }
+}
+
+}  // namespace
+
 void check_options(const JobRequest& request, Door door) {
   const Question question(request, door);
   const auto refuse = [](const std::string& line) { throw BadOption(line); };
   const auto key = [&](std::string_view name) { return question.key(name); };
-  if (request.parts.is_given() == request.items.has_value()) {
+  if (!request.model.is_given() && request.parts.is_given() == request.items.has_value()) {
     refuse(door == Door::command_line ? "give either a parts list or --items N"
            : request.items            ? "give either parts or items, not both"
                            : "parts is missing: write a number of parts, or an array of them");
@@ -434,6 +507,13 @@ void check_options(const JobRequest& request, Door door) {
   }
   if (const auto defect = text_defect(request.title)) {
     refuse(fmt::format("{}: {}", key("title"), *defect));
+  }
+  check_objective(request, question);
+  if (request.model.is_given()) {
+    static_cast<void>(question.amount("test_cost", request.test_cost));
+    static_cast<void>(question.amount("change_cost", request.change_cost));
+    static_cast<void>(question.amount("budget", request.budget));
+    return;
   }
   const std::uint64_t least = of_triples ? triples : 2;
   if (request.at_once.value_or(least) < least) {

@@ -22,6 +22,14 @@ std::vector<RequestOption<R>> options() {
             .help = "CSV or .xlsx: a part a line, with its change cost or not",
             .shape = RowShape::parts},
            &R::parts},
+          {{.key = "model",
+            .flags = "--model",
+            .kind = K::list,
+            .value = "FILE",
+            .help =
+                "instead of parts: parameters with their values and rules, in the language of PICT or ACTS",
+            .shape = RowShape::document},
+           &R::model},
           {{.key = "header",
             .flags = "--header",
             .help = "the first row of the parts list heads its columns",
@@ -69,7 +77,7 @@ std::vector<RequestOption<R>> options() {
             .value = "FILE",
             .help =
                 "a square table: what putting in the part of the column costs where that of the "
-                "row was taken out",
+                "row was taken out; of a model: parameter,value,cost a line",
             .shape = RowShape::table},
            &R::change_costs},
           {{.key = "cost_unit",
@@ -174,8 +182,9 @@ std::vector<RequestOption<R>> options() {
             .flags = "--objective",
             .kind = K::word,
             .help =
-                "of several benches: the least largest cost (default), or the least cost together",
-            .words = {"makespan", "cost"}},
+                "of several benches: the least largest cost (makespan, the default) or the least cost together; "
+                "of a model: the least cost (default) or the fewest tests",
+            .words = {"makespan", "cost", "tests"}},
            &R::objective},
           {{.key = "what_if",
             .flags = "--what-if",
@@ -221,7 +230,11 @@ std::vector<OptionRule> rules() {
       {Says::exclude, {"header", "no_header"}},
       {Says::exclude, {"cost_column", "no_header"}},
       {Says::exclude, {"slots", "slot"}},
-      {Says::only_with, {"objective"}, {"benches"}},
+      {Says::only_with, {"objective"}, {"benches", "model"}},
+      {Says::never_with,
+       {"parts", "items", "header", "no_header", "cost_column", "at_once", "slots", "slot", "benches", "weights",
+        "shuffle"},
+       {"model"}},
       {Says::never_with,
        {"budget", "start", "first", "done", "weights", "what_if", "shuffle", "compact"},
        {"benches"}},

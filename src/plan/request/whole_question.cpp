@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "changeover/plan/model.hpp"
 #include "plan/job/pair_numbers.hpp"
 
 namespace changeover {
@@ -87,6 +88,25 @@ RequestList change_cost_rows(const Job& job) {
     row.fields.push_back(job.names[out]);
     for (const Element in : parts) {
       row.fields.push_back(out == in ? "" : to_string(job.replace_cost(out, in)));
+    }
+  }
+  return list_of(std::move(rows));
+}
+
+RequestList value_cost_rows(const Job& job) {
+  std::vector<ListRow> rows;
+  for (const ModelParameter& parameter : job.model->parameters) {
+    for (std::size_t i = 0; i < parameter.values.size(); ++i) {
+      const auto in = static_cast<Element>(parameter.first + i);
+      rows.push_back(
+          {{parameter.name, parameter.values[i].label, to_string(job.change_costs[in])}});
+      for (std::size_t o = 0; job.replaces() && o < parameter.values.size(); ++o) {
+        const Amount cost = job.replace_cost(static_cast<Element>(parameter.first + o), in);
+        if (o != i && cost != job.change_costs[in]) {
+          rows.push_back({{parameter.name, parameter.values[o].label, parameter.values[i].label,
+                           to_string(cost)}});
+        }
+      }
     }
   }
   return list_of(std::move(rows));

@@ -21,5 +21,7 @@ namespace changeover {
 /// The square table of what changes cost by what is replaced, of the parts that are no further
 /// pieces of others.
 [[nodiscard]] RequestList change_cost_rows(const Job& job);
+/// What setting each value of a model costs, and where that depends on what is replaced.
+[[nodiscard]] RequestList value_cost_rows(const Job& job);
 
 }  // namespace changeover

@@ -121,7 +121,7 @@ JobRequest question_in(const Book& book) {
                       where, option.record.key, question_sheet));
     }
   }
-  if (question.done.is_given() || !(question.parts.is_given() || question.items)) {
+  if (question.done.is_given() || !(question.parts.is_given() || question.items || question.model.is_given())) {
     throw BadInput(
         fmt::format("{}: the question has no parts, or has tests that were done; delete "
                     "the sheet {} and give the options",
@@ -151,14 +151,11 @@ void drop_what_does_not_fit(JobRequest& question, const JobRequest& request) {
   }
 }
 
-// The names by which set-ups on the sheets name parts.
-std::vector<std::string> names_of_parts(const AskedJob& asked) { return asked.job->names; }
-
 // What tests on the run sheet cost that have a result: so much of the budget is gone.
 void take_off_budget(JobRequest& question, const Book& book, const AskedJob& before,
                      std::vector<std::string>& notes) {
   SheetInput sheet(input_from_text(book.bytes, book.name), std::string(steps_sheet));
-  const DoneList list = read_done(sheet, names_of_parts(before));
+  const DoneList list = read_done(sheet, *before.job);
   std::vector<Block> done;
   for (std::size_t i = 0; i < list.setups.size(); ++i) {
     const TestResult result = result_of(list.results[i]);
@@ -195,7 +192,7 @@ JobRequest with_question(JobRequest request, const Book& book, std::vector<std::
     }
     const AskedJob asked = checked_job(before, Door::document);
     SheetInput steps(input_from_text(book.bytes, book.name), std::string(steps_sheet));
-    const bool has_results = read_done(steps, names_of_parts(asked)).has_results();
+    const bool has_results = read_done(steps, *asked.job).has_results();
     if (has_results || has_done || request.diagnose) {
       request.done = book.list;
     }

@@ -384,7 +384,7 @@ std::string value_style(const Job& job, bool compact) {
     if (job.replaces()) {
       names.emplace_back("Cost");
     }
-    names.emplace_back("Cost so far");
+    names.emplace_back(Clock(job).runs() ? "Clock" : "Cost so far");
   }
   std::string style = "  @media screen and (max-width: 40rem) {\n";
   for (std::size_t i = 0; i < names.size(); ++i) {
