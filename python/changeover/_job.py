@@ -271,7 +271,7 @@ def _model(model: Any) -> Any:
         return words_of(model)
     if not hasattr(model, "__fspath__"):
         raise TypeError("model is a string, or a pathlib.Path for the file of one")
-    return {"file": os.fsdecode(model)}
+    return {"file": words_of(os.fsdecode(model))}
 
 
 def _value_costs(costs: Any) -> list[list[str]]:

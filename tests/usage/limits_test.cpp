@@ -66,6 +66,9 @@ const std::string import =
 const std::string plan =
     "$changeover plan it --at-once 3 --test-cost 1 --change-cost 1 --time 100ms";
 
+const std::string model =
+    "$changeover plan --model it --objective tests --time 100ms --quiet --threads 1";
+
 const std::map<std::string, Limit>& limits() {
   static const std::map<std::string, Limit> all{
       {"elements",
@@ -99,6 +102,25 @@ const std::map<std::string, Limit>& limits() {
         {},
         0}},
       {"part-name", {plan, [](std::uint64_t n) { return many(n, 'a') + "\nb\n"; }, 0}},
+      {"model-values",
+       {model,
+        [](std::uint64_t n) {
+          std::string text = "A: a, b\nB: 1";
+          for (std::uint64_t i = 2; i + 2 <= n; ++i) {
+            text += ", " + std::to_string(i);
+          }
+          return text + "\n";
+        },
+        0}},
+      {"model-conditions",
+       {model,
+        [](std::uint64_t n) { return "A: a, b\nB: c, d\n" + repeated(n, "[A]<[B];\n"); }, 0}},
+      {"model-brackets",
+       {model,
+        [](std::uint64_t n) {
+          return "A: a, b\nB: c, d\n" + many(n - 1, '(') + "[A]<[B]" + many(n - 1, ')') + ";\n";
+        },
+        0}},
       {"list-line", {plan, [](std::uint64_t n) { return "#" + many(n - 1, 'a') + "\na\nb\n"; }, 0}},
       {"workbook-bytes",
        {plan, [](std::uint64_t n) { return "PK\x03\x04" + many(n - 4, '\0'); }, 3}},

@@ -72,6 +72,7 @@ class ChoiceAnnealer {
       hot_ = options_.fixed_tests->hot * a_change;
       cold_ = options_.fixed_tests->cold * a_change;
     }
+    hot_ = std::max(hot_, 2 * cold_);
     octaves_ = natural_log(hot_ / cold_) / natural_log(2.0);
     most_rows_ = options_.fixed_tests ? list_.size() : 2 * list_.size() + 8;
     note();

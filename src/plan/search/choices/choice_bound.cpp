@@ -13,6 +13,7 @@
 #include "plan/job/pair_numbers.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/choices/choice_plan.hpp"
+#include "plan/search/choices/tests_apart.hpp"
 #include "plan/search/choices/transport.hpp"
 
 namespace changeover {
@@ -139,6 +140,11 @@ LeastTests least_choice_tests(const Job& job, const ChoiceNumbers& n) {
     least.why += fmt::format("{}{} more with a value that is out of range",
                              least.why.empty() ? "" : ", and ", hidden);
     least.number += hidden;
+  }
+  if (!job.model->constraints.empty() || job.never.size() > 0) {
+    const std::uint64_t apart = tuples_for_tests_apart(job).size();
+    least.at_least(apart, fmt::format("no two of {} fit in one test",
+                                      count_of(apart, job.triples.empty() ? "pair" : "triple")));
   }
   return least;
 }

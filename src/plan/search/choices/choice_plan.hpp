@@ -24,7 +24,9 @@ namespace changeover {
 ///      are needed. Where a test has another value put the first of the two: a list in which any
 ///      two of k rows of N signs have all four pairs. There are none for k > C(N−1, ⌊N/2⌋−1)
 ///      [Katona1973; KleitmanSpencer1973].
-///  (3) *Changes.* Cut the list where p or q changes: within a piece one pair of them is tested. If
+///  (3) *Rules.* Needed pairs, or triples, of which no two fit in one test, are in as many tests
+///      (tests_apart.hpp).
+///  (4) *Changes.* Cut the list where p or q changes: within a piece one pair of them is tested. If
 ///      p is set c_p times, and q c_q times, there are at most c_p + c_q − 1 pieces, one more for
 ///      each of them that has a value at the start. So c_p + c_q is at least the number of needed
 ///      pairs of p and q plus one, minus those at the start; and c_p is at least the number of its
