@@ -1,5 +1,7 @@
 // changeover loadorder from outside: the contract of its lines, its exit codes, its files.
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -157,6 +159,118 @@ TEST(LoadOrderVerb, TellsWorkersAndPrefetchApart) {
   EXPECT_NE(prefetch.out.find("\"compute\":[["), std::string::npos);
 }
 
+// What a task of a job array reads is what stands in the lines of all workers.
+TEST(LoadOrderVerb, AWorkerReadsItsOwnSteps) {
+  const TemporaryFolder folder;
+  for (const char* how :
+       {"--items 64 --room 16 --workers 4", "--items 64 --room 32 --workers 7 --new-pairs",
+        "--items 64 --room 16 --workers 3 --first-holder --new-pairs",
+        "--items 20 --against 24 --room 9 --workers 4"}) {
+    const std::string command = std::string("$changeover loadorder --json ") + how;
+    const Outcome all = run(command, folder.path());
+    ASSERT_EQ(all.code, 0) << all.err;
+    std::vector<std::string> lines = lines_of(all.out);
+    const std::string head = lines[0];
+    lines.erase(lines.begin());
+    std::uint64_t pairs = 0;
+    std::uint64_t most = 0;
+    const std::vector<unsigned> said = list_in(head, "worker_pairs");
+    for (std::size_t w = 0; w < said.size(); ++w) {
+      pairs += said[w];
+      most = std::max<std::uint64_t>(most, said[w]);
+      const Outcome own = run(command + " --worker " + std::to_string(w), folder.path());
+      ASSERT_EQ(own.code, 0) << own.err;
+      const std::vector<std::string> rest = lines_of(own.out);
+      EXPECT_EQ(number_in(rest[0], "worker"), w);
+      for (const char* key : {"loads", "makespan", "makespan_bound"}) {
+        EXPECT_EQ(number_in(rest[0], key), number_in(head, key)) << how << ' ' << key;
+      }
+      std::vector<std::string> expected;
+      std::copy_if(lines.begin(), lines.end(), std::back_inserter(expected),
+                   [&](const std::string& line) { return number_in(line, "worker") == w; });
+      EXPECT_EQ(std::vector<std::string>(rest.begin() + 1, rest.end()), expected) << how;
+    }
+    EXPECT_GT(pairs, 0U) << how;
+    EXPECT_GE(most, number_in(head, "pairs_per_worker_bound"));
+    EXPECT_EQ(most, number_in(head.substr(head.find("pairs_per_worker")), "max"));
+  }
+}
+
+TEST(LoadOrderVerb, BeginsAtAnyStep) {
+  const TemporaryFolder folder;
+  for (const char* size : {"--items 40 --room 9", "--items 100000 --room 20000"}) {
+    const std::string command = std::string("$changeover loadorder --json ") + size;
+    const Outcome all = run(command + " | head -n 61", folder.path());
+    const Outcome later = run(command + " --from-step 50 | head -n 12", folder.path());
+    ASSERT_EQ(later.code, 0) << later.err;
+    const std::vector<std::string> lines = lines_of(all.out);
+    const std::vector<std::string> rest = lines_of(later.out);
+    std::set<unsigned> memory;
+    for (std::size_t i = 1; i <= 50; ++i) {
+      for (const unsigned x : list_in(lines[i], "evict")) {
+        memory.erase(x);
+      }
+      const std::vector<unsigned> load = list_in(lines[i], "load");
+      memory.insert(load.begin(), load.end());
+    }
+    const std::vector<unsigned> first = list_in(rest[1], "load");
+    EXPECT_EQ(std::set<unsigned>(first.begin(), first.end()), memory);
+    EXPECT_EQ(number_in(rest[0], "from_step"), 50U);
+    EXPECT_EQ(number_in(rest[1], "step"), 50U);
+    for (std::size_t i = 2; i < 12; ++i) {
+      EXPECT_EQ(rest[i], lines[49 + i]);
+    }
+  }
+}
+
+TEST(LoadOrderVerb, SpreadsWhatPairsCost) {
+  const TemporaryFolder folder;
+  std::string costs = "first,second,cost\n";
+  for (int i = 1; i < 24; ++i) {
+    costs += "0," + std::to_string(i) + ",40\n";
+  }
+  spit(folder.file("costs.csv"), costs);
+  spit(folder.file("edges"), "a b\nb c\nc d\nd a\n");
+  spit(folder.file("named"), "a b 5\n");
+  spit(folder.file("twice"), "0 1 5\n1 0 5\n");
+  spit(folder.file("negative"), "0 1 -5\n");
+  spit(folder.file("short"), "0 1 2\n0 2\n");
+  const std::string command = "$changeover loadorder --items 24 --room 8 --workers 3 ";
+  const Outcome spread = run(command + "--pair-cost costs.csv --json", folder.path());
+  ASSERT_EQ(spread.code, 0) << spread.err;
+  const std::string head = lines_of(spread.out)[0];
+  const std::string cost = head.substr(head.find("cost_per_worker"));
+  EXPECT_LT(number_in(cost, "max"), 1.1 * static_cast<double>(number_in(cost, "mean")) + 41);
+  EXPECT_EQ(list_in(head, "worker_costs").size(), 3U);
+  for (const Case& each : std::vector<Case>{
+           {"--pair-cost costs.csv", 0, "over the mean"},
+           {"--pair-cost twice", 3, "twice:2:1: the pair of '1' and '0' has a cost already"},
+           {"--pair-cost negative", 3, "negative:1:5: '-5' is no cost; give a number, 0 or more"},
+           {"--pair-cost short", 3, "give two items and what their pair costs"},
+           {"--pair-cost absent", 4, "absent: cannot read"},
+           {"--pair-cost costs.csv --first-holder", 2, "exclude each other"},
+           {"--pair-cost costs.csv --disjoint", 2, "--disjoint"},
+           {"--balance --first-holder", 2, "exclude each other"},
+           {"--worker 3", 2, "give 0 to 2"},
+           {"--worker 0 --disjoint", 2, "--disjoint"},
+           {"--from-step 3", 2, "--from-step"},
+           {"--verify-beside", 0, "every step is read while it is written"},
+           {"--verify-beside --new-pairs", 0, "every step is read while it is written"},
+           {"--verify-beside --worker 1", 0, "the steps of worker 1 are read while"}}) {
+    expect({{command + each.command, each.code, each.says}}, folder);
+  }
+  expect({{"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost named", 0, "cost"},
+          {"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost twice", 3,
+           "'0' is no item of the pairs"},
+          {"$changeover loadorder --items 9 --room 4 --pair-cost named", 2, "--workers"},
+          {"$changeover loadorder --items 9 --room 4 --worker 0", 2, "--workers"},
+          {"$changeover loadorder --items 9 --room 4 --from-step 0", 2, "--from-step 0"},
+          {"$changeover loadorder --items 9 --room 4 --from-step 99", 3, "step 99 of"},
+          {"$changeover loadorder --items 6000 --room 90 --workers 2 --pair-cost costs.csv", 3,
+           "give at most 5000 items"}},
+         folder);
+}
+
 TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
   const TemporaryFolder folder;
   spit(folder.file("old"), "precious\n");
@@ -253,12 +367,12 @@ TEST(LoadOrderVerb, HasTheExitCodesThatAreDocumented) {
            {"--items 9 --room 4 --self", 2,
             "--self is for --new-pairs, --write-back or --prefetch; give one of them, too"},
            {"--items 1024 --room 512 --workers 16", 0,
-            "streamed: Of 6 groups of at most 171 items"},
+            "groups: The 34 groups, of at most 31 items, are the numbers modulo 34"},
            {"--items 1024 --room 512 --workers 16", 0, "every step read, all 523776 pairs met\n"},
            {"--items 1024 --room 512 --workers 16 --json", 0,
             "\"verified\":\"every step read, all 523776 pairs met\""},
            {"--items 100000 --room 50000 --workers 3 --json | head -n 1", 0,
-            "\"verified\":\"of groups of items: every step read, all 6 pairs met\""},
+            "\"verified\":\"structure: all steps of 2 items a group read, all 15 pairs"},
            {"--items 9 --room 4 --new-pairs --prefetch", 2, "exclude each other"},
            {"--pairs edges", 2, "--room C is required"},
            {"--pairs edges --room 1", 2, "at least 2"},

@@ -60,6 +60,22 @@ class PairSet {
     }
   }
 
+  /// For which y from 64 · `word` on, y < x, the pair {x,y} is in the set, a bit each. O(1).
+  [[nodiscard]] std::uint64_t below(Element x, std::size_t word) const {
+    const std::uint64_t first = 64 * std::uint64_t{word};
+    if (first >= x) {
+      return 0;
+    }
+    const std::uint64_t r = rank(0, x) + first;
+    const std::uint64_t* const from = words_.data() + r / 64;
+    std::uint64_t bits = from[0] >> r % 64;
+    const std::uint64_t most = x - first;
+    if (r % 64 != 0 && most > 64 - r % 64) {
+      bits |= from[1] << (64 - r % 64);
+    }
+    return most < 64 ? bits & ((std::uint64_t{1} << most) - 1) : bits;
+  }
+
   [[nodiscard]] bool contains(Element x, Element y) const {
     const std::uint64_t r = rank(x, y);
     return (words_[static_cast<std::size_t>(r >> 6)] >> (r & 63) & 1) != 0;

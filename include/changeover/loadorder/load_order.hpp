@@ -82,6 +82,8 @@ struct LoadOrderFacts : ScheduleFacts {
   [[nodiscard]] double gap() const;
 };
 
+class PairOwners;
+
 struct LoadOrderOptions {
   /// Given the best linear SCCD(items, room) so far, a better one if there is any. Not asked if the
   /// bound is attained or for more than `improve_up_to` items. The result is verified.
@@ -90,13 +92,22 @@ struct LoadOrderOptions {
   /// Orders of at most so many items are read, step by step, before they are handed out; at most
   /// 65,535.
   std::uint64_t read_up_to = 65'535;
+  /// Whether they are read then. Otherwise whoever uses the order has it read, ScheduleCheck beside
+  /// its own work, say: facts().every_step_read is false, and the order the same.
+  bool read_first = true;
   bool constructions = true;  ///< whether the registry is asked
   bool closure_rules = true;  ///< and then the closure rules
   /// Of an order for listed pairs: given a search that goes on until the control of its thread
-  /// (run/control.hpp) wants to stop, calls it. Without it the search does a fixed amount of work, a
-  /// few seconds at most.
+  /// (run/control.hpp) wants to stop, calls it. Without it the search does a fixed amount of work,
+  /// a few seconds at most.
   std::function<void(const std::function<void()>& search)> search_pairs = {};
   std::uint64_t seed = 1;  ///< of that search
+  /// Of workers: whether pairs are spread evenly over those that have them; otherwise the first
+  /// worker that has a pair computes it.
+  bool balance = true;
+  /// What a pair costs to compute, smaller item first: then costs are spread evenly instead of
+  /// numbers. None below 0.
+  std::function<double(Element, Element)> pair_cost = {};
 };
 
 /// An order that starts at its first step. Movable; stream() gives independent readers.
@@ -130,8 +141,16 @@ class LoadOrder {
   /// Back to the first step.
   void rewind() { reader_ = maker_(); }
 
+  /// What makes readers.
+  [[nodiscard]] const Maker& maker() const { return maker_; }
+
   /// Another reader, at the first step. It may be used on another thread and outlive this.
   [[nodiscard]] std::unique_ptr<StepSource> stream() const { return maker_(); }
+
+  /// The steps from `step` on, numbered as in the order; the first of them loads all that is in
+  /// memory then, and evicts nothing. O(C) of streamed orders, otherwise the steps before are read.
+  /// Not of workers in lockstep. @throws BadInput if there is no such step.
+  [[nodiscard]] std::unique_ptr<StepSource> stream_from(std::uint64_t step) const;
 
   /// The steps of one worker of those in lockstep. @throws BadInput if there is no such worker.
   [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
@@ -243,8 +262,11 @@ improve_by_search(RunControl& control);
 class StepWork final : public StepSource {
  public:
   /// Steps that say what is evicted and loaded, with the work that `rules` ask for. Without
-  /// rules.compute no pairs are said, so nothing changes and nothing is stored.
-  StepWork(std::unique_ptr<StepSource> steps, const ScheduleRules& rules);
+  /// rules.compute no pairs are said, so nothing changes and nothing is stored. Of workers one
+  /// after another, or of one of them, `owners` say who computes what (loadorder/workers.hpp);
+  /// without them it is the first that has it.
+  StepWork(std::unique_ptr<StepSource> steps, const ScheduleRules& rules,
+           std::shared_ptr<const PairOwners> owners = nullptr);
   ~StepWork() override;
 
   /// The next step; false at the end. O(C) a load.

@@ -75,6 +75,15 @@ class StepSource {
   /// own.
   virtual bool next(Step& step) = 0;
 
+  /// Makes step `step` the next one, from 1, and writes what is in memory before it into `held`, in
+  /// any order; without reading those between, which takes O(room) then. False if this source can
+  /// only be read on, or has no such step: nothing has changed.
+  virtual bool jump(std::uint64_t step, std::vector<Element>& held) {
+    static_cast<void>(step);
+    static_cast<void>(held);
+    return false;
+  }
+
  protected:
   StepSource() = default;
 };
@@ -109,6 +118,9 @@ struct ScheduleFacts {
   std::uint64_t span = 0;        ///< in lockstep: the most loads of one worker in a step, added up
   std::uint64_t most_in_memory = 0;
   std::vector<std::uint64_t> worker_loads;
+  /// Computed, items alone included. Of workers one after another whose pairs only have to meet:
+  /// that met first at each, if it was asked for.
+  std::vector<std::uint64_t> worker_pairs;
 
   /// The loads of the busiest worker.
   [[nodiscard]] std::uint64_t makespan() const {
@@ -139,6 +151,7 @@ struct CheckOptions {
   /// pairs are kept under these names, and their bits share cache lines. Every renaming leads to
   /// the same verdict. Empty: none.
   std::vector<Element> kept_as = {};
+  bool by_worker = false;  ///< whether pairs that have to meet are counted where they meet first
 };
 
 /// Plays steps and trusts nothing else.

@@ -2,21 +2,34 @@
 //
 //     WorkerSplit split = split_load_order(64, 16, 4);
 //     split.facts().makespan;                  // loads of the busiest worker
+//     split.facts().most_pairs;                // pairs that the worker with most of them computes
 //     for (std::uint64_t w = 0; w < 4; ++w) {
-//       auto steps = split.stream(w);          // its steps, numbered from 1; the first loads a full memory
+//       auto steps = split.stream(w);          // numbered from 1; the first loads a full memory
 //     }
 //
-// *How.* An order is cut into W stretches of equally many steps; each worker begins by loading what
-// is in memory at its first step. A stretch costs what its steps load and C − (what its first step
-// loads) more, so the makespan is about L/W + C. The items of that order may be groups of items: P
-// items in G groups, room for C·G/P groups. For many workers and little room for saving, small
-// first memories pay: all G and all rooms up to C are compared by makespan, then by all loads.
+// *How.* The best of
+//   stretches   an order is cut into W stretches; each worker begins by loading what is in memory
+//               at its first step. A stretch costs what its steps load and C − (what its first step
+//               loads) more, so the makespan is about L/W + C. The items of that order may be
+//               groups of items: P items in G groups, room for C·G/P groups
+//   shares      for rooms of P/(2√W) or more: the items are in groups; each worker holds some of
+//               them all the time and streams others past them. Planes, difference covers, and
+//               pairs of sets (A,S) of Z_n, found by search
+//   blocks      two sets, each cut into parts: one part of each for a worker
+// compared by makespan, then by all loads.
 //
 // *The bound on the makespan.* A worker that loads ℓ items brings at most C(ℓ,2) pairs together if
 // ℓ ≤ C, and C(C,2) + (ℓ−C)(C−1) otherwise. W workers with at most ℓ loads bring all C(P,2)
-// together only if W times that is enough, and all items are loaded somewhere: ℓ ≥ ⌈P/W⌉. And
-// whatever several workers load, end to end, is a list of sets in which all pairs meet: W·ℓ ≥
-// (s+1)P − (s²−s+1)C for every s [docs/theorems.md, Theorem 5].
+// together only if W times that is enough, and all items are loaded somewhere: ℓ ≥ ⌈P/W⌉.
+// Whatever several workers load, end to end, is a list of sets in which all pairs meet: W·ℓ ≥
+// (s+1)P − (s²−s+1)C for every s [docs/theorems.md, Theorem 5]. And however much room there is, any
+// two items meet at one of few workers, for which ℓ ≥ P/√W is not enough [Theorem 17].
+//
+// *Pairs.* Several workers may have a pair. Unless it is asked otherwise, pairs are spread over
+// those that have them such that the worker with most of them has as few as can be, counted or
+// weighed by a cost; owners() says who computes what. The bound is the mean. What is loaded and
+// brings a worker no pair is not loaded there, if pairs are spread one by one: of up to 5,000
+// items, and of listed pairs.
 //
 // *Verified.* For P ≤ 65,535 all workers' steps are read, and the pairs that met with any of them
 // are all pairs. Above that the stretches are those of an order that is certified by its structure.
@@ -34,11 +47,43 @@ namespace changeover {
 /// No split is for more.
 inline constexpr std::uint64_t most_workers = 65'536;
 
+/// What one worker computes of the pairs that it has in memory.
+class PairRule {
+ public:
+  virtual ~PairRule() = default;
+  PairRule(const PairRule&) = delete;
+  PairRule& operator=(const PairRule&) = delete;
+
+  /// Whether it computes {x,y}, which came together in its memory by its step number `step`; x = y:
+  /// the item alone, which that step loads. O(1) or O(log) of the workers that have them.
+  [[nodiscard]] virtual bool computes(std::uint64_t step, Element x, Element y) const = 0;
+
+ protected:
+  PairRule() = default;
+};
+
+/// Who computes what: each pair is one worker's, and what a worker computes can be said without the
+/// steps of others.
+class PairOwners {
+ public:
+  virtual ~PairOwners() = default;
+  PairOwners(const PairOwners&) = delete;
+  PairOwners& operator=(const PairOwners&) = delete;
+
+  /// It may not outlive this.
+  [[nodiscard]] virtual std::unique_ptr<const PairRule> of(std::uint64_t worker) const = 0;
+
+ protected:
+  PairOwners() = default;
+};
+
 /// What one worker does.
 struct WorkerFacts {
   std::uint64_t first_step = 0;  ///< of the common order, from 1; 0 if the worker has nothing to do
   std::uint64_t steps = 0;
   std::uint64_t loads = 0;
+  std::uint64_t pairs = 0;  ///< that it computes
+  double cost = 0;          ///< of these, if pairs have costs
 };
 
 struct SplitFacts {
@@ -53,39 +98,67 @@ struct SplitFacts {
   std::string explanation;       ///< how the common order is made; says so if it is one of groups
   std::string
       certificate;  ///< one line: how it was verified; counts pairs of items, or says of what
-  bool cut_by_loads = false;  ///< shares have even loads; otherwise even numbers of steps
+  bool cut_by_loads =
+      false;  ///< shares have even loads; otherwise even numbers of steps, or of pairs
+  bool pairs_are_known =
+      false;  ///< how many pairs workers compute: of more than 65,535 items not always
+  std::uint64_t most_pairs = 0;  ///< of one worker
+  std::uint64_t all_pairs =
+      0;  ///< that are wanted; no split has fewer than ⌈all_pairs / W⌉ at some worker
+  bool has_costs = false;  ///< pairs have costs, which are spread instead of their number
+  double most_cost = 0;    ///< of one worker
+  double all_costs = 0;    ///< no split has less than a W-th of it at some worker
   std::vector<WorkerFacts> workers;
 };
 
 class OrderRelay;
 
+/// Steps of each worker, where they are no stretches of one order.
+class WorkerSteps {
+ public:
+  virtual ~WorkerSteps() = default;
+  WorkerSteps(const WorkerSteps&) = delete;
+  WorkerSteps& operator=(const WorkerSteps&) = delete;
+
+  /// From the first step on; the stream may outlive this.
+  [[nodiscard]] virtual std::unique_ptr<StepSource> of(std::uint64_t worker) const = 0;
+
+ protected:
+  WorkerSteps() = default;
+};
+
 class WorkerSplit {
  public:
   [[nodiscard]] const SplitFacts& facts() const { return facts_; }
 
-  /// The order of groups that was cut.
+  /// The order that was cut; or all shares, one after another, each beginning with an empty memory.
   [[nodiscard]] const LoadOrder& order() const { return order_; }
 
-  /// The steps of a worker, 0 ≤ worker < W. Steps of the order before its own are skipped by
-  /// reading them, once for all workers if these are read in their order, each stream to its end.
+  /// The steps of a worker, 0 ≤ worker < W. Of shares, and of streamed orders, that takes O(C + its
+  /// steps). Steps of other orders before its own are skipped by reading them, once for all workers
+  /// if these are read in their order, each stream to its end.
   /// @throws BadInput if there is no such worker.
   [[nodiscard]] std::unique_ptr<StepSource> stream(std::uint64_t worker) const;
 
   /// The steps of all workers, one worker after another. It may not outlive this.
   [[nodiscard]] std::unique_ptr<StepSource> stream() const;
 
+  /// Who computes which pairs. Null: a pair belongs to the first worker that has it, and what a
+  /// worker computes depends on all before it.
+  [[nodiscard]] const std::shared_ptr<const PairOwners>& owners() const { return owners_; }
+
+  /// What the steps keep to, for StepWork and ScheduleCheck.
+  [[nodiscard]] ScheduleRules rules(const std::optional<ComputeRules>& compute = {}) const;
+
  private:
-  friend WorkerSplit split_order(LoadOrder, std::uint64_t, std::uint64_t, std::uint64_t);
-  friend WorkerSplit split_load_order(std::uint64_t, std::uint64_t, std::uint64_t,
-                                      const LoadOrderOptions&);
-  friend WorkerSplit split_load_order(const WantedPairs&, std::uint64_t, std::uint64_t,
-                                      const LoadOrderOptions&);
-  friend WorkerSplit split_two_levels(std::uint64_t, std::uint64_t, std::uint64_t, std::uint64_t);
+  friend class SplitMaker;
   WorkerSplit(SplitFacts facts, LoadOrder order);
 
   SplitFacts facts_;
   LoadOrder order_;
   std::shared_ptr<OrderRelay> relay_;
+  std::shared_ptr<const WorkerSteps> steps_;
+  std::shared_ptr<const PairOwners> owners_;
 };
 
 /// The makespan that no split goes below. @throws as load_lower_bound(), BadInput if workers = 0.
@@ -96,8 +169,9 @@ class WorkerSplit {
                                              std::uint64_t workers);
 
 /// Cuts an order of `groups` things into stretches for P items in as many groups, of ⌊P/G⌋ or ⌈P/G⌉
-/// items with consecutive numbers. Nothing is verified. @throws BadInput if workers = 0 or exceeds
-/// 65,536, or if there are more groups than items.
+/// items with consecutive numbers; a pair belongs to the first worker that has it. Nothing is
+/// verified. @throws BadInput if workers = 0 or exceeds 65,536, or if there are more groups than
+/// items.
 [[nodiscard]] WorkerSplit split_order(LoadOrder order, std::uint64_t items, std::uint64_t room,
                                       std::uint64_t workers);
 
@@ -110,7 +184,8 @@ class WorkerSplit {
 /// accelerator of its own: what both levels of the busiest worker move is as little as stretches
 /// allow. Verified. @throws as plan_two_levels() and split_order().
 [[nodiscard]] WorkerSplit split_two_levels(std::uint64_t items, std::uint64_t room,
-                                           std::uint64_t fast_room, std::uint64_t workers);
+                                           std::uint64_t fast_room, std::uint64_t workers,
+                                           const LoadOrderOptions& options = {});
 
 /// The same for some pairs, whose items are not grouped. Two sets may be cut instead: then each
 /// worker has a part of one with a part of the other.

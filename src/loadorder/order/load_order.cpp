@@ -14,6 +14,8 @@
 #include "core/checked.hpp"
 #include "core/words.hpp"
 #include "loadorder/order/block_steps.hpp"
+#include "loadorder/order/of_worker.hpp"
+#include "loadorder/order/read_order.hpp"
 #include "loadorder/order/streamed_order.hpp"
 
 namespace changeover {
@@ -87,34 +89,14 @@ void consider_constructions(Candidate& best, std::uint64_t items, std::uint64_t 
   }
 }
 
-/// The steps of one worker.
-class OfWorker final : public StepSource {
- public:
-  OfWorker(std::unique_ptr<StepSource> all, std::uint64_t worker)
-      : all_(std::move(all)), worker_(worker) {}
-
-  bool next(Step& step) override {
-    while (all_->next(step)) {
-      if (step.worker == worker_) {
-        return true;
-      }
-    }
-    return false;
-  }
-
- private:
-  std::unique_ptr<StepSource> all_;
-  std::uint64_t worker_;
-};
-
 LoadOrder::Maker maker_of(std::shared_ptr<const Design> design) {
   return [design] {
     return std::make_unique<BlockSteps>(std::make_unique<DesignSource>(*design), design);
   };
 }
 
-// A linear single-change design: the best so far if it is one, else the streamed order, whose steps all
-// load one item into a full memory.
+// A linear single-change design: the best so far if it is one, else the streamed order, whose steps
+// all load one item into a full memory.
 Design start_of_search(const Candidate& best, const StreamedShape& shape) {
   if (best.offer && best.offer->recipe.parameters.change == 1) {
     Design design = Registry::standard().build_design(best.offer->recipe);
@@ -138,7 +120,7 @@ Design start_of_search(const Candidate& best, const StreamedShape& shape) {
 // Reads every step, or leaves the certificate to the structure.
 void certify_order(LoadOrder::Maker& maker, LoadOrderFacts& facts, const std::string& by_structure,
                    std::vector<Element> kept_as) {
-  facts.certificate = by_structure;
+  facts.certificate = by_structure.empty() ? "not read yet" : by_structure;
   if (!facts.every_step_read) {
     return;
   }
@@ -193,10 +175,9 @@ LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
   facts.room = room;
   facts.bound = load_lower_bound(items, room);
   const StreamedShape shape = best_streamed_shape(items, room);
-  constexpr std::uint64_t most_steps_read = 100'000'000;  // some seconds
   facts.every_step_read =
       items <= std::min<std::uint64_t>(options.read_up_to, max_elements_in_memory) &&
-      shape.steps() <= most_steps_read;
+      shape.steps() <= most_loads_read;
 
   Candidate best{shape.loads, shape.steps(), std::nullopt};
   // What cannot be read is taken from the structure that certifies itself.
@@ -236,12 +217,13 @@ LoadOrder plan_load_order(std::uint64_t items, std::uint64_t room,
     facts.method = items <= room ? "one-step" : "streamed";
     facts.explanation = shape.explain();
     maker = [shape] { return streamed_steps(shape); };
-    if (!facts.every_step_read) {
+    if (!facts.every_step_read || !options.read_first) {
       by_structure = certify(shape);
     } else {
       kept_as = names_by_window(shape);
     }
   }
+  facts.every_step_read = facts.every_step_read && options.read_first;
   certify_order(maker, facts, by_structure, std::move(kept_as));
   return {std::move(facts), std::move(maker)};
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 #include "changeover/core/error.hpp"
 #include "changeover/core/parameters.hpp"
@@ -49,18 +51,20 @@ std::optional<ItemPair> SeenPairs::example() const {
   return std::nullopt;
 }
 
-namespace {
-
-void insert_below(PairSet& pairs, Element x, const WordSet& set) {
+void MetInWords::add_below(PairSet& pairs, Element x, const WordSet& set) const {
   for (const auto& [word, bits] : set.words()) {
     if (64 * std::uint64_t{word} >= x) {
       return;
     }
-    pairs.insert_below(x, word, bits);
+    if (count_ != nullptr) {
+      const std::uint64_t before = pairs.below(x, word);
+      pairs.insert_below(x, word, bits);
+      *count_ += static_cast<std::uint64_t>(std::popcount(pairs.below(x, word) & ~before));
+    } else {
+      pairs.insert_below(x, word, bits);
+    }
   }
 }
-
-}  // namespace
 
 MetInWords::MetInWords(std::uint64_t room, std::vector<std::uint32_t>& since)
     : most_arrivals_(static_cast<std::size_t>(arrivals_of_a_large_set + 4 * room)),
@@ -70,7 +74,7 @@ void MetInWords::arrive(Element name, PairSet& pairs) {
   if (arrivals_.size() == most_arrivals_) {
     settle(pairs);
   }
-  insert_below(pairs, name, held_);
+  add_below(pairs, name, held_);
   held_.insert(name);
   arrivals_.push_back(name);
   (*since_)[name] = static_cast<std::uint32_t>(arrivals_.size());
@@ -95,13 +99,16 @@ void MetInWords::take_since_arrival(Element name, PairSet& pairs) const {
   for (std::size_t i = (*since_)[name]; i < arrivals_.size();) {
     const std::size_t left = arrivals_.size() - i;
     if (i % arrivals_of_a_large_set == 0 && left >= arrivals_of_a_large_set) {
-      insert_below(pairs, name, large_sets_[i / arrivals_of_a_large_set]);
+      add_below(pairs, name, large_sets_[i / arrivals_of_a_large_set]);
       i += arrivals_of_a_large_set;
     } else if (i % arrivals_of_a_set == 0 && left >= arrivals_of_a_set) {
-      insert_below(pairs, name, sets_[i / arrivals_of_a_set]);
+      add_below(pairs, name, sets_[i / arrivals_of_a_set]);
       i += arrivals_of_a_set;
     } else {
       if (arrivals_[i] < name) {
+        if (count_ != nullptr) {
+          *count_ += pairs.contains(name, arrivals_[i]) ? 0U : 1U;
+        }
         pairs.insert(name, arrivals_[i]);
       }
       ++i;
@@ -133,6 +140,7 @@ MetPairs::MetPairs(const ScheduleRules& rules, const CheckOptions& options)
     : items_(rules.items),
       wanted_(rules.wanted),
       lockstep_(rules.lockstep > 0),
+      by_worker_(options.by_worker),
       memories_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))) {
   if (wanted_.graph() != nullptr) {
     loaded_.assign(static_cast<std::size_t>(items_), false);
@@ -159,6 +167,9 @@ MetPairs::MetPairs(const ScheduleRules& rules, const CheckOptions& options)
       since_.assign(static_cast<std::size_t>(items_), 0);
       for (Memory& memory : memories_) {
         memory.words.emplace(room, since_);
+        if (by_worker_) {
+          memory.words->count_in(count_);
+        }
       }
     }
   }
@@ -234,13 +245,13 @@ void MetPairs::see_wanted(Element x, const std::vector<Element>& memory,
   if (graph != nullptr && !lockstep_ && graph->partners(x).size() < memory.size()) {
     for (const Element y : graph->partners(x)) {
       if (place[y] != 0) {
-        some_->insert(x, y);
+        count_ += some_->insert(x, y) ? 1U : 0U;
       }
     }
   } else {
     for (const Element y : memory) {
       if (wanted_.contains(x, y)) {
-        some_->insert(x, y);
+        count_ += some_->insert(x, y) ? 1U : 0U;
       }
     }
   }
@@ -259,6 +270,9 @@ void MetPairs::arrive(std::size_t worker, Element x, const std::vector<Element>&
       return;
     }
     for (const Element other : own.kept) {
+      if (by_worker_) {
+        count_ += pairs_->contains(name, other) ? 0U : 1U;
+      }
       pairs_->insert(name, other);
     }
     own.kept.push_back(name);
@@ -287,6 +301,15 @@ void MetPairs::clear(std::size_t worker) {
   }
   own.kept.clear();
   own.watched.clear();
+}
+
+std::uint64_t MetPairs::take_count() {
+  for (Memory& memory : memories_) {
+    if (memory.words) {
+      memory.words->settle(*pairs_);
+    }
+  }
+  return std::exchange(count_, 0);
 }
 
 void MetPairs::report(ScheduleVerdict& verdict) {

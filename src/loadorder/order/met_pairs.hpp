@@ -50,6 +50,9 @@ class MetInWords {
   /// were before x left out.
   MetInWords(std::uint64_t room, std::vector<std::uint32_t>& since);
 
+  /// From now on the pairs that met for the first time are counted.
+  void count_in(std::uint64_t& count) { count_ = &count; }
+
   void arrive(Element name, PairSet& pairs);
   void leave(Element name, PairSet& pairs);
   /// Adds what those that are there met.
@@ -62,9 +65,11 @@ class MetInWords {
   static constexpr std::size_t arrivals_of_a_large_set = 2048;
 
   void take_since_arrival(Element name, PairSet& pairs) const;
+  void add_below(PairSet& pairs, Element x, const WordSet& set) const;
 
   std::size_t most_arrivals_;
   std::vector<std::uint32_t>* since_;
+  std::uint64_t* count_ = nullptr;
   WordSet held_;
   std::vector<Element> arrivals_;  // since it was empty, or settled
   std::vector<WordSet> sets_;      // of each full run of them
@@ -88,6 +93,10 @@ class MetPairs {
   /// The memory is empty; what met has met.
   void clear(std::size_t worker);
 
+  /// Pairs that met for the first time since the memory was empty, and now is again; 0 if they are
+  /// not counted.
+  [[nodiscard]] std::uint64_t take_count();
+
   /// Fills in what is missing, an example and how many are watched.
   void report(ScheduleVerdict& verdict);
 
@@ -108,6 +117,8 @@ class MetPairs {
   std::uint64_t items_;
   WantedPairs wanted_;
   bool lockstep_;
+  bool by_worker_;
+  std::uint64_t count_ = 0;           // of pairs that are followed one by one
   std::vector<Memory> memories_;      // by worker
   std::optional<PairSet> pairs_;      // all of them, under the names kept_as_, or
   std::vector<std::uint32_t> since_;  // by name, of memories in words

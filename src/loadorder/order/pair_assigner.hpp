@@ -1,8 +1,8 @@
 // Internal: which step computes which pair.
 //
 // A pair belongs to the first step that has both items in memory, or on the accelerator; workers
-// come one after another, or step together. Within a step pairs are listed by the arrival of the
-// later item, and those with
+// come one after another, or step together. If workers have owners of pairs, it is the first step
+// of its owner. Within a step pairs are listed by the arrival of the later item, and those with
 // an item that goes next come before the others of the last arrival. What goes next goes first only
 // as far as the next loads need its place.
 #pragma once
@@ -15,15 +15,17 @@
 
 #include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/workers.hpp"
 #include "loadorder/pairs/wanted_set.hpp"
 
 namespace changeover {
 
 struct AssignedStep {
   Step step;
-  std::vector<Element> evicted_first;    ///< by the next step, before its loads start
-  std::vector<Element> evicted_late;     ///< by the next step, when this one is over
-  std::vector<bool> is_new;              ///< by place in what comes: never there before, at anybody
+  std::vector<Element> evicted_first;  ///< by the next step, before its loads start
+  std::vector<Element> evicted_late;   ///< by the next step, when this one is over
+  std::vector<bool>
+      is_new;  ///< by place in what comes: computed alone now, never before at anybody
   std::vector<ItemPair> pairs;           ///< later item's arrival by arrival
   std::vector<std::size_t> arrival_end;  ///< by place in what comes: end of its pairs
   std::size_t before = 0;                ///< so many pairs come before the next evictions
@@ -32,14 +34,17 @@ struct AssignedStep {
 class PairAssigner {
  public:
   /// `lockstep`: so many workers step together; 0: one comes after another. Pairs meet in memory,
-  /// or where the room is, on the `accelerator`.
+  /// or where the room is, on the `accelerator`. Pairs are of `owners`, if there are any; of one
+  /// worker at a time.
   PairAssigner(std::uint64_t items, std::uint64_t room, const WantedPairs& wanted = {},
-               std::size_t lockstep = 0, bool accelerator = false)
+               std::size_t lockstep = 0, bool accelerator = false,
+               std::shared_ptr<const PairOwners> owners = nullptr)
       : room_(room),
         come_(accelerator ? &Step::fast_load : &Step::load),
         leave_(accelerator ? &Step::fast_evict : &Step::evict),
         wanted_(wanted),
         in_lockstep_(lockstep > 0),
+        owners_(std::move(owners)),
         memories_(std::max<std::size_t>(1, lockstep)),
         there_(static_cast<std::size_t>(items), false),
         loaded_(static_cast<std::size_t>(items), false) {
@@ -54,6 +59,9 @@ class PairAssigner {
     steps_ = std::move(steps);
     has_ahead_ = !in_lockstep_ && steps_->next(ahead_);
     worker_ = ahead_.worker;
+    if (has_ahead_) {
+      take_rule();
+    }
   }
 
   /// The next step of one worker at a time; the next worker's memory is empty.
@@ -66,6 +74,7 @@ class PairAssigner {
     if (out.step.worker != worker_) {
       forget();
       worker_ = out.step.worker;
+      take_rule();
     }
     evict(out.step, memories_[0]);
     const std::size_t last_arrival = arrive(out, memories_[0]);
@@ -111,6 +120,17 @@ class PairAssigner {
     memories_.assign(memories_.size(), {});
   }
 
+  void take_rule() {
+    if (owners_ != nullptr) {
+      rule_ = owners_->of(worker_);
+    }
+  }
+
+  // Whether the worker computes the pair, or the item alone, that its step brings together.
+  [[nodiscard]] bool is_due(std::uint64_t step, Element x, Element y) const {
+    return rule_ == nullptr || rule_->computes(step, x, y);
+  }
+
   // Whether the worker has another step.
   [[nodiscard]] bool goes_on() const { return has_ahead_ && ahead_.worker == worker_; }
 
@@ -133,20 +153,22 @@ class PairAssigner {
     for (const Element x : out.step.*come_) {
       last_arrival = out.pairs.size();
       const auto add = [&](Element y) { out.pairs.emplace_back(std::min(x, y), std::max(x, y)); };
+      const std::uint64_t number = out.step.number;
       if (done_) {
         done_->insert_all(
-            x, memory, [&](Element y) { return there_[y]; }, add);
+            x, memory, [&](Element y) { return there_[y]; },
+            [&](Element y) { return is_due(number, x, y); }, add);
       } else {
         for (const Element y : memory) {
-          if (wanted_.contains(x, y)) {
+          if (wanted_.contains(x, y) && is_due(number, x, y)) {
             add(y);
           }
         }
       }
       memory.push_back(x);
       there_[x] = true;
-      out.is_new.push_back(!loaded_[x]);
-      loaded_[x] = true;
+      out.is_new.push_back(!loaded_[x] && is_due(number, x, x));
+      loaded_[x] = loaded_[x] || out.is_new.back();
       out.arrival_end.push_back(out.pairs.size());
     }
     return last_arrival;
@@ -177,6 +199,8 @@ class PairAssigner {
   std::vector<Element> Step::*leave_;
   WantedPairs wanted_;
   bool in_lockstep_;
+  std::shared_ptr<const PairOwners> owners_;
+  std::unique_ptr<const PairRule> rule_;  // of the worker whose step it is
   std::unique_ptr<StepSource> steps_;
   Step ahead_;
   std::vector<Element> nothing_;

@@ -1,17 +1,23 @@
 #include "changeover/loadorder/workers.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace changeover {
 namespace {
 
+std::shared_ptr<const PairOwners> owners_in(const LoadOrder& /*order*/) { return nullptr; }
+std::shared_ptr<const PairOwners> owners_in(const WorkerSplit& split) { return split.owners(); }
+
 // In pairs: what the model of the summary says, of the worker that takes longest.
-std::uint64_t time_of(std::unique_ptr<StepSource> steps, std::uint64_t items, std::uint64_t room,
+template <typename Order>
+std::uint64_t time_of(const Order& order, std::uint64_t items, std::uint64_t room,
                       const WantedPairs& wanted) {
   StepWork schedule(
-      std::move(steps),
-      {.items = items, .room = room, .wanted = wanted, .compute = ComputeRules{}, .overlap = true});
+      order.stream(),
+      {.items = items, .room = room, .wanted = wanted, .compute = ComputeRules{}, .overlap = true},
+      owners_in(order));
   std::uint64_t longest = 0;
   std::uint64_t total = 0;
   std::uint64_t overlap = 0;
@@ -37,7 +43,7 @@ auto better_way(std::uint64_t items, std::uint64_t room, const WantedPairs& want
   constexpr std::uint64_t most_compared = 2000;
   auto less = plan(room - 1);
   if (items <= most_compared &&
-      time_of(whole.stream(), items, room, wanted) <= time_of(less.stream(), items, room, wanted)) {
+      time_of(whole, items, room, wanted) <= time_of(less, items, room, wanted)) {
     return {std::move(whole), 0};
   }
   return {std::move(less), 1};

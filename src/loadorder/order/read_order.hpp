@@ -7,6 +7,9 @@
 
 namespace changeover {
 
+/// More loads are not read: that would take longer than a minute.
+inline constexpr std::uint64_t most_loads_read = 200'000'000;
+
 /// Where all pairs meet; of few items also what StepWork says is computed there, each pair once,
 /// which costs more than all else. Orders that are read anew with their pairs when these are shown
 /// need no more. @throws InternalError if the steps are wrong; `what` says whose.

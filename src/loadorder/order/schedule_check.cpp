@@ -77,6 +77,7 @@ class ScheduleCheck::State {
  public:
   State(const ScheduleRules& rules, const CheckOptions& options)
       : rules_(rules),
+        by_worker_(options.by_worker && rules.lockstep == 0),
         workers_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))) {
     if (rules.items == 0 || rules.room == 0 || rules.fast_room == std::uint64_t{0}) {
       throw BadInput(fmt::format(
@@ -137,6 +138,7 @@ class ScheduleCheck::State {
       fail(round_[0], fmt::format("is of {} workers, not of {}", in_round_, round_.size()));
     }
     end();
+    count_met();
     ScheduleVerdict verdict = verdict_;
     if (met_) {
       met_->report(verdict);
@@ -348,6 +350,7 @@ class ScheduleCheck::State {
         is_new = computed_->insert(x, y);
       }
       ++verdict_.computed;
+      ++at_worker(step.worker);
       verdict_.repeated += is_new ? 0U : 1U;
       verdict_.overlapped += overlapped ? 1U : 0U;
       for (const Element z : {x, y}) {
@@ -385,11 +388,27 @@ class ScheduleCheck::State {
     workers_[0] = {};
     if (met_) {
       met_->clear(0);
+      count_met();
     }
     worker_ = worker;
   }
 
+  // What met at the worker whose memory is left.
+  void count_met() {
+    if (met_ && by_worker_) {
+      at_worker(worker_) = met_->take_count();
+    }
+  }
+
+  std::uint64_t& at_worker(std::uint64_t worker) {
+    if (worker >= verdict_.worker_pairs.size()) {
+      verdict_.worker_pairs.resize(static_cast<std::size_t>(worker) + 1, 0);
+    }
+    return verdict_.worker_pairs[static_cast<std::size_t>(worker)];
+  }
+
   ScheduleRules rules_;
+  bool by_worker_;  // pairs are counted where they meet
   ScheduleVerdict verdict_;
   std::vector<Worker> workers_;  // one if they come one after another
   std::uint64_t worker_ = 0;     // which one it is then

@@ -19,14 +19,16 @@ void shuffle_pairs(std::vector<ItemPair>& pairs, Random& random) {
 
 class StepWork::State {
  public:
-  State(std::unique_ptr<StepSource> steps, const ScheduleRules& rules)
+  State(std::unique_ptr<StepSource> steps, const ScheduleRules& rules,
+        std::shared_ptr<const PairOwners> owners)
       : rules_(rules),
         compute_(rules.compute.value_or(ComputeRules{})),
         random_(compute_.shuffle.value_or(0)),
         round_(static_cast<std::size_t>(std::max<std::uint64_t>(1, rules.lockstep))),
         made_(round_.size()),
         assigner_(rules.items, rules.fast_room.value_or(rules.room), rules.wanted,
-                  static_cast<std::size_t>(rules.lockstep), rules.fast_room.has_value()) {
+                  static_cast<std::size_t>(rules.lockstep), rules.fast_room.has_value(),
+                  std::move(owners)) {
     if (rules.store) {
       changed_.assign(static_cast<std::size_t>(rules.items), false);
       held_by_.assign(changed_.size(), 0);
@@ -204,8 +206,9 @@ class StepWork::State {
   } last_;  // of the last step, in lockstep of the first worker's
 };
 
-StepWork::StepWork(std::unique_ptr<StepSource> steps, const ScheduleRules& rules)
-    : state_(std::make_unique<State>(std::move(steps), rules)) {}
+StepWork::StepWork(std::unique_ptr<StepSource> steps, const ScheduleRules& rules,
+                   std::shared_ptr<const PairOwners> owners)
+    : state_(std::make_unique<State>(std::move(steps), rules, std::move(owners))) {}
 StepWork::~StepWork() = default;
 
 bool StepWork::next(Step& step) { return state_->next(step); }

@@ -7,6 +7,7 @@
 #include "changeover/core/developed.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/verify/difference.hpp"
+#include "core/checked.hpp"
 #include "core/words.hpp"
 
 namespace changeover {
@@ -16,6 +17,61 @@ class StreamedSteps final : public StepSource {
  public:
   explicit StreamedSteps(const StreamedShape& shape)
       : shape_(shape), n_(shape.room - 1), v_(2 * shape.c * n_ + 1) {}
+
+  bool jump(std::uint64_t step, std::vector<Element>& held) override {
+    if (step == 0 || step > shape_.steps()) {
+      return false;
+    }
+    restart();
+    if (step > 1) {
+      Step first;
+      next(first);
+      skip(step - 2);
+    }
+    hold(held);
+    return true;
+  }
+
+  /// So many steps are made at once; there are so many, and one was made.
+  void skip(std::uint64_t steps) {
+    number_ += steps;
+    while (steps > 0) {
+      const std::uint64_t skipped = stage_ == Stage::pass   ? skip_passes(steps)
+                                    : stage_ == Stage::swap ? skip_swaps(steps)
+                                    : stage_ == Stage::join ? skip_joins(steps)
+                                                            : skip_windows(steps);
+      steps -= skipped;
+    }
+  }
+
+  /// What is in memory after the steps that were made.
+  void hold(std::vector<Element>& held) const {
+    held.clear();
+    if (number_ == 0) {
+      return;
+    }
+    const auto put = [&](std::uint64_t item) { held.push_back(static_cast<Element>(item)); };
+    if (stage_ == Stage::windows) {
+      for (std::uint64_t i = 0; i < n_; ++i) {
+        put(numbered((window_ + i) % v_));
+      }
+      put(slot_);
+    } else if (stage_ == Stage::join || stage_ == Stage::end) {
+      if (shape_.c == 0 || shape_.items <= shape_.room) {
+        hold_round(held);
+        return;
+      }
+      put(numbered(v_ - 1));
+      for (std::uint64_t number = joined_; number < n_; ++number) {
+        put(numbered(number));
+      }
+      for (std::uint64_t i = 0; i < joined_; ++i) {
+        put(extra(i));
+      }
+    } else {
+      hold_round(held);
+    }
+  }
 
   bool next(Step& step) override {
     step.number = ++number_;
@@ -96,6 +152,103 @@ class StreamedSteps final : public StepSource {
     }
   }
 
+  void restart() {
+    stage_ = after_swap_ = Stage::end;
+    number_ = first_ = rounds_ = slot_ = next_ = skipped_ = 0;
+    swapped_ = to_swap_ = zero_ = window_ = passed_ = joined_ = 0;
+    into_windows_ = false;
+  }
+
+  // Of rounds: what stays, or what is exchanged for it, and what passed last.
+  void hold_round(std::vector<Element>& held) const {
+    const auto put = [&](std::uint64_t item) { held.push_back(static_cast<Element>(item)); };
+    if (shape_.items <= shape_.room) {
+      for (std::uint64_t x = 0; x < shape_.items; ++x) {
+        put(x);
+      }
+      return;
+    }
+    if (stage_ == Stage::pass) {
+      for (std::uint64_t i = 0; i < n_; ++i) {
+        put(in_round(i));
+      }
+      put(slot_);
+      return;
+    }
+    // Windows begin with 0, which is there as zero_, and 1, …, n−1 and the first that passes in
+    // place of what stayed.
+    for (std::uint64_t i = 0; i < swapped_; ++i) {
+      put(into_windows_ ? (i + 1 < n_ ? numbered(i + 1) : passing(0, 0)) : in_round(i));
+    }
+    for (std::uint64_t i = swapped_; i < n_; ++i) {
+      put(first_ - n_ + i);
+    }
+    put(into_windows_ ? zero_ : skipped_);
+  }
+  // The i-th item that stays in this round.
+  [[nodiscard]] std::uint64_t in_round(std::uint64_t i) const {
+    const std::uint64_t item = first_ + i;
+    return item + (item >= skipped_ ? 1 : 0);
+  }
+
+  std::uint64_t skip_passes(std::uint64_t steps) {
+    const bool jumps = skipped_ >= next_ && skipped_ < shape_.items;
+    const std::uint64_t left = shape_.items - std::min(next_, shape_.items) - (jumps ? 1 : 0);
+    const std::uint64_t count = std::min(left, steps);
+    if (count == 0) {
+      end_round();
+      return 0;
+    }
+    const std::uint64_t last = next_ + count - 1;
+    slot_ = last + (jumps && last >= skipped_ ? 1 : 0);
+    next_ = slot_ + 1;
+    return count;
+  }
+
+  std::uint64_t skip_swaps(std::uint64_t steps) {
+    const std::uint64_t count = std::min(to_swap_ - swapped_, steps);
+    swapped_ += count;
+    if (swapped_ == to_swap_ && into_windows_) {
+      slot_ = passing(0, 0);
+    }
+    if (count == 0) {
+      stage_ = after_swap_;
+    }
+    return count;
+  }
+
+  std::uint64_t skip_windows(std::uint64_t steps) {
+    // So many were made in windows; the one that comes after is found by halving.
+    const std::uint64_t to = passes_before(window_) + passed_ + steps;
+    const std::uint64_t end = passes_before(v_);
+    if (to >= end) {
+      const std::uint64_t count = end - passes_before(window_) - passed_;
+      window_ = v_;
+      stage_ = Stage::join;
+      return count;
+    }
+    std::uint64_t low = window_;
+    std::uint64_t high = v_ - 1;
+    while (low < high) {
+      const std::uint64_t middle = high - (high - low) / 2;
+      passes_before(middle) < to ? low = middle : high = middle - 1;
+    }
+    window_ = low;
+    passed_ = to - passes_before(low);
+    slot_ = passing(window_, passed_ - 1);
+    return steps;
+  }
+
+  std::uint64_t skip_joins(std::uint64_t steps) {
+    joined_ += steps;
+    return steps;
+  }
+
+  // In all windows before.
+  [[nodiscard]] std::uint64_t passes_before(std::uint64_t window) const {
+    return window * shape_.c + shape_.w * std::min(ceil_div(window, n_), 2 * shape_.c);
+  }
+
   bool pass(Step& step) {
     next_ += next_ == skipped_ ? 1 : 0;
     if (next_ >= shape_.items) {
@@ -106,7 +259,8 @@ class StreamedSteps final : public StepSource {
     return true;
   }
 
-  // The items below first_ are dropped; n of them are still in memory, with the one that passed last.
+  // The items below first_ are dropped; n of them are still in memory, with the one that passed
+  // last.
   void end_round() {
     first_ += n_;
     ++rounds_;
@@ -178,9 +332,9 @@ class StreamedSteps final : public StepSource {
     return numbered(number < v_ ? number : number - v_);
   }
 
-  // Items by number: number x is item 2cx modulo v, so that x−n is the item after x, since −n·2c = 1: what
-  // passes one after another is together on the disk. The item in memory is 0 and changes places with
-  // the first.
+  // Items by number: number x is item 2cx modulo v, so that x−n is the item after x, since −n·2c =
+  // 1: what passes one after another is together on the disk. The item in memory is 0 and changes
+  // places with the first.
   [[nodiscard]] std::uint64_t renamed(std::uint64_t item) const {
     return item == first_ ? zero_ : item == zero_ ? first_ : item;
   }
@@ -211,7 +365,8 @@ class StreamedSteps final : public StepSource {
   std::uint64_t joined_ = 0;
 };
 
-// Loads of a hold round on `rest` items, the first one or a later one: a later one finds one item in memory.
+// Loads of a hold round on `rest` items, the first one or a later one: a later one finds one item
+// in memory.
 std::uint64_t round_loads(std::uint64_t rest, bool is_first) { return is_first ? rest : rest - 1; }
 
 }  // namespace
@@ -282,6 +437,106 @@ StreamedShape best_streamed_shape(std::uint64_t items, std::uint64_t room) {
   return best;
 }
 
+StreamedPairs::StreamedPairs(const StreamedShape& shape)
+    : shape_(shape),
+      n_(shape.room - 1),
+      v_(2 * shape.c * n_ + 1),
+      first_(shape.c > 0 ? shape.rounds * n_ : 0),
+      // Two items pass last by turns: each is skipped in the round after.
+      zero_(shape.rounds == 0 ? 0 : shape.items - (shape.rounds % 2 == 1 ? 1 : 2)) {
+  if (shape.c > 0 && shape.items > shape.room) {
+    joins_after_ = shape.steps() - shape.w;
+    windows_after_ = shape.rounds == 0 ? 1 : end_of_round(shape.rounds - 1) + n_;
+  }
+}
+
+// Step 1, P − C passes; then in each round n exchanges, and all that are left pass but those that
+// stay and one that is there.
+std::uint64_t StreamedPairs::end_of_round(std::uint64_t round) const {
+  return 1 + shape_.items - shape_.room + round * (shape_.items - 1) -
+         n_ * (round * (round + 1) / 2);
+}
+
+std::uint64_t StreamedPairs::number(Element item) const {
+  std::uint64_t place = item == first_ ? zero_ : item == zero_ ? first_ : item;
+  place -= first_;
+  return place < v_ ? (v_ - place * n_ % v_) % v_ : place;
+}
+
+bool StreamedPairs::meet_first(std::uint64_t step, Element x, Element y) const {
+  if (shape_.items <= shape_.room) {
+    return true;
+  }
+  const std::uint64_t low = std::min(x, y);
+  if (shape_.c == 0 || low < first_) {
+    return step <= end_of_round(low / n_);
+  }
+  const std::uint64_t a = number(x);
+  const std::uint64_t b = number(y);
+  if (step > joins_after_) {
+    return std::min(a, b) >= v_ - 1;
+  }
+  return step <= windows_after_ || a >= n_ || b >= n_;
+}
+
+std::uint64_t StreamedPairs::first_load(Element item) const {
+  if (shape_.items <= shape_.room) {
+    return 1;
+  }
+  if (shape_.c == 0 || shape_.rounds > 0) {
+    return item < shape_.room ? 1 : item - shape_.room + 2;
+  }
+  const std::uint64_t a = number(item);
+  if (a >= v_) {
+    return a - v_ + 1;  // passes the first window
+  }
+  if (a < n_) {
+    return 1;
+  }
+  const std::uint64_t q = std::min(shape_.c, a / n_);
+  const std::uint64_t window = a - q * n_;
+  const std::uint64_t with_extras = std::min(ceil_div(window, n_), 2 * shape_.c);
+  const bool has_extra = window % n_ == 0 && window < v_ - 1;
+  return window * shape_.c + shape_.w * (with_extras + (has_extra ? 1 : 0)) + shape_.c - q + 1;
+}
+
+std::uint64_t StreamedPairs::met_after(std::uint64_t steps) const {
+  if (steps == 0 || shape_.items <= shape_.room) {
+    return steps == 0 ? 0 : binomial(shape_.items, 2);
+  }
+  std::uint64_t met = binomial(shape_.room, 2);
+  std::uint64_t left = steps - 1;
+  const auto take = [&](std::uint64_t most) {
+    const std::uint64_t taken = std::min(left, most);
+    left -= taken;
+    return taken;
+  };
+  // The i-th exchange of a round meets those before it and what passed last.
+  const auto exchanges = [](std::uint64_t count) { return count * (count + 1) / 2; };
+  std::uint64_t rest = shape_.items;
+  for (std::uint64_t round = 0; left > 0 && rest > shape_.room; ++round) {
+    if (shape_.c > 0 && round == shape_.rounds) {
+      break;
+    }
+    met += n_ * take(round == 0 ? rest - shape_.room : rest - n_ - 1);
+    rest -= n_;
+    const bool last = shape_.c == 0 && rest <= shape_.room;
+    met += exchanges(take(last ? rest - 1 : n_));
+  }
+  if (shape_.c == 0) {
+    return met;
+  }
+  const std::uint64_t passes = take(joins_after_ - windows_after_);
+  met += n_ * passes;
+  // The last to pass window v−n+a is a, for a = 1, …, n−1, which has met a of its items in the
+  // first window.
+  const std::uint64_t all = passes + 1;
+  const std::uint64_t extras = 2 * shape_.c * shape_.w;
+  const std::uint64_t windows = all > extras ? (all - extras) / shape_.c : 0;
+  const std::uint64_t a = std::min(windows > v_ - n_ ? windows - (v_ - n_) - 1 : 0, n_ - 1);
+  return met - exchanges(a) + exchanges(left);
+}
+
 std::unique_ptr<StepSource> streamed_steps(const StreamedShape& shape) {
   return std::make_unique<StreamedSteps>(shape);
 }
@@ -291,7 +546,8 @@ std::vector<Element> names_by_window(const StreamedShape& shape) {
   if (shape.items <= shape.room || shape.c == 0) {
     return names;
   }
-  // As StreamedSteps::numbered(), but for the item that is in memory before: it makes no difference in time.
+  // As StreamedSteps::numbered(), but for the item that is in memory before: it makes no difference
+  // in time.
   const std::uint64_t v = 2 * shape.c * (shape.room - 1) + 1;
   const std::uint64_t first = shape.rounds * (shape.room - 1);
   names.resize(static_cast<std::size_t>(shape.items));

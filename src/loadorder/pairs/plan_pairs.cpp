@@ -12,6 +12,7 @@
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/run/control.hpp"
 #include "core/checked.hpp"
+#include "loadorder/order/read_order.hpp"
 #include "loadorder/pairs/closing.hpp"
 #include "loadorder/pairs/held_order.hpp"
 #include "loadorder/pairs/pair_bounds.hpp"
@@ -121,7 +122,8 @@ class ListSearch {
     }
   }
 
-  // Of a search that goes on until it is stopped: whether it is. Otherwise whoever asked for all of this may stop it.
+  // Of a search that goes on until it is stopped: whether it is. Otherwise whoever asked for all of
+  // this may stop it.
   bool in_a_hurry() const {
     if (!until_stopped_) {
       stop_if_asked();
@@ -185,7 +187,8 @@ class ListSearch {
     }
   }
 
-  // For a fixed amount of work or until it is stopped. What a round found is run once more; there must be time for that.
+  // For a fixed amount of work or until it is stopped. What a round found is run once more; there
+  // must be time for that.
   void improve(std::uint64_t work) {
     Closing closing(graph_, room_, best_start_);
     Random random(options_.seed);
@@ -252,7 +255,8 @@ void consider_all_pairs(const PairGraph& graph, std::uint64_t room, const LoadOr
   LoadOrderOptions quick = options;
   quick.improve = nullptr;
   LoadOrder all = plan_load_order(items, room, quick);
-  // One by one, what is loaded in the same step would meet what goes later in it: only more pairs meet.
+  // One by one, what is loaded in the same step would meet what goes later in it: only more pairs
+  // meet.
   if (all.facts().loads < best.moves.size()) {
     best.method = all.facts().method;
     best.explanation = "An order for all pairs. " + all.facts().explanation;
@@ -268,7 +272,12 @@ std::uint64_t steps_of(const Moves& moves) {
   return moves.size() - first + (moves.empty() ? 0 : 1);
 }
 
-void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts) {
+void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts, const LoadOrderOptions& options) {
+  if (!options.read_first) {
+    facts.every_step_read = false;
+    facts.certificate = "not read yet";
+    return;
+  }
   const ScheduleVerdict verdict =
       check_schedule(*maker(), {.items = facts.items, .room = facts.room, .wanted = facts.wanted});
   if (!verdict.valid() || verdict.loads != facts.loads || verdict.steps != facts.steps ||
@@ -282,7 +291,8 @@ void verify(const LoadOrder::Maker& maker, LoadOrderFacts& facts) {
                                  : fmt::format("every step read, all {} wanted pairs met", pairs);
 }
 
-// What brings all pairs together brings these together: nothing if it has as many loads, or its bound.
+// What brings all pairs together brings these together: nothing if it has as many loads, or its
+// bound.
 std::optional<LoadOrder> order_for_all_pairs(const LoadOrderFacts& facts, std::uint64_t loads,
                                              const LoadOrderOptions& options) {
   if (load_lower_bound(facts.items, facts.room).loads >= loads) {
@@ -301,13 +311,12 @@ std::optional<LoadOrder> order_for_all_pairs(const LoadOrderFacts& facts, std::u
   its.explanation = "An order for all pairs. " + its.explanation;
   LoadOrder::Maker maker = [all] { return all->stream(); };
   if (its.every_step_read) {
-    verify(maker, its);
+    verify(maker, its, options);
   }
   return LoadOrder(std::move(its), std::move(maker));
 }
 
 LoadOrder order_of_groups(LoadOrderFacts facts, const LoadOrderOptions& options) {
-  constexpr std::uint64_t most_steps_read = 100'000'000;
   HeldShape shape = best_held_shape(facts.wanted, facts.room);
   if (auto all = order_for_all_pairs(facts, shape.loads, options)) {
     return std::move(*all);
@@ -318,17 +327,17 @@ LoadOrder order_of_groups(LoadOrderFacts facts, const LoadOrderOptions& options)
   facts.explanation = shape.explain();
   facts.every_step_read =
       facts.items <= std::min<std::uint64_t>(options.read_up_to, max_elements_in_memory) &&
-      shape.loads <= most_steps_read;
+      shape.loads <= most_loads_read;
   LoadOrder::Maker maker = [shape] { return held_steps(shape); };
   if (facts.every_step_read) {
-    verify(maker, facts);
+    verify(maker, facts, options);
   } else {
     facts.certificate = "all that a group must meet passes while it stays";
   }
   return {std::move(facts), std::move(maker)};
 }
 
-LoadOrder order_in_one_step(LoadOrderFacts facts) {
+LoadOrder order_in_one_step(LoadOrderFacts facts, const LoadOrderOptions& options) {
   auto moves = std::make_shared<Moves>();
   for (Element x = 0; x < facts.items; ++x) {
     if (facts.wanted.needs(x)) {
@@ -342,7 +351,7 @@ LoadOrder order_in_one_step(LoadOrderFacts facts) {
   LoadOrder::Maker maker = [moves] { return std::make_unique<MoveSteps>(moves); };
   facts.every_step_read = facts.items <= max_elements_in_memory || facts.wanted.graph() != nullptr;
   if (facts.every_step_read) {
-    verify(maker, facts);
+    verify(maker, facts, options);
   } else {
     facts.certificate = "all items are loaded at once";
   }
@@ -364,7 +373,7 @@ LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
                     wanted.describe(), facts.items, most_items));
   }
   if (needed_items(wanted) <= room) {
-    return order_in_one_step(std::move(facts));
+    return order_in_one_step(std::move(facts), options);
   }
   if (wanted.graph() == nullptr) {
     return order_of_groups(std::move(facts), options);
@@ -378,7 +387,7 @@ LoadOrder plan_load_order(const WantedPairs& wanted, std::uint64_t room,
   facts.explanation = std::move(best.explanation);
   facts.every_step_read = true;
   LoadOrder::Maker maker = [moves] { return std::make_unique<MoveSteps>(moves); };
-  verify(maker, facts);
+  verify(maker, facts, options);
   return {std::move(facts), std::move(maker)};
 }
 

@@ -39,22 +39,22 @@ class WantedSet {
     return true;
   }
 
-  /// insert(x, y) for all y in `memory`, in this order unless x has fewer partners; is_there(y) says
-  /// the same of an item. Calls visit(y) for what is new.
-  template <typename IsThere, typename Visit>
-  void insert_all(Element x, const std::vector<Element>& memory, IsThere&& is_there,
+  /// insert(x, y) for all y in `memory` that `is_due(y)`, in this order unless x has fewer
+  /// partners; is_there(y) says the same of an item. Calls visit(y) for what is new.
+  template <typename IsThere, typename IsDue, typename Visit>
+  void insert_all(Element x, const std::vector<Element>& memory, IsThere&& is_there, IsDue&& is_due,
                   Visit&& visit) {
     const PairGraph* graph = wanted_.graph();
     if (graph != nullptr && graph->partners(x).size() < memory.size()) {
       for (const Element y : graph->partners(x)) {
-        if (is_there(y) && insert(x, y)) {
+        if (is_there(y) && is_due(y) && insert(x, y)) {
           visit(y);
         }
       }
       return;
     }
     for (const Element y : memory) {
-      if (insert(x, y)) {
+      if (is_due(y) && insert(x, y)) {
         visit(y);
       }
     }

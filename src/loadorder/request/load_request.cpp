@@ -10,6 +10,7 @@
 #include "io/request/request_document.hpp"
 #include "io/request/request_schema.hpp"
 #include "io/request/search_options.hpp"
+#include "loadorder/pairs/pair_costs.hpp"
 
 namespace changeover {
 namespace {
@@ -21,7 +22,6 @@ constexpr std::string_view of_pages =
     "its answer is what the page draws: one order, or those of workers who share all items";
 constexpr std::string_view of_executor =
     "there all_pairs() runs the order itself, and calls for each pair once";
-constexpr std::string_view in_cpp = "executors for items that change are in C++";
 
 std::vector<RequestOption<R>> options() {
   return with_search_options<R>(
@@ -80,46 +80,82 @@ std::vector<RequestOption<R>> options() {
             .value = "W",
             .help = "split it for W workers with room C each"},
            &R::workers},
+          {{.key = "worker",
+            .flags = "--worker",
+            .kind = K::number,
+            .value = "I",
+            .help = "only the steps of worker I of these, from 0; the others are not read",
+            .not_in_server = of_pages,
+            .not_in_python = "there steps(I) has them"},
+           &R::worker},
+          {{.key = "balance",
+            .flags = "--balance",
+            .help = "spread pairs evenly over the workers that have them (the default)",
+            .not_in_python = "it is the default, and first_holder is an argument"},
+           &R::balance},
+          {{.key = "first_holder",
+            .flags = "--first-holder",
+            .help = "the first worker that has a pair computes it"},
+           &R::first_holder},
+          {{.key = "pair_cost",
+            .flags = "--pair-cost",
+            .kind = K::list,
+            .value = "FILE",
+            .help =
+                "what pairs cost to compute, two items and a number per line, otherwise 1; costs "
+                "are spread evenly over workers",
+            .shape = RowShape::weights,
+            .not_in_server = of_pages},
+           &R::pair_cost},
+          {{.key = "from_step",
+            .flags = "--from-step",
+            .kind = K::number,
+            .value = "N",
+            .help = "begin at step N, which loads what is in memory then",
+            .not_in_server = of_pages,
+            .not_in_python = "there steps_from(N) begins at it"},
+           &R::from_step},
+          {{.key = "verify_beside",
+            .flags = "--verify-beside",
+            .help =
+                "begin at once: steps are read while they are written, and the end says whether "
+                "they are right",
+            .not_in_server = of_pages},
+           &R::verify_beside},
           {{.key = "disjoint",
             .flags = "--disjoint",
             .help = "workers step together and never hold one item twice, so that items may change",
-            .not_in_server = of_pages,
-            .not_in_python = in_cpp},
+            .not_in_server = of_pages},
            &R::disjoint},
           {{.key = "write_back",
             .flags = "--write-back",
             .help = "items change while they are held: say what is stored when",
-            .not_in_server = of_pages,
-            .not_in_python = in_cpp},
+            .not_in_server = of_pages},
            &R::write_back},
           {{.key = "prefetch",
             .flags = "--prefetch",
-            .help = "say what is computed when, so that loads overlap computation",
-            .not_in_python = of_executor},
+            .help = "say what is computed when, so that loads overlap computation"},
            &R::prefetch},
           {{.key = "new_pairs",
             .flags = "--new-pairs",
             .help = "say of each step which pairs are computed",
-            .not_in_server = of_pages,
-            .not_in_python = of_executor},
+            .not_in_server = of_pages},
            &R::new_pairs},
           {{.key = "ordered",
             .flags = "--ordered",
             .help = "pairs both ways: (i,j) and (j,i)",
-            .not_in_server = of_pages,
-            .not_in_python = of_executor},
+            .not_in_server = of_pages},
            &R::ordered},
           {{.key = "self",
             .flags = "--self",
             .help = "each item with itself, too: (i,i)",
-            .not_in_server = of_pages,
-            .not_in_python = of_executor},
+            .python = "with_self",
+            .not_in_server = of_pages},
            &R::self},
           {{.key = "shuffle",
             .flags = "--shuffle",
             .help = "pairs of a step in random order, by --seed",
-            .not_in_server = of_pages,
-            .not_in_python = of_executor},
+            .not_in_server = of_pages},
            &R::shuffle},
       },
       "search so long for a better order");
@@ -129,7 +165,16 @@ std::vector<OptionRule> rules() {
   using Says = OptionRule::Says;
   return {
       {Says::exclude, {"new_pairs", "prefetch"}},
-      {Says::only_with, {"disjoint"}, {"workers"}},
+      {Says::only_with,
+       {"disjoint", "worker", "balance", "first_holder", "pair_cost"},
+       {"workers"}},
+      {Says::exclude, {"balance", "first_holder"}},
+      {Says::exclude, {"first_holder", "pair_cost"}},
+      {Says::never_with,
+       {"worker", "from_step", "verify_beside"},
+       {"disjoint", "fast_room", "prefetch", "write_back"}},
+      {Says::never_with, {"from_step"}, {"workers", "new_pairs"}},
+      {Says::never_with, {"balance", "first_holder", "pair_cost"}, {"disjoint"}},
       {Says::never_with,
        {"fast_room"},
        {"disjoint", "prefetch", "pairs", "against", "done_items", "seconds"}},
@@ -166,9 +211,14 @@ void check_ranges(const LoadRequest& request, Door door) {
                        key("room", door), *request.room, most_items));
   }
   at_least_one("workers", request.workers, " worker");
+  at_least_one("from_step", request.from_step, ", the first step");
   if (request.workers && *request.workers > most_workers) {
     refuse(
         fmt::format("{} {}: give 1 to {}", key("workers", door), *request.workers, most_workers));
+  }
+  if (request.worker && *request.worker >= *request.workers) {
+    refuse(fmt::format("{} {}: of {} {} give 0 to {}", key("worker", door), *request.worker,
+                       key("workers", door), *request.workers, *request.workers - 1));
   }
   at_least_one("against", request.against, " item");
   at_least_one("item_bytes", request.item_bytes, "");
@@ -267,6 +317,11 @@ CheckedLoads checked_loads(const LoadRequest& request, Door door,
     checked.wanted_ = WantedPairs::beyond(*request.done_items, *request.items);
   }
   checked.items_ = checked.wanted_.are_all() ? *request.items : checked.wanted_.items();
+  if (request.pair_cost.is_given()) {
+    const auto input = open(request.pair_cost, option_of(load_table(), "pair_cost").record,
+                            key("pair_cost", door));
+    checked.cost_ = read_pair_costs(*input, checked.items_, checked.wanted_);
+  }
   return checked;
 }
 

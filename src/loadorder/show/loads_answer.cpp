@@ -1,7 +1,9 @@
 #include "loadorder/show/loads_answer.hpp"
 
+#include "changeover/core/parameters.hpp"
 #include "changeover/loadorder/load_order.hpp"
 #include "changeover/loadorder/workers.hpp"
+#include "loadorder/order/of_worker.hpp"
 
 namespace changeover {
 namespace {
@@ -14,15 +16,20 @@ LoadsShown shown_as_asked(const LoadRequest& request) {
                  .write_back = request.write_back,
                  .searched = request.seconds.has_value(),
                  .seed = seed,
-                 .item_bytes = request.item_bytes};
+                 .item_bytes = request.item_bytes,
+                 .worker = request.worker,
+                 .from_step = request.from_step,
+                 .beside = request.verify_beside};
   if (request.shuffle) {
     how.compute.shuffle = seed;
   }
   return how;
 }
 
-AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request,
-                 const LoadOrderOptions& options) {
+AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request, LoadOrderOptions options) {
+  options.balance = !request.first_holder;
+  options.pair_cost = asked.pair_cost();
+  options.read_first = !request.verify_beside && !request.worker;
   const WantedPairs& wanted = asked.wanted();
   const bool all = wanted.are_all();
   const std::uint64_t items = asked.items();
@@ -32,7 +39,7 @@ AnyLoads planned(const CheckedLoads& asked, const LoadRequest& request,
   }
   if (request.fast_room) {
     if (request.workers) {
-      return split_two_levels(items, room, *request.fast_room, *request.workers);
+      return split_two_levels(items, room, *request.fast_room, *request.workers, options);
     }
     return plan_two_levels(items, room, *request.fast_room);
   }
@@ -57,6 +64,74 @@ LoadsAnswer::LoadsAnswer(const CheckedLoads& asked, const LoadRequest& request,
     : room_(asked.room()),
       how_(shown_as_asked(request)),
       loads_(planned(asked, request, options)) {}
+
+namespace {
+
+std::unique_ptr<StepSource> with_work(const LoadOrder& order, const ScheduleRules& rules,
+                                      std::optional<std::uint64_t> worker) {
+  std::unique_ptr<StepSource> all = order.stream();
+  if (rules.compute) {
+    all = std::make_unique<StepWork>(std::move(all), rules);
+  }
+  return worker && order.facts().lockstep > 0 ? std::make_unique<OfWorker>(std::move(all), *worker)
+                                              : std::move(all);
+}
+
+// What a worker computes may depend on those before it.
+std::unique_ptr<StepSource> with_work(const WorkerSplit& split, const ScheduleRules& rules,
+                                      std::optional<std::uint64_t> worker) {
+  const bool alone = worker && (!rules.compute || split.owners() != nullptr);
+  std::unique_ptr<StepSource> steps = alone ? split.stream(*worker) : split.stream();
+  if (rules.compute) {
+    steps = std::make_unique<StepWork>(std::move(steps), rules, split.owners());
+  }
+  return worker && !alone ? std::make_unique<OfWorker>(std::move(steps), *worker)
+                          : std::move(steps);
+}
+
+template <typename Order>
+std::unique_ptr<StepSource> with_work(const Prefetched<Order>& plan, const ScheduleRules& rules,
+                                      std::optional<std::uint64_t> worker) {
+  return with_work(plan.order, rules, worker);
+}
+
+template <typename Order>
+const Order& order_in(const Order& order) {
+  return order;
+}
+template <typename Order>
+const Order& order_in(const Prefetched<Order>& plan) {
+  return plan.order;
+}
+
+}  // namespace
+
+ScheduleRules LoadsAnswer::rules() const {
+  ScheduleRules rules = std::visit(
+      [&](const auto& loads) {
+        return order_in(loads).rules(says_work() ? std::optional<ComputeRules>(how_.compute)
+                                                 : std::nullopt);
+      },
+      loads_);
+  rules.room = room_;
+  rules.store = how_.write_back;
+  rules.overlap =
+      std::holds_alternative<PrefetchPlan>(loads_) || std::holds_alternative<PrefetchSplit>(loads_);
+  return rules;
+}
+
+std::unique_ptr<StepSource> LoadsAnswer::steps(std::optional<std::uint64_t> worker) const {
+  return std::visit([&](const auto& loads) { return with_work(loads, rules(), worker); }, loads_);
+}
+
+std::string LoadsAnswer::fault() const {
+  const ScheduleRules all = rules();
+  CheckOptions options;
+  options.all_pairs = all.items <= max_elements_in_memory || all.wanted.graph() != nullptr;
+  const auto reader = steps(std::nullopt);
+  const ScheduleVerdict verdict = check_schedule(*reader, all, options);
+  return verdict.valid() ? "" : "the load order is wrong: " + verdict.fault + verdict.example;
+}
 
 void LoadsAnswer::write(const std::string& format, Sink& sink) const {
   LoadsShown how = how_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -55,7 +56,10 @@ class Said {
     rules_.compute = how_.compute;
   }
   /// The steps are those of workers one after another.
-  void split(const SplitFacts& split) { split_ = &split; }
+  void split(const WorkerSplit& split) {
+    split_ = &split.facts();
+    owners_ = split.owners();
+  }
 
   void show(Sink& out) {
     if (check_anew()) {
@@ -72,6 +76,7 @@ class Said {
         json.value(loads);
       }
       json.end_array();
+      say_pairs_of_each(json);
     }
     text += "verified: " + verified + "\n" + at_the_end();
     const PairGraph* const graph = facts_.wanted.graph();
@@ -84,7 +89,7 @@ class Said {
 
  private:
   [[nodiscard]] std::unique_ptr<StepSource> steps() const {
-    return rules_.compute ? std::make_unique<StepWork>(loads_(), rules_) : loads_();
+    return rules_.compute ? std::make_unique<StepWork>(loads_(), rules_, owners_) : loads_();
   }
 
   // Whether it is kept in mind which pairs were computed.
@@ -94,6 +99,10 @@ class Said {
 
   // What is too much to be kept in mind is not read twice.
   [[nodiscard]] bool check_anew() const {
+    return !how_.beside && !how_.worker && !how_.from_step && is_more_than_loads();
+  }
+
+  [[nodiscard]] bool is_more_than_loads() const {
     return rules_.store || (rules_.compute && (spare_ ? facts_.every_step_read : each_pair_once()));
   }
 
@@ -104,14 +113,34 @@ class Said {
     checked_ = check_schedule(*steps(), rules_, options);
     if (!checked_.valid() || checked_.loads != facts_.loads ||
         checked_.transfers != facts_.transfers ||
-        (facts_.lockstep > 0 && checked_.span != facts_.span)) {
+        (facts_.lockstep > 0 && checked_.span != facts_.span) || !pairs_are_as_said()) {
       throw InternalError(fmt::format("what the steps do is wrong: {} missing, {} repeated; {}",
                                       checked_.missing, checked_.repeated, checked_.fault));
     }
   }
 
+  // What workers compute is what the head says of them.
+  [[nodiscard]] bool pairs_are_as_said() const {
+    if (split_ == nullptr || !split_->pairs_are_known || how_.compute.self ||
+        how_.compute.ordered) {
+      return true;
+    }
+    std::vector<std::uint64_t> computed = checked_.worker_pairs;
+    computed.resize(split_->workers.size(), 0);
+    return std::ranges::equal(computed, split_->workers, {}, {}, &WorkerFacts::pairs);
+  }
+
   // One line.
   [[nodiscard]] std::string how_verified() const {
+    if (how_.worker) {
+      return fmt::format(
+          "the steps of worker {} are read while they are written; those of others are not",
+          *how_.worker);
+    }
+    if (how_.beside) {
+      return each_pair_once() ? "every step is read while it is written"
+                              : "64 items are followed while it is written";
+    }
     const std::string lost = rules_.store ? "; no change is lost" : "";
     const std::string computed = fmt::format("{} computed", count_of(checked_.computed, "pair"));
     if (spare_ && facts_.every_step_read) {
@@ -137,7 +166,9 @@ class Said {
     return line + lost;
   }
 
-  [[nodiscard]] bool follow() const { return !facts_.every_step_read && !spare_; }
+  [[nodiscard]] bool follow() const {
+    return !facts_.every_step_read && !spare_ && !how_.from_step;
+  }
 
   // The lines before the one that says how it was verified; what it is about has its keys in
   // `json`.
@@ -182,6 +213,13 @@ class Said {
       }
       json.key("makespan_bound").value(facts_.makespan_bound.loads);
       json.key("makespan_bound_reason").value(facts_.makespan_bound.reason);
+      say_pairs(json, workers);
+      if (how_.worker) {
+        json.key("worker").value(*how_.worker);
+      }
+    }
+    if (how_.from_step) {
+      json.key("from_step").value(*how_.from_step);
     }
     if (split_ != nullptr && !facts_.fast_room) {
       json.key("groups").value(split_->groups);
@@ -212,6 +250,93 @@ class Said {
     return in_short(bound, steps) + stores + (plain ? hint() : "") + method + bounds(bound);
   }
 
+  // How even the workers' pairs are, and how even they can be.
+  void say_pairs(JsonWriter& json, std::uint64_t workers) const {
+    const Evenness pairs = evenness();
+    if (pairs.all > 0 || pairs.most > 0) {
+      json.key("pairs_per_worker")
+          .begin_object()
+          .key("max")
+          .value(pairs.most)
+          .key("mean")
+          .value(static_cast<double>(pairs.all) / static_cast<double>(workers))
+          .end_object();
+      json.key("pairs_per_worker_bound").value(ceil_div(pairs.all, workers));
+    }
+    if (split_ != nullptr && split_->has_costs) {
+      json.key("cost_per_worker")
+          .begin_object()
+          .key("max")
+          .value(split_->most_cost)
+          .key("mean")
+          .value(split_->all_costs / static_cast<double>(workers))
+          .end_object();
+    }
+  }
+
+  void say_pairs_of_each(JsonWriter& json) const {
+    if (evenness().most == 0) {
+      return;
+    }
+    json.key("worker_pairs").begin_array();
+    for (std::size_t w = 0; split_ != nullptr && w < split_->workers.size(); ++w) {
+      json.value(split_->workers[w].pairs);
+    }
+    for (std::size_t w = 0; split_ == nullptr && w < facts_.worker_pairs.size(); ++w) {
+      json.value(facts_.worker_pairs[w]);
+    }
+    json.end_array();
+    if (split_ != nullptr && split_->has_costs) {
+      json.key("worker_costs").begin_array();
+      for (const WorkerFacts& worker : split_->workers) {
+        json.value(worker.cost);
+      }
+      json.end_array();
+    }
+  }
+
+  struct Evenness {
+    std::uint64_t all = 0;
+    std::uint64_t most = 0;
+  };
+  // Zeros if it is not known.
+  [[nodiscard]] Evenness evenness() const {
+    if (split_ != nullptr) {
+      return split_->pairs_are_known ? Evenness{split_->all_pairs, split_->most_pairs} : Evenness{};
+    }
+    Evenness of;
+    for (const std::uint64_t pairs : facts_.worker_pairs) {
+      of.all += pairs;
+      of.most = std::max(of.most, pairs);
+    }
+    return of;
+  }
+
+  [[nodiscard]] std::string pairs_in_words(std::uint64_t workers) const {
+    const Evenness pairs = evenness();
+    std::string text;
+    if (pairs.most > 0) {
+      const std::uint64_t least = ceil_div(pairs.all, workers);
+      text = fmt::format(
+          "the worker with most pairs computes {} of {}, {}\n", pairs.most, pairs.all,
+          pairs.most == least
+              ? std::string("the fewest possible")
+              : fmt::format("{:.2f} % over the mean {}",
+                            100 * (static_cast<double>(pairs.most) * static_cast<double>(workers) /
+                                       static_cast<double>(pairs.all) -
+                                   1),
+                            least));
+    }
+    if (split_ != nullptr && split_->has_costs) {
+      const double mean = split_->all_costs / static_cast<double>(workers);
+      text += fmt::format(
+          "the one whose pairs cost most has {:.6g} of {:.6g}, {:.2f} % over the mean {:.6g}\n",
+          split_->most_cost, split_->all_costs,
+          mean > 0 ? 100 * (split_->most_cost / mean - 1) : 0.0, mean);
+    }
+    return text;
+  }
+
   // The first lines.
   [[nodiscard]] std::string in_short(const LoadBound& bound, std::uint64_t steps) const {
     const std::string loads = count_of(facts_.loads, "load");
@@ -230,9 +355,10 @@ class Said {
     const std::string busiest =
         split_ == nullptr
             ? ""
-            : fmt::format("{} for {}, the busiest has {}, {}\n", loads,
+            : fmt::format("{} for {}, the busiest has {}, {}\n{}", loads,
                           count_of(split_->workers.size(), "worker"), facts_.makespan(),
-                          over(facts_.makespan(), facts_.makespan_bound));
+                          over(facts_.makespan(), facts_.makespan_bound),
+                          pairs_in_words(split_->workers.size()));
     if (facts_.fast_room) {
       return fmt::format(
           "{}, room for {} in memory and {} of them on the accelerator: {}\n{}"
@@ -246,8 +372,9 @@ class Said {
         facts_.wanted.are_all() ? count_of(facts_.items, "item") : facts_.wanted.describe(),
         facts_.room);
     if (split_ != nullptr) {
-      const std::string groups = split_->groups == facts_.items
-                                     ? ""
+      const std::string groups = split_->groups == facts_.items ? ""
+                                 : split_->group_room == 0
+                                     ? fmt::format("items in {} groups\n", split_->groups)
                                      : fmt::format("items in {} groups, room for {} groups\n",
                                                    split_->groups, split_->group_room);
       return what + busiest + groups + spare;
@@ -296,8 +423,10 @@ class Said {
   [[nodiscard]] std::string at_the_end() const {
     std::string text;
     for (std::size_t w = 0; split_ != nullptr && w < split_->workers.size(); ++w) {
-      text += fmt::format("worker {}: {} in {}\n", w, count_of(split_->workers[w].loads, "load"),
-                          count_of(split_->workers[w].steps, "step"));
+      const WorkerFacts& worker = split_->workers[w];
+      text += fmt::format("worker {}: {} in {}{}\n", w, count_of(worker.loads, "load"),
+                          count_of(worker.steps, "step"),
+                          split_->pairs_are_known ? ", " + count_of(worker.pairs, "pair") : "");
     }
     if (spare_) {
       text +=
@@ -335,17 +464,23 @@ class Said {
   // The steps; an order that was not read before is followed on the way.
   void write(StepWriter& writer) const {
     std::optional<ScheduleCheck> audit;
-    if (follow()) {
+    const bool whole = how_.beside && !how_.worker;
+    if (whole || how_.worker || follow()) {
       ScheduleRules loads = rules_;
-      loads.compute = {};
+      if (!whole && !how_.worker) {
+        loads.compute = {};
+      }
       loads.store = false;
       CheckOptions options;
-      options.all_pairs = false;
+      options.all_pairs = whole && each_pair_once();
       options.seed = how_.seed;
       audit.emplace(loads, options);
     }
     const auto all = steps();
     for (Step step; all->next(step);) {
+      if (how_.worker && step.worker != *how_.worker) {
+        continue;  // read since they say what is left to it
+      }
       if (audit) {
         audit->read(step);
       }
@@ -353,12 +488,19 @@ class Said {
     }
     if (audit) {
       const ScheduleVerdict verdict = audit->finish();
-      if (!verdict.valid() || verdict.loads != facts_.loads) {  // before the output appears
+      const std::uint64_t loads = how_.worker ? loads_of_worker() : facts_.loads;
+      const bool right = how_.worker ? verdict.fault.empty() && verdict.repeated == 0
+                                     : verdict.valid() || (verdict.steps == 0 && facts_.steps == 0);
+      if (!right || verdict.loads != loads) {  // before the output appears
         throw InternalError(
             fmt::format("the load order is wrong: {}{}", verdict.fault, verdict.example));
       }
     }
     writer.end();
+  }
+
+  [[nodiscard]] std::uint64_t loads_of_worker() const {
+    return split_->workers[static_cast<std::size_t>(*how_.worker)].loads;
   }
 
   LoadOrderFacts facts_;
@@ -367,6 +509,7 @@ class Said {
   ScheduleRules rules_;
   std::optional<std::uint64_t> spare_;
   const SplitFacts* split_ = nullptr;
+  std::shared_ptr<const PairOwners> owners_;
   ScheduleVerdict checked_;  // no steps if it was not checked anew
 };
 
@@ -389,9 +532,12 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
   for (const WorkerFacts& worker : facts.workers) {
     whole.worker_loads.push_back(worker.loads);
   }
+  // Without owners it takes those before to say what one worker computes.
+  const bool alone = how.worker && (split.owners() != nullptr || !how.new_pairs);
   Said said(
-      std::move(whole), [&split] { return split.stream(); }, how);
-  said.split(facts);
+      std::move(whole),
+      [&split, &how, alone] { return alone ? split.stream(*how.worker) : split.stream(); }, how);
+  said.split(split);
   return said;
 }
 
@@ -400,7 +546,9 @@ Said said_of(const WorkerSplit& split, std::uint64_t room, const LoadsShown& how
 void show_loads(const LoadOrder& order, std::uint64_t /*room: the order's own*/,
                 const LoadsShown& how, Sink& out) {
   Said(
-      order.facts(), [&order] { return order.stream(); }, how)
+      order.facts(),
+      [&order, &how] { return how.from_step ? order.stream_from(*how.from_step) : order.stream(); },
+      how)
       .show(out);
 }
 

@@ -20,6 +20,9 @@ struct LoadsShown {
       1;  ///< of the items that are followed while an order is written that was not read before
   std::optional<std::uint64_t> item_bytes = {};  ///< of two levels
   bool head_only = false;                        ///< without the steps
+  std::optional<std::uint64_t> worker = {};      ///< the steps of this one only
+  std::optional<std::uint64_t> from_step = {};   ///< of one worker: steps from this one on
+  bool beside = false;  ///< all steps are checked while they are written, not before
 };
 
 // What the steps compute and store is checked first, as it will be written. @throws InternalError

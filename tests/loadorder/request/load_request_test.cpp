@@ -1,4 +1,5 @@
-// Load requests as documents: read back as they are, refused as they should be, and the same pairs whichever way they come.
+// Load requests as documents: read back as they are, refused as they should be, and the same pairs
+// whichever way they come.
 #include "changeover/loadorder/load_request.hpp"
 
 #include <gmock/gmock.h>
@@ -37,7 +38,9 @@ TEST(LoadRequest, IsReadBackAsItWasWritten) {
             auto& value = request.*field;
             using Value = std::remove_cvref_t<decltype(value)>;
             if constexpr (std::is_same_v<Value, RequestList>) {
-              value.rows = {{{{"0", "7"}}, {{"a,b", "c"}}}};
+              value.rows = option.record.shape == RowShape::weights
+                               ? std::vector<ListRow>{{{"0", "7", "2.5"}}, {{"a,b", "c", "0"}}}
+                               : std::vector<ListRow>{{{"0", "7"}}, {{"a,b", "c"}}};
             } else if constexpr (std::is_same_v<Value, bool>) {
               value = true;
             } else if constexpr (std::is_same_v<Value, std::optional<double>>) {

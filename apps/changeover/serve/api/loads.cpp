@@ -221,7 +221,8 @@ void write_workers(JsonWriter& json, const WorkerSplit& split,
   }
   json.end_array().key("worker_pairs").begin_array();
   for (std::size_t i = 0; i < facts.workers.size(); ++i) {
-    json.value(i < pairs_of.size() ? pairs_of[i] : 0);
+    const std::uint64_t met = i < pairs_of.size() ? pairs_of[i] : 0;
+    json.value(facts.pairs_are_known ? facts.workers[i].pairs : met);
   }
   json.end_array();
 }

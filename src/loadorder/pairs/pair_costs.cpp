@@ -1,0 +1,126 @@
+#include "loadorder/pairs/pair_costs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+
+#include "io/scan/row_reader.hpp"
+
+namespace changeover {
+namespace {
+
+using Costs = std::unordered_map<std::uint64_t, double>;
+
+std::uint64_t key_of(Element x, Element y) {
+  return std::uint64_t{std::max(x, y)} << 32 | std::min(x, y);
+}
+
+template <typename Number>
+std::optional<Number> number_in(const Field& field) {
+  Number number{};
+  const char* const end = field.text.data() + field.text.size();
+  const auto [stop, error] = std::from_chars(field.text.data(), end, number);
+  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+}
+
+class CostList {
+ public:
+  CostList(Input& input, std::uint64_t items, const WantedPairs& wanted)
+      : rows_(input, options()), items_(items) {
+    if (wanted.graph() != nullptr) {
+      for (const std::string& name : wanted.graph()->names()) {
+        numbers_.emplace(name, static_cast<Element>(numbers_.size()));
+      }
+    }
+  }
+
+  Costs read() {
+    Row row;
+    for (bool first = true; rows_.next_line();) {
+      if (rows_.split(row)) {
+        std::erase_if(row, [](const Field& field) { return field.text.empty(); });
+        if (row.size() == 1 && !row.front().in_quotes) {
+          row = at_blanks(row.front(), rows_);
+        }
+        if (!row.empty() && !(std::exchange(first, false) && is_header(row))) {
+          take(row);
+        }
+      }
+    }
+    return std::move(costs_);
+  }
+
+ private:
+  static RowOptions options() {
+    RowOptions options = RowOptions::of_any_length();
+    options.any_separator = options.blanks = options.percent_too = true;
+    return options;
+  }
+
+  [[nodiscard]] bool is_header(const Row& row) const {
+    return row.size() == 3 && !number_in<double>(row[2]);
+  }
+
+  Element item(const Field& field) {
+    if (!numbers_.empty()) {
+      const auto found = numbers_.find(field.text);
+      if (found == numbers_.end()) {
+        rows_.fail(field,
+                   fmt::format("'{}' is no item of the pairs; write it as there", field.text));
+      }
+      return found->second;
+    }
+    const auto number = number_in<Element>(field);
+    if (!number || *number >= items_) {
+      rows_.fail(field, fmt::format("'{}' is not one of {} items, which have the numbers 0 to {}",
+                                    field.text, items_, items_ - 1));
+    }
+    return *number;
+  }
+
+  void take(const Row& row) {
+    if (row.size() != 3) {
+      rows_.fail(row[std::min<std::size_t>(row.size() - 1, 3)],
+                 "give two items and what their pair costs in each row");
+    }
+    const Element x = item(row[0]);
+    const Element y = item(row[1]);
+    const auto cost = number_in<double>(row[2]);
+    if (!cost || !std::isfinite(*cost) || *cost < 0) {
+      rows_.fail(row[2], fmt::format("'{}' is no cost; give a number, 0 or more", row[2].text));
+    }
+    if (x == y) {
+      rows_.fail(row[1], fmt::format("'{}' stands twice; a pair has two items", row[1].text));
+    }
+    if (!costs_.emplace(key_of(x, y), *cost).second) {
+      rows_.fail(row[0],
+                 fmt::format("the pair of '{}' and '{}' has a cost already; keep one of both",
+                             row[0].text, row[1].text));
+    }
+  }
+
+  RowReader rows_;
+  std::uint64_t items_;
+  std::unordered_map<std::string, Element> numbers_;  // of names
+  Costs costs_;
+};
+
+}  // namespace
+
+std::function<double(Element, Element)> read_pair_costs(Input& input, std::uint64_t items,
+                                                        const WantedPairs& wanted) {
+  const auto costs = std::make_shared<const Costs>(CostList(input, items, wanted).read());
+  return [costs](Element x, Element y) {
+    const auto found = costs->find(key_of(x, y));
+    return found == costs->end() ? 1.0 : found->second;
+  };
+}
+
+}  // namespace changeover

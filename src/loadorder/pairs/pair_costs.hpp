@@ -1,0 +1,21 @@
+// Internal: what pairs cost to compute, from a list: two items and a number a row, with what
+// separates them in a list of pairs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "changeover/io/input.hpp"
+#include "changeover/loadorder/wanted_pairs.hpp"
+
+namespace changeover {
+
+/// Items have the numbers 0, …, items − 1, or the names that the wanted pairs give them. Pairs that
+/// are not in the list cost 1. A first row of words over rows of numbers is a header. @throws
+/// BadInput with the place of what is no item, no number from 0 on, or a pair that has a cost
+/// already
+[[nodiscard]] std::function<double(Element, Element)> read_pair_costs(Input& input,
+                                                                      std::uint64_t items,
+                                                                      const WantedPairs& wanted);
+
+}  // namespace changeover

@@ -1,0 +1,17 @@
+// Internal: how many items some worker must load, however much room it has, since any two items
+// meet at one of few workers.
+//
+//     least_at_one_worker(1024, 13).loads      // 316: 13 workers, the lines of a plane, do with it
+//
+// Let E_x be the workers that load x: any two of these sets have a worker in common. Then many of
+// them are large, or many pairs have more than one worker in common [docs/theorems.md, Theorem 17].
+#pragma once
+
+#include "changeover/loadorder/load_order.hpp"
+
+namespace changeover {
+
+/// Some worker loads so many different items. items ≥ 1, workers ≥ 1. O(√W · log P)
+[[nodiscard]] LoadBound least_at_one_worker(std::uint64_t items, std::uint64_t workers);
+
+}  // namespace changeover

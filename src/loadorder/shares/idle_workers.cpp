@@ -1,0 +1,268 @@
+#include "loadorder/shares/idle_workers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "loadorder/shares/owners/group_owners.hpp"
+#include "loadorder/shares/owners/meetings.hpp"
+#include "run/random.hpp"
+
+namespace changeover {
+namespace {
+
+// Each group becomes so many.
+void refine(GroupShares& shares, std::uint64_t parts) {
+  for (GroupShare& share : shares.workers) {
+    for (std::vector<Element>* const list : {&share.held, &share.streamed}) {
+      std::vector<Element> fine;
+      for (const Element group : *list) {
+        for (std::uint64_t i = 0; i < parts; ++i) {
+          fine.push_back(static_cast<Element>(group * parts + i));
+        }
+      }
+      *list = std::move(fine);
+    }
+  }
+  shares.groups *= parts;
+}
+
+std::uint64_t pairs_of_the_fullest(const GroupShares& shares, std::uint64_t items) {
+  constexpr double part = 1e-4;
+  const auto owners = owners_of(shares, items, part);
+  return *std::max_element(owners->pairs().begin(), owners->pairs().end());
+}
+
+/// Shares of idle workers that are changed group by group. What counts is how many pairs busy
+/// workers can give away, none more than it has above the mean.
+class IdleShares {
+ public:
+  IdleShares(const GroupShares& busy, const ItemGroups& groups, std::uint64_t room,
+             std::uint64_t makespan, std::uint64_t idle, Random& random)
+      : groups_(groups),
+        owners_(owners_of(busy, groups.items, 1e-4)),
+        room_(room),
+        makespan_(makespan),
+        random_(random),
+        met_(static_cast<std::size_t>(groups.groups * groups.groups), 0),
+        given_(busy.workers.size(), 0) {
+    double mean = 0;
+    for (const std::uint64_t pairs : owners_->pairs()) {
+      mean += static_cast<double>(pairs);
+    }
+    mean /= static_cast<double>(busy.workers.size() + idle);
+    // A little more, as what is given away cannot be chosen freely.
+    constexpr double spare = 1.1;
+    for (const std::uint64_t pairs : owners_->pairs()) {
+      needed_.push_back(spare * std::max(0.0, static_cast<double>(pairs) - mean));
+    }
+    for (std::uint64_t i = 0; i < idle; ++i) {
+      begin_share();
+    }
+  }
+
+  [[nodiscard]] bool are_empty() const { return shares_.empty() || shares_[0].held == 0; }
+
+  void improve(std::uint64_t moves) {
+    double value = worth();
+    for (std::uint64_t i = 0; i < moves; ++i) {
+      Share& share = shares_[random_.below(static_cast<std::uint32_t>(shares_.size()))];
+      const std::size_t a = random_.below(static_cast<std::uint32_t>(share.held + share.streamed));
+      const std::size_t b = random_.below(static_cast<std::uint32_t>(share.order.size()));
+      const std::size_t role_a = role(share, a);
+      if (role_a == role(share, b) || !fits(share, a, b)) {
+        continue;
+      }
+      exchange(share, a, b);
+      if (const double now = worth(); now >= value) {
+        value = now;
+      } else {
+        exchange(share, a, b);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<GroupShare> result() const {
+    std::vector<GroupShare> all;
+    for (const Share& share : shares_) {
+      const auto middle = share.order.begin() + static_cast<std::ptrdiff_t>(share.held);
+      GroupShare one{{share.order.begin(), middle},
+                     {middle, middle + static_cast<std::ptrdiff_t>(share.streamed)}};
+      std::sort(one.held.begin(), one.held.end());
+      std::sort(one.streamed.begin(), one.streamed.end());
+      all.push_back(std::move(one));
+    }
+    return all;
+  }
+
+ private:
+  /// What is held comes first, then what is streamed, then the rest.
+  struct Share {
+    std::vector<Element> order;
+    std::size_t held = 0;
+    std::size_t streamed = 0;
+    std::uint64_t held_items = 0;
+    std::uint64_t all_items = 0;
+  };
+
+  [[nodiscard]] static std::size_t role(const Share& share, std::size_t at) {
+    return at < share.held ? 0 : at < share.held + share.streamed ? 1 : 2;
+  }
+
+  void begin_share() {
+    Share share;
+    share.order.resize(static_cast<std::size_t>(groups_.groups));
+    for (std::size_t i = 0; i < share.order.size(); ++i) {
+      const std::size_t j = random_.below(static_cast<std::uint32_t>(i + 1));
+      share.order[i] = share.order[j];
+      share.order[j] = static_cast<Element>(i);
+    }
+    const std::uint64_t streams = makespan_ > room_ ? 1 : 0;
+    for (const Element group : share.order) {
+      const std::uint64_t size = groups_.size(group);
+      if (share.all_items + size > makespan_) {
+        break;
+      }
+      if (share.streamed == 0 && share.held_items + size + streams <= room_) {
+        ++share.held;
+        share.held_items += size;
+      } else {
+        ++share.streamed;
+      }
+      share.all_items += size;
+    }
+    shares_.push_back(std::move(share));
+    Share& last = shares_.back();
+    for (std::size_t i = 0; i < last.held; ++i) {
+      for (std::size_t j = i; j < last.held + last.streamed; ++j) {
+        meet(last.order[i], last.order[j], 1);
+      }
+    }
+  }
+
+  [[nodiscard]] bool fits(const Share& share, std::size_t a, std::size_t b) const {
+    const auto size = [&](std::size_t at) { return groups_.size(share.order[at]); };
+    const auto after = [&](std::uint64_t before, std::size_t roles) {
+      std::uint64_t items = before;
+      items += (role(share, a) <= roles ? size(b) : 0) + (role(share, b) <= roles ? size(a) : 0);
+      return items - (role(share, a) <= roles ? size(a) : 0) -
+             (role(share, b) <= roles ? size(b) : 0);
+    };
+    return after(share.held_items, 0) + (share.streamed > 0 ? 1 : 0) <= room_ &&
+           after(share.all_items, 1) <= makespan_;
+  }
+
+  void meet(Element group, Element other, int by) {
+    const std::size_t at =
+        static_cast<std::size_t>(std::max(group, other) * groups_.groups + std::min(group, other));
+    const bool changes = by > 0 ? met_[at] == 0 : met_[at] == 1;
+    met_[at] = static_cast<std::uint32_t>(static_cast<int>(met_[at]) + by);
+    if (changes) {
+      owners_->each_part(group, other, [&](std::uint32_t worker, std::uint64_t pairs) {
+        given_[worker] += by * static_cast<double>(pairs);
+      });
+    }
+  }
+
+  // Of one position, what meets because of it.
+  void place(Share& share, std::size_t at, std::size_t besides, int by) {
+    const std::size_t of = role(share, at);
+    const std::size_t end = of == 0 ? share.held + share.streamed : of == 1 ? share.held : 0;
+    for (std::size_t i = 0; i < end; ++i) {
+      if (i != besides && (i != at || of == 0)) {
+        meet(share.order[at], share.order[i], by);
+      }
+    }
+  }
+
+  void exchange(Share& share, std::size_t a, std::size_t b) {
+    const auto count = [&](bool adds) {
+      for (const std::size_t at : {a, b}) {
+        const std::uint64_t size = groups_.size(share.order[at]);
+        share.held_items += role(share, at) == 0 ? (adds ? size : 0 - size) : 0;
+        share.all_items += role(share, at) <= 1 ? (adds ? size : 0 - size) : 0;
+      }
+    };
+    count(false);
+    place(share, a, b, -1);
+    place(share, b, a, -1);
+    std::swap(share.order[a], share.order[b]);
+    place(share, a, b, 1);
+    place(share, b, a, 1);
+    count(true);
+  }
+
+  [[nodiscard]] double worth() const {
+    double sum = 0;
+    for (std::size_t w = 0; w < given_.size(); ++w) {
+      sum += std::min(given_[w], needed_[w]);
+    }
+    return sum;
+  }
+
+  ItemGroups groups_;
+  std::shared_ptr<const GroupOwners> owners_;
+  std::uint64_t room_, makespan_;
+  Random& random_;
+  std::vector<std::uint32_t> met_;  // by pair of groups: at so many idle workers
+  std::vector<double> given_;       // by busy worker: pairs that idle ones have, too
+  std::vector<double> needed_;
+  std::vector<Share> shares_;
+};
+
+}  // namespace
+
+double unevenness(const GroupShares& shares, std::uint64_t items, std::uint64_t workers) {
+  constexpr std::uint64_t most_groups = 600;
+  if (shares.plane_order > 0 && (shares.workers.size() == workers || shares.groups > most_groups)) {
+    return static_cast<double>(workers) / static_cast<double>(shares.workers.size());
+  }
+  return static_cast<double>(pairs_of_the_fullest(shares, items)) * static_cast<double>(workers) /
+         (static_cast<double>(items) * static_cast<double>(items - 1) / 2);
+}
+
+GroupShares with_idle_workers(GroupShares shares, std::uint64_t items, std::uint64_t room,
+                              std::uint64_t workers, std::uint64_t makespan) {
+  constexpr std::uint64_t most_groups = 240;
+  constexpr std::uint64_t most_parts = 4;
+  constexpr std::uint64_t most_looks = 20'000'000;  // at a pair of groups: some tenths of a second
+  constexpr int most_tries = 3;
+  if (shares.workers.size() >= workers || shares.groups > most_groups) {
+    return shares;
+  }
+  const std::uint64_t all_pairs = items * (items - 1) / 2;
+  std::uint64_t best_pairs = pairs_of_the_fullest(shares, items);
+  GroupShares best = shares;
+  const std::uint64_t parts = std::clamp<std::uint64_t>(
+      std::min(most_groups / shares.groups, items / shares.groups), 1, most_parts);
+  refine(shares, parts);
+  const ItemGroups groups{items, shares.groups};
+  const std::uint64_t idle = workers - shares.workers.size();
+  const std::uint64_t moves = most_looks / (2 * groups.groups + shares.workers.size());
+  Random random(1);
+  for (int i = 0; i < most_tries && 50 * best_pairs * workers > 51 * all_pairs; ++i) {
+    IdleShares more(shares, groups, room, makespan, idle, random);
+    if (more.are_empty()) {
+      break;
+    }
+    more.improve(moves);
+    GroupShares all = shares;
+    for (GroupShare& share : more.result()) {
+      all.workers.push_back(std::move(share));
+    }
+    if (const std::uint64_t pairs = pairs_of_the_fullest(all, items); pairs < best_pairs) {
+      best_pairs = pairs;
+      best = std::move(all);
+    }
+  }
+  if (best.workers.size() > shares.workers.size()) {
+    best.plane_order = 0;
+    best.explanation += fmt::format(" {} more {} some of their pairs.", idle,
+                                    idle == 1 ? "worker takes" : "workers take");
+  }
+  return best;
+}
+
+}  // namespace changeover

@@ -1,0 +1,228 @@
+#include "loadorder/shares/known_shares.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "core/checked.hpp"
+#include "core/words.hpp"
+#include "loadorder/shares/idle_workers.hpp"
+#include "loadorder/shares/planes.hpp"
+
+namespace changeover {
+namespace {
+
+/// A line of the table, as it is written.
+struct Base {
+  std::uint64_t groups = 0;
+  std::uint64_t step = 0;
+  std::vector<GroupShare> shares;
+
+  [[nodiscard]] std::uint64_t workers() const { return shares.size() * (groups / step); }
+  [[nodiscard]] std::uint64_t held() const { return shares.front().held.size(); }
+  [[nodiscard]] std::uint64_t all() const { return held() + shares.front().streamed.size(); }
+};
+
+Base parsed(std::string_view line) {
+  Base base;
+  std::vector<Element>* list = nullptr;
+  int numbers = 0;
+  while (!line.empty()) {
+    const std::size_t end = std::min(line.find(' '), line.size());
+    const std::string_view word = line.substr(0, end);
+    line.remove_prefix(std::min(end + 1, line.size()));
+    if (word == "|") {
+      list = &base.shares.emplace_back().held;
+    } else if (word == "/") {
+      list = &base.shares.back().streamed;
+    } else {
+      std::uint64_t number = 0;
+      std::from_chars(word.data(), word.data() + word.size(), number);
+      if (list != nullptr) {
+        list->push_back(static_cast<Element>(number));
+      } else {
+        (numbers++ == 0 ? base.groups : base.step) = number;
+      }
+    }
+  }
+  return base;
+}
+
+const std::vector<Base>& bases() {
+  static const std::vector<Base> all = [] {
+    std::vector<Base> read;
+    for (const char* const line : share_table()) {
+      read.push_back(parsed(line));
+    }
+    return read;
+  }();
+  return all;
+}
+
+std::string sets_in_words(const Base& base) {
+  const std::uint64_t streamed = base.all() - base.held();
+  const std::string held = count_of(base.held(), "group");
+  return streamed == 0 ? fmt::format("has {} of them", held)
+                       : fmt::format("holds {} and streams {} {}", held, streamed,
+                                     streamed == 1 ? "other" : "others");
+}
+
+GroupShares developed(const Base& base) {
+  GroupShares shares;
+  shares.groups = base.groups;
+  const bool covers = base.all() == base.held();
+  shares.method = covers ? "quorums" : "held and streamed groups";
+  shares.explanation = fmt::format("the numbers modulo {}; each of {} workers {}", base.groups,
+                                   base.workers(), sets_in_words(base));
+  shares.explanation += base.step == base.groups
+                            ? std::string(".")
+                            : fmt::format(", translates of {} by multiples of {}.",
+                                          count_of(base.shares.size(), "base share"), base.step);
+  for (const GroupShare& share : base.shares) {
+    for (std::uint64_t by = 0; by < base.groups; by += base.step) {
+      const auto moved = [&](const std::vector<Element>& set) {
+        std::vector<Element> out;
+        for (const Element group : set) {
+          out.push_back(static_cast<Element>((group + by) % base.groups));
+        }
+        std::sort(out.begin(), out.end());
+        return out;
+      };
+      shares.workers.push_back({moved(share.held), moved(share.streamed)});
+    }
+  }
+  return shares;
+}
+
+/// The best so far, and those that load hardly more.
+class Choice {
+ public:
+  struct Candidate {
+    std::uint64_t makespan = 0;
+    std::uint64_t loads = 0;
+    GroupShares shares;
+  };
+
+  Choice(std::uint64_t items, std::uint64_t room, std::uint64_t workers, std::uint64_t than)
+      : items_(items), room_(room), workers_(workers), than_(than) {}
+
+  /// Whether shares of so many of so many groups, `held` of them all the time, may be good enough.
+  [[nodiscard]] bool is_hopeful(std::uint64_t workers, std::uint64_t groups, std::uint64_t held,
+                                std::uint64_t all) const {
+    // The average is a whole number of items less at the most.
+    return workers <= workers_ && groups <= items_ && all * items_ / groups <= most() &&
+           held * (items_ / groups) <= room_;
+  }
+
+  void consider(GroupShares shares) {
+    const ItemGroups groups{items_, shares.groups};
+    Candidate one;
+    for (const GroupShare& share : shares.workers) {
+      const ShareCost cost = cost_of(share, groups, room_);
+      if (cost.steps == 0) {
+        return;
+      }
+      one.makespan = std::max(one.makespan, cost.loads);
+      one.loads += cost.loads;
+    }
+    if (one.makespan > most()) {
+      return;
+    }
+    one.shares = std::move(shares);
+    least_ = std::min(least_, one.makespan);
+    candidates_.push_back(std::move(one));
+  }
+
+  /// The least makespan first, then the fewest loads.
+  [[nodiscard]] std::vector<Candidate> take() {
+    std::erase_if(candidates_, [&](const Candidate& one) { return one.makespan > most(); });
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) {
+                       return std::pair(a.makespan, a.loads) < std::pair(b.makespan, b.loads);
+                     });
+    return std::move(candidates_);
+  }
+
+ private:
+  // A thirtieth more than the least is good enough if pairs are more even then.
+  [[nodiscard]] std::uint64_t most() const {
+    return std::min(than_ - 1, least_ + std::min(least_, than_) / 30);
+  }
+
+  std::uint64_t items_, room_, workers_;
+  std::uint64_t than_;
+  std::uint64_t least_ = std::numeric_limits<std::uint64_t>::max() / 2;
+  std::vector<Candidate> candidates_;
+};
+
+void consider_planes(Choice& choice, std::uint64_t workers) {
+  constexpr std::uint64_t largest_order = 101;
+  for (const bool affine : {false, true}) {
+    std::uint64_t q = 2;
+    while (q < largest_order && (q + 1) * (q + 1) + (q + 1) + (affine ? 0 : 1) <= workers) {
+      ++q;
+    }
+    while (q > 1 && !FiniteField::of_order(q)) {
+      --q;
+    }
+    const std::uint64_t points = q * q + (affine ? 0 : q + 1);
+    const std::uint64_t on_a_line = q + (affine ? 0 : 1);
+    if (q > 1 && choice.is_hopeful(q * q + q + (affine ? 0 : 1), points, on_a_line, on_a_line)) {
+      choice.consider(plane_shares(q, affine));
+    }
+  }
+}
+
+// Worker i holds group i and streams the next half of them.
+GroupShares halves(std::uint64_t workers) {
+  Base base{workers, 1, {{{0}, {}}}};
+  for (std::uint64_t i = 1; i <= workers / 2; ++i) {
+    base.shares[0].streamed.push_back(static_cast<Element>(i));
+  }
+  return developed(base);
+}
+
+}  // namespace
+
+GroupShares developed_shares(std::string_view line) { return developed(parsed(line)); }
+
+std::optional<GroupShares> best_group_shares(std::uint64_t items, std::uint64_t room,
+                                             std::uint64_t workers, std::uint64_t than) {
+  Choice choice(items, room, workers, than);
+  consider_planes(choice, workers);
+  const std::uint64_t ring = std::min(workers, items);
+  if (ring > 1 && choice.is_hopeful(ring, ring, 1, 1 + ring / 2)) {
+    choice.consider(halves(ring));
+  }
+  for (const Base& base : bases()) {
+    if (choice.is_hopeful(base.workers(), base.groups, base.held(), base.all())) {
+      choice.consider(developed(base));
+    }
+  }
+  // Loads come first, but for uneven pairs.
+  constexpr std::size_t most_looks = 6;
+  constexpr double even = 1.05;
+  std::vector<Choice::Candidate> candidates = choice.take();
+  candidates.resize(std::min(candidates.size(), most_looks));
+  std::optional<GroupShares> best;
+  double least = 0;
+  for (Choice::Candidate& one : candidates) {
+    GroupShares shares =
+        with_idle_workers(std::move(one.shares), items, room, workers, one.makespan);
+    const double uneven = unevenness(shares, items, workers);
+    if (!best || (least > even && uneven < least - 0.01)) {
+      least = uneven;
+      best = std::move(shares);
+    }
+    if (least <= even) {
+      break;
+    }
+  }
+  return best;
+}
+
+}  // namespace changeover

@@ -1,0 +1,63 @@
+// How few loads the busiest worker can have.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bounds/stays.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/loadorder/workers.hpp"
+#include "core/checked.hpp"
+#include "loadorder/pairs/pair_bounds.hpp"
+#include "loadorder/shares/few_workers.hpp"
+#include "loadorder/shares/split_maker.hpp"
+
+namespace changeover {
+namespace {
+
+// `pairs` among all that are loaded, one worker alone needing so many loads.
+LoadBound bound_by_pairs(std::uint64_t pairs, bool between, std::uint64_t least_items,
+                         std::uint64_t alone, std::uint64_t room, std::uint64_t workers) {
+  const std::uint64_t needed = ceil_div(pairs, workers);
+  const std::uint64_t least = between ? least_between(needed, room) : least_loads(needed, room);
+  const std::uint64_t low = std::min(alone, std::max(ceil_div(least_items, workers), least));
+  return {low,
+          fmt::format("one of {} workers brings at least {} of {} pairs together; {} loads are "
+                      "enough for {} at most",
+                      workers, needed, pairs, low,
+                      between ? most_between(low, room) : most_pairs(low, room))};
+}
+
+}  // namespace
+
+LoadBound makespan_lower_bound(const WantedPairs& wanted, std::uint64_t room,
+                               std::uint64_t workers) {
+  check_workers(workers);
+  const LoadBound alone = load_lower_bound(wanted, room);
+  room = std::min(room, std::max<std::uint64_t>(2, wanted.items()));
+  return workers == 1 ? alone
+                      : bound_by_pairs(wanted.count(), wanted.kind() == WantedPairs::Kind::between,
+                                       needed_items(wanted), alone.loads, room, workers);
+}
+
+LoadBound makespan_lower_bound(std::uint64_t items, std::uint64_t room, std::uint64_t workers) {
+  check_workers(workers);
+  const LoadBound alone = load_lower_bound(items, room);
+  if (workers == 1) {
+    return alone;
+  }
+  room = std::min(room, std::max<std::uint64_t>(2, items));
+  LoadBound by_pairs = bound_by_pairs(binomial(items, 2), false, items, alone.loads, room, workers);
+  LoadBound best = least_at_one_worker(items, workers);
+  if (by_pairs.loads >= best.loads) {
+    best = std::move(by_pairs);
+  }
+  const Introductions all = least_introductions(items, std::min(items, room));
+  if (const std::uint64_t each = ceil_div(all.count, workers); each > best.loads) {
+    return {each, fmt::format("all {} workers together load at least {}P - {}C = {} items "
+                              "(docs/theorems.md, Theorem 5): one of them at least {}",
+                              workers, all.s + 1, most_meetings(all.s, 2), all.count, each)};
+  }
+  return best;
+}
+
+}  // namespace changeover

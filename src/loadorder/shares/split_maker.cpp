@@ -1,0 +1,433 @@
+#include "loadorder/shares/split_maker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "changeover/core/error.hpp"
+#include "changeover/core/parameters.hpp"
+#include "changeover/run/control.hpp"
+#include "core/checked.hpp"
+#include "core/words.hpp"
+#include "loadorder/order/order_relay.hpp"
+#include "loadorder/order/read_order.hpp"
+#include "loadorder/order/streamed_order.hpp"
+#include "loadorder/shares/owners/meetings.hpp"
+#include "loadorder/shares/owners/pair_table.hpp"
+#include "loadorder/shares/owners/plane_owners.hpp"
+#include "loadorder/shares/step_lists.hpp"
+#include "loadorder/shares/stretches.hpp"
+
+namespace changeover {
+namespace {
+
+constexpr std::uint64_t most_pairs_computed =
+    30'000'000;  // to be checked one by one in a second or so
+constexpr std::uint64_t most_groups_of_a_table = 600;
+
+/// Shares of groups as steps.
+class GroupSteps final : public WorkerSteps {
+ public:
+  GroupSteps(GroupShares shares, std::uint64_t items, std::uint64_t room)
+      : shares_(std::move(shares)), groups_{items, shares_.groups}, room_(room) {}
+
+  [[nodiscard]] std::unique_ptr<StepSource> of(std::uint64_t worker) const override {
+    return share_steps(worker < shares_.workers.size()
+                           ? shares_.workers[static_cast<std::size_t>(worker)]
+                           : GroupShare{},
+                       groups_, room_, worker);
+  }
+  [[nodiscard]] const GroupShares& shares() const { return shares_; }
+
+ private:
+  GroupShares shares_;
+  ItemGroups groups_;
+  std::uint64_t room_;
+};
+
+std::uint64_t count_of_pairs(const WantedPairs& wanted, std::uint64_t items) {
+  return wanted.are_all() ? binomial(items, 2) : wanted.count();
+}
+
+// Steps of each worker. If all are alike each step brings as many pairs together but the first,
+// which brings as many as `ahead` steps more; these are left to others.
+std::vector<std::uint64_t> equal_shares(std::uint64_t steps, std::uint64_t workers,
+                                        std::uint64_t ahead) {
+  std::vector<std::uint64_t> counts(static_cast<std::size_t>(workers), 0);
+  if (workers == 0 || steps == 0) {
+    return counts;
+  }
+  if (ahead > 0 && (steps + ahead) / workers <= ahead + 1) {
+    counts = equal_shares(steps - 1, workers - 1, 0);
+    counts.insert(counts.begin(), 1);
+    return counts;
+  }
+  const std::uint64_t all = steps + ahead;
+  for (std::uint64_t w = 0; w < workers; ++w) {
+    counts[static_cast<std::size_t>(w)] = all / workers + (w < all % workers ? 1 : 0);
+  }
+  counts[0] -= ahead;
+  return counts;
+}
+
+// How many steps as all others the first one is worth, in pairs, beside itself.
+std::uint64_t steps_ahead(std::uint64_t room, std::uint64_t change) {
+  const std::uint64_t a_step = change * (room - change) + binomial(change, 2);
+  return a_step == 0 ? 0 : (binomial(room, 2) - std::min(binomial(room, 2), a_step)) / a_step;
+}
+
+void set_pairs(SplitFacts& facts, const std::vector<std::uint64_t>& pairs) {
+  for (std::size_t w = 0; w < facts.workers.size(); ++w) {
+    facts.workers[w].pairs = w < pairs.size() ? pairs[w] : 0;
+  }
+}
+
+void sum_up(SplitFacts& facts) {
+  facts.loads = facts.makespan = facts.most_pairs = 0;
+  facts.most_cost = facts.all_costs = 0;
+  for (const WorkerFacts& worker : facts.workers) {
+    facts.loads += worker.loads;
+    facts.makespan = std::max(facts.makespan, worker.loads);
+    facts.most_pairs = std::max(facts.most_pairs, worker.pairs);
+    facts.most_cost = std::max(facts.most_cost, worker.cost);
+    facts.all_costs += worker.cost;
+  }
+}
+
+}  // namespace
+
+WorkerSplit SplitMaker::stretches(LoadOrder order, std::uint64_t items, std::uint64_t room,
+                                  std::uint64_t workers, Cut cut) {
+  check_workers(workers);
+  const LoadOrderFacts& whole = order.facts();
+  if (whole.items > items) {
+    throw BadInput(fmt::format("{} items cannot be put into {} groups", items, whole.items));
+  }
+  if (whole.lockstep > 1) {
+    throw BadInput(fmt::format("an order for {} workers in lockstep cannot be cut for others",
+                               whole.lockstep));
+  }
+  SplitFacts facts;
+  facts.items = items;
+  facts.room = room;
+  facts.groups = whole.items;
+  facts.group_room = whole.room;
+  facts.makespan_bound = whole.wanted.are_all() ? makespan_lower_bound(items, room, workers)
+                                                : makespan_lower_bound(whole.wanted, room, workers);
+  facts.certificate = (whole.items < items ? "of groups of items: " : "") + whole.certificate;
+  facts.workers.resize(static_cast<std::size_t>(workers));
+  facts.all_pairs = count_of_pairs(whole.wanted, items);
+  // Blocks are full and steps alike, unless items are grouped: then sizes differ by one.
+  const std::uint64_t first_loads = std::min(whole.room, whole.items);
+  const std::uint64_t change =
+      whole.steps > 1 ? (whole.loads - first_loads) / (whole.steps - 1) : 0;
+  const bool alike = whole.items == items && whole.wanted.are_all() && !whole.fast_room &&
+                     whole.loads == first_loads + change * (whole.steps - 1);
+  // Shares of equal numbers of steps, unless steps differ: then shares whose loads are even.
+  constexpr std::uint64_t most_steps_cut = 10'000'000;
+  std::vector<std::uint64_t> counts;
+  std::optional<StepSizes> sizes;
+  if (!alike && whole.steps <= most_steps_cut) {
+    sizes.emplace(order, items);
+    // Of two levels what both move, measured by the fewest there can be.
+    counts = whole.fast_room
+                 ? StepSizes(order, items, whole.transfer_bound.loads, whole.bound.loads)
+                       .best_shares(workers)
+                 : sizes->best_shares(workers);
+    counts.resize(static_cast<std::size_t>(workers), 0);
+    facts.cut_by_loads = workers > 1;
+  } else {
+    // Of fewer items pairs are given away one by one, and need no uneven loads.
+    const bool by_pairs = cut == Cut::by_pairs && alike && items > most_items_of_a_table;
+    counts = equal_shares(whole.steps, workers, by_pairs ? steps_ahead(whole.room, change) : 0);
+  }
+  const auto relay = std::make_shared<OrderRelay>();
+  std::uint64_t next = 1;
+  for (std::uint64_t w = 0; w < workers; ++w) {
+    WorkerFacts& worker = facts.workers[static_cast<std::size_t>(w)];
+    worker.steps = counts[static_cast<std::size_t>(w)];
+    worker.first_step = worker.steps > 0 ? next : 0;
+    next += worker.steps;
+    if (worker.steps > 0 && alike) {
+      worker.loads = first_loads + change * (worker.steps - 1);
+    } else if (worker.steps > 0 && sizes) {
+      worker.loads = sizes->loads(worker.first_step - 1, worker.steps);
+    } else if (worker.steps > 0) {
+      const auto stretch = stretch_steps(relay, order, worker.first_step, worker.steps, items, w);
+      for (Step step; stretch->next(step);) {
+        stop_if_asked();
+        worker.loads += step.load.size();
+      }
+    }
+  }
+  sum_up(facts);
+  WorkerSplit split(std::move(facts), std::move(order));
+  put_in_words(split);
+  return split;
+}
+
+void SplitMaker::put_in_words(WorkerSplit& split) {
+  SplitFacts& facts = split.facts_;
+  facts.explanation = split.order_.facts().explanation;
+  if (facts.groups < facts.items && facts.group_room > 0) {
+    facts.explanation = fmt::format("Of {} groups of at most {} items: {}", facts.groups,
+                                    ceil_div(facts.items, facts.groups), facts.explanation);
+  }
+}
+
+// The order that all shares are, one after another.
+void SplitMaker::take_steps(WorkerSplit& split, std::shared_ptr<const WorkerSteps> steps) {
+  SplitFacts& facts = split.facts_;
+  sum_up(facts);
+  LoadOrderFacts whole = split.order_.facts();
+  whole.items = facts.items;
+  whole.room = facts.room;
+  whole.loads = facts.loads;
+  whole.steps = 0;
+  for (const WorkerFacts& worker : facts.workers) {
+    whole.steps += worker.steps;
+  }
+  split.steps_ = steps;
+  split.order_ = LoadOrder(std::move(whole), [steps, workers = facts.workers.size()] {
+    return one_after_another(steps, workers);
+  });
+}
+
+WorkerSplit SplitMaker::shares(GroupShares shares, std::uint64_t items, std::uint64_t room,
+                               std::uint64_t workers) {
+  SplitFacts facts;
+  facts.items = items;
+  facts.room = room;
+  facts.groups = shares.groups;
+  facts.makespan_bound = makespan_lower_bound(items, room, workers);
+  facts.all_pairs = binomial(items, 2);
+  facts.workers.resize(static_cast<std::size_t>(workers));
+  const ItemGroups groups{items, shares.groups};
+  for (std::size_t w = 0; w < shares.workers.size(); ++w) {
+    const ShareCost cost = cost_of(shares.workers[w], groups, room);
+    facts.workers[w].steps = cost.steps;
+    facts.workers[w].loads = cost.loads;
+  }
+  LoadOrderFacts whole;
+  whole.bound = load_lower_bound(items, room);
+  whole.method = shares.method;
+  whole.explanation =
+      (shares.groups == items ? std::string("The items are ")
+                              : fmt::format("The {} groups, of at most {} items, are ",
+                                            shares.groups, ceil_div(items, shares.groups))) +
+      shares.explanation;
+  whole.certificate = facts.certificate = "not read yet";
+  WorkerSplit split(std::move(facts), LoadOrder(std::move(whole), {}));
+  take_steps(split, std::make_shared<GroupSteps>(std::move(shares), items, room));
+  put_in_words(split);
+  return split;
+}
+
+WorkerSplit SplitMaker::blocks(HeldBlocks blocks, const WorkerSplit& other) {
+  SplitFacts facts = other.facts();
+  LoadOrderFacts whole = other.order().facts();
+  whole.steps = 0;
+  for (std::size_t w = 0; w < facts.workers.size(); ++w) {
+    WorkerFacts& worker = facts.workers[w] = {};
+    if (w < blocks.shapes.size()) {
+      worker.first_step = whole.steps + 1;
+      worker.steps = blocks.shapes[w].steps;
+      worker.loads = blocks.shapes[w].loads;
+      whole.steps += worker.steps;
+    }
+  }
+  sum_up(facts);
+  whole.loads = facts.loads;
+  whole.method = "held groups, a block a worker";
+  whole.explanation = fmt::format("{} of the first set with {} of the other; the first pair: {}",
+                                  count_of(blocks.first_parts, "part"),
+                                  count_of(blocks.other_parts, "part"), blocks.shapes[0].explain());
+  const auto shared = std::make_shared<const HeldBlocks>(std::move(blocks));
+  const std::uint64_t items = whole.items;
+  WorkerSplit split(std::move(facts), LoadOrder(std::move(whole), [shared, items] {
+                      return block_steps(shared, items);
+                    }));
+  put_in_words(split);
+  return split;
+}
+
+WorkerSplit SplitMaker::for_fewer_pairs(WorkerSplit split, const WantedPairs& wanted,
+                                        const LoadBound& bound, const LoadBound& makespan_bound) {
+  LoadOrderFacts whole = split.order_.facts();
+  whole.wanted = wanted;
+  whole.bound = bound;
+  whole.explanation = "An order for all pairs. " + whole.explanation;
+  split.order_ = LoadOrder(std::move(whole), split.order_.maker());
+  split.facts_.makespan_bound = makespan_bound;
+  split.facts_.all_pairs = count_of_pairs(wanted, split.facts_.items);
+  split.facts_.pairs_are_known = false;
+  put_in_words(split);
+  return split;
+}
+
+bool SplitMaker::are_few(const WorkerSplit& split) {
+  return (split.facts_.items <= most_items_of_a_table ||
+          split.order_.facts().wanted.graph() != nullptr) &&
+         split.facts_.workers.size() <= most_workers_of_a_table;
+}
+
+void SplitMaker::spread(WorkerSplit& split, const std::function<bool(Element, Element)>& computed,
+                        const std::function<double(Element, Element)>& cost) {
+  SplitFacts& facts = split.facts_;
+  if (!are_few(split) || (facts.workers.size() == 1 && !computed && !cost)) {
+    if (computed) {
+      throw BadInput("too many items for a part of their pairs to be left out");
+    }
+    return;
+  }
+  const ScheduleRules rules = split.rules();
+  SpreadPairs spread = spread_pairs(
+      rules, facts.workers, [&](std::uint64_t worker) { return split.stream(worker); }, cost,
+      computed);
+  facts.workers = std::move(spread.workers);
+  facts.has_costs = cost != nullptr;
+  facts.pairs_are_known = true;
+  split.owners_ = std::move(spread.owners);
+  if (spread.steps) {
+    facts.cut_by_loads = false;
+    take_steps(split, std::move(spread.steps));
+  }
+  sum_up(facts);
+}
+
+void SplitMaker::give_pairs(WorkerSplit& split, const LoadOrderOptions& options) {
+  SplitFacts& facts = split.facts_;
+  const LoadOrderFacts& whole = split.order_.facts();
+  const bool all = whole.wanted.are_all();
+  const bool is_short = are_few(split);
+  if (options.pair_cost && !is_short) {
+    throw BadInput(
+        fmt::format("pairs have costs: give at most {} items and {} workers, or list the pairs",
+                    most_items_of_a_table, most_workers_of_a_table));
+  }
+  const bool is_streamed = all && whole.method == "streamed" && facts.groups == facts.items;
+  if (facts.workers.size() == 1 && !options.pair_cost) {
+    facts.workers[0].pairs = facts.all_pairs;
+    facts.pairs_are_known = true;
+  } else if (!options.balance) {
+    split.owners_ = nullptr;
+  } else if (const auto* const groups = dynamic_cast<const GroupSteps*>(split.steps_.get());
+             groups != nullptr && all && !options.pair_cost) {
+    if (groups->shares().plane_order > 0 && facts.groups > most_groups_of_a_table) {
+      const std::uint64_t q = groups->shares().plane_order;
+      auto owners = std::make_shared<PlaneOwners>(Plane(q, facts.groups == q * q), facts.items);
+      set_pairs(facts, owners->pairs());
+      split.owners_ = std::move(owners);
+    } else {
+      auto owners = owners_of(groups->shares(), facts.items);
+      set_pairs(facts, owners->pairs());
+      split.owners_ = std::move(owners);
+    }
+    facts.pairs_are_known = true;
+  } else if (facts.groups < facts.items && all && !options.pair_cost) {
+    auto owners = owners_of_stretches(split.order_, facts.workers, facts.items);
+    set_pairs(facts, owners->pairs());
+    split.owners_ = std::move(owners);
+    facts.pairs_are_known = true;
+  } else if (is_short) {
+    spread(split, {}, options.pair_cost);
+  } else if (is_streamed) {
+    const StreamedPairs pairs(best_streamed_shape(facts.items, facts.room));
+    for (WorkerFacts& worker : facts.workers) {
+      worker.pairs = worker.steps == 0 ? 0
+                                       : pairs.met_after(worker.first_step + worker.steps - 1) -
+                                             pairs.met_after(worker.first_step - 1);
+    }
+    split.owners_ = owners_of_streamed_stretches(split.order_, facts.workers);
+    facts.pairs_are_known = true;
+  }
+  sum_up(facts);
+}
+
+void SplitMaker::verify(WorkerSplit& split, const LoadOrderOptions& options) {
+  SplitFacts& facts = split.facts_;
+  LoadOrderFacts whole = split.order_.facts();
+  const auto say = [&](bool every_step_read, const std::string& certificate) {
+    whole.every_step_read = every_step_read;
+    whole.certificate = facts.certificate = certificate;
+    split.order_ = LoadOrder(std::move(whole), split.order_.maker());
+  };
+  const bool listed = whole.wanted.graph() != nullptr;
+  if (!listed &&
+      (facts.items > std::min<std::uint64_t>(options.read_up_to, max_elements_in_memory) ||
+       facts.loads > most_loads_read)) {
+    if (const auto* const groups = dynamic_cast<const GroupSteps*>(split.steps_.get())) {
+      say(false, certify(groups->shares()));
+    }
+    return;
+  }
+  if (!options.read_first) {
+    return say(false, "not read yet");
+  }
+  const std::string what =
+      whole.fast_room ? fmt::format("{} items with room for {} and {}, for {} workers", facts.items,
+                                    facts.room, *whole.fast_room, facts.workers.size())
+                      : fmt::format("{} items with room for {}, for {} workers", facts.items,
+                                    facts.room, facts.workers.size());
+  ScheduleRules rules = split.rules();
+  CheckOptions how;
+  if (whole.method == "streamed" && facts.groups == facts.items) {
+    how.kept_as = names_by_window(best_streamed_shape(facts.items, facts.room));
+  }
+  std::unique_ptr<StepSource> steps = split.stream();
+  const bool computes = facts.all_pairs <= most_pairs_computed;
+  how.by_worker = !computes && split.owners_ == nullptr;
+  if (computes) {
+    rules.compute = ComputeRules{};
+    steps = std::make_unique<StepWork>(std::move(steps), rules, split.owners_);
+  }
+  ScheduleVerdict verdict = check_schedule(*steps, rules, how);
+  verdict.worker_pairs.resize(facts.workers.size(), 0);
+  std::vector<std::uint64_t> said;
+  for (const WorkerFacts& worker : facts.workers) {
+    said.push_back(worker.pairs);
+  }
+  // Met first and computed are the same where pairs belong to the first worker that has them.
+  const bool are_said = facts.pairs_are_known && (computes || split.owners_ == nullptr);
+  if (!verdict.valid() || verdict.loads != facts.loads ||
+      (are_said && verdict.worker_pairs != said)) {
+    throw InternalError(
+        fmt::format("the split of {} is wrong: {}{}", what, verdict.fault, verdict.example));
+  }
+  if (!facts.pairs_are_known && (computes || split.owners_ == nullptr)) {
+    set_pairs(facts, verdict.worker_pairs);
+    facts.pairs_are_known = true;
+    sum_up(facts);
+  }
+  facts.transfers = verdict.transfers;
+  const std::string pairs = fmt::format("all {} pairs met", binomial(facts.items, 2));
+  say(true, whole.fast_room ? "every step read: room at both levels, " +
+                                  pairs_read(verdict, facts.items, " on the accelerator")
+            : whole.wanted.are_all() ? "every step read, " + pairs
+            : facts.all_pairs == 1
+                ? std::string("every step read, the wanted pair met")
+                : fmt::format("every step read, all {} wanted pairs met", facts.all_pairs));
+}
+
+// All groups are treated alike: so shares of two items a group are right if those of any number
+// are.
+std::string SplitMaker::certify(const GroupShares& shares) {
+  constexpr std::uint64_t each = 2;
+  const std::uint64_t items = each * shares.groups;
+  GroupShares few = shares;
+  std::uint64_t room = 0;
+  for (const GroupShare& share : shares.workers) {
+    room = std::max<std::uint64_t>(room, each * share.held.size() + 1);
+  }
+  const WorkerSplit split = SplitMaker::shares(std::move(few), items, room, shares.workers.size());
+  const ScheduleVerdict verdict = check_schedule(*split.stream(), split.rules());
+  if (!verdict.valid()) {
+    throw InternalError(fmt::format("shares of {} groups are wrong: {}{}", shares.groups,
+                                    verdict.fault, verdict.example));
+  }
+  return fmt::format("structure: all steps of {} items a group read, all {} pairs of {} groups met",
+                     each, binomial(items, 2), shares.groups);
+}
+
+}  // namespace changeover

@@ -1,0 +1,53 @@
+// Internal: makes splits, of stretches or of shares, and gives their pairs to workers.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "changeover/loadorder/workers.hpp"
+#include "loadorder/pairs/held_blocks.hpp"
+#include "loadorder/shares/group_shares.hpp"
+
+namespace changeover {
+
+/// @throws BadInput unless 1 ≤ workers ≤ most_workers
+void check_workers(std::uint64_t workers);
+
+class SplitMaker {
+ public:
+  /// How stretches of steps that are all alike are cut.
+  enum class Cut : std::uint8_t { by_steps, by_pairs };
+
+  /// @throws as split_order()
+  static WorkerSplit stretches(LoadOrder order, std::uint64_t items, std::uint64_t room,
+                               std::uint64_t workers, Cut cut);
+  static WorkerSplit shares(GroupShares shares, std::uint64_t items, std::uint64_t room,
+                            std::uint64_t workers);
+  /// For two sets: as `other`, but a block a worker.
+  static WorkerSplit blocks(HeldBlocks blocks, const WorkerSplit& other);
+  /// The same steps, of which only these pairs are wanted.
+  static WorkerSplit for_fewer_pairs(WorkerSplit split, const WantedPairs& wanted,
+                                     const LoadBound& bound, const LoadBound& makespan_bound);
+
+  /// Says who computes what, as far as that can be said without the steps of others, and leaves out
+  /// what brings nothing.
+  static void give_pairs(WorkerSplit& split, const LoadOrderOptions& options);
+  /// The same one by one, as far as there are few: what was `computed` before, pairs or items with
+  /// themselves, is left out. @throws BadInput if something was, and there are more than can be
+  /// given one by one
+  static void spread(WorkerSplit& split, const std::function<bool(Element, Element)>& computed = {},
+                     const std::function<double(Element, Element)>& cost = {});
+  /// Reads all steps; of few items also what is computed. @throws InternalError
+  static void verify(WorkerSplit& split, const LoadOrderOptions& options);
+
+ private:
+  static bool are_few(const WorkerSplit& split);
+  static void put_in_words(WorkerSplit& split);
+  static void take_steps(WorkerSplit& split, std::shared_ptr<const WorkerSteps> steps);
+  static std::string certify(const GroupShares& shares);
+};
+
+}  // namespace changeover
