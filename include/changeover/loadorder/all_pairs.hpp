@@ -8,11 +8,11 @@
 //     }, {.threads = 2, .read_ahead = plan.spare, .journal = "job.journal"});
 //
 // *Contract.* compute() is called exactly once for each pair of different items (each pair that the
-// order is for, loadorder/wanted_pairs.hpp) and once for each item with itself that is loaded, by `threads` threads at once, with the bytes of both in memory. Loads run on
-// threads of their own while pairs are computed (loadorder/workers.hpp, which also says why an
-// order for one item less with read_ahead = 1 is often faster). Never more than room + read_ahead
-// items are in memory or on their way: there are that many buffers, made at the start, and nothing
-// else grows with the data.
+// order is for, loadorder/wanted_pairs.hpp) and once for each item with itself that is loaded, by
+// `threads` threads at once, with the bytes of both in memory. Loads run on threads of their own
+// while pairs are computed (loadorder/workers.hpp, which also says why an order for one item less
+// with read_ahead = 1 is often faster). Never more than room + read_ahead items are in memory or on
+// their way: there are that many buffers, made at the start, and nothing else grows with the data.
 //
 // *Journal.* With a journal a step is recorded, and synced to the disk, after all its pairs are
 // computed, on_step_done(step) has returned and `results` (loadorder/all_pairs.hpp) are on the
@@ -24,13 +24,17 @@
 //
 // A journal belongs to one job: the name, the data, as far as ItemSource::fingerprint() knows them
 // again, the order, the share and the place of the results. That of another job is refused before
-// anything is touched. Each line vouches for those before it (src/loadorder/run/journal.hpp); what was
-// edited, moved or added counts for nothing, nor does what follows. Checksums are no signatures:
-// who writes wrong results together with a journal that was made to fit them is believed.
+// anything is touched. Each line vouches for those before it (src/loadorder/run/journal.hpp); what
+// was edited, moved or added counts for nothing, nor does what follows. Checksums are no
+// signatures: who writes wrong results together with a journal that was made to fit them is
+// believed.
 //
 // *Several processes.* With share = {i, n} this process takes the i-th of n stretches of the order
-// (loadorder/workers.hpp), and a pair belongs to the first stretch that has it: all processes
-// together compute what one alone would, each pair once, without talking to each other.
+// (loadorder/workers.hpp), or of the shares that it is given: all processes
+// together compute what one alone would, each pair once, without talking to each other. Pairs that
+// several stretches have are spread evenly, of up to 5,000 items or listed pairs; otherwise they
+// are of the first that has them. With `earlier` journals another number of processes goes on where
+// a run has ended: its pairs are left out, and what is then loaded for nothing, too.
 // examples/all_pairs.cpp does that with the processes of mpirun.
 //
 // *Faults.* What the source throws ends the job after the pairs under way, naming the item; what
@@ -38,8 +42,8 @@
 // are read are a fault at the end, since the results are then of neither. A killed or failed job
 // has changed the results of its own steps only.
 //
-// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits; any number if pairs are listed. An item is best a chunk of
-// many vectors.
+// At most 65,535 items, so that pairs can be kept in mind: C(P,2) bits; any number if pairs are
+// listed. An item is best a chunk of many vectors.
 #pragma once
 
 #include <atomic>
@@ -52,12 +56,15 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "changeover/core/block.hpp"
 #include "changeover/core/sha256.hpp"
 #include "changeover/loadorder/load_order.hpp"
 
 namespace changeover {
+
+class WorkerSplit;
 
 // Where the results of an all-pairs job are, so that a journal can vouch for them.
 //
@@ -274,8 +281,8 @@ struct ItemView {
   const std::shared_ptr<const std::byte>* memory =
       nullptr;  ///< of the executor, which owns the bytes
 
-  /// Owns the bytes beyond the call: while it is held, they are not written to. The executor then takes other memory for the
-  /// next item, beyond its room. Empty for a view that no executor made.
+  /// Owns the bytes beyond the call: while it is held, they are not written to. The executor then
+  /// takes other memory for the next item, beyond its room. Empty for a view that no executor made.
   [[nodiscard]] std::shared_ptr<const std::byte> keep() const {
     return memory == nullptr ? nullptr : *memory;
   }
@@ -283,7 +290,7 @@ struct ItemView {
 
 /// What compute() is given: two items, the smaller number first, or one with itself.
 struct PairWork {
-  std::uint64_t step = 0;  ///< of this share, from 1
+  std::uint64_t step = 0;  ///< of this share, from 1; 0: of an earlier run's
   ItemView first;
   ItemView second;
 };
@@ -306,7 +313,14 @@ struct AllPairsOptions {
   unsigned readers = 1;          ///< that load
   std::uint64_t read_ahead = 0;  ///< buffers beyond the order's room, for loads on their way
   OrderShare share = {};
-  std::string journal = {};       ///< path; empty: none
+  std::string journal = {};  ///< path; empty: none
+  /// Journals of a run of the same job, and of those that it continued, in another number of
+  /// shares: what they record is not computed again. They are not changed. All processes of this
+  /// run are given the same, whenever they start.
+  std::vector<std::string> earlier = {};
+  /// An order that was not read before is read while its pairs are computed, and not first. If it
+  /// is wrong the job fails at the end.
+  bool verify_beside = false;
   JobResults* results = nullptr;  ///< where they are; opened even without a journal
   std::string job = {};  ///< names what is computed, so that a journal of something else is refused
   std::optional<std::uint64_t> memory_bytes = {};  ///< refuse to start if the buffers need more
@@ -321,6 +335,9 @@ struct AllPairsReport {
   std::uint64_t steps_done = 0;     ///< of these, recorded ones included
   std::uint64_t steps_resumed = 0;  ///< recorded by an earlier run, results found again
   std::uint64_t steps_lost = 0;     ///< recorded, but without the results: computed again
+  /// The same of steps of earlier shares that this one looked after.
+  std::uint64_t earlier_resumed = 0;
+  std::uint64_t earlier_lost = 0;
   std::string note;  ///< one line about lines of the journal that do not count, or empty
   std::uint64_t loads = 0;
   std::uint64_t bytes_read = 0;
@@ -337,6 +354,11 @@ struct AllPairsReport {
 /// items; whatever the source, compute(), the results or a callback throws; MissingResource if the
 /// journal cannot be written or is in use, or threads cannot be started.
 AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairCompute& compute,
+                         const AllPairsOptions& options = {});
+
+/// The same for shares that were planned (split_load_order()), options.share.index of them; without
+/// `earlier` journals. @throws as above; BadInput unless options.share.of is their number
+AllPairsReport all_pairs(ItemSource& source, const WorkerSplit& shares, const PairCompute& compute,
                          const AllPairsOptions& options = {});
 
 }  // namespace changeover

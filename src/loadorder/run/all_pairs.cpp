@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 #include "changeover/core/error.hpp"
@@ -11,6 +12,7 @@
 #include "core/checked.hpp"
 #include "loadorder/order/pair_assigner.hpp"
 #include "loadorder/run/compute_pool.hpp"
+#include "loadorder/run/earlier_shares.hpp"
 #include "loadorder/run/journal.hpp"
 #include "loadorder/run/reader.hpp"
 
@@ -38,10 +40,10 @@ std::uint64_t hash_of(const LoadOrder& order) {
   return hash;
 }
 
-/// What tells jobs apart, all shares of a job having the same: what is computed of which data, in
-/// which steps, and where results go.
+/// What tells jobs apart, all shares of a job having the same but for their number: what is
+/// computed of which data, in which steps, and where results go.
 std::vector<JournalField> fields_of(const ItemSource& source, const LoadOrder& order,
-                                    const std::string& fingerprint, bool cut_by_loads,
+                                    const std::string& fingerprint,
                                     const AllPairsOptions& options) {
   const LoadOrderFacts& facts = order.facts();
   return {
@@ -53,30 +55,28 @@ std::vector<JournalField> fields_of(const ItemSource& source, const LoadOrder& o
       {"order",
        fmt::format("{} items, room {}, steps {:016x}{}", facts.items, facts.room, hash_of(order),
                    facts.wanted.are_all() ? std::string()
-                                          : fmt::format(", pairs {:016x}", facts.wanted.hash()))},
-      {"shares", fmt::format("{}{}", options.share.of, cut_by_loads ? ", even in loads" : "")}};
+                                          : fmt::format(", pairs {:016x}", facts.wanted.hash()))}};
 }
 
 class Job {
  public:
-  Job(ItemSource& source, const LoadOrder& order, const PairCompute& compute,
-      const AllPairsOptions& options)
+  /// Shares of the order, or those that are given.
+  Job(ItemSource& source, const LoadOrder& order, const WorkerSplit* shares,
+      const PairCompute& compute, const AllPairsOptions& options)
       : source_(source),
         compute_(compute),
         options_(options),
+        order_(order),
+        items_(order.facts().items),
+        room_of_order_(shares != nullptr ? shares->facts().room : order.facts().room),
         // A sum that wraps is more than all items, too.
-        room_(options.read_ahead <
-                      order.facts().items - std::min(order.facts().room, order.facts().items)
-                  ? order.facts().room + options.read_ahead
-                  : order.facts().items),
-        split_(split_order(order_for_split(order), order.facts().items, order.facts().room,
-                           options.share.of)),
-        assigner_(order.facts().items, room_, order.facts().wanted) {}
+        room_(options.read_ahead < items_ - std::min(room_of_order_, items_)
+                  ? room_of_order_ + options.read_ahead
+                  : items_),
+        split_(shares) {}
 
   AllPairsReport run() {
     const auto begin = std::chrono::steady_clock::now();
-    const SplitFacts& facts = split_.facts();
-    report_.steps = facts.workers[static_cast<std::size_t>(options_.share.index)].steps;
     report_.buffer_bytes = checked_multiply(room_, source_.buffer_bytes());
     if (options_.memory_bytes && report_.buffer_bytes > *options_.memory_bytes) {
       throw BadInput(
@@ -85,15 +85,28 @@ class Job {
                       *options_.memory_bytes / std::max<std::size_t>(1, source_.buffer_bytes())));
     }
     const std::string fingerprint = source_.fingerprint();
+    const std::vector<JournalField> fields = fields_of(source_, order_, fingerprint, options_);
+    earlier_ = EarlierShares(options_.earlier, fields, order_);
+    if (split_ == nullptr) {
+      const auto computed = [this](Element x, Element y) { return earlier_.computed(x, y); };
+      own_.emplace(shares_of(order_, options_.share.of,
+                             options_.earlier.empty()
+                                 ? std::function<bool(Element, Element)>()
+                                 : std::function<bool(Element, Element)>(computed)));
+      split_ = &*own_;
+    }
+    report_.steps = split_->facts().workers[static_cast<std::size_t>(options_.share.index)].steps;
+    assigner_.emplace(items_, room_, order_.facts().wanted, 0, false, split_->owners());
     std::optional<Journal> journal;
     if (!options_.journal.empty() || options_.results != nullptr) {
-      claim_results(journal, fingerprint);
+      claim_results(journal, fields);
     }
-    skip_what_others_compute(assigner_);
+    compute_what_was_lost();
+    skip_what_others_compute(*assigner_);
     if (report_.steps_done < report_.steps && !cancelled()) {
       compute_steps(journal);
     }
-    report_.finished = report_.steps_done == report_.steps;
+    report_.finished = report_.steps_done == report_.steps && lost_are_computed_;
     if (options_.results != nullptr) {
       options_.results->sync();
     }
@@ -106,18 +119,13 @@ class Job {
   }
 
  private:
-  static LoadOrder order_for_split(const LoadOrder& order) {
-    return {order.facts(), [order_maker = &order] { return order_maker->stream(); }};
-  }
-
   [[nodiscard]] bool cancelled() const {
     return options_.cancelled != nullptr && options_.cancelled->load(std::memory_order_relaxed);
   }
 
   // First everything that can speak against the job, and only then what changes files.
-  void claim_results(std::optional<Journal>& journal, const std::string& fingerprint) {
-    std::vector<JournalField> fields =
-        fields_of(source_, split_.order(), fingerprint, split_.facts().cut_by_loads, options_);
+  void claim_results(std::optional<Journal>& journal, std::vector<JournalField> fields) {
+    fields.push_back({"shares", name_of_shares(*split_, earlier_.checksum())});
     Sha256 job;
     for (const JournalField& field : fields) {
       job.add(field.value);
@@ -147,7 +155,7 @@ class Job {
       last[static_cast<std::size_t>(record.step - 1)] = &record;
     }
     is_done_.assign(last.size(), false);
-    PairAssigner assigner(split_.facts().items, room_, split_.order().facts().wanted);
+    PairAssigner assigner(items_, room_, order_.facts().wanted, 0, false, split_->owners());
     skip_what_others_compute(assigner);
     for (std::size_t i = 0; i < last.size() && assigner.next(step_); ++i) {
       if (last[i] == nullptr) {
@@ -175,14 +183,73 @@ class Job {
     return options_.results->checksum({step_.step.number, step_pairs_});
   }
 
-  // Pairs of the shares before are spoken for.
+  // Pairs of the shares before are spoken for, unless it is known whose they are.
   void skip_what_others_compute(PairAssigner& assigner) {
-    for (std::uint64_t w = 0; w < options_.share.index; ++w) {
-      assigner.start(split_.stream(w));
+    for (std::uint64_t w = 0; split_->owners() == nullptr && w < options_.share.index; ++w) {
+      assigner.start(split_->stream(w));
       while (assigner.next(step_)) {
       }
     }
-    assigner.start(split_.stream(options_.share.index));
+    assigner.start(split_->stream(options_.share.index));
+  }
+
+  // What an earlier run recorded in another number of shares, and whose results are not found
+  // again, is computed first, each of its steps by one share.
+  void compute_what_was_lost() {
+    if (options_.results == nullptr) {
+      for (std::uint64_t i = options_.share.index; i < earlier_.steps().size();
+           i += options_.share.of) {
+        ++report_.earlier_resumed;
+      }
+      return;
+    }
+    std::optional<ComputePool> pool;
+    std::uint64_t number = 0;
+    for (const EarlierShares::Done& done : earlier_.steps()) {
+      if (number++ % options_.share.of != options_.share.index) {
+        continue;
+      }
+      if (cancelled()) {
+        lost_are_computed_ = false;
+        return;
+      }
+      if (options_.results->checksum({done.step, done.pairs}) == done.results) {
+        ++report_.earlier_resumed;
+        continue;
+      }
+      if (!pool) {
+        pool.emplace(std::max(1U, options_.threads));
+      }
+      compute_again(*pool, done);
+      lost_are_computed_ = lost_are_computed_ && !cancelled();
+    }
+  }
+
+  void compute_again(ComputePool& pool, const EarlierShares::Done& done) {
+    std::vector<Element> needed;
+    for (const auto& [x, y] : done.pairs) {
+      needed.push_back(x);
+      needed.push_back(y);
+    }
+    std::sort(needed.begin(), needed.end());
+    needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
+    Reader reader(source_, items_, room_, options_.readers);
+    request(reader, needed);
+    for (const Element x : needed) {
+      static_cast<void>(reader.wait(x));
+    }
+    pool.run(done.pairs.size(), [&](std::size_t task) {
+      if (!cancelled()) {
+        const auto& [x, y] = done.pairs[task];
+        compute_({0, reader.view(x), reader.view(y)});
+      }
+    });
+    report_.loads += reader.requests();
+    report_.bytes_read += reader.bytes_read();
+    report_.most_in_memory = std::max(report_.most_in_memory, reader.most_used());
+    report_.waited += reader.waited();
+    pairs_ += done.pairs.size();
+    ++report_.earlier_lost;
   }
 
   [[nodiscard]] bool is_to_do(std::uint64_t step) const {
@@ -192,8 +259,8 @@ class Job {
 
   void compute_steps(std::optional<Journal>& journal) {
     ComputePool pool(std::max(1U, options_.threads));
-    for (std::vector<Element> memory = assigner_.memory(); !cancelled() && assigner_.next(step_);
-         memory = assigner_.memory()) {
+    for (std::vector<Element> memory = assigner_->memory(); !cancelled() && assigner_->next(step_);
+         memory = assigner_->memory()) {
       if (is_to_do(step_.step.number)) {
         compute_stretch(pool, journal, memory);
       }
@@ -204,7 +271,7 @@ class Job {
   // when the first of them begins has to be loaded again.
   void compute_stretch(ComputePool& pool, std::optional<Journal>& journal,
                        std::vector<Element> memory) {
-    Reader reader(source_, split_.facts().items, room_, options_.readers);
+    Reader reader(source_, items_, room_, options_.readers);
     std::erase_if(memory, [&](Element x) {
       return std::find(step_.step.evict.begin(), step_.step.evict.end(), x) !=
              step_.step.evict.end();
@@ -227,7 +294,7 @@ class Job {
         return;
       }
       finish_step(journal);
-      if (!goes_on || cancelled() || !assigner_.next(step_)) {
+      if (!goes_on || cancelled() || !assigner_->next(step_)) {
         return;
       }
     }
@@ -264,7 +331,7 @@ class Job {
     }
     release(reader, step_.evicted_first);
     if (goes_on) {
-      request(reader, assigner_.loaded_next());
+      request(reader, assigner_->loaded_next());
     }
     compute(reader, pool, from, step_.pairs.size(), 0, {});
     if (cancelled()) {
@@ -311,9 +378,15 @@ class Job {
   ItemSource& source_;
   const PairCompute& compute_;
   const AllPairsOptions& options_;
+  const LoadOrder& order_;
+  std::uint64_t items_;
+  std::uint64_t room_of_order_;
   std::uint64_t room_;
-  WorkerSplit split_;
-  PairAssigner assigner_;
+  const WorkerSplit* split_;  // own_, or those that were given
+  std::optional<WorkerSplit> own_;
+  EarlierShares earlier_;
+  bool lost_are_computed_ = true;  // of earlier shares
+  std::optional<PairAssigner> assigner_;
   AssignedStep step_;
   std::vector<ItemPair> step_pairs_;
   std::vector<bool> is_done_;  // by step; empty if none is
@@ -323,8 +396,10 @@ class Job {
 
 }  // namespace
 
-AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairCompute& compute,
-                         const AllPairsOptions& options) {
+namespace {
+
+AllPairsReport run(ItemSource& source, const LoadOrder& order, const WorkerSplit* shares,
+                   const PairCompute& compute, const AllPairsOptions& options) {
   const LoadOrderFacts& facts = order.facts();
   if (source.item_count() != facts.items) {
     throw BadInput(fmt::format("{} has {} items, but the order is for {}", source.describe(),
@@ -342,16 +417,57 @@ AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairC
     throw BadInput(fmt::format("share {} of {}: shares are numbered from 0", options.share.index,
                                options.share.of));
   }
-  if (!facts.every_step_read) {
-    const auto steps = order.stream();
+  if (facts.every_step_read) {
+    return Job(source, order, shares, compute, options).run();
+  }
+  // An order that was not read before is read now, or beside the work: then what was computed
+  // counts if it was right.
+  const auto read = [&] {
+    const auto steps = shares != nullptr ? shares->stream() : order.stream();
     const ScheduleVerdict verdict =
         check_schedule(*steps, {.items = facts.items, .room = facts.room, .wanted = facts.wanted});
     if (!verdict.valid() || verdict.steps != facts.steps) {
       throw BadInput(fmt::format("this is no load order of {} items with room for {}: {}{}",
                                  facts.items, facts.room, verdict.fault, verdict.example));
     }
+  };
+  if (!options.verify_beside) {
+    read();
+    return Job(source, order, shares, compute, options).run();
   }
-  return Job(source, order, compute, options).run();
+  auto verdict = std::async(std::launch::async, read);
+  AllPairsReport report = Job(source, order, shares, compute, options).run();
+  verdict.get();
+  return report;
+}
+
+}  // namespace
+
+AllPairsReport all_pairs(ItemSource& source, const LoadOrder& order, const PairCompute& compute,
+                         const AllPairsOptions& options) {
+  return run(source, order, nullptr, compute, options);
+}
+
+AllPairsReport all_pairs(ItemSource& source, const WorkerSplit& shares, const PairCompute& compute,
+                         const AllPairsOptions& options) {
+  if (options.share.of != shares.facts().workers.size()) {
+    throw BadInput(fmt::format("share {} of {}: these are shares of {} workers",
+                               options.share.index, options.share.of,
+                               shares.facts().workers.size()));
+  }
+  if (!options.earlier.empty()) {
+    throw BadInput("journals of an earlier run go with an order, whose shares may be cut anew");
+  }
+  // Of groups of items the order that was cut has other items.
+  LoadOrderFacts facts = shares.order().facts();
+  facts.items = shares.facts().items;
+  facts.room = shares.facts().room;
+  facts.steps = 0;
+  for (const WorkerFacts& worker : shares.facts().workers) {
+    facts.steps += worker.steps;
+  }
+  const LoadOrder order(std::move(facts), [&shares] { return shares.stream(); });
+  return run(source, order, &shares, compute, options);
 }
 
 }  // namespace changeover

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 
 #include "changeover/core/error.hpp"
 #include "core/words.hpp"
@@ -77,6 +78,29 @@ Journal::Journal(const std::string& path, const std::vector<JournalField>& job, 
     ::close(file_);
     throw;
   }
+}
+
+std::pair<std::string, std::string> Journal::shares_in(const std::string& path,
+                                                       const std::vector<JournalField>& job) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line;
+  if (!file || !std::getline(file, line)) {
+    throw MissingResource(path + ": the journal cannot be read, or is empty");
+  }
+  std::string head(title);
+  for (const JournalField& field : job) {
+    head += part_of_head(field);
+  }
+  constexpr std::string_view shares = "shares ";
+  constexpr std::string_view share = "; share ";
+  const std::size_t middle = line.find(share, head.size());
+  if (line.compare(0, head.size(), head) != 0 ||
+      line.compare(head.size(), shares.size(), shares) != 0 || middle == std::string::npos) {
+    throw BadInput(path + ": is the journal of another job; name journals of this one");
+  }
+  const std::size_t begin = head.size() + shares.size();
+  const std::size_t end = middle + share.size();
+  return {line.substr(begin, middle - begin), line.substr(end, line.find(';', end) - end)};
 }
 
 Journal::~Journal() {

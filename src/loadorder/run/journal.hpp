@@ -17,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "changeover/loadorder/all_pairs.hpp"
@@ -44,6 +45,11 @@ class Journal {
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
+
+  /// What the first line of a journal says of "shares" and "share", behind these fields of a job.
+  /// @throws BadInput if it is another job's, MissingResource if it cannot be read
+  [[nodiscard]] static std::pair<std::string, std::string> shares_in(
+      const std::string& path, const std::vector<JournalField>& job);
 
   /// What was there, in the order of the lines.
   [[nodiscard]] const std::vector<JournalRecord>& records() const { return records_; }
