@@ -1,20 +1,72 @@
 #include <algorithm>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
+#include <vector>
 
+#include "changeover/core/error.hpp"
 #include "changeover/loadorder/changeover_loadorder.h"
-#include "changeover/loadorder/load_order.hpp"
+#include "changeover/loadorder/workers.hpp"
+#include "changeover/run/control.hpp"
+#include "loadorder/order/of_worker.hpp"
 
 struct changeover_loadorder {
-  explicit changeover_loadorder(changeover::LoadOrder given) : order(std::move(given)) {}
+  explicit changeover_loadorder(changeover::LoadOrder given) : plan(std::move(given)) { begin(); }
+  changeover_loadorder(changeover::WorkerSplit given, bool says_pairs)
+      : plan(std::move(given)), with_pairs(says_pairs) {
+    begin();
+  }
 
-  changeover::LoadOrder order;
+  /// The worker's first step, or another step of one worker, comes next.
+  void begin(std::uint64_t from = 1) {
+    step = {};
+    pairs.clear();
+    if (const auto* const split = std::get_if<changeover::WorkerSplit>(&plan)) {
+      reader = split->stream(worker);
+      if (with_pairs) {
+        begin_with_pairs(*split);
+      }
+    } else {
+      const auto& order = std::get<changeover::LoadOrder>(plan);
+      reader = from == 1 ? order.stream() : order.stream_from(from);
+    }
+  }
+
+  [[nodiscard]] const changeover::LoadOrderFacts& facts() const {
+    const auto* const split = std::get_if<changeover::WorkerSplit>(&plan);
+    return split != nullptr ? split->order().facts()
+                            : std::get<changeover::LoadOrder>(plan).facts();
+  }
+  [[nodiscard]] const changeover::WorkerSplit* split() const {
+    return std::get_if<changeover::WorkerSplit>(&plan);
+  }
+
+  std::variant<changeover::LoadOrder, changeover::WorkerSplit> plan;
+  std::unique_ptr<changeover::StepSource> reader;
+  std::uint64_t worker = 0;
+  bool with_pairs = false;
   changeover::Step step;
+  std::vector<std::uint32_t> pairs;
   std::string error;
+
+ private:
+  // Where it depends on the workers before what one computes, these are read.
+  void begin_with_pairs(const changeover::WorkerSplit& all) {
+    using changeover::StepWork;
+    const changeover::ScheduleRules rules = all.rules(changeover::ComputeRules{});
+    if (all.owners() != nullptr || worker == 0) {
+      reader = std::make_unique<StepWork>(std::move(reader), rules, all.owners());
+      return;
+    }
+    reader = std::make_unique<changeover::OfWorker>(std::make_unique<StepWork>(all.stream(), rules),
+                                                    worker);
+  }
 };
 
 namespace {
@@ -46,6 +98,8 @@ auto without_throwing(const Act& act, const Tell& tell) noexcept -> decltype(act
     return tell("not enough memory for these parameters");
   } catch (const std::length_error&) {
     return tell("not enough memory for these parameters");
+  } catch (const changeover::Stopped&) {
+    return tell("cancelled");
   } catch (const std::exception& fault) {
     return tell(fault.what());
   } catch (...) {
@@ -53,17 +107,88 @@ auto without_throwing(const Act& act, const Tell& tell) noexcept -> decltype(act
   }
 }
 
+/// Options of any length: what a program does not know of is 0.
+changeover_loadorder_options options_in(const changeover_loadorder_options* given) {
+  changeover_loadorder_options options{};
+  if (given != nullptr) {
+    std::memcpy(&options, given, std::min(given->size, sizeof options));
+  }
+  return options;
+}
+
+// Which pairs are wanted. @throws BadInput for more than one choice, or items that there are not
+changeover::WantedPairs wanted_by(const changeover_loadorder_options& asked, std::uint64_t items) {
+  using namespace changeover;
+  const bool listed = asked.pairs != nullptr;
+  if ((listed ? 1 : 0) + (asked.against > 0 ? 1 : 0) + (asked.done_items > 0 ? 1 : 0) > 1) {
+    throw BadInput("give one of pairs, against and done_items");
+  }
+  if (listed) {
+    std::vector<ItemPair> pairs;
+    pairs.reserve(asked.pair_count);
+    for (std::size_t i = 0; i < asked.pair_count; ++i) {
+      pairs.emplace_back(asked.pairs[2 * i], asked.pairs[2 * i + 1]);
+    }
+    return WantedPairs::listed(std::make_shared<const PairGraph>(items, pairs));
+  }
+  return asked.against > 0      ? WantedPairs::between(items, asked.against)
+         : asked.done_items > 0 ? WantedPairs::beyond(asked.done_items, items)
+                                : WantedPairs();
+}
+
+changeover_loadorder* opened(std::uint64_t items, std::uint64_t room,
+                             const changeover_loadorder_options& asked) {
+  using namespace changeover;
+  RunControl control({.found_elsewhere = [&] {
+    return asked.cancelled != nullptr && asked.cancelled(asked.data) != 0;
+  }});
+  const RunScope scope(control);
+  const WantedPairs wanted = wanted_by(asked, items);
+  LoadOrderOptions options;
+  options.balance = asked.first_holder == 0;
+  options.read_first = asked.unread == 0;
+  options.seed = asked.seed == 0 ? 1 : asked.seed;
+  if (asked.pair_cost != nullptr) {
+    options.pair_cost = [&](Element x, Element y) { return asked.pair_cost(x, y, asked.data); };
+  }
+  std::optional<RunControl> searching;
+  if (asked.seconds > 0) {
+    constexpr double most_seconds = 1e9;
+    searching.emplace(control,
+                      std::chrono::duration<double>(std::min(asked.seconds, most_seconds)));
+    options.improve = improve_by_search(*searching);
+    options.search_pairs = [&](const std::function<void()>& search) {
+      const RunScope inner(*searching);
+      search();
+    };
+  }
+  const bool all = wanted.are_all();
+  if (asked.workers > 1 || asked.with_pairs != 0) {
+    const std::uint64_t workers = std::max<std::uint64_t>(1, asked.workers);
+    return new changeover_loadorder(all ? split_load_order(items, room, workers, options)
+                                        : split_load_order(wanted, room, workers, options),
+                                    asked.with_pairs != 0);
+  }
+  return new changeover_loadorder(all ? plan_load_order(items, room, options)
+                                      : plan_load_order(wanted, room, options));
+}
+
 }  // namespace
 
 changeover_loadorder* changeover_loadorder_open(uint64_t items, uint64_t room, char* error,
                                                 size_t error_size) {
+  return changeover_loadorder_open_with(items, room, nullptr, error, error_size);
+}
+
+changeover_loadorder* changeover_loadorder_open_with(uint64_t items, uint64_t room,
+                                                     const changeover_loadorder_options* options,
+                                                     char* error, size_t error_size) {
   say(error, error_size, "");
-  return without_throwing(
-      [&] { return new changeover_loadorder(changeover::plan_load_order(items, room)); },
-      [&](const char* text) -> changeover_loadorder* {
-        say(error, error_size, text);
-        return nullptr;
-      });
+  return without_throwing([&] { return opened(items, room, options_in(options)); },
+                          [&](const char* text) -> changeover_loadorder* {
+                            say(error, error_size, text);
+                            return nullptr;
+                          });
 }
 
 int changeover_loadorder_next(changeover_loadorder* order, changeover_loadorder_step* step) {
@@ -72,10 +197,15 @@ int changeover_loadorder_next(changeover_loadorder* order, changeover_loadorder_
   }
   return without_throwing(
       [&]() -> int {
-        if (!order->order.next(order->step)) {
+        order->pairs.clear();
+        if (!order->reader->next(order->step)) {
           return CHANGEOVER_LOADORDER_END;
         }
         const changeover::Step& next = order->step;
+        for (const auto& [x, y] : next.compute) {
+          order->pairs.push_back(x);
+          order->pairs.push_back(y);
+        }
         *step = {next.number, next.evict.data(), next.evict.size(), next.load.data(),
                  next.load.size()};
         return CHANGEOVER_LOADORDER_STEP;
@@ -83,28 +213,108 @@ int changeover_loadorder_next(changeover_loadorder* order, changeover_loadorder_
       [&](const char* text) { return fail(order, text); });
 }
 
-int changeover_loadorder_rewind(changeover_loadorder* order) {
+namespace {
+
+// Makes another step the next one.
+template <typename Act>
+int go_to(changeover_loadorder* order, const Act& act) {
   if (order == nullptr) {
     return CHANGEOVER_LOADORDER_ERROR;
   }
   return without_throwing(
       [&]() -> int {
-        order->order.rewind();
+        act();
         return CHANGEOVER_LOADORDER_END;
       },
       [&](const char* text) { return fail(order, text); });
 }
 
+}  // namespace
+
+int changeover_loadorder_rewind(changeover_loadorder* order) {
+  return go_to(order, [&] { order->begin(); });
+}
+
+int changeover_loadorder_take_worker(changeover_loadorder* order, uint64_t worker) {
+  return go_to(order, [&] {
+    if (worker >= changeover_loadorder_workers(order)) {
+      throw changeover::BadInput("there is no such worker: they are numbered from 0");
+    }
+    order->worker = worker;
+    order->begin();
+  });
+}
+
+int changeover_loadorder_seek(changeover_loadorder* order, uint64_t number) {
+  return go_to(order, [&] {
+    if (order->split() != nullptr) {
+      throw changeover::BadInput(
+          "steps of several workers, and with pairs, are read from the first");
+    }
+    if (number == 0 || number > order->facts().steps) {
+      throw changeover::BadInput("there is no such step: they are numbered from 1");
+    }
+    order->begin(number);
+  });
+}
+
+const uint32_t* changeover_loadorder_pairs(const changeover_loadorder* order, size_t* count) {
+  if (count != nullptr) {
+    *count = order == nullptr ? 0 : order->pairs.size() / 2;
+  }
+  return order == nullptr ? nullptr : order->pairs.data();
+}
+
 uint64_t changeover_loadorder_loads(const changeover_loadorder* order) {
-  return order == nullptr ? 0 : order->order.facts().loads;
+  return order == nullptr            ? 0
+         : order->split() != nullptr ? order->split()->facts().loads
+                                     : order->facts().loads;
 }
 
 uint64_t changeover_loadorder_steps(const changeover_loadorder* order) {
-  return order == nullptr ? 0 : order->order.facts().steps;
+  if (order == nullptr) {
+    return 0;
+  }
+  if (order->split() == nullptr) {
+    return order->facts().steps;
+  }
+  uint64_t steps = 0;
+  for (const changeover::WorkerFacts& worker : order->split()->facts().workers) {
+    steps += worker.steps;
+  }
+  return steps;
 }
 
 uint64_t changeover_loadorder_lower_bound(const changeover_loadorder* order) {
-  return order == nullptr ? 0 : order->order.facts().bound.loads;
+  return order == nullptr ? 0 : order->facts().bound.loads;
+}
+
+uint64_t changeover_loadorder_workers(const changeover_loadorder* order) {
+  return order == nullptr            ? 0
+         : order->split() == nullptr ? 1
+                                     : order->split()->facts().workers.size();
+}
+
+uint64_t changeover_loadorder_worker_loads(const changeover_loadorder* order, uint64_t worker) {
+  if (worker >= changeover_loadorder_workers(order)) {
+    return 0;
+  }
+  return order->split() == nullptr
+             ? order->facts().loads
+             : order->split()->facts().workers[static_cast<std::size_t>(worker)].loads;
+}
+
+uint64_t changeover_loadorder_worker_pairs(const changeover_loadorder* order, uint64_t worker) {
+  if (worker >= changeover_loadorder_workers(order) || order->split() == nullptr) {
+    return 0;
+  }
+  return order->split()->facts().workers[static_cast<std::size_t>(worker)].pairs;
+}
+
+uint64_t changeover_loadorder_makespan_bound(const changeover_loadorder* order) {
+  return order == nullptr            ? 0
+         : order->split() == nullptr ? order->facts().bound.loads
+                                     : order->split()->facts().makespan_bound.loads;
 }
 
 const char* changeover_loadorder_error(const changeover_loadorder* order) {

@@ -5,6 +5,7 @@
 #include "example_support.hpp"
 
 extern "C" std::uint64_t steps_of_c_example(void);
+extern "C" std::uint64_t pairs_of_c_example(std::uint64_t* said);
 
 namespace changeover::test::loadorder_examples_test {
 namespace {
@@ -179,6 +180,8 @@ TEST_F(LoadOrderExamples, Workers) {
   std::uint64_t busiest = 0;
   WorkerSplit split = split_load_order(64, 16, 4);
   EXPECT_GE(split.facts().makespan, split.facts().makespan_bound.loads);
+  // Pairs that the worker with most of them computes.
+  EXPECT_EQ(split.facts().most_pairs, 504U);
   for (std::uint64_t w = 0; w < 4; ++w) {
     auto steps = split.stream(w);  // its steps, numbered from 1; the first loads a full memory
     Step step;
@@ -194,6 +197,9 @@ TEST_F(LoadOrderExamples, Workers) {
 
 TEST_F(LoadOrderExamples, InC) {
   EXPECT_EQ(steps_of_c_example(), plan_load_order(64, 16).facts().steps);
+  std::uint64_t said = 0;
+  EXPECT_EQ(pairs_of_c_example(&said), 504U);
+  EXPECT_EQ(said, 504U);
 }
 
 TEST_F(LoadOrderExamples, Disjoint) {

@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "changeover/loadorder/changeover_loadorder.h"
 
@@ -83,6 +88,162 @@ TEST(CInterface, StartsOverWhenAsked) {
   EXPECT_EQ(step.number, 1U);
   EXPECT_EQ(step.load_count, 4U);
   changeover_loadorder_close(order);
+}
+
+changeover_loadorder_options some_options() {
+  changeover_loadorder_options options{};
+  options.size = sizeof options;
+  return options;
+}
+
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+// Plays what a worker does; its pairs are computed with both items in memory.
+void play(changeover_loadorder* order, std::uint64_t worker, std::uint64_t room, Pairs& pairs,
+          std::uint64_t& loads) {
+  ASSERT_EQ(changeover_loadorder_take_worker(order, worker), CHANGEOVER_LOADORDER_END);
+  std::set<std::uint32_t> memory;
+  changeover_loadorder_step step;
+  loads = 0;
+  while (changeover_loadorder_next(order, &step) == CHANGEOVER_LOADORDER_STEP) {
+    for (std::size_t i = 0; i < step.evict_count; ++i) {
+      ASSERT_EQ(memory.erase(step.evict[i]), 1U);
+    }
+    for (std::size_t i = 0; i < step.load_count; ++i) {
+      ASSERT_TRUE(memory.insert(step.load[i]).second);
+      ++loads;
+    }
+    ASSERT_LE(memory.size(), room);
+    std::size_t count = 0;
+    const std::uint32_t* const of_step = changeover_loadorder_pairs(order, &count);
+    for (std::size_t i = 0; i < count; ++i) {
+      ASSERT_LT(of_step[2 * i], of_step[2 * i + 1]);
+      ASSERT_TRUE(memory.contains(of_step[2 * i]) && memory.contains(of_step[2 * i + 1]));
+      ASSERT_TRUE(pairs.emplace(of_step[2 * i], of_step[2 * i + 1]).second);
+    }
+  }
+  ASSERT_EQ(std::string(changeover_loadorder_error(order)), "");
+}
+
+TEST(COptions, WorkersComputeEachPairOnceInWhateverOrderTheyAreTaken) {
+  for (const int first_holder : {0, 1}) {
+    changeover_loadorder_options options = some_options();
+    options.workers = 3;
+    options.with_pairs = 1;
+    options.first_holder = first_holder;
+    changeover_loadorder* order = changeover_loadorder_open_with(30, 8, &options, nullptr, 0);
+    ASSERT_NE(order, nullptr);
+    EXPECT_EQ(changeover_loadorder_workers(order), 3U);
+    Pairs all;
+    std::uint64_t together = 0;
+    std::uint64_t most = 0;
+    for (const std::uint64_t worker : {2U, 0U, 1U}) {
+      Pairs pairs;
+      std::uint64_t loads = 0;
+      play(order, worker, 8, pairs, loads);
+      EXPECT_EQ(pairs.size(), changeover_loadorder_worker_pairs(order, worker));
+      EXPECT_EQ(loads, changeover_loadorder_worker_loads(order, worker));
+      together += loads;
+      most = std::max(most, loads);
+      for (const auto& pair : pairs) {
+        EXPECT_TRUE(all.insert(pair).second);
+      }
+    }
+    EXPECT_EQ(all.size(), 435U);
+    EXPECT_EQ(together, changeover_loadorder_loads(order));
+    EXPECT_GE(most, changeover_loadorder_makespan_bound(order));
+    EXPECT_EQ(changeover_loadorder_take_worker(order, 3), CHANGEOVER_LOADORDER_ERROR);
+    EXPECT_EQ(changeover_loadorder_seek(order, 1), CHANGEOVER_LOADORDER_ERROR);
+    changeover_loadorder_close(order);
+  }
+}
+
+TEST(COptions, OnlyTheListedPairsAreComputed) {
+  const std::vector<std::uint32_t> list{0, 1, 5, 2, 3, 9, 9, 0};
+  changeover_loadorder_options options = some_options();
+  options.pairs = list.data();
+  options.pair_count = 4;
+  options.with_pairs = 1;
+  changeover_loadorder* order = changeover_loadorder_open_with(10, 3, &options, nullptr, 0);
+  ASSERT_NE(order, nullptr);
+  Pairs pairs;
+  std::uint64_t loads = 0;
+  play(order, 0, 3, pairs, loads);
+  EXPECT_EQ(pairs, (Pairs{{0, 1}, {2, 5}, {3, 9}, {0, 9}}));
+  changeover_loadorder_close(order);
+  options.against = 4;
+  char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
+  EXPECT_EQ(changeover_loadorder_open_with(10, 3, &options, error, sizeof error), nullptr);
+  EXPECT_NE(std::string(error).find("give one of"), std::string::npos);
+}
+
+TEST(COptions, CostsAreSpreadAndMayBeWrong) {
+  changeover_loadorder_options options = some_options();
+  options.workers = 2;
+  double each = 1;
+  options.data = &each;
+  options.pair_cost = [](std::uint32_t item, std::uint32_t, void* data) {
+    return item == 0 ? 50.0 : *static_cast<double*>(data);
+  };
+  changeover_loadorder* order = changeover_loadorder_open_with(24, 8, &options, nullptr, 0);
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(
+      changeover_loadorder_worker_pairs(order, 0) + changeover_loadorder_worker_pairs(order, 1),
+      276U);
+  changeover_loadorder_close(order);
+  each = -1;
+  char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
+  EXPECT_EQ(changeover_loadorder_open_with(24, 8, &options, error, sizeof error), nullptr);
+  EXPECT_NE(std::string(error).find("give 0 or more"), std::string::npos);
+}
+
+TEST(COptions, ASearchIsGivenUpWhenTheProgramWantsThat) {
+  changeover_loadorder_options options = some_options();
+  options.seconds = 1e9;
+  options.cancelled = [](void*) { return 1; };
+  char error[CHANGEOVER_LOADORDER_ERROR_SIZE];
+  EXPECT_EQ(changeover_loadorder_open_with(60, 9, &options, error, sizeof error), nullptr);
+  EXPECT_EQ(std::string(error), "cancelled");
+}
+
+TEST(COptions, ReadingBeginsAtAnyStep) {
+  changeover_loadorder* order = changeover_loadorder_open(40, 7, nullptr, 0);
+  ASSERT_NE(order, nullptr);
+  std::set<std::uint32_t> memory;
+  changeover_loadorder_step step;
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_EQ(changeover_loadorder_next(order, &step), CHANGEOVER_LOADORDER_STEP);
+    for (std::size_t e = 0; e < step.evict_count; ++e) {
+      memory.erase(step.evict[e]);
+    }
+    memory.insert(step.load, step.load + step.load_count);
+  }
+  ASSERT_EQ(changeover_loadorder_seek(order, 20), CHANGEOVER_LOADORDER_END);
+  ASSERT_EQ(changeover_loadorder_next(order, &step), CHANGEOVER_LOADORDER_STEP);
+  EXPECT_EQ(step.number, 20U);
+  EXPECT_EQ(std::set<std::uint32_t>(step.load, step.load + step.load_count), memory);
+  EXPECT_EQ(changeover_loadorder_seek(order, 0), CHANGEOVER_LOADORDER_ERROR);
+  EXPECT_EQ(changeover_loadorder_seek(order, changeover_loadorder_steps(order) + 1),
+            CHANGEOVER_LOADORDER_ERROR);
+  changeover_loadorder_close(order);
+}
+
+// Programs that know less of the options, or none.
+TEST(COptions, MayBeShorter) {
+  changeover_loadorder_options options = some_options();
+  options.workers = 2;
+  options.against = 1000;
+  options.size = offsetof(changeover_loadorder_options, pairs);
+  changeover_loadorder* order = changeover_loadorder_open_with(20, 5, &options, nullptr, 0);
+  ASSERT_NE(order, nullptr);
+  EXPECT_EQ(changeover_loadorder_workers(order), 2U);
+  EXPECT_LT(changeover_loadorder_loads(order), 1000U);
+  changeover_loadorder_close(order);
+  order = changeover_loadorder_open_with(20, 5, nullptr, nullptr, 0);
+  EXPECT_EQ(changeover_loadorder_workers(order), 1U);
+  changeover_loadorder_close(order);
+  EXPECT_EQ(changeover_loadorder_workers(nullptr), 0U);
+  EXPECT_EQ(changeover_loadorder_worker_loads(nullptr, 0), 0U);
 }
 
 }  // namespace
