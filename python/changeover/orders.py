@@ -4,24 +4,127 @@ them."""
 from __future__ import annotations
 
 import importlib
+import io
 import itertools
 import json
 import operator
+import pickle
+import zlib
 from array import array
 from typing import (
-    Any, Callable, Iterable, Iterator, List, Optional, SupportsIndex, Tuple, Union, overload)
+    Any, Callable, Dict, Iterable, Iterator, List, NamedTuple, Optional, Set, SupportsIndex, Tuple,
+    Union, overload)
 
 from . import _core
 from ._given import listed, rows_of, words_of
 from ._made import Made, Progress, check_calls, fact, made
 from ._notebook import shown, table
-from .errors import BadInput
+from .errors import BadInput, InternalError
 
 Step = Tuple[List[int], List[int]]
 _most_items: int = _core.most_items
 
 
-class LoadOrder(Made):
+class WorkStep(NamedTuple):
+    """A step with all that was asked for; what was not is empty. In this order: the first of
+    `evict` leave memory, but the last `late` of them; `store` says which of all that are evicted
+    have changed, and are written back before; `load` comes; `pairs` are computed. With prefetch
+    the next loads begin then, `overlap` is computed while they run, and the late ones of the next
+    step leave when it is over.
+    """
+
+    number: int
+    worker: int
+    evict: List[int]
+    load: List[int]
+    store: List[int]
+    pairs: List[Tuple[int, int]]
+    overlap: List[Tuple[int, int]]
+    late: int
+
+
+class _Recorded:
+    """What an order that took a search is after pickling: its steps as they were written."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def to_json(self) -> str:
+        return self._text
+
+    def fault(self) -> str:
+        return ""
+
+    def _lines(self, worker: Optional[int]) -> Iterator[Dict[str, Any]]:
+        for line in itertools.islice(io.StringIO(self._text), 1, None):
+            step = json.loads(line)
+            if worker is None or step.get("worker", 0) == worker:
+                yield step
+
+    def steps(self, worker: int) -> Iterator[Step]:
+        return ((step["evict"], step["load"]) for step in self._lines(worker))
+
+    def steps_from(self, number: int) -> Iterator[Step]:
+        memory: Set[int] = set()
+        for step in self._lines(None):
+            memory.difference_update(step["evict"])
+            memory.update(step["load"])
+            if step["step"] == number:
+                yield [], sorted(memory)
+            elif step["step"] > number:
+                yield step["evict"], step["load"]
+
+    def full_steps(self, worker: Optional[int]) -> Iterator[Tuple[Any, ...]]:
+        for step in self._lines(worker):
+            late = step.get("evict_late", [])
+            first = step.get("evict_first", step["evict"])
+            pairs = step.get("new_pairs", step.get("before", []))
+            yield (step["step"], step.get("worker", 0), first + late, step["load"],
+                   step.get("store", []), [tuple(pair) for pair in pairs],
+                   [tuple(pair) for pair in step.get("compute", [])], len(late))
+
+
+def _made_again(kind: Any, state: bytes, checksum: int) -> Any:
+    """What pickles hold: the question, or the steps if their making took a search."""
+    if zlib.crc32(state) != checksum:
+        raise BadInput(f"this pickle of a {kind.__name__} is damaged; make it anew")
+    facts, asked, ends, seed, text = pickle.loads(state)
+    core: Any = _Recorded(text) if text is not None else None
+    if core is None:
+        core, again = _core.load_order(
+            json.dumps({**asked, "verify_beside": False}), ends, None, 1, seed, None)
+        if again != facts:
+            raise BadInput("another version of changeover pickled this load order, and made another "
+                           "one; make it anew")
+    return made(kind, {**facts, "_asked": (asked, ends, seed, text)}, core)
+
+
+class _Loads(Made):
+    """What both kinds have in common."""
+
+    def to_json(self) -> str:
+        """changeover-loads/1: an object for the whole, then one for each step, a line each."""
+        text: str = self._core.to_json()
+        return text
+
+    def verified(self) -> bool:
+        """True when all steps have been read and are right; with verify_beside it waits for that.
+        Raises InternalError if they are not."""
+        fault = self._core.fault()
+        if fault:
+            raise InternalError(fault)
+        return True
+
+    def __reduce_ex__(self, _protocol: Any = 2) -> Any:
+        facts = dict(self._facts)
+        asked, ends, seed, text = facts.pop("_asked")
+        if text == "":
+            text = self.to_json()
+        state = pickle.dumps((facts, asked, ends, seed, text), 4)
+        return _made_again, (type(self), state, zlib.crc32(state))
+
+
+class LoadOrder(_Loads):
     """Steps (evict, load), lists of item numbers, after which every pair was in memory together."""
 
     items: int = fact()
@@ -32,11 +135,6 @@ class LoadOrder(Made):
     reason: str = fact("Of the bound.")
     method: str = fact()
     certificate: str = fact("How it was verified, one line.")
-
-    def to_json(self) -> str:
-        """changeover-loads/1: an object for the order, then one for each step, a line each."""
-        text: str = self._core.to_json()
-        return text
 
     def to_frame(self) -> Any:
         """A pandas.DataFrame with one row for each step. Raises ImportError without pandas."""
@@ -59,6 +157,17 @@ class LoadOrder(Made):
         steps: Iterator[Step] = self._core.steps(0)
         return steps
 
+    def steps_from(self, step: int) -> Iterator[Step]:
+        """The steps from `step` on, from 1; the first of them loads all that is in memory then."""
+        if not 1 <= step <= self.steps:
+            raise IndexError(f"there are {self.steps} steps, numbered from 1")
+        steps: Iterator[Step] = self._core.steps_from(step)
+        return steps
+
+    def work(self) -> Iterator[WorkStep]:
+        """The steps with what each computes and stores, as far as that was asked for."""
+        return map(WorkStep._make, self._core.full_steps(None))
+
     def __len__(self) -> int:
         return self.steps
 
@@ -66,7 +175,7 @@ class LoadOrder(Made):
         return f"<LoadOrder: {self.loads} loads for {self.items} items, room for {self.room}>"
 
 
-class WorkerLoads(Made):
+class WorkerLoads(_Loads):
     """A load order for several workers: steps (evict, load) of each, after which every pair was in
     the memory of one of them together."""
 
@@ -77,12 +186,13 @@ class WorkerLoads(Made):
     makespan: int = fact("The loads of the worker that has most.")
     makespan_bound: int = fact("However it is split, some worker has so many.")
     reason: str = fact("Of that bound.")
+    method: str = fact()
     certificate: str = fact("How it was verified, one line.")
-
-    def to_json(self) -> str:
-        """changeover-loads/1: an object for all workers, then one for each step, a line each."""
-        text: str = self._core.to_json()
-        return text
+    worker_pairs: Optional[List[int]] = fact(
+        "The pairs that each worker computes; the mean is the fewest that the fullest can have.")
+    worker_costs: Optional[List[float]] = fact("What they cost, if pairs have costs.")
+    span: Optional[int] = fact(
+        "Of workers in lockstep: the most loads of one of them in a step, added up.")
 
     def steps(self, worker: int) -> Iterator[Step]:
         """The steps of one worker, from 0."""
@@ -90,6 +200,12 @@ class WorkerLoads(Made):
             raise IndexError(f"there are {len(self)} workers")
         steps: Iterator[Step] = self._core.steps(worker)
         return steps
+
+    def work(self, worker: int) -> Iterator[WorkStep]:
+        """The same with what each step computes and stores, as far as that was asked for."""
+        if worker >= len(self):
+            raise IndexError(f"there are {len(self)} workers")
+        return map(WorkStep._make, self._core.full_steps(worker))
 
     def __len__(self) -> int:
         return len(self.worker_loads)
@@ -108,6 +224,11 @@ class Report(Made):
     bytes_read: int = fact()
     pairs: int = fact("Calls of compute().")
     most_in_memory: int = fact("Items.")
+
+    def __repr__(self) -> str:
+        resumed = f", {self.steps_resumed} of them earlier" if self.steps_resumed else ""
+        return (f"<Report: {'finished' if self.finished else 'not finished'}, {self.steps} steps"
+                f"{resumed}, {self.loads} loads, {self.bytes_read} bytes, {self.pairs} pairs>")
 
 
 def _item(number: Any) -> int:
@@ -134,33 +255,62 @@ def _ends(pairs: Any) -> array[int]:
     return ends
 
 
+def _cost_rows(pair_cost: Any) -> List[List[str]]:
+    """Rows of two items and a cost, of a mapping from pairs or of such rows."""
+    rows = ([*pair, cost] for pair, cost in pair_cost.items()) if hasattr(
+        pair_cost, "items") else pair_cost
+    made_rows: List[List[str]] = []
+    for number, row in enumerate(rows_of("pair_cost", "rows of two items and a number", rows)):
+        cells = list(listed("pair_cost", "rows of two items and a number", row))
+        if len(cells) != 3:
+            raise BadInput(f"pair_cost: row {number} is not two items and a number")
+        made_rows.append([str(_item(cells[0])), str(_item(cells[1])), repr(float(cells[2]))])
+    return made_rows
+
+
 @overload
 def load_order(
     items: Optional[int], room: int, *, pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     against: Optional[int] = None, done_items: Optional[int] = None, workers: None = None,
+    disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
+    prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
+    first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
     time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> LoadOrder: ...
 @overload
 def load_order(
     items: Optional[int], room: int, *, pairs: Optional[Iterable[Iterable[SupportsIndex]]] = None,
     against: Optional[int] = None, done_items: Optional[int] = None, workers: int,
+    disjoint: bool = False, write_back: bool = False, new_pairs: bool = False,
+    prefetch: bool = False, ordered: bool = False, with_self: bool = False, shuffle: bool = False,
+    first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
     time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> WorkerLoads: ...
 
 
 def load_order(
     items: Optional[int], room: int, *, pairs: Any = None, against: Optional[int] = None,
-    done_items: Optional[int] = None, workers: Optional[int] = None, time: Optional[float] = None,
-    threads: int = 1, seed: int = 1, progress: Progress = None,
+    done_items: Optional[int] = None, workers: Optional[int] = None, disjoint: bool = False,
+    write_back: bool = False, new_pairs: bool = False, prefetch: bool = False,
+    ordered: bool = False, with_self: bool = False, shuffle: bool = False,
+    first_holder: bool = False, pair_cost: Any = None, verify_beside: bool = False,
+    time: Optional[float] = None, threads: int = 1, seed: int = 1, progress: Progress = None,
 ) -> Union[LoadOrder, WorkerLoads]:
     """An order of loads after which every pair of `items` items was in memory together, with room
     for `room`; `time` seconds of search for a better one. Verified. Iterating gives steps (evict,
-    load).
+    load), work() all that was asked for. Orders can be pickled.
 
     pairs: only these must meet, rows of two item numbers, a NumPy array of shape (n, 2), too; items
     may then be None. against: each of the items with each of so many others, numbered after them.
     done_items: the pairs of the first so many have met before. workers: split it for so many, which
-    gives WorkerLoads. Raises BadInput, ImpossibleParameters.
+    gives WorkerLoads; pairs are spread evenly over the workers that have them, or with first_holder
+    belong to the first. pair_cost: a mapping from pairs to numbers, or rows of two items and a
+    number, otherwise 1: these are spread instead of numbers. disjoint: workers step together and
+    never hold one item twice. new_pairs: work() says which pairs a step computes; ordered: both
+    ways; with_self: each item with itself, too; shuffle: in random order. write_back: it says what
+    has changed and is stored. prefetch: it says what is computed while loads run. verify_beside: it
+    returns before the steps are read; verified() waits for that. Raises BadInput,
+    ImpossibleParameters.
     """
     if sum(each is not None for each in (pairs, against, done_items)) > 1:
         raise BadInput("give one of pairs, against and done_items")
@@ -168,11 +318,18 @@ def load_order(
         raise BadInput("give items, how many there are")
     if time is not None and not 0 <= time <= 1e9:
         raise ValueError("time is a number of seconds, 0 or more")
-    asked = {"items": items, "room": room, "against": against, "done_items": done_items,
-             "workers": workers}
-    ends = None if pairs is None else _ends(pairs)
-    core, facts = _core.load_order(
-        json.dumps(asked), None if ends is None else ends.tobytes(), time, threads, seed, progress)
+    asked: Dict[str, Any] = {"items": items, "room": room, "against": against,
+                             "done_items": done_items, "workers": workers}
+    asked.update({key: True for key, given in (
+        ("disjoint", disjoint), ("write_back", write_back), ("new_pairs", new_pairs),
+        ("prefetch", prefetch), ("ordered", ordered), ("self", with_self), ("shuffle", shuffle),
+        ("first_holder", first_holder), ("verify_beside", verify_beside)) if given})
+    if pair_cost is not None:
+        asked["pair_cost"] = _cost_rows(pair_cost)
+    ends = None if pairs is None else _ends(pairs).tobytes()
+    core, facts = _core.load_order(json.dumps(asked), ends, time, threads, seed, progress)
+    # What a search finds is not found again: a pickle holds its steps.
+    facts["_asked"] = (asked, ends, seed, None if time is None else "")
     if workers is None:
         return made(LoadOrder, facts, core)
     return made(WorkerLoads, facts, core)
@@ -181,7 +338,8 @@ def load_order(
 def all_pairs(
     path: str, item_bytes: int, room: int,
     compute: Callable[[int, int, memoryview, memoryview], object], *, header_bytes: int = 0,
-    threads: int = 1, journal: str = "",
+    threads: int = 1, journal: str = "", share: Optional[Tuple[int, int]] = None,
+    earlier: Iterable[str] = (), verify_beside: bool = False,
 ) -> Report:
     """Runs an all-pairs job over a file of items of item_bytes each, never more than `room` of them
     in memory.
@@ -189,10 +347,14 @@ def all_pairs(
     compute(i, j, first, second) is called once for each pair i < j and for each item with itself (i
     = j), with read-only memoryviews that end with the call; what is made of them (slices, arrays)
     stays as it is, and keeps the item in memory beyond the room. With a journal a job that was
-    ended goes on where it was. What compute raises ends the job. Raises BadInput, MissingResource.
+    ended goes on where it was. share: (i, n) computes the i-th of n shares, from 0; earlier:
+    journals of another number of shares, whose pairs are not computed again. verify_beside: begin
+    before the order is read. What compute raises ends the job. Raises BadInput, MissingResource.
     """
-    return made(Report,
-                _core.all_pairs(path, item_bytes, room, compute, header_bytes, threads, journal))
+    index, of = (0, 1) if share is None else share
+    return made(Report, _core.all_pairs(
+        path, item_bytes, room, compute, header_bytes, threads, journal, operator.index(index),
+        operator.index(of), list(listed("earlier", "paths of journals", earlier)), verify_beside))
 
 
 check_calls(globals())

@@ -1,6 +1,8 @@
 // Load orders and the executor: the systems door.
+#include <atomic>
 #include <chrono>
 #include <cstring>
+#include <future>
 #include <memory>
 #include <optional>
 #include <variant>
@@ -67,6 +69,43 @@ py::tuple next_work(Work& self) {
       py::bytes(reinterpret_cast<const char*>(ends.data()), ends.size() * sizeof(Element)));
 }
 
+// Steps with all that was asked for.
+struct FullSteps {
+  std::shared_ptr<const LoadsAnswer> answer;  // outlives the source
+  std::unique_ptr<StepSource> source;
+  bool busy = false;
+};
+
+// (number, worker, evict, load, store, pairs, overlap, late)
+py::tuple next_full(FullSteps& self) {
+  const Step step = next_of(self);
+  return py::make_tuple(step.number, step.worker, py::cast(step.evict), py::cast(step.load),
+                        py::cast(step.store), py::cast(step.compute), py::cast(step.overlap),
+                        step.late);
+}
+
+// Reads all steps on a thread of its own; whoever lets go of it stops that.
+class Check {
+ public:
+  explicit Check(std::shared_ptr<const LoadsAnswer> answer)
+      : control_({.interrupted = &stop_}),
+        verdict_(std::async(std::launch::async, [this, answer = std::move(answer)] {
+          const RunScope scope(control_);
+          return answer->fault();
+        })) {}
+  ~Check() { stop_ = true; }
+  Check(const Check&) = delete;
+  Check& operator=(const Check&) = delete;
+
+  /// Empty if the steps are right.
+  [[nodiscard]] std::string fault() const { return verdict_.get(); }
+
+ private:
+  std::atomic<bool> stop_{false};
+  RunControl control_;
+  std::shared_future<std::string> verdict_;  // waits when it is destroyed
+};
+
 // Pairs as the bytes of their items, one after the other.
 std::shared_ptr<const PairGraph> pairs_in(std::optional<std::uint64_t> items,
                                           const std::optional<py::bytes>& ends) {
@@ -88,9 +127,22 @@ std::shared_ptr<const PairGraph> pairs_in(std::optional<std::uint64_t> items,
 // An answer, of one worker or of several.
 struct Loads {
   std::shared_ptr<const LoadsAnswer> answer;
+  std::shared_ptr<const Check> check = nullptr;  // if steps are verified beside
 
-  [[nodiscard]] const LoadOrder* one() const { return std::get_if<LoadOrder>(&answer->loads()); }
-  [[nodiscard]] const WorkerSplit& split() const { return std::get<WorkerSplit>(answer->loads()); }
+  [[nodiscard]] const LoadOrder* one() const {
+    if (const auto* const plan = std::get_if<PrefetchPlan>(&answer->loads())) {
+      return &plan->order;
+    }
+    return std::get_if<LoadOrder>(&answer->loads());
+  }
+  [[nodiscard]] const WorkerSplit& split() const {
+    if (const auto* const plan = std::get_if<PrefetchSplit>(&answer->loads())) {
+      return plan->order;
+    }
+    return std::get<WorkerSplit>(answer->loads());
+  }
+  /// Of the order for one worker, or of workers in lockstep, with the room for what is on its way.
+  [[nodiscard]] std::uint64_t room() const { return answer->room(); }
   [[nodiscard]] std::string to_json() const {
     const GilReleased released;
     StringSink sink;
@@ -99,7 +151,8 @@ struct Loads {
   }
 };
 
-// @throws ImpossibleParameters for so many items that it is not kept in mind which pairs were computed
+// @throws ImpossibleParameters for so many items that it is not kept in mind which pairs were
+// computed
 Work work_of(const Loads& loads) {
   const LoadOrder& order = loads.one() != nullptr ? *loads.one() : loads.split().order();
   ScheduleRules rules = order.rules(ComputeRules{});
@@ -112,7 +165,8 @@ Work work_of(const Loads& loads) {
         "all pairs of more than 65535 items: group items into larger ones, or list the pairs");
   }
   auto steps = loads.one() != nullptr ? order.stream() : loads.split().stream();
-  return {loads.answer, std::make_unique<StepWork>(std::move(steps), rules)};
+  auto owners = loads.one() != nullptr ? nullptr : loads.split().owners();
+  return {loads.answer, std::make_unique<StepWork>(std::move(steps), rules, std::move(owners))};
 }
 
 // The shares of workers without their steps, of any number of items.
@@ -123,6 +177,8 @@ class Shapes {
     items_ = one != nullptr ? one->facts().items : loads.split().facts().items;
     groups_ = one != nullptr ? items_ : loads.split().facts().groups;
     steps_ = one != nullptr ? one->stream() : loads.split().stream();
+    known_ =
+        one == nullptr && loads.split().facts().pairs_are_known ? &loads.split().facts() : nullptr;
     met_.resize(groups_ <= most_kept_groups ? groups_ : 0);
     first_of_group_.resize(met_.empty() ? 0 : groups_);
     for (std::uint64_t g = 0; g < first_of_group_.size(); ++g) {
@@ -133,6 +189,7 @@ class Shapes {
 
   // For each worker its loads, those of its first step, and its pairs.
   [[nodiscard]] std::vector<std::uint64_t> read() {
+    const SplitFacts* const known = known_;
     std::vector<std::uint64_t> shapes;
     std::vector<std::uint64_t> held;
     std::uint64_t count = 0;
@@ -150,7 +207,12 @@ class Shapes {
         shapes[3 * worker + 1] = step.load.size();
       }
       shapes[3 * worker] += step.load.size();
-      shapes[3 * worker + 2] += met_.empty() ? by_number(step, count, first) : by_group(step, held);
+      if (known != nullptr) {
+        shapes[3 * worker + 2] = known->workers[static_cast<std::size_t>(worker)].pairs;
+      } else {
+        shapes[3 * worker + 2] +=
+            met_.empty() ? by_number(step, count, first) : by_group(step, held);
+      }
       count = count + step.load.size() - step.evict.size();
       first = false;
     }
@@ -207,6 +269,7 @@ class Shapes {
   std::shared_ptr<const LoadsAnswer> loads_;
   std::unique_ptr<StepSource> steps_;
   std::uint64_t items_ = 0, groups_ = 0;
+  const SplitFacts* known_ = nullptr;  // that say how many pairs workers compute
   std::vector<std::uint64_t> first_of_group_;
   std::vector<std::vector<bool>> met_;  // groups that have met, larger number first
 };
@@ -217,24 +280,56 @@ py::bytes shapes_of(const Loads& loads) {
 }
 
 py::dict facts_of(const Loads& loads) {
-  if (const LoadOrder* const one = loads.one()) {
+  if (const LoadOrder* const one = loads.one(); one != nullptr && one->facts().lockstep == 0) {
     const auto& facts = one->facts();
-    return py::dict(py::arg("items") = facts.items, py::arg("room") = facts.room,
+    return py::dict(py::arg("items") = facts.items, py::arg("room") = loads.room(),
                     py::arg("loads") = facts.loads, py::arg("steps") = facts.steps,
                     py::arg("lower_bound") = facts.bound.loads,
                     py::arg("reason") = facts.bound.reason, py::arg("method") = facts.method,
                     py::arg("certificate") = facts.certificate);
   }
-  const auto& facts = loads.split().facts();
   std::vector<std::uint64_t> of_workers;
+  std::optional<std::vector<std::uint64_t>> pairs;
+  std::optional<std::vector<double>> costs;
+  if (const LoadOrder* const one = loads.one()) {
+    const auto& facts = one->facts();
+    of_workers = facts.worker_loads;
+    if (!facts.worker_pairs.empty()) {
+      pairs = facts.worker_pairs;
+    }
+    return py::dict(py::arg("items") = facts.items, py::arg("room") = loads.room(),
+                    py::arg("loads") = facts.loads, py::arg("worker_loads") = of_workers,
+                    py::arg("makespan") = facts.makespan(),
+                    py::arg("makespan_bound") = facts.makespan_bound.loads,
+                    py::arg("reason") = facts.makespan_bound.reason,
+                    py::arg("method") = facts.method, py::arg("certificate") = facts.certificate,
+                    py::arg("worker_pairs") = pairs, py::arg("worker_costs") = costs,
+                    py::arg("span") = std::optional(facts.span));
+  }
+  const auto& facts = loads.split().facts();
+  if (facts.pairs_are_known) {
+    pairs.emplace();
+  }
+  if (facts.has_costs) {
+    costs.emplace();
+  }
   for (const WorkerFacts& worker : facts.workers) {
     of_workers.push_back(worker.loads);
+    if (pairs) {
+      pairs->push_back(worker.pairs);
+    }
+    if (costs) {
+      costs->push_back(worker.cost);
+    }
   }
   return py::dict(
-      py::arg("items") = facts.items, py::arg("room") = facts.room, py::arg("loads") = facts.loads,
-      py::arg("worker_loads") = of_workers, py::arg("makespan") = facts.makespan,
-      py::arg("makespan_bound") = facts.makespan_bound.loads,
-      py::arg("reason") = facts.makespan_bound.reason, py::arg("certificate") = facts.certificate);
+      py::arg("items") = facts.items, py::arg("room") = loads.room(),
+      py::arg("loads") = facts.loads, py::arg("worker_loads") = of_workers,
+      py::arg("makespan") = facts.makespan, py::arg("makespan_bound") = facts.makespan_bound.loads,
+      py::arg("reason") = facts.makespan_bound.reason,
+      py::arg("method") = loads.split().order().facts().method,
+      py::arg("certificate") = facts.certificate, py::arg("worker_pairs") = pairs,
+      py::arg("worker_costs") = costs, py::arg("span") = std::optional<std::uint64_t>());
 }
 
 py::tuple order(const std::string& document, const std::optional<py::bytes>& pairs,
@@ -276,6 +371,12 @@ py::tuple order(const std::string& document, const std::optional<py::bytes>& pai
       }
     }
   });
+  // What steps compute and store is verified now, or beside, as loads are.
+  if (request.verify_beside) {
+    loads.check = std::make_shared<const Check>(loads.answer);
+  } else if (loads.answer->says_work()) {
+    stoppable([&] { return loads.answer->head(); });
+  }
   const py::dict facts = facts_of(loads);
   return py::make_tuple(std::move(loads), facts);
 }
@@ -306,7 +407,8 @@ void call(const py::function& compute, const PairWork& pair) {
 
 py::dict run(const std::string& path, std::uint64_t item_bytes, std::uint64_t room,
              const py::function& compute, std::uint64_t header_bytes, std::uint64_t threads,
-             const std::string& journal) {
+             const std::string& journal, std::uint64_t share, std::uint64_t shares,
+             const std::vector<std::string>& earlier, bool verify_beside) {
   constexpr std::uint64_t most_threads = 4096;
   if (threads < 1 || threads > most_threads) {
     throw BadInput("threads is a number from 1 to 4096");
@@ -315,11 +417,16 @@ py::dict run(const std::string& path, std::uint64_t item_bytes, std::uint64_t ro
   LongWork work({.threads = 1});
   work.run([&](RunControl& control) {
     FileItems file(path, item_bytes, {.header_bytes = header_bytes});
-    const LoadOrder loads = plan_load_order(file.item_count(), room);
+    LoadOrderOptions planning;
+    planning.read_first = !verify_beside;
+    const LoadOrder loads = plan_load_order(file.item_count(), room, planning);
     std::atomic<bool> cancelled = false;
     AllPairsOptions options;
     options.threads = static_cast<unsigned>(threads);
     options.journal = journal;
+    options.share = {share, shares};
+    options.earlier = earlier;
+    options.verify_beside = verify_beside;
     options.cancelled = &cancelled;
     report = all_pairs(
         file, loads,
@@ -350,12 +457,28 @@ void bind_loads(py::module_& module) {
   py::class_<Work>(module, "Work")
       .def("__iter__", [](py::object self) { return self; })
       .def("__next__", &next_work);
+  py::class_<FullSteps>(module, "FullSteps")
+      .def("__iter__", [](py::object self) { return self; })
+      .def("__next__", &next_full);
   py::class_<Loads>(module, "Loads")
       .def("work", &work_of)
       .def("shapes", &shapes_of)
       .def("to_json", &Loads::to_json)
+      .def("fault",
+           [](const Loads& self) {
+             const GilReleased released;
+             return self.check == nullptr ? std::string() : self.check->fault();
+           })
+      .def("steps_from", [](const Loads& self,
+                            std::uint64_t step) { return Steps{self.one()->stream_from(step)}; })
+      .def("full_steps",
+           [](const Loads& self, std::optional<std::uint64_t> worker) {
+             return FullSteps{self.answer, self.answer->steps(worker)};
+           })
       .def("steps", [](const Loads& self, std::uint64_t worker) {
-        return Steps{self.one() != nullptr ? self.one()->stream() : self.split().stream(worker)};
+        return Steps{self.one() == nullptr               ? self.split().stream(worker)
+                     : self.one()->facts().lockstep == 0 ? self.one()->stream()
+                                                         : self.one()->stream(worker)};
       });
   module.attr("most_items") = most_items;
   module.def("load_order", &order);

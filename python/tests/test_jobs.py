@@ -2,7 +2,12 @@
 
 import collections
 import itertools
+<<<<<<< HEAD
 import pathlib
+=======
+import os
+import pickle
+>>>>>>> b8d7f4ff (WIP all)
 import signal
 import tempfile
 import unittest
@@ -356,6 +361,120 @@ class Loads(unittest.TestCase):
 
 
 class Benches(unittest.TestCase):
+    def test_orders_say_what_their_steps_compute_and_store(self):
+        order = changeover.load_order(20, 6, new_pairs=True, with_self=True)
+        self.assertEqual(order.steps, len(list(order.work())))
+        pairs = [pair for step in order.work() for pair in step.pairs]
+        self.assertEqual(sorted(pairs), [(i, j) for i in range(20) for j in range(i, 20)])
+        both = changeover.load_order(20, 6, new_pairs=True, ordered=True)
+        self.assertEqual(len({pair for step in both.work() for pair in step.pairs}), 380)
+        stored = changeover.load_order(20, 6, write_back=True)
+        for step in stored.work():
+            self.assertLessEqual(set(step.store), set(step.evict))
+        ahead = list(changeover.load_order(20, 6, prefetch=True).work())
+        self.assertEqual(sum(len(step.pairs) + len(step.overlap) for step in ahead), 190)
+        self.assertEqual([(step.evict, step.load) for step in changeover.load_order(9, 4).work()],
+                         list(changeover.load_order(9, 4)))
+
+    def test_workers_that_are_disjoint_never_hold_one_item_twice(self):
+        split = changeover.load_order(24, 5, workers=3, disjoint=True, new_pairs=True)
+        self.assertIsInstance(split, changeover.WorkerLoads)
+        memory = [set(), set(), set()]
+        for steps in zip(*(split.work(worker) for worker in range(3))):
+            for step in steps:
+                memory[step.worker] -= set(step.evict)
+            for step in steps:
+                memory[step.worker] |= set(step.load)
+                self.assertTrue(all(set(pair) <= memory[step.worker] for pair in step.pairs))
+            self.assertEqual(len(set.union(*memory)), sum(map(len, memory)))
+        self.assertGreaterEqual(split.span, split.makespan)
+
+    def test_pairs_are_spread_over_workers(self):
+        split = changeover.load_order(60, 30, workers=4, new_pairs=True)
+        self.assertEqual(sum(split.worker_pairs), 1770)
+        self.assertLessEqual(max(split.worker_pairs), 443 * 1.05)
+        done = [{pair for step in split.work(worker) for pair in step.pairs} for worker in range(4)]
+        self.assertEqual([len(pairs) for pairs in done], split.worker_pairs)
+        self.assertEqual(len(set.union(*done)), 1770)
+        first = changeover.load_order(60, 12, workers=4, first_holder=True)
+        self.assertEqual(sum(first.worker_pairs), 1770)
+        costs = {(0, i): 30 for i in range(1, 24)}
+        spread = changeover.load_order(24, 8, workers=3, pair_cost=costs)
+        self.assertAlmostEqual(sum(spread.worker_costs), 23 * 30 + 253)
+        self.assertLess(max(spread.worker_costs), 350)
+        self.assertIsNone(split.worker_costs)
+        for wrong, says in (({(0, 1): -1}, "0 or more"), ({(0, 99): 1}, "99"), ([(0, 1)], "not two items"),
+                            ({(0, "x"): 1}, "")):
+            with self.assertRaisesRegex((changeover.BadInput, TypeError), says):
+                changeover.load_order(24, 8, workers=3, pair_cost=wrong)
+
+    def test_orders_are_read_from_any_step(self):
+        order = changeover.load_order(30, 7)
+        memory, steps = set(), list(order)
+        for number, (evict, load) in enumerate(steps, 1):
+            memory = memory - set(evict) | set(load)
+            later = order.steps_from(number)
+            self.assertEqual(set(next(later)[1]), memory)
+            self.assertEqual(list(later), steps[number:])
+        with self.assertRaises(IndexError):
+            order.steps_from(0)
+        with self.assertRaises(IndexError):
+            order.steps_from(order.steps + 1)
+
+    def test_orders_can_be_pickled(self):
+        made = [changeover.load_order(30, 7), changeover.load_order(30, 7, workers=3, new_pairs=True),
+                changeover.load_order(None, 3, pairs=[(0, 1), (1, 2), (2, 0), (2, 3)]),
+                changeover.load_order(30, 7, time=0.1, new_pairs=True)]
+        for each in made:
+            again = pickle.loads(pickle.dumps(each))
+            self.assertIs(type(again), type(each))
+            self.assertEqual(again.to_json(), each.to_json())
+            if isinstance(each, changeover.LoadOrder):
+                self.assertEqual(list(again), list(each))
+                self.assertEqual(list(again.steps_from(2)), list(each.steps_from(2)))
+                self.assertEqual(list(again.work()), list(each.work()))
+            else:
+                self.assertEqual(list(again.work(2)), list(each.work(2)))
+            self.assertEqual(pickle.loads(pickle.dumps(again)).to_json(), each.to_json())
+            call, (kind, state, checksum) = each.__reduce_ex__(4)
+            with self.assertRaisesRegex(changeover.BadInput, "is damaged"):
+                call(kind, state[:-1] + b"x", checksum)
+
+    def test_orders_may_be_verified_beside(self):
+        order = changeover.load_order(300, 20, verify_beside=True)
+        self.assertEqual(len(list(order)), order.steps)
+        self.assertTrue(order.verified())
+        self.assertTrue(changeover.load_order(30, 7, workers=3, verify_beside=True).verified())
+
+    def test_other_shares_go_on_with_a_job(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "items")
+            with open(path, "wb") as file:
+                file.write(bytes(range(40)))
+            seen = []
+            journals = [os.path.join(folder, f"journal.{i}") for i in range(5)]
+
+            def compute(i, j, first, second):
+                if len(seen) == 200:
+                    raise OSError("stop")
+                seen.append((i, j))
+
+            with self.assertRaises(OSError):
+                changeover.all_pairs(path, 1, 8, compute, journal=journals[0], share=(0, 2))
+            before = len(seen)
+            self.assertEqual(before, 200)
+            recorded = []
+            for i in range(3):
+                report = changeover.all_pairs(
+                    path, 1, 8, lambda i, j, first, second: recorded.append((i, j)),
+                    journal=journals[1 + i], share=(i, 3), earlier=journals[:1])
+                self.assertTrue(report.finished)
+                self.assertIn("finished", repr(report))
+            self.assertEqual(len(recorded), len(set(recorded)))
+            everything = {(i, j) for i in range(40) for j in range(i, 40)}
+            self.assertEqual(set(recorded) | set(seen), everything)
+            self.assertLess(len(recorded), len(everything))
+
     def test_workers_share_a_load_order(self):
         split = changeover.load_order(24, 6, workers=3)
         self.assertEqual((len(split), split.makespan, split.loads), (3, max(split.worker_loads), sum(split.worker_loads)))
