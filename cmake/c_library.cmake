@@ -16,7 +16,7 @@ set_target_properties(changeover_c PROPERTIES
   SOVERSION "${CHANGEOVER_C_INTERFACE}"
   LINK_DEPENDS "${exports}")
 target_link_options(changeover_c PRIVATE "LINKER:--version-script=${exports}" LINKER:--gc-sections LINKER:-z,defs)
-target_include_directories(changeover_c INTERFACE
+target_include_directories(changeover_c PRIVATE "${PROJECT_SOURCE_DIR}/src" INTERFACE
   "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
   "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
 target_link_libraries(changeover_c PRIVATE $<BUILD_INTERFACE:changeover_loadorder>
