@@ -33,12 +33,37 @@ TEST(Dossier, RefusesWhatIsNoDesign) {
   expect({{"$changeover dossier", 2, "LABEL"},
           {"$changeover dossier x", 4, "the catalog has no design x"},
           {"$changeover dossier x 5", 2, "'x' is neither a label"},
+          {"$changeover dossier 8.5.2.circular 5", 2, "has no K after it"},
+          {"$changeover dossier 8", 2, "8 is a number V, and K is missing; give V and K"},
+          {"$changeover dossier 8.5.2.circular -m 3", 2, "--change is for V K; a label, as 8.5.2"},
+          {"$changeover catalog show 8.5.2.circular -t 3", 2, "--strength is for V K"},
+          {"$changeover catalog show 8", 2, "8 is a number V, and K is missing"},
+          {"$changeover draw 8.5.2.circular --linear", 2, "--linear is for V K"},
           {"$changeover dossier 8 x", 2, "'x' after 8 is not a number K"},
           {"$changeover dossier 4 2", 4, "No circular DCCD(4,2) exists"},
           {"$changeover dossier 200 3 --change 3 --circular", 4, "No construction serves"},
           {"$changeover dossier 8 5 -o d.pdf", 2, "d.pdf"},
           {"$changeover dossier 8 5 -o /dev/null/d.tex", 4, "/dev/null/d.tex"}},
          folder);
+}
+
+// The commands that it prints make what it is about, whichever way the design was found.
+TEST(Dossier, ItsCommandsMakeItsDesign) {
+  const TemporaryFolder folder;
+  for (const std::string what :
+       {"8 5", "26.4.2.circular.65", "77 12 --change 8 --circular", "114 12 --change 10 --linear",
+        "15 12 --circular --strength 3", "13 13 --linear --strength 4", "253 13"}) {
+    const auto page =
+        run("$changeover dossier " + what +
+                " -o d.md && "
+                "sed -n '/^changeover \\(design\\|catalog\\|draw\\)/p' d.md | sort -u | "
+                "sed 's/^changeover /\"$changeover\" /' > commands && "
+                "export changeover && sh -e ./commands && "
+                "grep -v '^#' design.txt | sha256sum | cut -d' ' -f1 > made && "
+                "grep -F -f made d.md",
+            folder.path());
+    EXPECT_EQ(page.code, 0) << what << page.out.substr(0, 500) << page.err;
+  }
 }
 
 // Names of environments that are open at the end of a text, and of those that close another than the last one opened.
@@ -69,6 +94,38 @@ TEST(Dossier, ItsLatexClosesWhatItOpens) {
     EXPECT_EQ(outcome.code, 0) << command << outcome.err;
     EXPECT_THAT(unbalanced(outcome.out), testing::IsEmpty()) << command;
   }
+}
+
+// Catalogs come from strangers, too: what they say of themselves stays text.
+TEST(Dossier, CreditsAndNotesAreText) {
+  const TemporaryFolder folder;
+  const auto added =
+      run("$changeover design 9 4 --change 1 --linear --construction hold-and-stream --format text "
+          "-o d.txt && "
+          "$changeover catalog add d.txt --catalog u.db --who 'A \\input{x} % & $y$ {' "
+          "--note '} \\end{filecontents*} # a_b' --json | "
+          "grep -o '\"label\":\"[^\"]*\"' | head -n 1 | cut -d '\"' -f 4 > label && grep . label",
+          folder.path());
+  ASSERT_EQ(added.code, 0) << added.err;
+  const std::string dossier = "$changeover dossier $(cat label) --catalog u.db ";
+  const auto cited = run("$changeover catalog cite $(cat label) --catalog u.db", folder.path());
+  EXPECT_THAT(cited.out, HasSubstr("{{A \\textbackslash{}input\\textbraceleft{}x"));
+  EXPECT_THAT(cited.out, HasSubstr("\\textbraceright{} \\textbackslash{}end"));
+  EXPECT_EQ(std::ranges::count(cited.out, '{'), std::ranges::count(cited.out, '}'));
+  const auto latex = run(dossier + "--format latex", folder.path());
+  EXPECT_EQ(latex.code, 0) << latex.err;
+  EXPECT_THAT(unbalanced(latex.out), testing::IsEmpty());
+  EXPECT_EQ(latex.out.find("\\input"), std::string::npos);
+  if (run("command -v pdflatex && command -v bibtex && kpsewhich tikz.sty booktabs.sty",
+          folder.path())
+          .code != 0) {
+    GTEST_SKIP() << "no LaTeX";
+  }
+  const auto made = run(dossier +
+                            "-o d.tex && pdflatex -halt-on-error d.tex >log && bibtex d >log && "
+                            "pdflatex -halt-on-error d.tex >log && pdflatex -halt-on-error d.tex",
+                        folder.path());
+  EXPECT_EQ(made.code, 0) << made.out << made.err;
 }
 
 // What LaTeX itself says of it, where there is one.

@@ -51,6 +51,24 @@ void ParameterRequest::add_beside_label_to(Verb& verb, std::string& what, std::s
               "after V K: elements in which consecutive blocks differ (default 2)");
   add_strength_to(verb);
   add_kind_to(verb, kind, "after V K: circular designs only", "after V K: linear designs only");
+  verb.rule("--change, --strength, --circular and --linear are for V K: a label says them itself");
+  verb.require([this, &what, &k_typed] {
+    if (k_typed.empty()) {
+      refuse_beside_label(what);
+    }
+  });
+}
+
+void ParameterRequest::refuse_beside_label(const std::string& label) const {
+  const char* const named = change                   ? "--change"
+                            : strength               ? "--strength"
+                            : kind == Kind::circular ? "--circular"
+                            : kind == Kind::linear   ? "--linear"
+                                                     : nullptr;
+  if (named != nullptr && !whole_number(label)) {
+    throw UsageError{
+        fmt::format("{} is for V K; a label, as {}, says it itself: leave it out", named, label)};
+  }
 }
 
 void ParameterRequest::add_strength_to(Verb& verb) {
@@ -83,9 +101,16 @@ std::vector<Parameters> ParameterRequest::of_each_kind(const std::string& v_type
   ParameterRequest asked = *this;
   asked.v = whole_number(v_typed);
   asked.k = whole_number(k_typed);
+  if (!asked.v && v_typed.find('.') != std::string::npos) {
+    throw UsageError{
+        fmt::format("'{}' is no number V; a label, as 20.5.2.linear, has no K after it", v_typed)};
+  }
   if (!asked.v) {
     throw UsageError{fmt::format(
         "'{}' is neither a label, as 20.5.2.linear, nor a number V that K follows", v_typed)};
+  }
+  if (k_typed.empty()) {
+    throw UsageError{fmt::format("{} is a number V, and K is missing; give V and K", v_typed)};
   }
   if (!asked.k) {
     throw UsageError{

@@ -39,6 +39,9 @@ struct ParameterRequest {
   /// LABEL | V K, as they are typed, with what is said after V K.
   void add_beside_label_to(Verb& verb, std::string& what, std::string& k_typed);
 
+  /// Refuses what stands beside a label that says it itself. @throws UsageError.
+  void refuse_beside_label(const std::string& label) const;
+
   /// [--strength T].
   void add_strength_to(Verb& verb);
 

@@ -272,6 +272,7 @@ Answer run(const DrawRequest& request) {
   if (request.what == "-" || std::filesystem::exists(request.what, ignored)) {
     return draw_file(request);
   }
+  request.asked.refuse_beside_label(request.what);
   if (const auto cell = parse_cell_label(request.what)) {
     return draw_cell({*cell}, request);
   }

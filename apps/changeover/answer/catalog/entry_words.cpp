@@ -7,6 +7,7 @@
 
 #include "changeover/construct/registry.hpp"
 #include "changeover/core/version.hpp"
+#include "changeover/io/tables.hpp"
 
 namespace changeover::cli {
 
@@ -27,17 +28,32 @@ void collect(const Recipe& recipe, std::vector<std::string>& keys) {
   }
 }
 
+// Words of a user's in a field of BibTeX, which counts braces after a backslash, too.
+std::string bibtex_text(const std::string& words) {
+  std::string text;
+  const std::string escaped = latex_escaped(words);
+  for (std::string_view rest = escaped; !rest.empty();) {
+    const bool brace = rest.starts_with("\\{") || rest.starts_with("\\}");
+    text += !brace           ? rest.substr(0, 1)
+            : rest[1] == '{' ? "\\textbraceleft{}"
+                             : "\\textbraceright{}";
+    rest.remove_prefix(brace ? 2 : 1);
+  }
+  return text;
+}
+
 std::string misc(const std::string& key, const std::string& author, const std::string& title,
                  const std::string& date, const std::string& note) {
   std::string text = fmt::format("@misc{{{},\n", key);
   if (!author.empty()) {
-    text += fmt::format("  author = {{{{{}}}}},\n", author);  // one name, whatever is in it
+    text += fmt::format("  author = {{{{{}}}}},\n",
+                        bibtex_text(author));  // one name, whatever is in it
   }
   text += fmt::format("  title  = {{{{{}}}}},\n", title);
   if (!date.empty()) {
     text += fmt::format("  year   = {{{}}},\n", date.substr(0, 4));
   }
-  return text + fmt::format("  note   = {{{}}}\n}}\n", note);
+  return text + fmt::format("  note   = {{{}}}\n}}\n", bibtex_text(note));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "answer/catalog/entry_words.hpp"
+#include "answer/known/offers.hpp"
 #include "changeover/core/error.hpp"
 #include "changeover/core/version.hpp"
 #include "changeover/draw/draw.hpp"
@@ -39,6 +40,13 @@ void draw_it(Dossier& dossier) {
 std::string options_of(const Parameters& p) {
   return fmt::format("{} {} --change {} --{}{}", p.v, p.k, p.change, to_string(p.kind),
                      p.strength == 2 ? "" : fmt::format(" --strength {}", p.strength));
+}
+
+// Closure rules offer nothing by their names where the planner alone knows what they work on; what
+// `design` makes without a name is then the same.
+std::string construction_of(const Recipe& recipe) {
+  const auto named = best_offer({recipe.parameters}, recipe.construction);
+  return named && named->recipe == recipe ? " --construction " + recipe.construction : "";
 }
 
 std::string own_bibtex(const Dossier& dossier) {
@@ -81,10 +89,12 @@ Dossier dossier_of(ChosenDesign chosen, const std::optional<CatalogEntry>& entry
         fmt::format("changeover catalog show {} --format text -o design.txt", dossier.label);
   } else {
     dossier.names_elements = !chosen.exhibit.header.labels.empty();
-    dossier.write_command =
-        fmt::format("changeover design {} --construction {} --format text -o design.txt",
-                    options_of(dossier.parameters), recipe.construction);
+    dossier.write_command = fmt::format("changeover design {}{} --format text -o design.txt",
+                                        options_of(dossier.parameters), construction_of(recipe));
   }
+  dossier.draw_command =
+      fmt::format("changeover draw {} --picture {} -o design.svg",
+                  entry ? dossier.label : options_of(dossier.parameters), dossier.picture_name);
   for (const RecipeStep& step : dossier.steps) {
     add_keys(step.citation, dossier.keys);
     add_keys(step.how, dossier.keys);
@@ -94,6 +104,10 @@ Dossier dossier_of(ChosenDesign chosen, const std::optional<CatalogEntry>& entry
   }
   if (const auto& reported = dossier.known.reported) {
     add_keys(fmt::format("[{}]", reported->cites), dossier.keys);
+  }
+  for (std::size_t i = 0; i < dossier.keys.size(); ++i) {  // What is known from a reference.
+    const std::string reference = bibtex_of(dossier.keys[i]);
+    add_keys(reference, dossier.keys);
   }
   std::erase_if(dossier.keys, [](const std::string& key) { return bibtex_of(key).empty(); });
   dossier.bibtex = entry ? bibtex_of(*entry) : own_bibtex(dossier);

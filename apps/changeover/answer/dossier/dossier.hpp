@@ -39,6 +39,7 @@ struct Dossier {
   std::optional<Picture> picture;
   std::string picture_name;     ///< as `draw --picture` has it
   std::string picture_says;     ///< a sentence below it
+  std::string draw_command;     ///< draws the picture
   std::string write_command;    ///< writes the blocks to design.txt
   bool names_elements = false;  ///< that file has names instead of numbers, and so another checksum
   std::vector<std::string>

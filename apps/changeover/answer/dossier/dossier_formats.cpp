@@ -237,12 +237,7 @@ class Markdown final : public Form {
   void blocks(const Dossier& dossier) override { code(lines_of(*dossier.design)); }
   void picture(const Dossier& dossier) override {
     paragraph(dossier.picture_says + " This command draws it:");
-    const Parameters& p = dossier.parameters;
-    code(fmt::format("changeover draw {} --picture {} -o design.svg\n",
-                     dossier.label.empty() ? fmt::format("{} {} --change {} --{}", p.v, p.k,
-                                                         p.change, to_string(p.kind))
-                                           : dossier.label,
-                     dossier.picture_name));
+    code(dossier.draw_command + "\n");
   }
   void references(const Dossier& dossier) override {
     heading("References");

@@ -61,6 +61,8 @@ Answer run(const ShowRequest& request) {
     cells = {*cell};
   } else if (const auto entry = catalog.find(request.what)) {
     entries.push_back(*entry);
+  } else if (whole_number(request.what)) {
+    cells = request.asked.of_each_kind(request.what, "");
   } else {
     return no_design(request.output, exit_code::missing_resource, has_no_design(request.what));
   }
