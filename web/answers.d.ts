@@ -8,36 +8,63 @@ export type Job = {
   parts?:
     | (
         | number
-        | (string | {name: string | number | null; cost?: string | number | null; slot?: string | number | null})[]
+        | (
+            | string
+            | {
+                name: string | number | null;
+                cost?: string | number | null;
+                slot?: string | number | null;
+                quantity?: string | number | null;
+              }
+          )[]
         | {file: string}
         | {text: string}
+        | {workbook: string; sheet?: string}
       )
     | null;
-  /** instead of parts: parameters with their values and rules, in the language of PICT or ACTS */
-  model?: (string | {file: string} | {text: string}) | null;
   /** the first row of the parts list heads its columns */
   header?: boolean | null;
   /** the first row of the parts list is a part */
   no_header?: boolean | null;
+  /** the column of the parts list that has the change costs, by its head; -: none */
+  cost_column?: string | null;
   /** N parts called 1, …, N instead of a list */
   items?: number | null;
-  /** how many parts fit at once */
+  /** how many parts fit at once; if not given, as many as the slots hold */
   at_once?: number | null;
   /** what one test costs, e.g. 12.50 */
   test_cost?: (number | string) | null;
   /** what mounting a part costs where the list does not say */
   change_cost?: (number | string) | null;
-  /** a square table: what putting in the part of the column costs where that of the row was taken out; of a model: parameter,value,cost a line */
-  change_costs?: ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string}) | null;
+  /** a square table: what putting in the part of the column costs where that of the row was taken out */
+  change_costs?:
+    | ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string} | {workbook: string; sheet?: string})
+    | null;
+  /** what all costs are: with a time, a clock runs along (default: as the list says) */
+  cost_unit?: ('money' | 'seconds' | 'minutes' | 'hours') | null;
   /** 2: every two parts must meet (the default); 3: every three */
   strength?: number | null;
   /** pairs that must meet (default: all) */
-  pairs?: ([string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
-  /** pairs that must not be in one set-up */
-  never?: ([string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
+  pairs?:
+    ([string | number | null, string | number | null][] | {file: string} | {text: string} | {workbook: string; sheet?: string}) | null;
+  /** pairs that must not be in one set-up, and why if you like: A,B,why a line */
+  never?:
+    | (
+        | [string | number | null, string | number | null]
+        | [string | number | null, string | number | null, string | number | null][]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
+    | null;
   /** how many parts of each slot a set-up has: slot,least,most a line */
   slots?:
-    | ({name: string | number | null; least?: string | number | null; most?: string | number | null}[] | {file: string} | {text: string})
+    | (
+        | {name: string | number | null; least?: string | number | null; most?: string | number | null}[]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
     | null;
   /** the same in one line, as in CPU=1,disk=2..4,fan=..2 */
   slot?: string | null;
@@ -46,29 +73,44 @@ export type Job = {
   /** parts that are mounted before the first test */
   start?: (string | number | null)[] | null;
   /** the set-ups that must be run first, in this order: the parts of one a line */
-  first?: ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string}) | null;
+  first?:
+    | ([string | number | null, ...(string | number | null)[]][] | {file: string} | {text: string} | {workbook: string; sheet?: string})
+    | null;
   /** what pairs are worth, A,B,weight a line; others are worth 1 */
-  weights?: ([string | number | null, string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
+  weights?:
+    | (
+        | [string | number | null, string | number | null, string | number | null][]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
+    | null;
   /** test as many pairs as this pays for */
   budget?: (number | string) | null;
   /** tests already done, a set-up a line or a run sheet (CSV, .xlsx): plan the rest */
   done?:
-    (((string | number | null)[] | {parts: (string | number | null)[]; result?: string | null})[] | {file: string} | {text: string}) | null;
+    | (
+        | ((string | number | null)[] | {parts: (string | number | null)[]; result?: string | null})[]
+        | {file: string}
+        | {text: string}
+        | {workbook: string; sheet?: string}
+      )
+    | null;
   /** only the first N of them were done */
   done_first?: number | null;
   /** pairs that met only in tests that did not pass count as tested, and are not needed again */
   trust_failed?: boolean | null;
   /** on N benches side by side, each with parts of its own */
   benches?: number | null;
-  /** of several benches: the least largest cost (makespan, the default) or the least cost together; of a model: the least cost (default) or the fewest tests */
-  objective?: ('makespan' | 'cost' | 'tests') | null;
+  /** of several benches: the least largest cost (default), or the least cost together */
+  objective?: ('makespan' | 'cost') | null;
   /** which plan is cheapest at which ratio of change to test cost */
   what_if?: boolean | null;
   /** without the whole set-ups, in two columns on paper */
   compact?: boolean | null;
   /** exchange parts at random that nothing tells apart */
   shuffle?: number | null;
-  /** which part or pair the results of --done blame, and what to test next */
+  /** which part or pair the results of --done blame, and the one test to run next */
   diagnose?: boolean | null;
   /** the heading of the run sheet */
   title?: string | null;
@@ -78,7 +120,7 @@ export type Job = {
   seconds?: number | null;
   /** threads to use */
   threads?: number | null;
-  /** of the random numbers (default 1) */
+  /** seed of the random numbers (default 1) */
   seed?: number | null;
 };
 export type LoadRequest = {
@@ -99,6 +141,18 @@ export type LoadRequest = {
   item_bytes?: number | null;
   /** split it for W workers with room C each */
   workers?: number | null;
+  /** only the steps of worker I of these, from 0; the others are not read */
+  worker?: number | null;
+  /** spread pairs evenly over the workers that have them (the default) */
+  balance?: boolean | null;
+  /** the first worker that has a pair computes it */
+  first_holder?: boolean | null;
+  /** what pairs cost to compute, two items and a number per line, otherwise 1; costs are spread evenly over workers */
+  pair_cost?: ([string | number | null, string | number | null, string | number | null][] | {file: string} | {text: string}) | null;
+  /** begin at step N, which loads what is in memory then */
+  from_step?: number | null;
+  /** begin at once: steps are read while they are written, and the end says whether they are right */
+  verify_beside?: boolean | null;
   /** workers step together and never hold one item twice, so that items may change */
   disjoint?: boolean | null;
   /** items change while they are held: say what is stored when */
@@ -117,7 +171,7 @@ export type LoadRequest = {
   seconds?: number | null;
   /** threads to use */
   threads?: number | null;
-  /** of the random numbers (default 1) */
+  /** seed of the random numbers (default 1) */
   seed?: number | null;
 };
 export type Loads = Head | Step;
@@ -152,6 +206,8 @@ export interface Benches {
   triples_needed: number;
   triples_tested: number;
   lower_bound: {cost: number; makespan: number; cost_reason: string; makespan_reason: string};
+  cost_unit: null | 'seconds' | 'minutes' | 'hours';
+  places: {number: number; slot: null | string}[];
   sheets: {
     bench: number;
     tests: number;
@@ -162,6 +218,7 @@ export interface Benches {
       take_out: string[];
       put_in: string[];
       set_up: string[];
+      places: (null | string)[];
       new_pairs?: number;
       cost: number;
       cost_so_far: number;
@@ -224,19 +281,35 @@ export interface Diagnosis {
   unread: number;
   first_unread: {place: string; result: string}[];
   notes: string[];
-  suspects: string[][];
-  two: [string[], string[]][];
-  contradictions: {failed: string[]; passed: string[]}[];
-  tests: {
-    after: ('fail' | 'pass')[];
+  faults: [string] | [string, string][];
+  suspects: [string] | [string, string][];
+  at_least: number;
+  explanations_known: number;
+  all_explanations: boolean;
+  /** @maxItems 100 */
+  explanations: [string] | [string, string][][];
+  looked_at: string[] | null;
+  contradictions: {failed: string[]; passed: string[] | null}[];
+  next: null | {
     set_up: string[];
     take_out: string[];
     put_in: string[];
+    places: {number: number; part: null | string}[];
     cost: number;
-    if_it_fails: string[][];
-    if_it_passes: string[][];
-  }[];
-  most_cost: number;
+    proves: [string] | [string, string] | null;
+    why: string;
+    if_it_fails: {
+      left: number;
+      /** @maxItems 100 */
+      explanations: [string] | [string, string][][];
+    };
+    if_it_passes: {
+      left: number;
+      /** @maxItems 100 */
+      explanations: [string] | [string, string][][];
+    };
+  };
+  least_tests: number;
 }
 export interface Dossier {
   format: 'changeover-dossier/1';
@@ -326,6 +399,16 @@ export interface Head {
   span?: number;
   makespan_bound?: number;
   makespan_bound_reason?: string;
+  /** How many pairs the worker with most of them computes, and the mean. */
+  pairs_per_worker?: {max: number; mean: number};
+  /** Some worker computes so many at least. */
+  pairs_per_worker_bound?: number;
+  /** The same of what pairs cost, if that was said. */
+  cost_per_worker?: {max: number; mean: number};
+  /** Only its steps follow. */
+  worker?: number;
+  /** The steps begin with this one, which loads what is in memory then. */
+  from_step?: number;
   groups?: number;
   order_room?: number;
   pairs?: number;
@@ -336,6 +419,10 @@ export interface Head {
   gap?: number;
   verified: string;
   worker_loads?: number[];
+  /** What each worker computes. */
+  worker_pairs?: number[];
+  /** What these pairs cost, if that was said. */
+  worker_costs?: number[];
 }
 /** Each other line: a step, of one worker if there are several. What is evicted goes before what is loaded comes. */
 export interface Step {
@@ -383,11 +470,14 @@ export interface Plan {
   triples_needed: number;
   triples_tested: number;
   weight: null | {needed: number; tested: number; most: null | number};
+  cost_unit: null | 'seconds' | 'minutes' | 'hours';
+  places: {number: number; slot: null | string}[];
   steps: {
     step: number;
     take_out: string[];
     put_in: string[];
     set_up: string[];
+    places: (null | string)[];
     new_pairs: string[][];
     cost: number;
     cost_so_far: number;
@@ -748,7 +838,7 @@ export interface Ordered {
   makespan?: number;
   makespan_bound?: number;
   worker_loads?: number[];
-  /** pairs that no worker before had together */
+  /** pairs that each worker computes */
   worker_pairs?: number[];
   /** of the room, for what is loading */
   spare?: number;

@@ -127,6 +127,6 @@ export function shares(answer: Ordered, asked: Asked): HTMLElement | null {
         ),
       ),
     ),
-    h('p', { class: 'hint' }, 'Pairs are those that no worker before has together. The busiest worker is marked.'),
+    h('p', { class: 'hint' }, 'Each pair is computed by one worker. The busiest worker is marked.'),
   );
 }
