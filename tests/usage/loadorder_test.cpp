@@ -245,7 +245,8 @@ TEST(LoadOrderVerb, SpreadsWhatPairsCost) {
   for (const Case& each : std::vector<Case>{
            {"--pair-cost costs.csv", 0, "over the mean"},
            {"--pair-cost twice", 3, "twice:2:1: the pair of '1' and '0' has a cost already"},
-           {"--pair-cost negative", 3, "negative:1:5: '-5' is no cost; give a number, 0 or more"},
+           {"--pair-cost negative", 3,
+            "negative:1:5: '-5' is not a cost; give a number, 0 or more"},
            {"--pair-cost short", 3, "give two items and what their pair costs"},
            {"--pair-cost absent", 4, "absent: cannot read"},
            {"--pair-cost costs.csv --first-holder", 2, "exclude each other"},
@@ -261,7 +262,7 @@ TEST(LoadOrderVerb, SpreadsWhatPairsCost) {
   }
   expect({{"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost named", 0, "cost"},
           {"$changeover loadorder --pairs edges --room 2 --workers 2 --pair-cost twice", 3,
-           "'0' is no item of the pairs"},
+           "'0' is not in the listed pairs"},
           {"$changeover loadorder --items 9 --room 4 --pair-cost named", 2, "--workers"},
           {"$changeover loadorder --items 9 --room 4 --worker 0", 2, "--workers"},
           {"$changeover loadorder --items 9 --room 4 --from-step 0", 2, "--from-step 0"},

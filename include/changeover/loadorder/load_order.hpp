@@ -92,7 +92,7 @@ struct LoadOrderOptions {
   /// Orders of at most so many items are read, step by step, before they are handed out; at most
   /// 65,535.
   std::uint64_t read_up_to = 65'535;
-  /// Whether they are read then. Otherwise whoever uses the order has it read, ScheduleCheck beside
+  /// Whether they are read then. Otherwise the caller has the order read, by ScheduleCheck beside
   /// its own work, say: facts().every_step_read is false, and the order the same.
   bool read_first = true;
   bool constructions = true;  ///< whether the registry is asked

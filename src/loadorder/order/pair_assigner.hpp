@@ -25,7 +25,7 @@ struct AssignedStep {
   std::vector<Element> evicted_first;  ///< by the next step, before its loads start
   std::vector<Element> evicted_late;   ///< by the next step, when this one is over
   std::vector<bool>
-      is_new;  ///< by place in what comes: computed alone now, never before at anybody
+      is_new;  ///< by place in what comes: computed alone now, never before at any worker
   std::vector<ItemPair> pairs;           ///< later item's arrival by arrival
   std::vector<std::size_t> arrival_end;  ///< by place in what comes: end of its pairs
   std::size_t before = 0;                ///< so many pairs come before the next evictions

@@ -73,7 +73,7 @@ class CostList {
       const auto found = numbers_.find(field.text);
       if (found == numbers_.end()) {
         rows_.fail(field,
-                   fmt::format("'{}' is no item of the pairs; write it as there", field.text));
+                   fmt::format("'{}' is not in the listed pairs; write it as there", field.text));
       }
       return found->second;
     }
@@ -94,10 +94,11 @@ class CostList {
     const Element y = item(row[1]);
     const auto cost = number_in<double>(row[2]);
     if (!cost || !std::isfinite(*cost) || *cost < 0) {
-      rows_.fail(row[2], fmt::format("'{}' is no cost; give a number, 0 or more", row[2].text));
+      rows_.fail(row[2], fmt::format("'{}' is not a cost; give a number, 0 or more", row[2].text));
     }
     if (x == y) {
-      rows_.fail(row[1], fmt::format("'{}' stands twice; a pair has two items", row[1].text));
+      rows_.fail(row[1],
+                 fmt::format("'{}' is both items; a pair has two different ones", row[1].text));
     }
     if (!costs_.emplace(key_of(x, y), *cost).second) {
       rows_.fail(row[0],

@@ -12,8 +12,7 @@ namespace changeover {
 
 /// Items have the numbers 0, …, items − 1, or the names that the wanted pairs give them. Pairs that
 /// are not in the list cost 1. A first row of words over rows of numbers is a header. @throws
-/// BadInput with the place of what is no item, no number from 0 on, or a pair that has a cost
-/// already
+/// BadInput with its place for an unknown item, a cost below 0, or a pair that has a cost already
 [[nodiscard]] std::function<double(Element, Element)> read_pair_costs(Input& input,
                                                                       std::uint64_t items,
                                                                       const WantedPairs& wanted);
