@@ -242,11 +242,11 @@ TEST(ModelUsage, TheExampleOfTheLabIsItsSheet) {
   const TemporaryFolder folder;
   const std::string lab = std::string(CHANGEOVER_TEST_DATA) + "/../../examples/lab/";
   const std::string plan = "$changeover plan --model " + lab +
-                           "web_shop.txt --test-cost 6 --change-costs " + lab +
-                           "web_shop_costs.csv --quiet ";
-  const auto rest = answer_of(plan + "--json --done " + lab + "web_shop_sheet.csv", folder);
+                           "web_shop/model.txt --test-cost 6 --change-costs " + lab +
+                           "web_shop/costs.csv --quiet ";
+  const auto rest = answer_of(plan + "--json --done " + lab + "web_shop/sheet.csv", folder);
   EXPECT_EQ(rest.at("pairs_needed"), 0);
-  const Outcome sheet = run("tail -n 1 " + lab + "web_shop_sheet.csv | tail -c 8", folder.path());
+  const Outcome sheet = run("tail -n 1 " + lab + "web_shop/sheet.csv | tail -c 8", folder.path());
   const auto plan_again = answer_of(plan + "--json --threads 2", folder);
   EXPECT_THAT(sheet.out, HasSubstr("," + plan_again.at("cost").dump() + ","));
 }
