@@ -67,7 +67,7 @@ const std::string plan =
     "$changeover plan it --at-once 3 --test-cost 1 --change-cost 1 --time 100ms";
 
 const std::string model =
-    "$changeover plan --model it --objective tests --time 100ms --quiet --threads 1";
+    "$changeover plan --model it --objective tests --steps 1 --quiet --threads 1";
 
 const std::map<std::string, Limit>& limits() {
   static const std::map<std::string, Limit> all{
@@ -113,8 +113,8 @@ const std::map<std::string, Limit>& limits() {
         },
         0}},
       {"model-conditions",
-       {model,
-        [](std::uint64_t n) { return "A: a, b\nB: c, d\n" + repeated(n, "[A]<[B];\n"); }, 0}},
+       {model, [](std::uint64_t n) { return "A: a, b\nB: c, d\n" + repeated(n, "[A]<[B];\n"); },
+        0}},
       {"model-brackets",
        {model,
         [](std::uint64_t n) {
