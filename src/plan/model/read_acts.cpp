@@ -540,7 +540,8 @@ Model read_acts_model(ModelText& text) { return ActsReader(text).read(); }
 
 std::string text_of_model(Input& input) {
   constexpr std::size_t most_bytes = std::size_t{1} << 24;
-  return read_to_end(input, most_bytes, "a model lists parameters and rules; is this another file?");
+  return read_to_end(input, most_bytes,
+                     "a model lists parameters and rules; is this another file?");
 }
 
 Model read_model(Input& input) {

@@ -121,7 +121,8 @@ JobRequest question_in(const Book& book) {
                       where, option.record.key, question_sheet));
     }
   }
-  if (question.done.is_given() || !(question.parts.is_given() || question.items || question.model.is_given())) {
+  if (question.done.is_given() ||
+      !(question.parts.is_given() || question.items || question.model.is_given())) {
     throw BadInput(
         fmt::format("{}: the question has no parts, or has tests that were done; delete "
                     "the sheet {} and give the options",

@@ -274,9 +274,8 @@ Table benches(const std::vector<RunSheet>& sheets, const Money& money) {
 
 std::string style_of(const Job& job, bool compact) {
   const bool wide = !compact && has_many_slots(job);
-  return job.model != nullptr
-             ? std::string(page_style) + value_style(job, compact)
-             : std::string(page_style) + std::string(wide ? wide_page_style : "");
+  return job.model != nullptr ? std::string(page_style) + value_style(job, compact)
+                              : std::string(page_style) + std::string(wide ? wide_page_style : "");
 }
 
 void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,
