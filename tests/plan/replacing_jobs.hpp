@@ -27,11 +27,16 @@ inline Job replacing(Job job, std::uint64_t seed) {
   return job;
 }
 
-/// What the changes of a step cost, in millionths: all ways to put the parts into the places.
-inline std::uint64_t cost_of_changes(const Job& job, unsigned from, unsigned to) {
+/// What the changes of a step cost in one slot, in millionths: all ways to put the parts into the
+/// places.
+inline std::uint64_t cost_of_changes(const Job& job, unsigned from, unsigned to,
+                                     std::uint32_t slot) {
   std::vector<Element> out;
   std::vector<Element> in;
   for (Element x = 0; x < job.parts(); ++x) {
+    if (!job.slots.empty() && job.slot_of[x] != slot) {
+      continue;
+    }
     if ((from >> x & 1U) != 0 && (to >> x & 1U) == 0) {
       out.push_back(x);
     }
@@ -52,6 +57,14 @@ inline std::uint64_t cost_of_changes(const Job& job, unsigned from, unsigned to)
     least = std::min(least.value_or(cost), cost);
   } while (std::next_permutation(place.begin(), place.end()));
   return *least;
+}
+
+inline std::uint64_t cost_of_changes(const Job& job, unsigned from, unsigned to) {
+  std::uint64_t cost = job.slots.empty() ? 0 : cost_of_changes(job, from, to, no_slot);
+  for (std::uint32_t slot = 0; slot < std::max<std::size_t>(1, job.slots.size()); ++slot) {
+    cost += cost_of_changes(job, from, to, slot);
+  }
+  return cost;
 }
 
 /// The least cost of a list for the job, in millionths: the shortest way, from nothing done, among what is covered and the

@@ -19,8 +19,10 @@
 // parts O and put in the parts N; for the first set-up, O are those of `start` that go. As many pairs of a part of O and one
 // of N as there can be, min(|O|,|N|), no part in two, are chosen so that the step is cheapest: a pair (o, n) costs what putting
 // in n costs where o was taken out; what is left of N goes to empty places, each at its own change cost; what is left of O is
-// taken out at no cost. Plans for weighed pairs, exchanged parts, ratios of costs and diagnoses are not made
-// for such jobs: BadInput. So a list that begins on an empty bench pays for its first set-up as without such costs.
+// taken out at no cost. With slots, that is so in each slot by itself, and among the parts of no
+// slot: a part takes the place of one of its own slot. Plans for weighed pairs, exchanged parts,
+// ratios of costs and diagnoses are not made for such jobs: BadInput. So a list that begins on an
+// empty bench pays for its first set-up as without such costs.
 //
 // If some set-ups must come `first`, the list begins with them, in
 // their order: they break no constraint, their pairs count, and they are paid for like all others.
@@ -179,7 +181,8 @@ struct Job {
   std::vector<Triple> triples;  ///< three parts that must meet in one set-up; increasing, each once
   std::vector<Block> first;  ///< set-ups that must be run first, in this order; they are paid for
   std::vector<Amount>
-      replace_costs;  ///< of putting in part i where part o was taken out, at o · parts() + i; empty:
+      replace_costs;  ///< of putting in part i where part o was taken out, at o · parts() + i, which
+                      ///< says nothing if they are not of one slot; empty:
                       ///< it is change_costs[i] for every o
   std::shared_ptr<const Model>
       model;  ///< the parts are its values and the slots its parameters: every set-up follows its rules
@@ -188,6 +191,10 @@ struct Job {
       quantities;  ///< by part: how many of it several benches share, or enough_for_all;
                    ///< empty: as many as there are benches
 
+  /// Parts of one slot, or both of none, may take each other's place.
+  [[nodiscard]] bool may_replace(Element out, Element in) const {
+    return slots.empty() || slot_of[out] == slot_of[in];
+  }
   /// What a change costs depends on what is replaced.
   [[nodiscard]] bool replaces() const { return !replace_costs.empty(); }
   /// What it costs to put in a part where another was taken out.
@@ -400,10 +407,13 @@ struct PartList {
 
 /// What a change costs by what is replaced, for Job::replace_costs: a square table. Its first row names the parts that are put
 /// in, after a field that says nothing; every other row begins with the part that is taken out. Each part heads one
-/// row and one column, in any order; where a part meets itself the field is empty. @throws BadInput for a part that heads
-/// none or two, unknown parts, fields that are no cost, too few and too many of them; MissingResource if reading fails.
+/// row and one column, in any order; where a part meets itself the field is empty. With slots, by
+/// part, fields for parts of two slots may be empty, and say nothing: 0. @throws BadInput for a
+/// part that heads none or two, unknown parts, fields that are no cost, too few and too many of
+/// them; MissingResource if reading fails.
 [[nodiscard]] std::vector<Amount> read_change_costs(Input& input,
-                                                    const std::vector<std::string>& names);
+                                                    const std::vector<std::string>& names,
+                                                    const std::vector<std::uint32_t>& slot_of = {});
 
 /// What pairs are worth, `A,B,weight` a row; a header is taken for one. @throws BadInput for other rows, negative weights and a pair with two
 /// weights; MissingResource if reading fails.

@@ -41,7 +41,8 @@ void require_all(const RowReader& reader, const Field& where, const std::vector<
 
 }  // namespace
 
-std::vector<Amount> read_change_costs(Input& input, const std::vector<std::string>& names) {
+std::vector<Amount> read_change_costs(Input& input, const std::vector<std::string>& names,
+                                      const std::vector<std::uint32_t>& slot_of) {
   RowReader reader(input);
   const PartFinder finder(names, numbers_in(reader));
   CostReader cost_of(reader);
@@ -74,6 +75,8 @@ std::vector<Amount> read_change_costs(Input& input, const std::vector<std::strin
                                                  "empty",
                                                  shown(names[in])));
         }
+      } else if (!slot_of.empty() && slot_of[in] != slot_of[out]) {
+        continue;  // neither takes the place of the other
       } else if (!given) {
         reader.fail(i + 1 < row->size() ? (*row)[i + 1] : row->back(),
                     fmt::format("no cost of putting in {} where {} was taken out; give one",

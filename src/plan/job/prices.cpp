@@ -25,8 +25,7 @@ Job at_prices(const Job& job, Price price) {
     for (Element out = 0; out < job.parts(); ++out) {
       const bool stays =
           std::find(job.mounted.begin(), job.mounted.end(), out) != job.mounted.end();
-      const bool elsewhere = job.model != nullptr && job.slot_of[out] != job.slot_of[in];
-      if (out == in || stays || elsewhere) {
+      if (out == in || stays || !job.may_replace(out, in)) {
         continue;
       }
       const Amount cost = job.replace_cost(out, in);

@@ -7,7 +7,8 @@
 
 namespace changeover {
 
-/// Of what putting in a part may cost: at its own change cost, or in place of any other part that does not stay mounted.
+/// Of what putting in a part may cost: at its own change cost, or in place of any other part of its
+/// slot that does not stay mounted.
 enum class Price {
   least,    ///< of all of them
   mean,     ///< of those in place of another part, rounded

@@ -316,7 +316,8 @@ class JobMaker {
     const JobRequest& asked = *question_;
     if (asked.change_costs.is_given() && !asked.model.is_given()) {
       job_.replace_costs =
-          read_change_costs(*question_.open("change_costs", asked.change_costs), job_.names);
+          read_change_costs(*question_.open("change_costs", asked.change_costs), job_.names,
+                            job_.slots.empty() ? std::vector<std::uint32_t>() : job_.slot_of);
     }
     if (asked.never.is_given()) {
       const auto input = question_.open("never", asked.never);

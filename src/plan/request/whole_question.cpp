@@ -87,7 +87,8 @@ RequestList change_cost_rows(const Job& job) {
     ListRow& row = rows.emplace_back();
     row.fields.push_back(job.names[out]);
     for (const Element in : parts) {
-      row.fields.push_back(out == in ? "" : to_string(job.replace_cost(out, in)));
+      row.fields.push_back(
+          out == in || !job.may_replace(out, in) ? "" : to_string(job.replace_cost(out, in)));
     }
   }
   return list_of(std::move(rows));

@@ -1,6 +1,8 @@
 #include "plan/sheet/replacement.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -96,29 +98,8 @@ std::vector<std::size_t> best_by_circles(const CostMatrix& costs) {
 
 namespace {
 
-// In a job of a model, a value takes the place of that of its parameter.
-Replacement replacement_by_slot(const Job& job, const Block& out, const Block& in) {
-  Replacement made;
-  for (const Element x : in) {
-    const auto left = std::find_if(
-        out.begin(), out.end(), [&](Element y) { return job.slot_of.at(y) == job.slot_of.at(x); });
-    if (left == out.end()) {
-      made.cost += job.change_costs.at(x);
-    } else {
-      made.cost += job.replace_costs.at(*left * job.names.size() + x);
-      made.pairs.emplace_back(*left, x);
-    }
-  }
-  std::sort(made.pairs.begin(), made.pairs.end());
-  return made;
-}
-
-}  // namespace
-
-Replacement cheapest_replacement(const Job& job, const Block& out, const Block& in) {
-  if (job.model != nullptr) {
-    return replacement_by_slot(job, out, in);
-  }
+// Of parts that may all take each other's place.
+Replacement cheapest_among(const Job& job, const Block& out, const Block& in) {
   constexpr std::size_t few = 10;
   const std::size_t places = std::max(out.size(), in.size());
   // A row for each part that is put in, and for each place that stays empty; a place for each part that was taken out, and
@@ -139,6 +120,30 @@ Replacement cheapest_replacement(const Job& job, const Block& out, const Block& 
     if (place[i] < out.size()) {
       best.pairs.emplace_back(out[place[i]], in[i]);
     }
+  }
+  return best;
+}
+
+}  // namespace
+
+Replacement cheapest_replacement(const Job& job, const Block& out, const Block& in) {
+  struct OfSlot {
+    Block out;
+    Block in;
+  };
+  std::map<std::uint32_t, OfSlot> slots;
+  const auto slot = [&](Element x) { return job.slots.empty() ? no_slot : job.slot_of.at(x); };
+  for (const Element x : out) {
+    slots[slot(x)].out.push_back(x);
+  }
+  for (const Element x : in) {
+    slots[slot(x)].in.push_back(x);
+  }
+  Replacement best;
+  for (const auto& [_, parts] : slots) {
+    const Replacement here = cheapest_among(job, parts.out, parts.in);
+    best.cost += here.cost;
+    best.pairs.insert(best.pairs.end(), here.pairs.begin(), here.pairs.end());
   }
   std::sort(best.pairs.begin(), best.pairs.end());
   return best;

@@ -15,10 +15,9 @@ struct Replacement {
 };
 
 /// The cheapest way to take out some parts and put in others, as job.hpp defines it, for a job with
-/// replace_costs; in a job of a model a value takes the place of that of its parameter. Up to ten
-/// places are tried in all ways; where there are more, parts change places around in circles, the
-/// search for which is Bellman's and Ford's, until no circle saves anything, and then nothing does.
-/// @throws ImpossibleParameters if the cost overflows.
+/// replace_costs. Up to ten places of a slot are tried in all ways; where there are more, parts
+/// change places around in circles, the search for which is Bellman's and Ford's, until no circle
+/// saves anything, and then nothing does. @throws ImpossibleParameters if the cost overflows.
 [[nodiscard]] Replacement cheapest_replacement(const Job& job, const Block& out, const Block& in);
 
 /// The two ways by themselves, for a square table of costs by row and place: the place of each row.

@@ -118,8 +118,8 @@ std::string json_of(const SheetDocument& document) {
     for (Element out = 0; out < job.parts(); ++out) {
       json.begin_array();
       for (Element in = 0; in < job.parts(); ++in) {
-        const bool elsewhere = job.model != nullptr && job.slot_of[in] != job.slot_of[out];
-        in == out || elsewhere ? json.null() : json.raw(money(job.replace_cost(out, in)));
+        in == out || !job.may_replace(out, in) ? json.null()
+                                               : json.raw(money(job.replace_cost(out, in)));
       }
       json.end_array();
     }

@@ -42,6 +42,14 @@ TEST(ChangeCosts, RowsAreTakenOutAndColumnsPutIn) {
   EXPECT_EQ(read("\t1\t2\t3\n1\t\t1\t2.5\n2\t3\t\t4\n3\t5\t6\t\n"), expected);
 }
 
+TEST(ChangeCosts, AreOfOneSlotWhereThereAreSlots) {
+  const std::string text = ",Pump,\"Valve, large\",Fan\nPump,,1,\n\"Valve, large\",3,,4\nFan\n";
+  EXPECT_EQ(read_change_costs(*input_from_text(text, "costs.csv"), names, {0, 0, no_slot}),
+            units({0, 10, 0, 30, 0, 0, 0, 0, 0}));
+  EXPECT_THROW((void)read_change_costs(*input_from_text(text, "costs.csv"), names, {0, 0, 0}),
+               BadInput);
+}
+
 TEST(ChangeCosts, SaysWhatIsWrongAndWhere) {
   const std::string head = ",1,2,3\n";
   EXPECT_EQ(complaint(head + "1,,1,2\n2,3,,4\n1,,1,2\n"),

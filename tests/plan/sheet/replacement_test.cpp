@@ -64,6 +64,28 @@ TEST(Replacement, IsWhatAllWaysGive) {
   }
 }
 
+TEST(Replacement, IsMadeInEachSlotByItself) {
+  unsigned apart = 0;  // steps for which it matters
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    Job job = test::replacing(make_job(7, 5, Amount{1}, Amount{seed % 3 * 1'000'000}), seed);
+    Random random(seed, 5);
+    const Block out{0, 1, 2};
+    const Block in{3, 4, 5, 6};
+    const Amount together = cheapest_replacement(job, out, in).cost;
+    job.slots = {{.name = "CPU"}, {.name = "disk"}};
+    for (Element x = 0; x < 7; ++x) {
+      job.slot_of.push_back(random.below(4) == 0 ? no_slot : random.below(2));
+    }
+    const Replacement found = cheapest_replacement(job, out, in);
+    EXPECT_EQ(found.cost.millionths, test::cost_of_changes(job, 0b0000111, 0b1111000));
+    for (const auto& [gone, come] : found.pairs) {
+      EXPECT_EQ(job.slot_of[gone], job.slot_of[come]);
+    }
+    apart += found.cost != together ? 1U : 0U;
+  }
+  EXPECT_GT(apart, 30U);
+}
+
 TEST(Replacement, ExcessIsPaidAtItsOwnCostOrTakenOutForNothing) {
   Job job = make_job(4, 3, Amount{}, Amount{7});
   job.replace_costs.assign(16, Amount{100});

@@ -202,16 +202,34 @@ std::int64_t Lists::replacing_step(const Place& from, const Place& to) const {
       come_.push_back(x);
     }
   }
-  const std::size_t columns = std::max(gone_.size(), come_.size());
+  if (!fitting_.has_slots()) {
+    return replaced(gone_, come_);
+  }
+  // Each slot by itself.
+  const auto slot = [&](Element x) { return fitting_.slot(x); };
+  std::ranges::sort(gone_, {}, slot);
+  std::ranges::sort(come_, {}, slot);
+  std::int64_t weight = 0;
+  for (auto first = come_.begin(); first != come_.end();) {
+    const auto end = std::ranges::upper_bound(first, come_.end(), slot(*first), {}, slot);
+    const auto gone = std::ranges::equal_range(gone_, slot(*first), {}, slot);
+    weight += replaced({gone.begin(), gone.end()}, {first, end});
+    first = end;
+  }
+  return weight;
+}
+
+std::int64_t Lists::replaced(std::span<const Element> gone, std::span<const Element> come) const {
+  const std::size_t columns = std::max(gone.size(), come.size());
   table_.clear();
-  for (const Element in : come_) {
-    for (const Element out : gone_) {
+  for (const Element in : come) {
+    for (const Element out : gone) {
       table_.push_back(replace_[out * parts_ + in]);
     }
-    table_.insert(table_.end(), columns - gone_.size(),
+    table_.insert(table_.end(), columns - gone.size(),
                   static_cast<std::int64_t>(weights_.change[in]));
   }
-  return cheapest_assignment(come_.size(), columns, table_);
+  return cheapest_assignment(come.size(), columns, table_);
 }
 
 std::int64_t Lists::step(const Place& from, const Place& to) const {

@@ -101,6 +101,9 @@ class Lists {
   }
   [[nodiscard]] std::int64_t step(const Place& from, const Place& to) const;
   [[nodiscard]] std::int64_t replacing_step(const Place& from, const Place& to) const;
+  // What it costs that some parts take the places of others, all of one slot.
+  [[nodiscard]] std::int64_t replaced(std::span<const Element> gone,
+                                      std::span<const Element> come) const;
   [[nodiscard]] std::int64_t step_into(Spot where) const;
   [[nodiscard]] std::size_t index(Element x, Element y) const;
   [[nodiscard]] std::size_t index(Element x, Element y, Element z) const;

@@ -91,7 +91,8 @@ TEST(Replacing, EqualColumnsAreOrdinaryCosts) {
 
 TEST(Replacing, TheSearchCountsAsTheRefereeDoes) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    Job job = test::replacing(test::random_job(seed, 9), seed);
+    Job job = test::replacing(
+        seed % 2 == 0 ? test::random_job(seed, 9) : test::random_job_with_slots(seed, 9), seed);
     for (Amount& cost : job.replace_costs) {  // no cost is nothing, which weighs a millionth
       cost = cost + Amount{1};
     }
@@ -106,7 +107,8 @@ TEST(Replacing, TheSearchCountsAsTheRefereeDoes) {
 
 TEST(Replacing, NoListCostsLessThanAtTheLeastPricesOrMoreThanAtTheDearest) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const Job job = test::replacing(test::random_job(seed, 7), seed);
+    const Job job = test::replacing(
+        seed % 2 == 0 ? test::random_job(seed, 7) : test::random_job_with_slots(seed, 7), seed);
     const std::vector<Block> setups = some_setups(job, seed);
     const Amount cost = run_sheet(job, setups).cost;
     EXPECT_LE(run_sheet(at_prices(job, Price::least), setups).cost, cost);
