@@ -95,7 +95,8 @@ struct OpenedRequest {
 /// If the parts are in a workbook and no sheet of it is named: a workbook that was made as a run
 /// sheet has the question that it was made for on a hidden sheet, which is taken where the request
 /// says nothing, and the tests on it that have a result are those that were done; a budget is less
-/// by what they cost. In other workbooks, slots, forbidden pairs, priorities and costs by what is
+/// by what they cost. Lists on its other sheets count if they were changed since. In other
+/// workbooks, slots, forbidden pairs, priorities and costs by what is
 /// replaced are found on sheets by their names. Every other request comes back as it is. @throws
 /// BadInput for a workbook that cannot be read, and for a question in it that is damaged, of
 /// another kind, or that names files; MissingResource for a file that cannot be read.

@@ -17,6 +17,7 @@
 #include "io/scan/row_reader.hpp"
 #include "io/workbook/workbook_sheet.hpp"
 #include "plan/job/parts/heading_words.hpp"
+#include "plan/sheet/sheet_document.hpp"
 
 namespace changeover {
 namespace {
@@ -173,43 +174,6 @@ void take_off_budget(JobRequest& question, const Book& book, const AskedJob& bef
   question.budget = to_string(left);
 }
 
-// The question of the workbook comes first, then what was filled in.
-JobRequest with_question(JobRequest request, const Book& book, std::vector<std::string>& notes) {
-  JobRequest question = question_in(book);
-  JobRequest plain = request;
-  plain.parts = {};
-  notes.push_back(fmt::format("{}: the question is that of its hidden sheet {}{}", book.name,
-                              question_sheet,
-                              plain == JobRequest() ? "" : ", but for what is asked now"));
-  const bool has_steps = book.sheet(steps_sheet) != nullptr;
-  const bool has_done = book.sheet(done_sheet) != nullptr;
-  if (has_done && !has_steps && !request.done.is_given()) {
-    request.done = book.on_sheet(std::string(done_sheet));
-  }
-  if (has_steps && !request.done.is_given()) {
-    JobRequest before = question;
-    if (has_done) {
-      before.done = book.on_sheet(std::string(done_sheet));
-    }
-    const AskedJob asked = checked_job(before, Door::document);
-    SheetInput steps(input_from_text(book.bytes, book.name), std::string(steps_sheet));
-    const bool has_results = read_done(steps, *asked.job).has_results();
-    if (has_results || has_done || request.diagnose) {
-      request.done = book.list;
-    }
-    if (has_results) {
-      if (!question.budget.empty() && request.budget.empty() && !request.diagnose) {
-        take_off_budget(question, book, asked, notes);
-      }
-      question.start.clear();  // that was before the first of them
-    }
-  }
-  drop_what_does_not_fit(question, request);
-  request.parts = {};
-  complete(request, std::move(question));
-  return request;
-}
-
 bool is_one_of(const std::string& name, std::initializer_list<std::string_view> words) {
   return std::ranges::find(words, lower(name)) != words.end();
 }
@@ -249,41 +213,165 @@ const std::array<KnownSheet, 4>& known_sheets() {
   return known;
 }
 
+// The list that a sheet has by its name; null if it is not known.
+const KnownSheet* known_as(const SheetName& sheet) {
+  const auto found = std::ranges::find_if(
+      known_sheets(), [&](const KnownSheet& known) { return is_one_of(sheet.name, known.names); });
+  return found == known_sheets().end() ? nullptr : &*found;
+}
+
+// Whether a request has what such a sheet would say.
+bool says(const JobRequest& request, const KnownSheet& known) {
+  return (request.*known.list).is_given() || (known.key == "slots" && !request.slot.empty());
+}
+
+// "slots from 'Slots', forbidden pairs from 'Never'".
+void add_taken(std::string& taken, std::string_view what, const std::string& sheet) {
+  taken += fmt::format("{}{} from {}", taken.empty() ? "" : ", ", what, shown(sheet));
+}
+
+// The same text, or the same number: spreadsheets write them in their own way.
+bool is_same(const std::string& one, const std::string& other) {
+  if (one == other) {
+    return true;
+  }
+  try {
+    return parse_amount(one) == parse_amount(other);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+// Whether a sheet says what this table said when the workbook was written.
+bool is_as_written(const Book& book, const std::string& name, const Table& table) {
+  WorkbookSheet sheet(book.bytes, book.name, name);
+  const auto is_row = [&](const SheetRow& row, auto&& text_of) {
+    std::size_t cell = 0;
+    for (std::size_t c = 0; c < table.columns.size(); ++c) {
+      const bool is_there = cell < row.cells.size() && row.cells[cell].column == c;
+      const std::string text = is_there ? row.cells[cell].text : "";
+      cell += is_there ? 1U : 0U;
+      if (!(c == 0 ? text == text_of(c) : is_same(text, text_of(c)))) {
+        return false;
+      }
+    }
+    return cell == row.cells.size();
+  };
+  const auto head = sheet.next();
+  if (!head || !is_row(*head, [&](std::size_t c) { return table.columns[c].head; })) {
+    return false;
+  }
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    const auto row = sheet.next();
+    if (!row ||
+        !is_row(*row, [&](std::size_t c) { return joined(table.columns[c].cell(i).words); })) {
+      return false;
+    }
+  }
+  return !sheet.next();
+}
+
+// Takes the lists that someone changed on the sheets of a workbook since it was written for a job.
+void take_changed_sheets(JobRequest& request, JobRequest& question, const Book& book,
+                         const Job& job, std::vector<std::string>& notes) {
+  if (job.model != nullptr) {
+    return;  // its values and rules are in its text
+  }
+  TableDocument document;
+  add_lists_of_job(document, job, Money(job));
+  const auto section = [&](const SheetName& sheet) -> const TableSection* {
+    const auto found = std::ranges::find_if(document.sections, [&](const TableSection& each) {
+      return lower(each.sheet) == lower(sheet.name);
+    });
+    return found == document.sections.end() ? nullptr : &*found;
+  };
+  std::string taken;
+  const SheetName* const parts = book.sheet(parts_sheet);
+  const bool parts_changed = parts != nullptr && !parts->hidden &&
+                             !is_as_written(book, parts->name, section(*parts)->table);
+  if (parts_changed) {
+    add_taken(taken, "parts", parts->name);
+    request.parts = book.on_sheet(parts->name);
+    question.parts = {};
+    question.items.reset();
+  }
+  for (const SheetName& sheet : book.sheets) {
+    const KnownSheet* const known = known_as(sheet);
+    if (sheet.hidden || known == nullptr || says(request, *known)) {
+      continue;
+    }
+    const TableSection* const written = section(sheet);
+    // Of parts that are gone, the sheet says so with its place.
+    if (written == nullptr || parts_changed || !is_as_written(book, sheet.name, written->table)) {
+      add_taken(taken, known->what, sheet.name);
+      request.*known->list = book.on_sheet(sheet.name);
+    }
+  }
+  if (!taken.empty()) {
+    notes.push_back(fmt::format("{}: {}, changed since the plan was made", book.name, taken));
+  }
+}
+
+// The question of the workbook comes first, then what was filled in.
+JobRequest with_question(JobRequest request, const Book& book, std::vector<std::string>& notes) {
+  JobRequest question = question_in(book);
+  JobRequest plain = request;
+  plain.parts = {};
+  notes.push_back(fmt::format("{}: the question is that of its hidden sheet {}{}", book.name,
+                              question_sheet,
+                              plain == JobRequest() ? "" : ", but for what is asked now"));
+  request.parts = {};
+  const bool has_steps = book.sheet(steps_sheet) != nullptr;
+  const bool has_done = book.sheet(done_sheet) != nullptr;
+  if (has_done && !has_steps && !request.done.is_given()) {
+    request.done = book.on_sheet(std::string(done_sheet));
+  }
+  if (has_steps && !request.done.is_given()) {
+    JobRequest before = question;
+    if (has_done) {
+      before.done = book.on_sheet(std::string(done_sheet));
+    }
+    const AskedJob asked = checked_job(before, Door::document);
+    SheetInput steps(input_from_text(book.bytes, book.name), std::string(steps_sheet));
+    const bool has_results = read_done(steps, *asked.job).has_results();
+    if (has_results || has_done || request.diagnose) {
+      request.done = book.list;
+    }
+    if (has_results) {
+      if (!question.budget.empty() && request.budget.empty() && !request.diagnose) {
+        take_off_budget(question, book, asked, notes);
+      }
+      question.start.clear();  // that was before the first of them
+    }
+  }
+  const AskedJob as_made = checked_job(question, Door::document);
+  take_changed_sheets(request, question, book, *as_made.job, notes);
+  drop_what_does_not_fit(question, request);
+  complete(request, std::move(question));
+  return request;
+}
+
 JobRequest with_other_sheets(JobRequest request, const Book& book,
                              std::vector<std::string>& notes) {
   std::string taken;
-  const auto take = [&](std::string_view what, const std::string& sheet) {
-    taken += fmt::format("{}{} from {}", taken.empty() ? "" : ", ", what, shown(sheet));
-  };
-  const auto known_as = [&](const SheetName& sheet) {
-    return std::ranges::find_if(known_sheets(), [&](const KnownSheet& known) {
-      return is_one_of(sheet.name, known.names);
-    });
-  };
-  const auto end = known_sheets().end();
   const SheetName* parts = nullptr;
   const SheetName* first = nullptr;
   for (const SheetName& sheet : book.sheets) {
     if (!sheet.hidden) {
       first = first == nullptr ? &sheet : first;
       const bool better = parts == nullptr || (!has_parts(parts->name) && has_parts(sheet.name));
-      parts = known_as(sheet) == end && better ? &sheet : parts;
+      parts = known_as(sheet) == nullptr && better ? &sheet : parts;
     }
   }
   if (parts != nullptr && parts != first) {
-    take("parts", parts->name);
+    add_taken(taken, "parts", parts->name);
     request.parts = book.on_sheet(parts->name);
   }
   for (const SheetName& sheet : book.sheets) {
-    const auto known = known_as(sheet);
-    if (sheet.hidden || &sheet == parts || known == end) {
-      continue;
-    }
-    RequestList& list = request.*known->list;
-    const bool said = list.is_given() || (known->key == "slots" && !request.slot.empty());
-    if (!said) {
-      take(known->what, sheet.name);
-      list = book.on_sheet(sheet.name);
+    const KnownSheet* const known = known_as(sheet);
+    if (!sheet.hidden && &sheet != parts && known != nullptr && !says(request, *known)) {
+      add_taken(taken, known->what, sheet.name);
+      request.*known->list = book.on_sheet(sheet.name);
     }
   }
   if (!taken.empty()) {

@@ -17,6 +17,7 @@ inline constexpr std::string_view question_sheet = "changeover-question";
 /// The sheets of a run sheet: what is to be done, and what was done before.
 inline constexpr std::string_view steps_sheet = "Run sheet";
 inline constexpr std::string_view done_sheet = "Done";
+inline constexpr std::string_view parts_sheet = "Parts";
 
 /// The pieces of a document for that sheet, short enough for cells.
 [[nodiscard]] std::vector<std::string> question_pieces(const std::string& document);

@@ -228,25 +228,6 @@ Table question_table(const std::vector<std::string>& question) {
   return table_of({{question.front(), {}}}, std::move(rows));
 }
 
-// The sheets of a workbook from which the job can be read again.
-void add_lists_of_job(TableDocument& document, const Job& job, const Money& money) {
-  if (job.model != nullptr) {
-    document.sections.push_back(
-        {.table = value_costs(job, money), .in = in_workbook, .sheet = "Costs"});
-  } else {
-    document.sections.push_back({.table = parts(job, money), .in = in_workbook, .sheet = "Parts"});
-  }
-  if (!job.slots.empty() && job.model == nullptr) {
-    document.sections.push_back({.table = slot_limits(job), .in = in_workbook, .sheet = "Slots"});
-  }
-  if (job.never.size() > 0) {
-    document.sections.push_back({.heading = "Never together",
-                                 .table = forbidden_pairs(job),
-                                 .in = in_html | in_workbook,
-                                 .sheet = "Never"});
-  }
-}
-
 void add_question(TableDocument& document, const std::vector<std::string>& question) {
   if (!question.empty()) {
     document.sections.push_back({.table = question_table(question),
@@ -276,6 +257,24 @@ std::string style_of(const Job& job, bool compact) {
   const bool wide = !compact && has_many_slots(job);
   return job.model != nullptr ? std::string(page_style) + value_style(job, compact)
                               : std::string(page_style) + std::string(wide ? wide_page_style : "");
+}
+
+void add_lists_of_job(TableDocument& document, const Job& job, const Money& money) {
+  if (job.model != nullptr) {
+    document.sections.push_back(
+        {.table = value_costs(job, money), .in = in_workbook, .sheet = "Costs"});
+  } else {
+    document.sections.push_back({.table = parts(job, money), .in = in_workbook, .sheet = "Parts"});
+  }
+  if (!job.slots.empty() && job.model == nullptr) {
+    document.sections.push_back({.table = slot_limits(job), .in = in_workbook, .sheet = "Slots"});
+  }
+  if (job.never.size() > 0) {
+    document.sections.push_back({.heading = "Never together",
+                                 .table = forbidden_pairs(job),
+                                 .in = in_html | in_workbook,
+                                 .sheet = "Never"});
+  }
 }
 
 void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,

@@ -18,6 +18,10 @@ namespace changeover {
 /// How the pages of a job look: on their side if there are many slots, which have a column each.
 [[nodiscard]] std::string style_of(const Job& job, bool compact = false);
 
+/// Adds the sheets of a workbook from which the lists of a job can be read again: `Parts`, `Slots`
+/// and `Never`. The job must outlive the document.
+void add_lists_of_job(TableDocument& document, const Job& job, const Money& money);
+
 /// Adds what a workbook must have besides so that it is all that is needed to go on: the lists of
 /// the job, the tests that were done, and the question. `done` may be null, `question` empty.
 void add_what_goes_on(TableDocument& document, const Job& job, const Money& money,

@@ -187,6 +187,31 @@ std::string filled_in(const std::string& bytes, const std::vector<std::string>& 
   return zipped(members);
 }
 
+// The workbook with one more row on a sheet; texts and numbers.
+std::string with_row(const std::string& bytes, const std::string& name,
+                     const std::vector<std::string>& cells) {
+  const std::vector<SheetName> sheets = workbook_sheets(bytes, "f.xlsx");
+  const auto found = std::ranges::find(sheets, name, &SheetName::name);
+  WorkbookSheet sheet(bytes, "f.xlsx", name);
+  std::uint64_t last = 0;
+  while (const auto row = sheet.next()) {
+    last = row->number;
+  }
+  std::string xml = fmt::format("<row r=\"{}\">", last + 1);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string place = fmt::format("{}{}", static_cast<char>('A' + i), last + 1);
+    const bool is_number = cells[i].find_first_not_of("0123456789.") == std::string::npos;
+    xml += cells[i].empty() ? ""
+           : is_number
+               ? fmt::format("<c r=\"{}\"><v>{}</v></c>", place, cells[i])
+               : fmt::format("<c r=\"{}\" t=\"inlineStr\"><is><t>{}</t></is></c>", place, cells[i]);
+  }
+  test::Members members = unzipped(bytes);
+  std::string& text = members[fmt::format("xl/worksheets/sheet{}.xml", found - sheets.begin() + 1)];
+  text.insert(text.find("</sheetData>"), xml + "</row>");
+  return zipped(members);
+}
+
 class RunSheetWorkbook : public testing::Test {
  protected:
   RunSheetWorkbook() {
@@ -274,6 +299,39 @@ TEST_F(RunSheetWorkbook, OptionsWinOverItsQuestion) {
   other.done.rows.emplace();
   other.done.rows->push_back({{"Xeon", "E810"}});
   EXPECT_EQ(checked_job(opened(bytes, other), Door::document).record.tests.size(), 1U);
+}
+
+TEST_F(RunSheetWorkbook, ListsThatWereChangedOnItsSheetsCount) {
+  const std::string bytes = filled_in(planned(), {"pass"});
+  const std::uint64_t parts = request.parts.rows->size();
+  const AskedJob same = checked_job(opened(bytes), Door::document);
+  const std::string with_part = with_row(bytes, "Parts", {"P5800", "2.5"});
+  const OpenedRequest more = opened(with_part);
+  EXPECT_THAT(more.notes.back(), HasSubstr("parts from 'Parts', slots from 'Slots', forbidden "
+                                           "pairs from 'Never', changed since the plan was made"));
+  const AskedJob with_more = checked_job(more, Door::document);
+  EXPECT_EQ(with_more.job->parts(), parts + 1);
+  EXPECT_EQ(to_string(with_more.job->change_costs.back()), "2.50");
+  EXPECT_EQ(with_more.job->needed.size(), same.job->needed.size() + parts);
+  EXPECT_EQ(with_more.job->tests_done, 1U);
+  EXPECT_EQ(with_more.job->why_never(1, 3), "no driver");
+  const OpenedRequest apart = opened(with_row(bytes, "Never", {"Xeon", "PM9A3", "too hot"}));
+  EXPECT_THAT(apart.notes.back(), HasSubstr(": forbidden pairs from 'Never', changed since"));
+  EXPECT_EQ(checked_job(apart, Door::document).job->why_never(0, 4), "too hot");
+  // What is asked for wins, and what is wrong there is named with its place.
+  JobRequest other;
+  other.never.rows.emplace();
+  other.never.rows->push_back({{"Epyc", "D7"}});
+  EXPECT_EQ(checked_job(opened(with_row(bytes, "Never", {"Xeon", "PM9A3"}), other), Door::document)
+                .job->never.size(),
+            1U);
+  EXPECT_THAT(fault_of([&] {
+                (void)checked_job(opened(with_row(bytes, "Never", {"Xeon", "P4"})), Door::document);
+              }),
+              HasSubstr(":Never!B3: there is no part 'P4'"));
+  // The question goes on with them.
+  planned(more);
+  EXPECT_EQ(checked_job(opened(planned(more)), Door::document).job->parts(), parts + 1);
 }
 
 TEST_F(RunSheetWorkbook, IsDiagnosed) {
