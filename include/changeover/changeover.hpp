@@ -62,6 +62,7 @@
 #include "changeover/plan/diagnosis.hpp"
 #include "changeover/plan/job.hpp"
 #include "changeover/plan/job_request.hpp"
+#include "changeover/plan/model.hpp"
 #include "changeover/plan/run_plan.hpp"
 #include "changeover/proof/proof.hpp"
 #include "changeover/run/control.hpp"

@@ -306,7 +306,9 @@ void SplitMaker::give_pairs(WorkerSplit& split, const LoadOrderOptions& options)
         fmt::format("pairs have costs: give at most {} items and {} workers, or list the pairs",
                     most_items_of_a_table, most_workers_of_a_table));
   }
-  const bool is_streamed = all && whole.method == "streamed" && facts.groups == facts.items;
+  // More workers than steps: some have none, and the first that has a pair computes it.
+  const bool is_streamed = all && whole.method == "streamed" && facts.groups == facts.items &&
+                           facts.workers.size() <= whole.steps;
   if (facts.workers.size() == 1 && !options.pair_cost) {
     facts.workers[0].pairs = facts.all_pairs;
     facts.pairs_are_known = true;
