@@ -318,7 +318,8 @@ struct WhatIf {
 // order of places], new_pairs [[a,b]], cost, cost_so_far, weight_so_far (where pairs are
 // weighed)}], candidates [{name, how, tests, changes, cost, pairs_tested, triples_tested, weight}],
 // notes [text]. If costs depend on what is replaced, also replace_costs [[number, or null where a
-// part meets itself]] by part out and part in, and in each step replaced [[out, in]]. Of a model also
+// part meets itself or one of another slot]] by part out and part in, and in each step replaced
+// [[out, in]]. Of a model also
 // parameters [{name, values [{value, part, names, out_of_range}]}], rules (how many), objective,
 // proved_fewest_tests, and in each step values {parameter: value}. Costs are exact decimals.
 //
