@@ -15,6 +15,7 @@
 #include "plan/job/check_in_full.hpp"
 #include "plan/job/pair_numbers.hpp"
 #include "plan/job/prices.hpp"
+#include "plan/search/bounds/dearest_parts.hpp"
 #include "plan/search/bounds/rounded_up.hpp"
 #include "plan/search/bounds/stays_cost.hpp"
 #include "plan/search/choices/choice_plan.hpp"
@@ -498,6 +499,42 @@ Amount rounded_up(const Job& job, Amount cost) {
   return unit == 0 ? cost : Amount{unit} * ceil_div(cost.millionths, unit);
 }
 
+std::optional<DearestParts> dearest_parts_of(const Job& job, Amount& mounting) {
+  const Numbers n = numbers_of(job);
+  mounting = n.mounting;
+  if (n.pairs == 0 || n.room < 2) {
+    return std::nullopt;
+  }
+  const StaysCost stays = least_by_stays(job, n);
+  const IntroductionCosts costs(job, n);
+  DearestParts dearest{
+      .room = std::max(n.room, n.start),
+      .parts = n.parts,
+      .needed = &job.needed,
+      .test = job.test_cost,
+      .starts = n.start > 0 ? 1U : 0U,
+      .least_tests = least_tests(job, n).number,
+      .least_introductions = least_introductions(n, costs.once(), stays.extra).number,
+      .first = 1};
+  std::vector<bool> together(job.names.size(), false);
+  for (const Element x : all_meeting(job, n)) {
+    together[x] = true;
+  }
+  for (const Element x : n.parts) {
+    const std::uint32_t slot = n.slot_of[x];
+    const bool fills = slot < job.slots.size() && job.slots[slot].least > 0;
+    dearest.prices.push_back(job.change_costs[x]);
+    dearest.most.push_back(fills ? std::numeric_limits<std::uint32_t>::max() : n.degree[x]);
+    dearest.at_start.push_back(n.at_start[x] ? 1U : 0U);
+    dearest.together.push_back(together[x]);
+    dearest.least_introductions += dearest.at_start.back();
+  }
+  if (n.start == 0) {
+    dearest.first = std::clamp<std::uint64_t>(n.first, 1, dearest.room);
+  }
+  return dearest;
+}
+
 CostBound cost_bound(const Job& job) {
   check_in_full(job);
   return bound_of_valid_job(job);
@@ -563,6 +600,11 @@ CostBound bound_of_pairs(const Job& job) {
       least, n.room, n.room, count_of(cheapest.tests, "test"),
       count_of(cheapest.introductions + n.mounted_introductions, "change"),
       cheapest.tests == 1 ? "costs" : "cost");
+  try {
+    raise_by_dearest(job, bound);
+  } catch (const Stopped&) {
+    // What is known is true.
+  }
   return bound;
 }
 
